@@ -1,0 +1,135 @@
+#include "derivatives/differentiate.hpp"
+
+#include <functional>
+
+namespace assur::generator {
+
+namespace {
+
+using VariableList = std::vector<const Variable*>;
+
+VariableList listed(const std::deque<Variable>& variables) {
+  VariableList list;
+  for (const Variable& variable : variables) {
+    list.push_back(&variable);
+  }
+  return list;
+}
+
+VariableList joined(const std::deque<Variable>& first, const std::deque<Variable>& second) {
+  VariableList list = listed(first);
+  for (const Variable& variable : second) {
+    list.push_back(&variable);
+  }
+  return list;
+}
+
+ExpressionMatrix jacobian_of(const std::vector<GiNaC::ex>& functions,
+                             const std::deque<Variable>& variables, const Vocabulary& vocabulary) {
+  ExpressionMatrix matrix;
+  for (const GiNaC::ex& function : functions) {
+    std::vector<GiNaC::ex>& row = matrix.emplace_back();
+    for (const Variable& variable : variables) {
+      row.push_back(vocabulary.derivative(function, variable));
+    }
+  }
+  return matrix;
+}
+
+/// d(function)/dt along the rates of the variables.
+GiNaC::ex time_derivative(const GiNaC::ex& function, const VariableList& variables,
+                          const Vocabulary& vocabulary) {
+  GiNaC::ex total;
+  for (const Variable* variable : variables) {
+    total += vocabulary.derivative(function, *variable) * variable->rate;
+  }
+  return total.expand();
+}
+
+/// d2(function)/dt2, where only `accelerated` variables have second rates.
+GiNaC::ex second_time_derivative(const GiNaC::ex& function, const VariableList& moving,
+                                 const VariableList& accelerated, const Vocabulary& vocabulary) {
+  GiNaC::ex total = time_derivative(time_derivative(function, moving, vocabulary), moving,
+                                    vocabulary);
+  for (const Variable* variable : accelerated) {
+    total += vocabulary.derivative(function, *variable) * variable->second_rate;
+  }
+  return total.expand();
+}
+
+/// Derivatives of (x, y, theta) of every link by a rule for expressions and one for angles.
+ExpressionMatrix over_poses(const ClosureEquations& equations,
+                            const std::function<GiNaC::ex(const GiNaC::ex&)>& of_coordinate,
+                            const std::function<GiNaC::ex(const AngleSum&)>& of_angle) {
+  ExpressionMatrix rows;
+  for (const LinkPose& pose : equations.poses) {
+    rows.push_back({of_coordinate(pose.origin.x), of_coordinate(pose.origin.y),
+                    of_angle(pose.angle)});
+  }
+  return rows;
+}
+
+ExpressionMatrix pose_jacobian(const ClosureEquations& equations,
+                               const std::deque<Variable>& variables) {
+  ExpressionMatrix matrix;
+  for (const LinkPose& pose : equations.poses) {
+    for (const GiNaC::ex& coordinate : {pose.origin.x, pose.origin.y}) {
+      std::vector<GiNaC::ex>& row = matrix.emplace_back();
+      for (const Variable& variable : variables) {
+        row.push_back(equations.vocabulary.derivative(coordinate, variable));
+      }
+    }
+    std::vector<GiNaC::ex>& row = matrix.emplace_back();
+    for (const Variable& variable : variables) {
+      row.emplace_back(pose.angle.factor(variable));
+    }
+  }
+  return matrix;
+}
+
+}  // namespace
+
+Derivatives differentiate(const ClosureEquations& equations) {
+  const Vocabulary& vocabulary = equations.vocabulary;
+  const std::vector<GiNaC::ex> residuals = equations.residuals();
+  const VariableList inputs = listed(equations.inputs);
+  const VariableList moving = joined(equations.unknowns, equations.inputs);
+
+  Derivatives result;
+  result.jacobian = jacobian_of(residuals, equations.unknowns, vocabulary);
+  result.dimension_jacobian = jacobian_of(residuals, equations.dimensions, vocabulary);
+  result.input_jacobian = jacobian_of(residuals, equations.inputs, vocabulary);
+  for (const GiNaC::ex& residual : residuals) {
+    result.velocity_rhs.push_back(-time_derivative(residual, inputs, vocabulary));
+    result.acceleration_rhs.push_back(
+        -second_time_derivative(residual, moving, inputs, vocabulary));
+  }
+
+  result.pose_unknown_jacobian = pose_jacobian(equations, equations.unknowns);
+  result.pose_dimension_jacobian = pose_jacobian(equations, equations.dimensions);
+  result.pose_input_jacobian = pose_jacobian(equations, equations.inputs);
+  const auto angle_rate = [&](const AngleSum& angle, auto rate) {
+    GiNaC::ex total;
+    for (const Variable* variable : moving) {
+      total += angle.factor(*variable) * rate(*variable);
+    }
+    return total;
+  };
+  result.pose_velocity = over_poses(
+      equations,
+      [&](const GiNaC::ex& coordinate) { return time_derivative(coordinate, moving, vocabulary); },
+      [&](const AngleSum& angle) {
+        return angle_rate(angle, [](const Variable& variable) { return variable.rate; });
+      });
+  result.pose_acceleration = over_poses(
+      equations,
+      [&](const GiNaC::ex& coordinate) {
+        return second_time_derivative(coordinate, moving, moving, vocabulary);
+      },
+      [&](const AngleSum& angle) {
+        return angle_rate(angle, [](const Variable& variable) { return variable.second_rate; });
+      });
+  return result;
+}
+
+}  // namespace assur::generator

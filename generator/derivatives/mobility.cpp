@@ -1,0 +1,137 @@
+#include "derivatives/mobility.hpp"
+
+#include <algorithm>
+#include <random>
+
+#include "error.hpp"
+
+namespace assur::generator {
+
+namespace {
+
+class RandomRational {
+ public:
+  explicit RandomRational(unsigned seed) : engine_(seed) {}
+
+  GiNaC::numeric number() {
+    return GiNaC::numeric(integer(-60, 60), 1) / GiNaC::numeric(integer(1, 30), 1);
+  }
+  /// A rational point of the unit circle, other than (1, 0).
+  Vector2 direction() {
+    const GiNaC::numeric t = GiNaC::numeric(integer(1, 60), 1) / GiNaC::numeric(integer(1, 30), 1);
+    const GiNaC::numeric scale = GiNaC::numeric(1) / (GiNaC::numeric(1) + t * t);
+    const GiNaC::numeric sign = integer(0, 1) == 0 ? -1 : 1;
+    return {(GiNaC::numeric(1) - t * t) * scale, sign * 2 * t * scale};
+  }
+
+ private:
+  // std::uniform_int_distribution differs between libraries; the generator must not.
+  int integer(int low, int high) {
+    return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1));
+  }
+
+  std::mt19937 engine_;
+};
+
+/// An angle of a compatibility condition that occurs in no earlier one, and its factor there.
+const Variable& angle_to_solve_for(const ClosureEquations& equations, std::size_t condition) {
+  for (const std::deque<Variable>* list : {&equations.dimensions, &equations.inputs}) {
+    for (const Variable& variable : *list) {
+      if (equations.compatibility[condition].factor(variable) == 0) {
+        continue;
+      }
+      const bool taken = std::any_of(
+          equations.compatibility.begin(),
+          equations.compatibility.begin() + static_cast<std::ptrdiff_t>(condition),
+          [&](const AngleSum& earlier) { return earlier.factor(variable) != 0; });
+      if (!taken) {
+        return variable;
+      }
+    }
+  }
+  throw GeneratorError("mobility", equations.model->title(), "an angle condition without an angle");
+}
+
+/// Names of the prismatic joints and of the links they join, for the verdict.
+std::string cause(const ClosureEquations& equations) {
+  if (equations.compatibility.empty()) {
+    return "";
+  }
+  std::string text = "prismatic joints alone close " +
+                     std::string(equations.compatibility.size() == 1 ? "a loop" : "loops") +
+                     ", so its angles are over-determined (";
+  for (std::size_t index = 0; index < equations.compatibility.size(); ++index) {
+    text += (index == 0 ? "" : "; ") + equations.compatibility[index].text() + " = 0";
+  }
+  return text + ")";
+}
+
+}  // namespace
+
+GiNaC::exmap random_assembly(const ClosureEquations& equations, unsigned seed) {
+  RandomRational random(seed);
+  GiNaC::exmap values;
+  GiNaC::lst lengths;
+  for (const std::deque<Variable>* list :
+       {&equations.unknowns, &equations.dimensions, &equations.inputs}) {
+    for (const Variable& variable : *list) {
+      if (variable.is_angle()) {
+        const Vector2 direction = random.direction();
+        values[variable.cosine] = direction.x;
+        values[variable.sine] = direction.y;
+      } else {
+        lengths.append(variable.value);
+      }
+    }
+  }
+  for (std::size_t index = 0; index < equations.compatibility.size(); ++index) {
+    const Variable& angle = angle_to_solve_for(equations, index);
+    const int factor = equations.compatibility[index].factor(angle);
+    AngleSum rest = equations.compatibility[index];
+    rest.add(angle, -factor);
+    const Vector2 direction = rest.direction();
+    values[angle.cosine] = direction.x.subs(values);
+    values[angle.sine] = (-factor * direction.y).subs(values);
+  }
+  GiNaC::lst closures;
+  for (const GiNaC::ex& residual : equations.residuals()) {
+    closures.append(equations.vocabulary.expand(residual).subs(values) == 0);
+  }
+  const GiNaC::ex solution = GiNaC::lsolve(closures, lengths);
+  if (solution.nops() == 0) {
+    throw GeneratorError("mobility", equations.model->title(), "no assembly at random angles");
+  }
+  GiNaC::exmap free;
+  for (const GiNaC::ex& length : lengths) {
+    free[length] = random.number();
+  }
+  for (const GiNaC::ex& assignment : solution) {
+    values[assignment.lhs()] = assignment.rhs().subs(free);
+  }
+  return values;
+}
+
+Mobility mobility_of(const ClosureEquations& equations, const Derivatives& derivatives) {
+  const auto rows = static_cast<unsigned>(derivatives.jacobian.size());
+  const auto columns = static_cast<unsigned>(equations.unknowns.size());
+  int rank = 0;
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    const GiNaC::exmap values = random_assembly(equations, seed);
+    GiNaC::matrix jacobian(rows, columns);
+    for (unsigned row = 0; row < rows; ++row) {
+      for (unsigned column = 0; column < columns; ++column) {
+        jacobian(row, column) =
+            equations.vocabulary.expand(derivatives.jacobian[row][column]).subs(values);
+      }
+    }
+    rank = std::max(rank, static_cast<int>(jacobian.rank()));
+  }
+  Mobility result{static_cast<int>(columns), rank, static_cast<int>(columns) - rank, false, ""};
+  result.rigid = result.freedom == 0 && rows == columns && equations.compatibility.empty();
+  const std::string count = "generic rank " + std::to_string(rank) + " of " + std::to_string(rows) +
+                            " equations in " + std::to_string(columns) + " unknowns";
+  result.reason = equations.compatibility.empty() ? count : count + ": " + cause(equations);
+  return result;
+}
+
+}  // namespace assur::generator

@@ -1,0 +1,29 @@
+// Turns a model's equations into its verdict: the exact generic rank of the Jacobian decides.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "derivatives/differentiate.hpp"
+
+namespace assur::generator {
+
+/// Whether a group is a structure once its external joints are held.
+struct Mobility {
+  int unknowns;
+  int rank;      ///< generic rank of the Jacobian where the group is assembled
+  int freedom;   ///< unknowns - rank: the mobility when it can be assembled
+  bool rigid;    ///< square, of full rank, and with angles that nothing over-determines
+  std::string reason;
+};
+
+/// Evaluates the Jacobian in rational numbers at random assembled configurations: random rational
+/// points of the circle for the angles, lengths that solve the (in lengths linear) equations. The
+/// rank at a point is never above the generic rank, so the largest over a few points is taken.
+[[nodiscard]] Mobility mobility_of(const ClosureEquations& equations,
+                                   const Derivatives& derivatives);
+
+/// An assembled configuration in rational numbers: a value for every symbol of the variables.
+[[nodiscard]] GiNaC::exmap random_assembly(const ClosureEquations& equations, unsigned seed);
+
+}  // namespace assur::generator

@@ -1,0 +1,21 @@
+// Turns a straight-line program into lines of C++.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "subexpressions/program.hpp"
+
+namespace assur::generator {
+
+/// How a symbol that a program reads is spelled in C++: `q.theta_BCG.cos`.
+using Spelling = std::function<std::string(const std::string& symbol)>;
+
+/// The program's statements, one a line.
+[[nodiscard]] std::vector<std::string> cpp_lines(const Program& program, const Spelling& spelling);
+
+/// The text with every line over 100 columns broken, code after commas and before operators.
+[[nodiscard]] std::string fitted_to_width(const std::string& text);
+
+}  // namespace assur::generator

@@ -1,0 +1,163 @@
+#include "emission/model_functions.hpp"
+
+#include <utility>
+
+namespace assur::generator {
+
+namespace {
+
+std::string entry(const std::string& matrix, std::size_t row, std::size_t column) {
+  return matrix + "(" + std::to_string(row) + ", " + std::to_string(column) + ")";
+}
+
+void append(std::vector<Result>& results, const std::string& target,
+            const std::vector<GiNaC::ex>& vector) {
+  for (std::size_t row = 0; row < vector.size(); ++row) {
+    results.push_back({target + "(" + std::to_string(row) + ")", vector[row]});
+  }
+}
+
+void append(std::vector<Result>& results, const std::string& target,
+            const ExpressionMatrix& matrix) {
+  for (std::size_t row = 0; row < matrix.size(); ++row) {
+    for (std::size_t column = 0; column < matrix[row].size(); ++column) {
+      results.push_back({entry(target, row, column), matrix[row][column]});
+    }
+  }
+}
+
+template <typename Values>
+std::vector<Result> results_of(const std::string& target, const Values& values) {
+  std::vector<Result> results;
+  append(results, target, values);
+  return results;
+}
+
+}  // namespace
+
+std::vector<ModelFunction> model_functions(const ClosureEquations& equations,
+                                           const Derivatives& derivatives) {
+  const Parameter dimensions{"const Dimensions<Scalar>&", "d"};
+  const Parameter inputs{"const Inputs<Scalar>&", "u"};
+  const Parameter configuration{"const Configuration<Scalar>&", "q"};
+  const Parameter rates{"const Vector<Scalar, unknown_count>&", "q_rate"};
+  const Parameter second_rates{"const Vector<Scalar, unknown_count>&", "q_second_rate"};
+  const Parameter input_rates{"const Vector<Scalar, input_count>&", "u_rate"};
+  const Parameter input_second_rates{"const Vector<Scalar, input_count>&", "u_second_rate"};
+  const std::vector<Parameter> place = {dimensions, inputs, configuration};
+  const auto with = [&](std::vector<Parameter> more) {
+    more.insert(more.begin(), place.begin(), place.end());
+    return more;
+  };
+
+  std::vector<ModelFunction> functions;
+  functions.push_back({"residual",
+                       {"f(q, d, u): the x and y of each loop closure, zero when assembled."},
+                       place,
+                       {{"Vector<Scalar, equation_count>&", "f"}},
+                       results_of("f", equations.residuals())});
+  functions.push_back({"jacobian",
+                       {"J = df/dq."},
+                       place,
+                       {{"Matrix<Scalar, equation_count, unknown_count>&", "J"}},
+                       results_of("J", derivatives.jacobian)});
+  functions.push_back({"dimension_jacobian",
+                       {"F_d = df/dd; the sensitivities solve J dq/dd = -F_d."},
+                       place,
+                       {{"Matrix<Scalar, equation_count, dimension_count>&", "F_d"}},
+                       results_of("F_d", derivatives.dimension_jacobian)});
+  functions.push_back({"input_jacobian",
+                       {"F_u = df/du; the sensitivities solve J dq/du = -F_u."},
+                       place,
+                       {{"Matrix<Scalar, equation_count, input_count>&", "F_u"}},
+                       results_of("F_u", derivatives.input_jacobian)});
+  functions.push_back({"velocity_rhs",
+                       {"Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs."},
+                       with({input_rates}),
+                       {{"Vector<Scalar, equation_count>&", "rhs"}},
+                       results_of("rhs", derivatives.velocity_rhs)});
+  functions.push_back({"acceleration_rhs",
+                       {"Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the",
+                        "rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs."},
+                       with({rates, input_rates, input_second_rates}),
+                       {{"Vector<Scalar, equation_count>&", "rhs"}},
+                       results_of("rhs", derivatives.acceleration_rhs)});
+  ModelFunction poses{"link_poses",
+                      {"Frames of the links in the fixed frame."},
+                      place,
+                      {{"Poses<Scalar, link_count>&", "poses"}},
+                      {}};
+  for (std::size_t link = 0; link < equations.poses.size(); ++link) {
+    const LinkPose& pose = equations.poses[link];
+    const std::string target = "poses[" + std::to_string(link) + "]";
+    poses.results.push_back({target + ".x", pose.origin.x});
+    poses.results.push_back({target + ".y", pose.origin.y});
+    poses.results.push_back({target + ".direction.cos", pose.direction.x});
+    poses.results.push_back({target + ".direction.sin", pose.direction.y});
+  }
+  functions.push_back(std::move(poses));
+  ModelFunction pose_jacobians{
+      "pose_jacobians",
+      {"Partial derivatives of the link frames p, rows (x, y, theta) link by link:",
+       "P_q = dp/dq, P_d = dp/dd, P_u = dp/du, each with the other two held."},
+      place,
+      {{"Matrix<Scalar, 3 * link_count, unknown_count>&", "P_q"},
+       {"Matrix<Scalar, 3 * link_count, dimension_count>&", "P_d"},
+       {"Matrix<Scalar, 3 * link_count, input_count>&", "P_u"}},
+      results_of("P_q", derivatives.pose_unknown_jacobian)};
+  append(pose_jacobians.results, "P_d", derivatives.pose_dimension_jacobian);
+  append(pose_jacobians.results, "P_u", derivatives.pose_input_jacobian);
+  functions.push_back(std::move(pose_jacobians));
+  functions.push_back({"link_velocities",
+                       {"Velocity (vx, vy, omega) of each link's frame, one row a link."},
+                       with({rates, input_rates}),
+                       {{"Matrix<Scalar, link_count, 3>&", "v"}},
+                       results_of("v", derivatives.pose_velocity)});
+  functions.push_back({"link_accelerations",
+                       {"Acceleration (ax, ay, alpha) of each link's frame, one row a link."},
+                       with({rates, second_rates, input_rates, input_second_rates}),
+                       {{"Matrix<Scalar, link_count, 3>&", "a"}},
+                       results_of("a", derivatives.pose_acceleration)});
+  if (!equations.compatibility.empty()) {
+    ModelFunction compatibility{
+        "compatibility",
+        {"(cos, sin) of each sum of angles that must vanish: assembled only at (1, 0)."},
+        {dimensions, inputs},
+        {{"Matrix<Scalar, compatibility_count, 2>&", "c"}},
+        {}};
+    for (std::size_t row = 0; row < equations.compatibility.size(); ++row) {
+      const Vector2 direction = equations.compatibility[row].direction();
+      compatibility.results.push_back({entry("c", row, 0), direction.x});
+      compatibility.results.push_back({entry("c", row, 1), direction.y});
+    }
+    functions.push_back(std::move(compatibility));
+  }
+  return functions;
+}
+
+SymbolOrder symbol_order(const ClosureEquations& equations) {
+  SymbolOrder order;
+  const auto lists = {&equations.unknowns, &equations.dimensions, &equations.inputs};
+  for (const std::deque<Variable>* list : lists) {
+    for (const Variable& variable : *list) {
+      if (variable.is_angle()) {
+        order.declare(variable.cosine);
+        order.declare(variable.sine);
+      } else {
+        order.declare(variable.value);
+      }
+    }
+  }
+  for (const std::deque<Variable>* list : lists) {
+    for (const Variable& variable : *list) {
+      order.declare(variable.rate);
+      order.declare(variable.second_rate);
+    }
+  }
+  for (const NamedQuantity& quantity : equations.vocabulary.quantities()) {
+    order.declare(quantity.symbol);
+  }
+  return order;
+}
+
+}  // namespace assur::generator

@@ -1,0 +1,34 @@
+// Turns a model's equations and derivatives into the list of functions that its header holds.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "derivatives/differentiate.hpp"
+#include "subexpressions/program.hpp"
+
+namespace assur::generator {
+
+/// A parameter of an emitted function; it stays unnamed in C++ where the body does not use it.
+struct Parameter {
+  std::string type;
+  std::string name;
+};
+
+/// One function to emit: results are assigned to the `outputs`, which are cleared first where most
+/// of their entries are zero.
+struct ModelFunction {
+  std::string name;
+  std::vector<std::string> doc;
+  std::vector<Parameter> inputs;
+  std::vector<Parameter> outputs;
+  std::vector<Result> results;
+};
+
+[[nodiscard]] std::vector<ModelFunction> model_functions(const ClosureEquations& equations,
+                                                         const Derivatives& derivatives);
+
+/// Ranks the symbols of a model: unknowns, dimensions, inputs, rates, then named quantities.
+[[nodiscard]] SymbolOrder symbol_order(const ClosureEquations& equations);
+
+}  // namespace assur::generator

@@ -1,0 +1,275 @@
+#include "equations/closure.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "error.hpp"
+
+namespace assur::generator {
+
+namespace {
+
+Vector2 operator+(const Vector2& left, const Vector2& right) {
+  return {left.x + right.x, left.y + right.y};
+}
+Vector2 operator-(const Vector2& left, const Vector2& right) {
+  return {left.x - right.x, left.y - right.y};
+}
+Vector2 rotated(const Vector2& direction, const Vector2& local) {
+  return {(direction.x * local.x - direction.y * local.y).expand(),
+          (direction.y * local.x + direction.x * local.y).expand()};
+}
+bool is_zero(const Vector2& vector) { return vector.x.is_zero() && vector.y.is_zero(); }
+
+/// A place reached by walking: its position, and the vectors walked, for reading.
+struct Place {
+  Vector2 position;
+  std::vector<std::string> vectors;
+};
+
+/// Builds the equations of one model in the order of the pipeline below.
+class ClosureWalk {
+ public:
+  explicit ClosureWalk(const Model& model)
+      : group_(*model.group), tree_(spanning_tree(group_)), result_(model) {}
+
+  ClosureEquations run() {
+    declare_frames();
+    declare_inputs();
+    merge_angles();
+    declare_displacements();
+    close_loops();
+    place_links();
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] const Joint& joint(int index) const {
+    return group_.joints()[static_cast<std::size_t>(index)];
+  }
+  [[nodiscard]] std::string letter(int index) const { return {joint(index).name}; }
+  [[nodiscard]] const std::string& word(int link) const {
+    return group_.links()[static_cast<std::size_t>(link)];
+  }
+  [[nodiscard]] bool slides(int index) const {
+    return result_.model->representative[static_cast<std::size_t>(index)] == JointType::prismatic;
+  }
+  [[nodiscard]] const LinkFrame& frame(int link) const {
+    return result_.frames[static_cast<std::size_t>(link)];
+  }
+  [[nodiscard]] LinkPose& pose(int link) { return result_.poses[static_cast<std::size_t>(link)]; }
+  [[nodiscard]] static const Variable& find(const std::deque<Variable>& list,
+                                            const std::string& name) {
+    return *std::find_if(list.begin(), list.end(),
+                         [&](const Variable& variable) { return variable.name == name; });
+  }
+
+  void declare_frames() {
+    for (int link = 0; link < group_.link_count(); ++link) {
+      result_.frames.push_back(link_frame(*result_.model, link, result_.dimensions));
+    }
+  }
+
+  void declare_inputs() {
+    using Quantity = Variable::Quantity;
+    for (int index = 0; index < group_.joint_count(); ++index) {
+      if (!joint(index).external()) {
+        continue;
+      }
+      const std::string name = letter(index);
+      const std::string what =
+          slides(index) ? "a point on the base's slide at " + name : "external joint " + name;
+      result_.inputs.emplace_back("x_" + name, Quantity::length, "x of " + what);
+      result_.inputs.emplace_back("y_" + name, Quantity::length, "y of " + what);
+      if (slides(index)) {
+        result_.inputs.emplace_back("phi_" + name, Quantity::angle,
+                                    "angle of the base's slide at " + name);
+      }
+    }
+  }
+
+  /// The direction of a joint's line as one of its links sees it.
+  [[nodiscard]] AngleSum line_angle(int index, int link) {
+    if (link == base_link) {
+      return AngleSum(find(result_.inputs, "phi_" + letter(index)));
+    }
+    return pose(link).angle + frame(link).feature_of(index).direction;
+  }
+
+  /// Gives every link its angle: first the links that the base holds by prismatic joints, then,
+  /// from each link still free, one unknown angle and the links that turn with it. A prismatic
+  /// joint between links whose angles are already tied is a condition of compatibility.
+  void merge_angles() {
+    result_.poses.resize(group_.links().size());
+    std::vector<bool> tied(group_.links().size(), false);
+    std::vector<bool> crossed(group_.joints().size(), false);
+    const auto is_tied = [&](int link) {
+      return link == base_link || tied[static_cast<std::size_t>(link)];
+    };
+    const auto spread = [&] {
+      for (int index = 0; index < group_.joint_count();) {
+        const Joint& at = joint(index);
+        if (!slides(index) || crossed[static_cast<std::size_t>(index)] ||
+            is_tied(at.first) == is_tied(at.second)) {
+          ++index;
+          continue;
+        }
+        const int from = is_tied(at.first) ? at.first : at.second;
+        const int to = is_tied(at.first) ? at.second : at.first;
+        pose(to).angle = line_angle(index, from) - frame(to).feature_of(index).direction;
+        tied[static_cast<std::size_t>(to)] = true;
+        crossed[static_cast<std::size_t>(index)] = true;
+        index = 0;
+      }
+    };
+    spread();
+    for (int link = 0; link < group_.link_count(); ++link) {
+      if (is_tied(link)) {
+        continue;
+      }
+      pose(link).angle = AngleSum(result_.unknowns.emplace_back(
+          "theta_" + word(link), Variable::Quantity::angle, "angle of link " + word(link)));
+      result_.owners.push_back(link);
+      tied[static_cast<std::size_t>(link)] = true;
+      spread();
+    }
+    for (int index = 0; index < group_.joint_count(); ++index) {
+      if (slides(index) && !crossed[static_cast<std::size_t>(index)]) {
+        result_.compatibility.push_back(line_angle(index, joint(index).first) -
+                                        line_angle(index, joint(index).second));
+      }
+    }
+    for (int link = 0; link < group_.link_count(); ++link) {
+      const Vector2 direction = pose(link).angle.direction();
+      pose(link).direction = {
+          result_.vocabulary.name("cos_" + word(link), direction.x,
+                                  "cosine of the angle of link " + word(link)),
+          result_.vocabulary.name("sin_" + word(link), direction.y,
+                                  "sine of the angle of link " + word(link))};
+    }
+  }
+
+  void declare_displacements() {
+    for (int index = 0; index < group_.joint_count(); ++index) {
+      if (slides(index)) {
+        const int first = joint(index).first;
+        result_.owners.push_back(index);
+        result_.unknowns.emplace_back(
+            "s_" + letter(index), Variable::Quantity::length,
+            "displacement along the slide at " + letter(index) + " of link " +
+                word(joint(index).second) + " against " +
+                (first == base_link ? std::string("the base") : "link " + word(first)));
+      }
+    }
+  }
+
+  /// The vector by which a joint's slide moves its second link against its first.
+  Vector2 slide(int index) {
+    const int first = joint(index).first;
+    // Either link knows the direction; the one with fewer angles in it reads better.
+    const bool first_is_plain =
+        first == base_link || frame(first).feature_of(index).direction.text() == "0";
+    const AngleSum angle = line_angle(index, first_is_plain ? first : joint(index).second);
+    const Vector2 plain = angle.direction();
+    const Vector2 along = {
+        result_.vocabulary.name("cos_slide_" + letter(index), plain.x,
+                                "cosine of the angle of the slide at " + letter(index)),
+        result_.vocabulary.name("sin_slide_" + letter(index), plain.y,
+                                "sine of the angle of the slide at " + letter(index))};
+    const GiNaC::ex displacement = find(result_.unknowns, "s_" + letter(index)).value;
+    return result_.vocabulary.name("slide_" + letter(index),
+                                   Vector2{displacement * along.x, displacement * along.y},
+                                   "displacement vector at " + letter(index));
+  }
+
+  /// The vector between two joints of a link, in the fixed frame.
+  Vector2 link_vector(int link, int from, int to) {
+    const Vector2 local = frame(link).feature_of(to).point - frame(link).feature_of(from).point;
+    return result_.vocabulary.name(letter(from) + letter(to),
+                                   rotated(pose(link).direction, local),
+                                   "vector from " + letter(from) + " to " + letter(to) +
+                                       " on link " + word(link));
+  }
+
+  /// Steps from a joint's feature on one link to its feature on the other.
+  Place across(Place place, int index, int from) {
+    if (slides(index)) {
+      const bool forward = joint(index).first == from;
+      const Vector2 step = slide(index);
+      place.position = forward ? place.position + step : place.position - step;
+      place.vectors.push_back((forward ? "+ slide_" : "- slide_") + letter(index));
+    }
+    return place;
+  }
+
+  /// The feature of a joint on a link, reached along the tree.
+  Place feature_place(int link, int index) {
+    const int entry = tree_.entry[static_cast<std::size_t>(link)];
+    const Joint& door = joint(entry);
+    const int before = door.first == link ? door.second : door.first;
+    Place place;
+    if (before == base_link) {
+      place = {{find(result_.inputs, "x_" + letter(entry)).value,
+                find(result_.inputs, "y_" + letter(entry)).value},
+               {"+ " + letter(entry)}};
+    } else {
+      place = feature_place(before, entry);
+    }
+    place = across(place, entry, before);
+    if (index != entry) {
+      const Vector2 step = link_vector(link, entry, index);
+      if (!is_zero(step)) {
+        place.position = place.position + step;
+        place.vectors.push_back("+ " + letter(entry) + letter(index));
+      }
+    }
+    return place;
+  }
+
+  void place_links() {
+    for (const int link : tree_.visit_order) {
+      const int entry = tree_.entry[static_cast<std::size_t>(link)];
+      const Vector2 local = frame(link).feature_of(entry).point;
+      const Vector2 offset = result_.vocabulary.name(
+          "origin_" + word(link), rotated(pose(link).direction, local),
+          "vector from the origin of link " + word(link) + " to " + letter(entry));
+      pose(link).origin = feature_place(link, entry).position - offset;
+    }
+  }
+
+  void close_loops() {
+    for (const int chord : tree_.chords) {
+      const Joint& at = joint(chord);
+      Place near = feature_place(at.second, chord);
+      Place far = across(feature_place(at.first, chord), chord, at.first);
+      std::string equation;
+      for (const std::string& vector : near.vectors) {
+        equation += equation.empty() ? vector.substr(2) : " " + vector;
+      }
+      for (auto vector = far.vectors.rbegin(); vector != far.vectors.rend(); ++vector) {
+        equation += ((*vector)[0] == '+' ? " - " : " + ") + vector->substr(2);
+      }
+      result_.loops.push_back({loop_name(group_, tree_, chord), chord, equation + " = 0",
+                               near.position - far.position});
+    }
+  }
+
+  const Group& group_;
+  SpanningTree tree_;
+  ClosureEquations result_;
+};
+
+}  // namespace
+
+std::vector<GiNaC::ex> ClosureEquations::residuals() const {
+  std::vector<GiNaC::ex> scalars;
+  for (const LoopClosure& loop : loops) {
+    scalars.push_back(loop.residual.x.expand());
+    scalars.push_back(loop.residual.y.expand());
+  }
+  return scalars;
+}
+
+ClosureEquations closure_equations(const Model& model) { return ClosureWalk(model).run(); }
+
+}  // namespace assur::generator

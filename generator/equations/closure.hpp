@@ -1,0 +1,59 @@
+// Turns a kinematic model into its loop-closure equations by walking the loops of its graph.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "equations/link_frame.hpp"
+#include "equations/variable.hpp"
+#include "equations/vocabulary.hpp"
+
+namespace assur::generator {
+
+/// One vector loop-closure equation: the chord joint reached on both sides coincides.
+struct LoopClosure {
+  std::string name;      ///< `BCDEB`
+  int chord;             ///< the joint that closes the loop
+  std::string equation;  ///< `B + BC + CD - ED - E = 0`, for reading
+  Vector2 residual;      ///< in the names of the vocabulary
+};
+
+/// Where a link's frame is: its origin, and its angle as a sum of angles.
+struct LinkPose {
+  Vector2 origin;
+  AngleSum angle;
+  Vector2 direction;  ///< (cos, sin) of `angle` in the names of the vocabulary
+};
+
+/// The loop-closure equations of a model. Angles that prismatic joints tie together are merged, so
+/// the unknowns are one angle for each set of links that turn together and one displacement for
+/// each prismatic joint. Non-copyable: poses and features refer to the variables.
+struct ClosureEquations {
+  explicit ClosureEquations(const Model& of_model) : model(&of_model) {}
+  ClosureEquations(const ClosureEquations&) = delete;
+  ClosureEquations& operator=(const ClosureEquations&) = delete;
+  ClosureEquations(ClosureEquations&&) = default;
+  ClosureEquations& operator=(ClosureEquations&&) = default;
+  ~ClosureEquations() = default;
+
+  /// The scalar equations: x and y of each loop.
+  [[nodiscard]] std::vector<GiNaC::ex> residuals() const;
+
+  const Model* model;
+  std::deque<Variable> unknowns;
+  std::vector<int> owners;  ///< for each unknown the link whose angle, or the joint whose slide it is
+  std::deque<Variable> dimensions;
+  std::deque<Variable> inputs;
+  std::vector<LinkFrame> frames;
+  std::vector<LinkPose> poses;
+  std::vector<LoopClosure> loops;
+  /// Sums of angles that must vanish because prismatic joints alone close a loop. They hold no
+  /// unknown: a model that has any over-determines its angles.
+  std::vector<AngleSum> compatibility;
+  Vocabulary vocabulary;
+};
+
+[[nodiscard]] ClosureEquations closure_equations(const Model& model);
+
+}  // namespace assur::generator

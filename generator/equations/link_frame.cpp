@@ -1,0 +1,96 @@
+#include "equations/link_frame.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "error.hpp"
+
+namespace assur::generator {
+
+const Feature& LinkFrame::feature_of(int joint) const {
+  const auto found = std::find_if(features.begin(), features.end(), [joint](const Feature& f) {
+    return f.joint == joint;
+  });
+  if (found == features.end()) {
+    throw GeneratorError("equations", "link frame", "the link has no such joint");
+  }
+  return *found;
+}
+
+LinkFrame link_frame(const Model& model, int link, std::deque<Variable>& dimensions) {
+  const Group& group = *model.group;
+  const std::string& word = group.links()[static_cast<std::size_t>(link)];
+  const std::vector<int> joints = group.joints_of(link);
+  const auto is_line = [&](int joint) {
+    return model.representative[static_cast<std::size_t>(joint)] == JointType::prismatic;
+  };
+  std::vector<int> points;
+  std::vector<int> lines;
+  for (const int joint : joints) {
+    (is_line(joint) ? lines : points).push_back(joint);
+  }
+  const auto is_one_of_first = [](const std::vector<int>& list, int joint, std::size_t count) {
+    const auto end = list.begin() + static_cast<std::ptrdiff_t>(std::min(count, list.size()));
+    return std::find(list.begin(), end, joint) != end;
+  };
+  const auto name_of = [&](int joint) {
+    return std::string(1, group.joints()[static_cast<std::size_t>(joint)].name);
+  };
+  const auto new_dimension = [&](const std::string& name, Variable::Quantity quantity,
+                                 const std::string& meaning) -> const Variable& {
+    return dimensions.emplace_back(name, quantity, meaning);
+  };
+  const std::string on_link = "_" + word;
+
+  LinkFrame frame;
+  frame.description =
+      (points.empty() ? "origin where the slides at " + name_of(lines[0]) + " and " +
+                            name_of(lines[1]) + " cross"
+                      : "origin at " + name_of(points[0])) +
+      (lines.empty() ? ", x-axis toward " + name_of(points[1])
+                     : ", x-axis along the slide at " + name_of(lines[0]));
+  for (const int joint : joints) {
+    const std::string name = name_of(joint);
+    if (is_line(joint)) {
+      AngleSum direction;
+      if (joint != lines.front()) {
+        direction = AngleSum(
+            new_dimension("psi_" + name + on_link, Variable::Quantity::angle,
+                          "angle of the slide at " + name + " on link " + word + " from the x-axis"));
+      }
+      const bool through_origin = points.empty() && is_one_of_first(lines, joint, 2);
+      Vector2 foot{0, 0};
+      if (!through_origin) {
+        const Variable& offset =
+            new_dimension("h_" + name + on_link, Variable::Quantity::length,
+                          "offset of the slide at " + name + " on link " + word +
+                              ", positive to the left");
+        const Vector2 along = direction.direction();
+        foot = {-offset.value * along.y, offset.value * along.x};
+      }
+      frame.features.push_back({joint, true, foot, direction});
+      continue;
+    }
+    Vector2 point{0, 0};
+    if (joint != points.front()) {
+      const bool on_axis = lines.empty() && is_one_of_first(points, joint, 2);
+      if (on_axis) {
+        const std::string origin = name_of(points.front());
+        point = {new_dimension(origin + name, Variable::Quantity::length,
+                               "distance from " + origin + " to " + name + " on link " + word)
+                     .value,
+                 0};
+      } else {
+        const Variable& x = new_dimension("x_" + name + on_link, Variable::Quantity::length,
+                                          "x-coordinate of " + name + " on link " + word);
+        const Variable& y = new_dimension("y_" + name + on_link, Variable::Quantity::length,
+                                          "y-coordinate of " + name + " on link " + word);
+        point = {x.value, y.value};
+      }
+    }
+    frame.features.push_back({joint, false, point, AngleSum()});
+  }
+  return frame;
+}
+
+}  // namespace assur::generator

@@ -1,0 +1,36 @@
+// Turns the joints of one link into its normal form: a local frame and the fewest dimensions.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "equations/variable.hpp"
+#include "structure/kind.hpp"
+
+namespace assur::generator {
+
+/// A joint as a feature of a link, in the link's frame. A revolute joint is a point; a prismatic
+/// joint is a directed line, given by the foot of the perpendicular from the frame's origin.
+struct Feature {
+  int joint;
+  bool line;
+  Vector2 point;       ///< the point, or the foot on the line
+  AngleSum direction;  ///< of the line, against the link's x-axis
+};
+
+/// The normal form of a link. The x-axis runs along the first prismatic joint, or else from the
+/// first revolute joint to the second; the origin is the first revolute joint, or else the
+/// intersection of the first two lines. A link of k joints has 2k - 3 dimensions left.
+struct LinkFrame {
+  std::vector<Feature> features;  ///< in the order of the link's word
+  std::string description;        ///< `origin at B, x-axis toward C`
+
+  [[nodiscard]] const Feature& feature_of(int joint) const;
+};
+
+/// The frame of `link` in the model's representative kind; its dimensions are appended to
+/// `dimensions`, whose elements the features refer to.
+[[nodiscard]] LinkFrame link_frame(const Model& model, int link, std::deque<Variable>& dimensions);
+
+}  // namespace assur::generator

@@ -1,0 +1,71 @@
+#include "equations/vocabulary.hpp"
+
+namespace assur::generator {
+
+namespace {
+
+bool needs_no_name(const GiNaC::ex& expression) {
+  const auto is_plain = [](const GiNaC::ex& part) {
+    return GiNaC::is_a<GiNaC::numeric>(part) || GiNaC::is_a<GiNaC::symbol>(part);
+  };
+  return is_plain(expression) || is_plain(-expression);
+}
+
+}  // namespace
+
+GiNaC::ex Vocabulary::name(const std::string& name, const GiNaC::ex& definition,
+                           const std::string& meaning) {
+  const GiNaC::ex recognised = recognise(definition);
+  if (needs_no_name(recognised)) {
+    return recognised;
+  }
+  const GiNaC::symbol symbol(name);
+  quantities_.push_back({symbol, recognised, expand(recognised), meaning});
+  expansions_[symbol] = quantities_.back().expanded;
+  return symbol;
+}
+
+Vector2 Vocabulary::name(const std::string& name, const Vector2& definition,
+                         const std::string& meaning) {
+  return {this->name(name + "_x", definition.x, meaning + ", x"),
+          this->name(name + "_y", definition.y, meaning + ", y")};
+}
+
+GiNaC::ex Vocabulary::expand(const GiNaC::ex& expression) const {
+  return expression.subs(expansions_, GiNaC::subs_options::no_pattern).expand();
+}
+
+GiNaC::ex Vocabulary::derivative(const GiNaC::ex& expression, const Variable& variable) const {
+  GiNaC::ex total = partial(expression, variable);
+  for (const NamedQuantity& quantity : quantities_) {
+    const GiNaC::ex factor = expression.diff(quantity.symbol);
+    if (factor.is_zero()) {
+      continue;
+    }
+    const auto [known, fresh] =
+        derivatives_.try_emplace({quantity.symbol.get_name(), variable.name});
+    if (fresh) {
+      known->second = derivative(quantity.definition, variable);
+    }
+    total += factor * known->second;
+  }
+  return recognise(total.expand());
+}
+
+GiNaC::ex Vocabulary::recognise(const GiNaC::ex& expression) const {
+  const GiNaC::ex expanded = expand(expression);
+  if (needs_no_name(expanded)) {
+    return expanded;
+  }
+  for (const NamedQuantity& quantity : quantities_) {
+    if ((expanded - quantity.expanded).expand().is_zero()) {
+      return quantity.symbol;
+    }
+    if ((expanded + quantity.expanded).expand().is_zero()) {
+      return -quantity.symbol;
+    }
+  }
+  return expression;
+}
+
+}  // namespace assur::generator

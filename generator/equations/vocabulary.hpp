@@ -1,0 +1,47 @@
+// Turns repeated geometry (link vectors, slide directions) into named quantities of the equations.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "equations/variable.hpp"
+
+namespace assur::generator {
+
+/// A quantity with a name of its own: `BC_x`, the x-component of the vector from B to C.
+struct NamedQuantity {
+  GiNaC::symbol symbol;
+  GiNaC::ex definition;  ///< in variables and quantities named earlier
+  GiNaC::ex expanded;    ///< in variables alone
+  std::string meaning;
+};
+
+/// The names that the equations of one model use. Because a rotated vector differentiates to the
+/// same vector turned by a right angle, derivatives stay within the vocabulary.
+class Vocabulary {
+ public:
+  /// Names a quantity. An expression that is a number or plus or minus a single symbol needs no
+  /// name and is returned as it is; one that has a name already is returned under that name.
+  GiNaC::ex name(const std::string& name, const GiNaC::ex& definition, const std::string& meaning);
+  /// Names both components `<name>_x` and `<name>_y` of a vector.
+  Vector2 name(const std::string& name, const Vector2& definition, const std::string& meaning);
+
+  /// The expression in variables alone, expanded.
+  [[nodiscard]] GiNaC::ex expand(const GiNaC::ex& expression) const;
+  /// The total derivative, through the definitions, in names wherever names serve.
+  [[nodiscard]] GiNaC::ex derivative(const GiNaC::ex& expression, const Variable& variable) const;
+
+  [[nodiscard]] const std::vector<NamedQuantity>& quantities() const { return quantities_; }
+
+ private:
+  [[nodiscard]] GiNaC::ex recognise(const GiNaC::ex& expression) const;
+
+  std::vector<NamedQuantity> quantities_;
+  GiNaC::exmap expansions_;
+  /// Derivatives of quantities by name of the quantity and of the variable; derived only once.
+  mutable std::map<std::pair<std::string, std::string>, GiNaC::ex> derivatives_;
+};
+
+}  // namespace assur::generator

@@ -1,0 +1,94 @@
+// Lets CLN's rational numbers be the scalar of generated code, and makes random exact inputs.
+#pragma once
+
+#include <assur/model.hpp>
+#include <assur/variables.hpp>
+#include <cln/float.h>
+#include <cln/rational.h>
+#include <cln/real.h>
+
+#include <complex>
+#include <random>
+
+namespace Eigen {
+template <>
+struct NumTraits<cln::cl_RA> : GenericNumTraits<cln::cl_RA> {
+  using Real = cln::cl_RA;
+  using NonInteger = cln::cl_RA;
+  using Nested = cln::cl_RA;
+  using Literal = cln::cl_RA;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 10,
+    AddCost = 100,
+    MulCost = 100
+  };
+};
+}  // namespace Eigen
+
+namespace assur::test {
+
+using Rational = cln::cl_RA;
+
+/// The rational number that a double is.
+inline Rational exact(double value) { return cln::rational(cln::cl_F(value)); }
+inline Direction<Rational> exact(const Direction<double>& value) {
+  return {exact(value.cos), exact(value.sin)};
+}
+
+/// A length or an angle near `value`, for filling members by type.
+class RandomInputs {
+ public:
+  explicit RandomInputs(unsigned seed) : engine_(seed) {}
+
+  double length() { return std::uniform_real_distribution<double>(-2.0, 2.0)(engine_); }
+  double angle() { return std::uniform_real_distribution<double>(-3.14159, 3.14159)(engine_); }
+  int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
+
+  void fill(double& member) { member = length(); }
+  void fill(Direction<double>& member) { member = direction_of(angle()); }
+  void fill(Rational& member) {
+    member = Rational(integer(-99, 99)) / Rational(integer(1, 40));
+  }
+  /// A rational point of the unit circle.
+  void fill(Direction<Rational>& member) {
+    Rational t;
+    fill(t);
+    const Rational scale = Rational(1) / (Rational(1) + t * t);
+    member = {(Rational(1) - t * t) * scale, Rational(2) * t * scale};
+  }
+  template <typename Variables>
+  Variables variables() {
+    Variables result;
+    std::apply([this](auto&... member) { (fill(member), ...); }, result.members());
+    return result;
+  }
+  template <typename Vector>
+  Vector vector() {
+    Vector result;
+    for (Eigen::Index index = 0; index < result.size(); ++index) {
+      fill(result(index));
+    }
+    return result;
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+/// The same variables in another scalar.
+template <typename To, typename From, typename Convert>
+To converted(const From& from, Convert convert) {
+  To result;
+  std::apply(
+      [&](const auto&... source) {
+        std::apply([&](auto&... target) { ((target = convert(source)), ...); }, result.members());
+      },
+      from.members());
+  return result;
+}
+
+}  // namespace assur::test
