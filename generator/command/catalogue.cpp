@@ -1,0 +1,156 @@
+#include "command/catalogue.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "derivatives/mobility.hpp"
+#include "structure/printed_table.hpp"
+
+namespace assur::generator {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct CatalogueEntry {
+  const Model* model;
+  Mobility mobility;
+  const PrintedRow* printed;
+  std::vector<std::string> kinds;
+  std::vector<std::string> disagreements;  ///< between the derivation and the printed row
+};
+
+std::string joined(const std::vector<std::string>& parts, const std::string& separator) {
+  std::string text;
+  for (const std::string& part : parts) {
+    text += (text.empty() ? "" : separator) + part;
+  }
+  return text;
+}
+
+void compare(CatalogueEntry& entry) {
+  std::vector<std::string> missing;
+  for (const std::string& kind : entry.kinds) {
+    if (std::find(entry.printed->kinds.begin(), entry.printed->kinds.end(), kind) ==
+        entry.printed->kinds.end()) {
+      missing.push_back(kind);
+    }
+  }
+  std::vector<std::string> foreign;
+  for (const std::string& kind : entry.printed->kinds) {
+    if (std::find(entry.kinds.begin(), entry.kinds.end(), kind) == entry.kinds.end()) {
+      foreign.push_back(kind);
+    }
+  }
+  if (!foreign.empty()) {
+    entry.disagreements.push_back("printed " + joined(foreign, ", ") + " belongs to another row");
+  }
+  if (!missing.empty()) {
+    entry.disagreements.push_back(joined(missing, ", ") + " is not printed");
+  }
+  if (entry.printed->rigid() != entry.mobility.rigid) {
+    entry.disagreements.push_back(
+        "printed family " + entry.printed->family + " makes it " +
+        (entry.printed->rigid() ? "a structure" : "a mechanism") + ", derived rank makes it " +
+        (entry.mobility.rigid ? "a structure" : "a mechanism"));
+  }
+}
+
+std::vector<CatalogueEntry> entries_of(const Group& group) {
+  const std::vector<PrintedRow>* printed = printed_table(group);
+  std::vector<CatalogueEntry> entries;
+  for (const Model& model : models_of(group)) {
+    const ClosureEquations equations = closure_equations(model);
+    CatalogueEntry entry{&model, mobility_of(equations, differentiate(equations)), nullptr, {}, {}};
+    for (const Relabelling& member : model.members) {
+      entry.kinds.push_back(spell(group, member.kind));
+    }
+    if (printed != nullptr) {
+      entry.printed = &*std::find_if(
+          printed->begin(), printed->end(),
+          [&](const PrintedRow& row) { return row.number == model.number; });
+      compare(entry);
+    }
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+std::string verdict(const CatalogueEntry& entry) {
+  return entry.mobility.rigid ? "rigid" : "degenerate";
+}
+
+Json group_json(const Group& group) {
+  Json root;
+  root["group"] = group.name();
+  root["class"] = group.assur_class();
+  root["kinds"] = all_kinds(group).size();
+  root["models"] = Json::array();
+  for (const CatalogueEntry& entry : entries_of(group)) {
+    Json row;
+    row["model"] = entry.model->number;
+    row["kinds"] = entry.kinds;
+    row["mobility"] = entry.mobility.freedom;
+    row["max_configurations"] = nullptr;
+    row["verdict"] = verdict(entry);
+    row["reason"] = entry.mobility.reason;
+    if (entry.printed != nullptr) {
+      row["paper"] = {{"family", entry.printed->family},
+                      {"kinds", entry.printed->kinds},
+                      {"disagreements", entry.disagreements}};
+    }
+    root["models"].push_back(std::move(row));
+  }
+  return root;
+}
+
+}  // namespace
+
+std::string catalogue_json() {
+  Json groups = Json::array();
+  for (const Group& group : known_groups()) {
+    groups.push_back(group_json(group));
+  }
+  return (groups.size() == 1 ? groups[0] : groups).dump(2) + "\n";
+}
+
+std::string catalogue_text() {
+  std::string text;
+  for (const Group& group : known_groups()) {
+    text += group.name() + ": " + std::to_string(all_kinds(group).size()) + " kinds, " +
+            std::to_string(models_of(group).size()) + " models\n";
+    for (const CatalogueEntry& entry : entries_of(group)) {
+      const std::string number = std::to_string(entry.model->number);
+      text += std::string(5 - number.size(), ' ') + number + "  " + verdict(entry) +
+              ", mobility " + std::to_string(entry.mobility.freedom) + "  " +
+              joined(entry.kinds, ", ") + "\n";
+      if (!entry.mobility.rigid) {
+        text += "         " + entry.mobility.reason + "\n";
+      }
+      for (const std::string& disagreement : entry.disagreements) {
+        text += "         Table 2: " + disagreement + "\n";
+      }
+    }
+  }
+  return text;
+}
+
+std::string catalogue_markdown() {
+  std::string text;
+  for (const Group& group : known_groups()) {
+    text += "## " + group.name() + "\n\n" + std::to_string(all_kinds(group).size()) + " kinds, " +
+            std::to_string(models_of(group).size()) + " models.\n\n" +
+            "| model | kinds | verdict | mobility | printed family | disagreement |\n" +
+            "|---|---|---|---|---|---|\n";
+    for (const CatalogueEntry& entry : entries_of(group)) {
+      text += "| " + std::to_string(entry.model->number) + " | " + joined(entry.kinds, ", ") +
+              " | " + verdict(entry) + " | " + std::to_string(entry.mobility.freedom) + " | " +
+              (entry.printed == nullptr ? "" : entry.printed->family) + " | " +
+              joined(entry.disagreements, "; ") + " |\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace assur::generator

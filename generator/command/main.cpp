@@ -1,0 +1,164 @@
+// The command `assur`: each subcommand is one pass through the pipeline.
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <iostream>
+
+#include "command/catalogue.hpp"
+#include "emission/emit.hpp"
+#include "error.hpp"
+#include "scene/report.hpp"
+
+namespace {
+
+using namespace assur::generator;
+
+constexpr int exit_ok = 0;
+constexpr int exit_negative = 1;
+constexpr int exit_unusable = 2;
+
+struct CatalogueOptions {
+  std::string format = "text";
+};
+
+int run_catalogue(const CatalogueOptions& options) {
+  std::cout << (options.format == "json"       ? catalogue_json()
+                : options.format == "markdown" ? catalogue_markdown()
+                                               : catalogue_text());
+  return exit_ok;
+}
+
+struct EmitOptions {
+  bool all = false;
+  int model = 0;
+  std::string output;
+  bool check = false;
+};
+
+int run_emit(const EmitOptions& options) {
+  std::vector<EmittedFile> files;
+  if (options.all) {
+    files = emit_all();
+  } else {
+    for (const Model& model : models_of(group_named("tetrad"))) {
+      if (model.number == options.model) {
+        files.push_back(emit_model(model));
+      }
+    }
+    if (files.empty()) {
+      throw InputError("--model: no tetrad model " + std::to_string(options.model) +
+                       "; the models are 1 to 24");
+    }
+  }
+  if (!options.check) {
+    write_files(files, options.output);
+    return exit_ok;
+  }
+  int differing = 0;
+  for (const std::filesystem::path& path : differing_files(files, options.output)) {
+    std::cerr << "differs: " << path.generic_string() << '\n';
+    ++differing;
+  }
+  return differing == 0 ? exit_ok : exit_negative;
+}
+
+struct SolveOptions {
+  std::string scene;
+  std::vector<std::string> settings;
+  std::string format = "text";
+};
+
+int run_solve(const SolveOptions& options) {
+  const Scene scene = read_scene(options.scene, options.settings);
+  // The text of a whole run is printed at its end, so that an error leaves no partial result.
+  std::string text;
+  int verdict = exit_ok;
+  const auto solve_one = [&](const ParameterValues& values, auto print) {
+    const Solution solution = solve(scene, values);
+    if (solution.status == SolutionStatus::degenerate) {
+      verdict = exit_negative;
+      if (options.format == "csv") {
+        std::cerr << "degenerate: " << solution.reason << '\n';
+      }
+    }
+    text += print(SolvedScene{&scene, &values, &solution});
+  };
+  if (options.format != "csv") {
+    solve_one(ParameterValues(scene), options.format == "json" ? report_json : report_text);
+  } else if (!scene.sweep) {
+    text = csv_header(scene);
+    solve_one(ParameterValues(scene), [](const SolvedScene& solved) { return csv_rows(solved, 0); });
+  } else {
+    text = csv_header(scene);
+    const ParameterValues plain(scene);
+    const double from = plain.value(scene.sweep->from).value();
+    const double to = plain.value(scene.sweep->to).value();
+    for (int step = 0; step < scene.sweep->count; ++step) {
+      const double part =
+          scene.sweep->count == 1 ? 0 : static_cast<double>(step) / (scene.sweep->count - 1);
+      const double value = from + (to - from) * part;
+      solve_one(ParameterValues(scene, std::pair(scene.sweep->parameter, value)),
+                [step](const SolvedScene& solved) { return csv_rows(solved, step); });
+    }
+  }
+  std::cout << text;
+  return verdict;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Derives the kinematics of planar linkages and emits closed-form solvers."};
+  app.name("assur");
+  app.set_version_flag("--version", "assur " ASSUR_VERSION);
+  app.require_subcommand(1);
+  std::function<int()> chosen;
+
+  CatalogueOptions catalogue;
+  CLI::App* command = app.add_subcommand("catalogue", "the kinds and models of each group, derived");
+  command->add_option("--format", catalogue.format)
+      ->check(CLI::IsMember({"text", "markdown", "json"}))
+      ->capture_default_str();
+  command->callback([&] { chosen = [&] { return run_catalogue(catalogue); }; });
+
+  EmitOptions emit;
+  command = app.add_subcommand("emit", "write the C++ of the models");
+  auto* what = command->add_option_group("what");
+  what->add_flag("--all", emit.all, "every model of every group");
+  what->add_option("--model", emit.model, "one tetrad model, by its number");
+  what->require_option(1);
+  command->add_option("--output", emit.output, "directory to write to")->required();
+  command->add_flag("--check", emit.check, "write nothing; exit 1 if what is there differs");
+  command->callback([&] { chosen = [&] { return run_emit(emit); }; });
+
+  SolveOptions solve;
+  command = app.add_subcommand("solve", "the assembly configurations of a scene");
+  command->add_option("scene", solve.scene, "scene file (JSON)")->required();
+  command->add_option("--set", solve.settings, "NAME=EXPR, replaces a parameter's value")
+      ->expected(1)
+      ->take_all();
+  command->add_option("--format", solve.format)
+      ->check(CLI::IsMember({"text", "json", "csv"}))
+      ->capture_default_str();
+  command->callback([&] { chosen = [&] { return run_solve(solve); }; });
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "error: " << error.what() << " (see assur --help)\n";
+    return exit_unusable;
+  }
+  return chosen();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const InputError& error) {
+    std::cerr << "error: " << error.what() << '\n';
+  } catch (const std::exception& error) {
+    std::cerr << "error: internal: " << error.what() << '\n';
+  }
+  return exit_unusable;
+}

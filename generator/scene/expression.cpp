@@ -1,0 +1,231 @@
+#include "scene/expression.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <numbers>
+#include <string_view>
+
+namespace assur::generator {
+
+namespace {
+
+struct Function {
+  std::string_view name;
+  std::size_t arguments;
+};
+constexpr std::array<Function, 8> functions = {{{"sqrt", 1},
+                                                {"sin", 1},
+                                                {"cos", 1},
+                                                {"tan", 1},
+                                                {"asin", 1},
+                                                {"acos", 1},
+                                                {"atan", 1},
+                                                {"atan2", 2}}};
+struct Constant {
+  std::string_view name;
+  double value;
+};
+constexpr std::array<Constant, 2> constants = {
+    {{"pi", std::numbers::pi}, {"deg", std::numbers::pi / 180}}};
+
+// Deeper nesting than any person writes would exhaust the stack.
+constexpr int max_depth = 200;
+
+bool is_name_start(char letter) {
+  return std::isalpha(static_cast<unsigned char>(letter)) != 0 || letter == '_';
+}
+bool is_name_part(char letter) {
+  return is_name_start(letter) || std::isdigit(static_cast<unsigned char>(letter)) != 0;
+}
+
+/// sum = product {(+|-) product}; product = sign {(*|/) sign}; sign = -sign | power;
+/// power = atom [^ sign]; atom = number | name | function(sum, ...) | (sum).
+class Parser {
+ public:
+  explicit Parser(const std::string& text) : text_(text) {}
+
+  Expression whole() {
+    Expression result = sum();
+    if (at_ < text_.size()) {
+      fail("expected an operator, found '" + std::string(1, text_[at_]) + "'");
+    }
+    return result;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const { throw ExpressionError(what, at_ + 1); }
+
+  void skip_space() {
+    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) {
+      ++at_;
+    }
+  }
+  bool take(char letter) {
+    skip_space();
+    if (at_ < text_.size() && text_[at_] == letter) {
+      ++at_;
+      skip_space();
+      return true;
+    }
+    return false;
+  }
+  static Expression call(std::string name, std::vector<Expression> arguments) {
+    return {Expression::Kind::call, 0, std::move(name), std::move(arguments)};
+  }
+
+  Expression sum() {
+    if (++depth_ > max_depth) {
+      fail("nested too deeply");
+    }
+    Expression left = product();
+    while (true) {
+      if (take('+')) {
+        left = call("+", {left, product()});
+      } else if (take('-')) {
+        left = call("-", {left, product()});
+      } else {
+        --depth_;
+        return left;
+      }
+    }
+  }
+
+  Expression product() {
+    Expression left = sign();
+    while (true) {
+      if (take('*')) {
+        left = call("*", {left, sign()});
+      } else if (take('/')) {
+        left = call("/", {left, sign()});
+      } else {
+        return left;
+      }
+    }
+  }
+
+  Expression sign() {
+    if (++depth_ > max_depth) {
+      fail("nested too deeply");
+    }
+    Expression result;
+    if (take('-')) {
+      result = call("-", {sign()});
+    } else {
+      take('+');
+      result = power();
+    }
+    --depth_;
+    return result;
+  }
+
+  Expression power() {
+    Expression base = atom();
+    if (!take('^')) {
+      return base;
+    }
+    Expression exponent = sign();
+    const bool negated = exponent.kind == Expression::Kind::call && exponent.name == "-" &&
+                         exponent.arguments.size() == 1 &&
+                         exponent.arguments[0].kind == Expression::Kind::number;
+    if (negated) {  // a constant exponent stays a number, so that it needs no logarithm
+      exponent = {Expression::Kind::number, -exponent.arguments[0].number, "", {}};
+    }
+    return call("^", {base, exponent});
+  }
+
+  Expression atom() {
+    skip_space();
+    if (at_ >= text_.size()) {
+      fail("the expression ends where a number, a name or '(' is expected");
+    }
+    const char letter = text_[at_];
+    if (take('(')) {
+      Expression inner = sum();
+      if (!take(')')) {
+        fail("expected ')'");
+      }
+      return inner;
+    }
+    if (std::isdigit(static_cast<unsigned char>(letter)) != 0 || letter == '.') {
+      return number();
+    }
+    if (is_name_start(letter)) {
+      return name_or_call();
+    }
+    fail("expected a number, a name or '(', found '" + std::string(1, letter) + "'");
+  }
+
+  Expression number() {
+    Expression result;
+    const char* begin = text_.data() + at_;
+    const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), result.number);
+    if (error != std::errc()) {
+      fail("not a number in the range of double precision");
+    }
+    at_ += static_cast<std::size_t>(end - begin);
+    skip_space();
+    return result;
+  }
+
+  Expression name_or_call() {
+    const std::size_t start = at_;
+    while (at_ < text_.size() && is_name_part(text_[at_])) {
+      ++at_;
+    }
+    const std::string name = text_.substr(start, at_ - start);
+    skip_space();
+    for (const Constant& constant : constants) {
+      if (constant.name == name) {
+        return {Expression::Kind::number, constant.value, "", {}};
+      }
+    }
+    const auto* const function =
+        std::find_if(functions.begin(), functions.end(),
+                     [&](const Function& candidate) { return candidate.name == name; });
+    if (!take('(')) {
+      if (function != functions.end()) {
+        fail("expected '(' after the function " + name);
+      }
+      return {Expression::Kind::name, 0, name, {}};
+    }
+    if (function == functions.end()) {
+      at_ = start;
+      fail("no function named '" + name + "'");
+    }
+    std::vector<Expression> arguments = {sum()};
+    while (take(',')) {
+      arguments.push_back(sum());
+    }
+    if (!take(')')) {
+      fail("expected ')'");
+    }
+    if (arguments.size() != function->arguments) {
+      at_ = start;
+      fail(name + " takes " + (function->arguments == 1 ? "one argument" : "two arguments"));
+    }
+    return call(name, std::move(arguments));
+  }
+
+  const std::string& text_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+};
+
+}  // namespace
+
+Expression parse_expression(const std::string& text) { return Parser(text).whole(); }
+
+bool is_reserved_name(const std::string& name) {
+  const auto has_name = [&](const auto& entry) { return entry.name == name; };
+  return std::any_of(functions.begin(), functions.end(), has_name) ||
+         std::any_of(constants.begin(), constants.end(), has_name);
+}
+
+bool is_identifier(const std::string& text) {
+  return !text.empty() && is_name_start(text[0]) &&
+         std::all_of(text.begin(), text.end(), is_name_part);
+}
+
+}  // namespace assur::generator

@@ -1,0 +1,81 @@
+// Turns the text of an arithmetic expression into a tree that any scalar type can evaluate.
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace assur::generator {
+
+/// What is wrong with an expression, and at which column (the first is 1).
+class ExpressionError : public std::runtime_error {
+ public:
+  ExpressionError(const std::string& what, std::size_t at)
+      : std::runtime_error(what), column(at) {}
+  std::size_t column;
+};
+
+/// A tree over numbers, names, + - * / ^, and the functions sqrt sin cos tan asin acos atan atan2.
+struct Expression {
+  enum class Kind : unsigned char { number, name, call };
+
+  Kind kind = Kind::number;
+  double number = 0;
+  std::string name;  ///< of a parameter, an operator or a function
+  std::vector<Expression> arguments;
+};
+
+/// Parses an expression; throws ExpressionError. Powers bind tighter than signs and to the right.
+[[nodiscard]] Expression parse_expression(const std::string& text);
+/// The names of functions and constants, which no parameter may take.
+[[nodiscard]] bool is_reserved_name(const std::string& name);
+/// Whether a text could be a parameter's name: letters, digits and underscores, no digit first.
+[[nodiscard]] bool is_identifier(const std::string& text);
+
+/// Evaluates with `value_of(name)` for names. `Scalar` needs the operators and functions by
+/// argument-dependent look-up; it is made from a double.
+template <typename Scalar, typename ValueOf>
+Scalar evaluate(const Expression& expression, const ValueOf& value_of) {
+  using std::acos;
+  using std::asin;
+  using std::atan2;
+  using std::cos;
+  using std::exp;
+  using std::log;
+  using std::pow;
+  using std::sin;
+  using std::sqrt;
+  using std::tan;
+  if (expression.kind == Expression::Kind::number) {
+    return Scalar(expression.number);
+  }
+  if (expression.kind == Expression::Kind::name) {
+    return value_of(expression.name);
+  }
+  const std::string& name = expression.name;
+  const Scalar first = evaluate<Scalar>(expression.arguments[0], value_of);
+  if (expression.arguments.size() == 1) {
+    if (name == "-") return Scalar(-first);
+    if (name == "sqrt") return Scalar(sqrt(first));
+    if (name == "sin") return Scalar(sin(first));
+    if (name == "cos") return Scalar(cos(first));
+    if (name == "tan") return Scalar(tan(first));
+    if (name == "asin") return Scalar(asin(first));
+    if (name == "acos") return Scalar(acos(first));
+    return Scalar(atan2(first, Scalar(1.0)));
+  }
+  if (name == "^" && expression.arguments[1].kind == Expression::Kind::number) {
+    return Scalar(pow(first, expression.arguments[1].number));
+  }
+  const Scalar second = evaluate<Scalar>(expression.arguments[1], value_of);
+  if (name == "+") return Scalar(first + second);
+  if (name == "-") return Scalar(first - second);
+  if (name == "*") return Scalar(first * second);
+  if (name == "/") return Scalar(first / second);
+  if (name == "^") return Scalar(exp(second * log(first)));
+  return Scalar(atan2(first, second));
+}
+
+}  // namespace assur::generator

@@ -1,0 +1,44 @@
+// Turns a scene into its assembly configurations, with the states of its links, slides and points.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/group_problem.hpp"
+#include "scene/grouping.hpp"
+
+namespace assur::generator {
+
+enum class SolutionStatus : unsigned char { ok, no_assembly, degenerate };
+
+/// A prismatic or pin-in-slot joint: displacement between the features that the scene names.
+struct JointState {
+  std::string name;
+  Dual displacement;
+  double velocity;
+  double acceleration;
+};
+
+/// One assembly configuration of the whole mechanism.
+struct AssemblyConfiguration {
+  std::vector<LinkState> links;  ///< of the scene's links
+  std::vector<JointState> joints;
+  std::vector<PointState> outputs;
+  Status regularity = Status::ok;
+  double residual = 0;
+};
+
+struct Solution {
+  SolutionStatus status = SolutionStatus::ok;
+  int mobility = 0;
+  std::string reason;  ///< why it is degenerate
+  std::vector<FoundGroup> groups;
+  std::vector<std::vector<std::string>> group_links;  ///< in the order of the scene
+  std::vector<AssemblyConfiguration> configurations;
+};
+
+/// Solves a scene of driven links and at most one group. Throws InputError for a scene of another
+/// structure.
+[[nodiscard]] Solution solve(const Scene& scene, const ParameterValues& values);
+
+}  // namespace assur::generator
