@@ -1,12 +1,12 @@
 // Lets CLN's rational numbers be the scalar of generated code, and makes random exact inputs.
 #pragma once
 
-#include <assur/model.hpp>
-#include <assur/variables.hpp>
 #include <cln/float.h>
 #include <cln/rational.h>
 #include <cln/real.h>
 
+#include <assur/model.hpp>
+#include <assur/variables.hpp>
 #include <complex>
 #include <random>
 
@@ -50,9 +50,7 @@ class RandomInputs {
 
   void fill(double& member) { member = length(); }
   void fill(Direction<double>& member) { member = direction_of(angle()); }
-  void fill(Rational& member) {
-    member = Rational(integer(-99, 99)) / Rational(integer(1, 40));
-  }
+  void fill(Rational& member) { member = Rational(integer(-99, 99)) / Rational(integer(1, 40)); }
   /// A rational point of the unit circle.
   void fill(Direction<Rational>& member) {
     Rational t;

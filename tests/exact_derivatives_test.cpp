@@ -96,8 +96,7 @@ TYPED_TEST(ExactDerivatives, JacobiansAreTheFirstCoefficients) {
       auto along = no_q;
       along(column) = 1;
       this->move(along, no_q, no_d, no_u, no_u);
-      this->check_column(f_q, p_q, column,
-                         Model::unknowns[static_cast<std::size_t>(column)].name);
+      this->check_column(f_q, p_q, column, Model::unknowns[static_cast<std::size_t>(column)].name);
     }
     for (int column = 0; column < Model::dimension_count; ++column) {
       auto along = no_d;
@@ -110,8 +109,7 @@ TYPED_TEST(ExactDerivatives, JacobiansAreTheFirstCoefficients) {
       auto along = no_u;
       along(column) = 1;
       this->move(no_q, no_q, no_d, along, no_u);
-      this->check_column(f_u, p_u, column,
-                         Model::inputs[static_cast<std::size_t>(column)].name);
+      this->check_column(f_u, p_u, column, Model::inputs[static_cast<std::size_t>(column)].name);
     }
   }
 }

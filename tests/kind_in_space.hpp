@@ -43,9 +43,8 @@ struct KindInSpace {
         other.x += displacement * std::cos(place.angle);
         other.y += displacement * std::sin(place.angle);
       }
-      made.on_first = made.first < 0
-                          ? place
-                          : bodies.poses[static_cast<std::size_t>(made.first)].local(place);
+      made.on_first =
+          made.first < 0 ? place : bodies.poses[static_cast<std::size_t>(made.first)].local(place);
       made.on_second = bodies.poses[static_cast<std::size_t>(made.second)].local(other);
       bodies.joints.push_back(made);
     }
@@ -93,8 +92,7 @@ struct KindInSpace {
         }
         const BodyFeature& local = feature(player(joint), body);
         features[static_cast<std::size_t>(count++)] = {bodies.joints[player(joint)].prismatic,
-                                                       local.x, local.y,
-                                                       direction_of(local.angle)};
+                                                       local.x, local.y, direction_of(local.angle)};
       }
       const Status status = normal_form(features, count, forms[static_cast<std::size_t>(link)]);
       if (status != Status::ok) {
@@ -127,9 +125,8 @@ struct KindInSpace {
 
   /// The frame of a model's link where the bodies stand.
   [[nodiscard]] BodyPose frame(int link, const NormalForm<Real>& form) const {
-    const BodyFeature place =
-        bodies.poses[static_cast<std::size_t>(playing_link(link))].world(
-            {form.frame.x, form.frame.y, angle_of(form.frame.direction)});
+    const BodyFeature place = bodies.poses[static_cast<std::size_t>(playing_link(link))].world(
+        {form.frame.x, form.frame.y, angle_of(form.frame.direction)});
     return {place.x, place.y, place.angle};
   }
 

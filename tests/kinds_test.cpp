@@ -70,9 +70,8 @@ TYPED_TEST(Kinds, AssembledBodiesCloseTheLoopsAndPosesAgree) {
       const BodyPose expected = space.frame(link, forms[slot]);
       EXPECT_NEAR(static_cast<double>(poses[slot].x - expected.x), 0.0, 1e-15);
       EXPECT_NEAR(static_cast<double>(poses[slot].y - expected.y), 0.0, 1e-15);
-      EXPECT_NEAR(
-          static_cast<double>(wrapped(angle_of(poses[slot].direction) - expected.theta)), 0.0,
-          1e-15);
+      EXPECT_NEAR(static_cast<double>(wrapped(angle_of(poses[slot].direction) - expected.theta)),
+                  0.0, 1e-15);
     }
     if constexpr (!Model::rigid) {
       Matrix<Real, Model::compatibility_count, 2> c;
@@ -158,8 +157,8 @@ TYPED_TEST(Kinds, MotionFollowsTheBodies) {
           const Real a_true = a_expected(3 * link + part);
           worst_velocity =
               std::max(worst_velocity, std::abs(v(link, part) - v_true) / (1 + std::abs(v_true)));
-          worst_acceleration = std::max(
-              worst_acceleration, std::abs(a(link, part) - a_true) / (1 + std::abs(a_true)));
+          worst_acceleration = std::max(worst_acceleration,
+                                        std::abs(a(link, part) - a_true) / (1 + std::abs(a_true)));
         }
       }
       ++compared;
@@ -186,8 +185,9 @@ TYPED_TEST(Kinds, SensitivitiesFollowReassembly) {
       Sensitivities<Model, Real> result;
       ASSERT_EQ((sensitivities<Model, Real>(d, u, q, result)), Status::ok);
       const auto change = [&](auto variables, int index, int steps, auto reassembled) {
-        auto move = decltype(Vector<Real, std::tuple_size_v<decltype(variables.members())>>())
-            ::Zero().eval();
+        auto move =
+            decltype(Vector<Real, std::tuple_size_v<decltype(variables.members())>>())::Zero()
+                .eval();
         move(index) = steps * dimension_step;
         advance(variables, move);
         auto moved = q;
@@ -212,8 +212,8 @@ TYPED_TEST(Kinds, SensitivitiesFollowReassembly) {
       };
       const auto compare = [&](const auto& column, const auto& expected) {
         for (int row = 0; row < Model::unknown_count; ++row) {
-          worst = std::max(worst, std::abs(column(row) - expected(row)) /
-                                      (1 + std::abs(expected(row))));
+          worst = std::max(worst,
+                           std::abs(column(row) - expected(row)) / (1 + std::abs(expected(row))));
         }
       };
       for (int index = 0; index < Model::dimension_count; ++index) {

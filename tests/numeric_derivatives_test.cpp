@@ -16,9 +16,7 @@ using Complex = std::complex<double>;
 
 /// A variable displaced by i*h: to first order a length grows and an angle turns.
 double imaginary_step() { return 1e-40; }
-Complex stepped(double length, bool chosen) {
-  return {length, chosen ? imaginary_step() : 0.0};
-}
+Complex stepped(double length, bool chosen) { return {length, chosen ? imaginary_step() : 0.0}; }
 Direction<Complex> stepped(const Direction<double>& angle, bool chosen) {
   const double h = chosen ? imaginary_step() : 0.0;
   return {{angle.cos, -h * angle.sin}, {angle.sin, h * angle.cos}};
@@ -30,9 +28,8 @@ To stepped_variables(const From& from, int chosen) {
   int index = 0;
   std::apply(
       [&](const auto&... source) {
-        std::apply(
-            [&](auto&... target) { ((target = stepped(source, index++ == chosen)), ...); },
-            result.members());
+        std::apply([&](auto&... target) { ((target = stepped(source, index++ == chosen)), ...); },
+                   result.members());
       },
       from.members());
   return result;

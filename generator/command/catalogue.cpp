@@ -50,10 +50,10 @@ void compare(CatalogueEntry& entry) {
     entry.disagreements.push_back(joined(missing, ", ") + " is not printed");
   }
   if (entry.printed->rigid() != entry.mobility.rigid) {
-    entry.disagreements.push_back(
-        "printed family " + entry.printed->family + " makes it " +
-        (entry.printed->rigid() ? "a structure" : "a mechanism") + ", derived rank makes it " +
-        (entry.mobility.rigid ? "a structure" : "a mechanism"));
+    entry.disagreements.push_back("printed family " + entry.printed->family + " makes it " +
+                                  (entry.printed->rigid() ? "a structure" : "a mechanism") +
+                                  ", derived rank makes it " +
+                                  (entry.mobility.rigid ? "a structure" : "a mechanism"));
   }
 }
 
@@ -67,9 +67,9 @@ std::vector<CatalogueEntry> entries_of(const Group& group) {
       entry.kinds.push_back(spell(group, member.kind));
     }
     if (printed != nullptr) {
-      entry.printed = &*std::find_if(
-          printed->begin(), printed->end(),
-          [&](const PrintedRow& row) { return row.number == model.number; });
+      entry.printed = &*std::find_if(printed->begin(), printed->end(), [&](const PrintedRow& row) {
+        return row.number == model.number;
+      });
       compare(entry);
     }
     entries.push_back(std::move(entry));
@@ -122,9 +122,8 @@ std::string catalogue_text() {
             std::to_string(models_of(group).size()) + " models\n";
     for (const CatalogueEntry& entry : entries_of(group)) {
       const std::string number = std::to_string(entry.model->number);
-      text += std::string(5 - number.size(), ' ') + number + "  " + verdict(entry) +
-              ", mobility " + std::to_string(entry.mobility.freedom) + "  " +
-              joined(entry.kinds, ", ") + "\n";
+      text += std::string(5 - number.size(), ' ') + number + "  " + verdict(entry) + ", mobility " +
+              std::to_string(entry.mobility.freedom) + "  " + joined(entry.kinds, ", ") + "\n";
       if (!entry.mobility.rigid) {
         text += "         " + entry.mobility.reason + "\n";
       }

@@ -86,7 +86,8 @@ int run_solve(const SolveOptions& options) {
     solve_one(ParameterValues(scene), options.format == "json" ? report_json : report_text);
   } else if (!scene.sweep) {
     text = csv_header(scene);
-    solve_one(ParameterValues(scene), [](const SolvedScene& solved) { return csv_rows(solved, 0); });
+    solve_one(ParameterValues(scene),
+              [](const SolvedScene& solved) { return csv_rows(solved, 0); });
   } else {
     text = csv_header(scene);
     const ParameterValues plain(scene);
@@ -112,7 +113,8 @@ int run(int argc, char** argv) {
   std::function<int()> chosen;
 
   CatalogueOptions catalogue;
-  CLI::App* command = app.add_subcommand("catalogue", "the kinds and models of each group, derived");
+  CLI::App* command =
+      app.add_subcommand("catalogue", "the kinds and models of each group, derived");
   command->add_option("--format", catalogue.format)
       ->check(CLI::IsMember({"text", "markdown", "json"}))
       ->capture_default_str();

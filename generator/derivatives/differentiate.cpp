@@ -49,8 +49,8 @@ GiNaC::ex time_derivative(const GiNaC::ex& function, const VariableList& variabl
 /// d2(function)/dt2, where only `accelerated` variables have second rates.
 GiNaC::ex second_time_derivative(const GiNaC::ex& function, const VariableList& moving,
                                  const VariableList& accelerated, const Vocabulary& vocabulary) {
-  GiNaC::ex total = time_derivative(time_derivative(function, moving, vocabulary), moving,
-                                    vocabulary);
+  GiNaC::ex total =
+      time_derivative(time_derivative(function, moving, vocabulary), moving, vocabulary);
   for (const Variable* variable : accelerated) {
     total += vocabulary.derivative(function, *variable) * variable->second_rate;
   }
@@ -63,8 +63,8 @@ ExpressionMatrix over_poses(const ClosureEquations& equations,
                             const std::function<GiNaC::ex(const AngleSum&)>& of_angle) {
   ExpressionMatrix rows;
   for (const LinkPose& pose : equations.poses) {
-    rows.push_back({of_coordinate(pose.origin.x), of_coordinate(pose.origin.y),
-                    of_angle(pose.angle)});
+    rows.push_back(
+        {of_coordinate(pose.origin.x), of_coordinate(pose.origin.y), of_angle(pose.angle)});
   }
   return rows;
 }

@@ -1,4 +1,5 @@
-// Turns loop-closure equations into their derivatives: Jacobian, sensitivities and time derivatives.
+// Turns loop-closure equations into their derivatives: Jacobian, sensitivities and time
+// derivatives.
 #pragma once
 
 #include <vector>

@@ -40,10 +40,10 @@ const Variable& angle_to_solve_for(const ClosureEquations& equations, std::size_
       if (equations.compatibility[condition].factor(variable) == 0) {
         continue;
       }
-      const bool taken = std::any_of(
-          equations.compatibility.begin(),
-          equations.compatibility.begin() + static_cast<std::ptrdiff_t>(condition),
-          [&](const AngleSum& earlier) { return earlier.factor(variable) != 0; });
+      const bool taken =
+          std::any_of(equations.compatibility.begin(),
+                      equations.compatibility.begin() + static_cast<std::ptrdiff_t>(condition),
+                      [&](const AngleSum& earlier) { return earlier.factor(variable) != 0; });
       if (!taken) {
         return variable;
       }

@@ -11,9 +11,9 @@ namespace assur::generator {
 /// Whether a group is a structure once its external joints are held.
 struct Mobility {
   int unknowns;
-  int rank;      ///< generic rank of the Jacobian where the group is assembled
-  int freedom;   ///< unknowns - rank: the mobility when it can be assembled
-  bool rigid;    ///< square, of full rank, and with angles that nothing over-determines
+  int rank;     ///< generic rank of the Jacobian where the group is assembled
+  int freedom;  ///< unknowns - rank: the mobility when it can be assembled
+  bool rigid;   ///< square, of full rank, and with angles that nothing over-determines
   std::string reason;
 };
 

@@ -117,8 +117,8 @@ std::size_t break_position(const std::string& line, std::size_t start, bool comm
       continue;
     }
     any = at;
-    const bool before_operator = at + 2 < line.size() && line[at + 2] == ' ' &&
-                                 (line[at + 1] == '+' || line[at + 1] == '-');
+    const bool before_operator =
+        at + 2 < line.size() && line[at + 2] == ' ' && (line[at + 1] == '+' || line[at + 1] == '-');
     if ((line[at - 1] == ',' && angles == 0) || before_operator) {
       good = at;
     }

@@ -17,9 +17,7 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-std::string padded(int number) {
-  return (number < 10 ? "0" : "") + std::to_string(number);
-}
+std::string padded(int number) { return (number < 10 ? "0" : "") + std::to_string(number); }
 std::string struct_name(const Model& model) { return "Model" + padded(model.number); }
 std::string file_name(const Model& model) { return "model_" + padded(model.number) + ".hpp"; }
 std::string boolean(bool value) { return value ? "true" : "false"; }
@@ -175,8 +173,8 @@ mustache::data link_list(const ClosureEquations& equations) {
     joints.resize(3, -1);
     mustache::data entry;
     entry.set("link", group.links()[slot]);
-    entry.set("text", equations.frames[slot].description + ", angle " +
-                          equations.poses[slot].angle.text());
+    entry.set("text",
+              equations.frames[slot].description + ", angle " + equations.poses[slot].angle.text());
     entry.set("joint_list", joined(joints, ", ", [](int joint) { return std::to_string(joint); }));
     list << entry;
   }
@@ -270,9 +268,9 @@ EmittedFile emit_model(const Model& model) {
   view.set("kinds", joined(model.members, ", ", [&](const Relabelling& member) {
              return spell(*model.group, member.kind);
            }));
-  view.set("verdict", mobility.rigid ? "rigid" : "degenerate, mobility " +
-                                                     std::to_string(mobility.freedom) +
-                                                     " where it can be assembled");
+  view.set("verdict", mobility.rigid ? "rigid"
+                                     : "degenerate, mobility " + std::to_string(mobility.freedom) +
+                                           " where it can be assembled");
   view.set("reason", mobility.reason);
   view.set("rigid", boolean(mobility.rigid));
   view.set("loops", loop_list(equations));

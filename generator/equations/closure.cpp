@@ -141,11 +141,10 @@ class ClosureWalk {
     }
     for (int link = 0; link < group_.link_count(); ++link) {
       const Vector2 direction = pose(link).angle.direction();
-      pose(link).direction = {
-          result_.vocabulary.name("cos_" + word(link), direction.x,
-                                  "cosine of the angle of link " + word(link)),
-          result_.vocabulary.name("sin_" + word(link), direction.y,
-                                  "sine of the angle of link " + word(link))};
+      pose(link).direction = {result_.vocabulary.name("cos_" + word(link), direction.x,
+                                                      "cosine of the angle of link " + word(link)),
+                              result_.vocabulary.name("sin_" + word(link), direction.y,
+                                                      "sine of the angle of link " + word(link))};
     }
   }
 
@@ -185,10 +184,9 @@ class ClosureWalk {
   /// The vector between two joints of a link, in the fixed frame.
   Vector2 link_vector(int link, int from, int to) {
     const Vector2 local = frame(link).feature_of(to).point - frame(link).feature_of(from).point;
-    return result_.vocabulary.name(letter(from) + letter(to),
-                                   rotated(pose(link).direction, local),
-                                   "vector from " + letter(from) + " to " + letter(to) +
-                                       " on link " + word(link));
+    return result_.vocabulary.name(
+        letter(from) + letter(to), rotated(pose(link).direction, local),
+        "vector from " + letter(from) + " to " + letter(to) + " on link " + word(link));
   }
 
   /// Steps from a joint's feature on one link to its feature on the other.

@@ -42,7 +42,8 @@ struct ClosureEquations {
 
   const Model* model;
   std::deque<Variable> unknowns;
-  std::vector<int> owners;  ///< for each unknown the link whose angle, or the joint whose slide it is
+  std::vector<int>
+      owners;  ///< for each unknown the link whose angle, or the joint whose slide it is
   std::deque<Variable> dimensions;
   std::deque<Variable> inputs;
   std::vector<LinkFrame> frames;

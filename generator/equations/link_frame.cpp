@@ -8,9 +8,8 @@
 namespace assur::generator {
 
 const Feature& LinkFrame::feature_of(int joint) const {
-  const auto found = std::find_if(features.begin(), features.end(), [joint](const Feature& f) {
-    return f.joint == joint;
-  });
+  const auto found = std::find_if(features.begin(), features.end(),
+                                  [joint](const Feature& f) { return f.joint == joint; });
   if (found == features.end()) {
     throw GeneratorError("equations", "link frame", "the link has no such joint");
   }
@@ -43,28 +42,26 @@ LinkFrame link_frame(const Model& model, int link, std::deque<Variable>& dimensi
   const std::string on_link = "_" + word;
 
   LinkFrame frame;
-  frame.description =
-      (points.empty() ? "origin where the slides at " + name_of(lines[0]) + " and " +
-                            name_of(lines[1]) + " cross"
-                      : "origin at " + name_of(points[0])) +
-      (lines.empty() ? ", x-axis toward " + name_of(points[1])
-                     : ", x-axis along the slide at " + name_of(lines[0]));
+  frame.description = (points.empty() ? "origin where the slides at " + name_of(lines[0]) +
+                                            " and " + name_of(lines[1]) + " cross"
+                                      : "origin at " + name_of(points[0])) +
+                      (lines.empty() ? ", x-axis toward " + name_of(points[1])
+                                     : ", x-axis along the slide at " + name_of(lines[0]));
   for (const int joint : joints) {
     const std::string name = name_of(joint);
     if (is_line(joint)) {
       AngleSum direction;
       if (joint != lines.front()) {
-        direction = AngleSum(
-            new_dimension("psi_" + name + on_link, Variable::Quantity::angle,
-                          "angle of the slide at " + name + " on link " + word + " from the x-axis"));
+        direction = AngleSum(new_dimension(
+            "psi_" + name + on_link, Variable::Quantity::angle,
+            "angle of the slide at " + name + " on link " + word + " from the x-axis"));
       }
       const bool through_origin = points.empty() && is_one_of_first(lines, joint, 2);
       Vector2 foot{0, 0};
       if (!through_origin) {
-        const Variable& offset =
-            new_dimension("h_" + name + on_link, Variable::Quantity::length,
-                          "offset of the slide at " + name + " on link " + word +
-                              ", positive to the left");
+        const Variable& offset = new_dimension(
+            "h_" + name + on_link, Variable::Quantity::length,
+            "offset of the slide at " + name + " on link " + word + ", positive to the left");
         const Vector2 along = direction.direction();
         foot = {-offset.value * along.y, offset.value * along.x};
       }

@@ -113,8 +113,7 @@ class Parser {
     if (take('-')) {
       result = call("-", {sign()});
     } else {
-      take('+');
-      result = power();
+      result = take('+') ? sign() : power();
     }
     --depth_;
     return result;
@@ -125,14 +124,7 @@ class Parser {
     if (!take('^')) {
       return base;
     }
-    Expression exponent = sign();
-    const bool negated = exponent.kind == Expression::Kind::call && exponent.name == "-" &&
-                         exponent.arguments.size() == 1 &&
-                         exponent.arguments[0].kind == Expression::Kind::number;
-    if (negated) {  // a constant exponent stays a number, so that it needs no logarithm
-      exponent = {Expression::Kind::number, -exponent.arguments[0].number, "", {}};
-    }
-    return call("^", {base, exponent});
+    return call("^", {base, sign()});
   }
 
   Expression atom() {
@@ -216,6 +208,15 @@ class Parser {
 }  // namespace
 
 Expression parse_expression(const std::string& text) { return Parser(text).whole(); }
+
+bool is_constant(const Expression& expression) {
+  return expression.kind != Expression::Kind::name &&
+         std::all_of(expression.arguments.begin(), expression.arguments.end(), is_constant);
+}
+
+double constant_value(const Expression& expression) {
+  return evaluate<double>(expression, [](const std::string&) { return 0.0; });
+}
 
 bool is_reserved_name(const std::string& name) {
   const auto has_name = [&](const auto& entry) { return entry.name == name; };

@@ -12,8 +12,7 @@ namespace assur::generator {
 /// What is wrong with an expression, and at which column (the first is 1).
 class ExpressionError : public std::runtime_error {
  public:
-  ExpressionError(const std::string& what, std::size_t at)
-      : std::runtime_error(what), column(at) {}
+  ExpressionError(const std::string& what, std::size_t at) : std::runtime_error(what), column(at) {}
   std::size_t column;
 };
 
@@ -29,6 +28,10 @@ struct Expression {
 
 /// Parses an expression; throws ExpressionError. Powers bind tighter than signs and to the right.
 [[nodiscard]] Expression parse_expression(const std::string& text);
+/// Whether an expression has no names in it.
+[[nodiscard]] bool is_constant(const Expression& expression);
+/// The value of a constant expression.
+[[nodiscard]] double constant_value(const Expression& expression);
 /// The names of functions and constants, which no parameter may take.
 [[nodiscard]] bool is_reserved_name(const std::string& name);
 /// Whether a text could be a parameter's name: letters, digits and underscores, no digit first.
@@ -66,8 +69,8 @@ Scalar evaluate(const Expression& expression, const ValueOf& value_of) {
     if (name == "acos") return Scalar(acos(first));
     return Scalar(atan2(first, Scalar(1.0)));
   }
-  if (name == "^" && expression.arguments[1].kind == Expression::Kind::number) {
-    return Scalar(pow(first, expression.arguments[1].number));
+  if (name == "^" && is_constant(expression.arguments[1])) {  // no logarithm, so any base
+    return Scalar(pow(first, constant_value(expression.arguments[1])));
   }
   const Scalar second = evaluate<Scalar>(expression.arguments[1], value_of);
   if (name == "+") return Scalar(first + second);

@@ -12,14 +12,13 @@ namespace {
 /// Calls `use` with the model of a number; models are types, the number comes from the scene.
 template <typename Use>
 void with_tetrad(int number, Use use) {
-  std::apply([&](auto... model) { ((decltype(model)::number == number ? use(model) : void()), ...); },
-             tetrad::Models());
+  std::apply(
+      [&](auto... model) { ((decltype(model)::number == number ? use(model) : void()), ...); },
+      tetrad::Models());
 }
 
 DimensionValue<double> plain(const DimensionValue<Dual>& value) {
-  return {value.is_angle,
-          value.length.value(),
-          {value.angle.cos.value(), value.angle.sin.value()}};
+  return {value.is_angle, value.length.value(), {value.angle.cos.value(), value.angle.sin.value()}};
 }
 
 std::vector<DimensionValue<Dual>> dimension_values(const GroupProblem& problem) {
@@ -166,10 +165,10 @@ class ModelState {
     for (int index = 0; index < Model::unknown_count; ++index) {
       const ModelUnknown& unknown = Model::unknowns[static_cast<std::size_t>(index)];
       if (!unknown.is_angle) {
-        state.slides.push_back({unknown.owner,
-                                Dual(values[static_cast<std::size_t>(index)],
-                                     q_gradient.row(index).transpose()),
-                                rates.velocity(index), rates.acceleration(index)});
+        state.slides.push_back(
+            {unknown.owner,
+             Dual(values[static_cast<std::size_t>(index)], q_gradient.row(index).transpose()),
+             rates.velocity(index), rates.acceleration(index)});
       }
     }
   }
@@ -188,17 +187,15 @@ class ModelState {
 
 Status solve_tetrad(int model, const GroupProblem& problem, GroupState& state) {
   Status status = Status::singular;
-  with_tetrad(model, [&](auto chosen) {
-    status = ModelState<decltype(chosen)>(problem).solve(state);
-  });
+  with_tetrad(model,
+              [&](auto chosen) { status = ModelState<decltype(chosen)>(problem).solve(state); });
   return status;
 }
 
 bool tetrad_is_compatible(int model, const GroupProblem& problem) {
   bool compatible = false;
-  with_tetrad(model, [&](auto chosen) {
-    compatible = ModelState<decltype(chosen)>(problem).compatible();
-  });
+  with_tetrad(
+      model, [&](auto chosen) { compatible = ModelState<decltype(chosen)>(problem).compatible(); });
   return compatible;
 }
 

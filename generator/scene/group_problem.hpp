@@ -10,8 +10,8 @@ namespace assur::generator {
 
 /// What a generated model needs of a scene, in the order of the model's tables.
 struct GroupProblem {
-  std::vector<NormalForm<Dual>> links;         ///< of each link of the model
-  std::vector<DimensionValue<Dual>> inputs;    ///< the model's inputs
+  std::vector<NormalForm<Dual>> links;       ///< of each link of the model
+  std::vector<DimensionValue<Dual>> inputs;  ///< the model's inputs
   Eigen::VectorXd input_rates;
   Eigen::VectorXd input_second_rates;
   std::vector<double> guessed_angles;  ///< for each link of the model, of its normal frame

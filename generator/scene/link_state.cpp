@@ -5,7 +5,9 @@ namespace assur::generator {
 namespace {
 
 /// omega x r in the plane.
-Eigen::Vector2d cross(double omega, const Eigen::Vector2d& r) { return {-omega * r.y(), omega * r.x()}; }
+Eigen::Vector2d cross(double omega, const Eigen::Vector2d& r) {
+  return {-omega * r.y(), omega * r.x()};
+}
 
 Direction<Dual> dual_turned(const Direction<Dual>& direction, const Direction<Dual>& by) {
   return turned(direction, by);

@@ -40,7 +40,7 @@ struct DriverState {
 };
 
 /// The link on the other side of a driven joint from `placed`, whose state is known.
-[[nodiscard]] LinkState driven_link(const MechanismJoint& joint, int placed,
-                                    const LinkState& state, const DriverState& driver);
+[[nodiscard]] LinkState driven_link(const MechanismJoint& joint, int placed, const LinkState& state,
+                                    const DriverState& driver);
 
 }  // namespace assur::generator

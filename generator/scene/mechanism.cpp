@@ -60,10 +60,8 @@ Mechanism mechanism_of(const Scene& scene, const ParameterValues& values) {
       centre.along = {values.constant(1.0), values.constant(0.0)};
       LinkFeature<Dual> axis = centre;
       axis.line = true;
-      mechanism.joints.push_back(
-          {joint.name, number, true, line.link, block, local(line), axis});
-      mechanism.joints.push_back(
-          {joint.name, number, false, pin.link, block, local(pin), centre});
+      mechanism.joints.push_back({joint.name, number, true, line.link, block, local(line), axis});
+      mechanism.joints.push_back({joint.name, number, false, pin.link, block, local(pin), centre});
       continue;
     }
     // The links of a pin all join the ground if it is among them, or else the first.

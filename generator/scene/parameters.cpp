@@ -12,8 +12,7 @@ Eigen::VectorXd angle_gradient(const Direction<Dual>& direction) {
          direction.sin.value() * direction.cos.derivatives();
 }
 
-ParameterValues::ParameterValues(const Scene& scene,
-                                 std::optional<std::pair<int, double>> replaced)
+ParameterValues::ParameterValues(const Scene& scene, std::optional<std::pair<int, double>> replaced)
     : scene_(&scene) {
   const auto count = static_cast<Eigen::Index>(scene.parameters.size());
   values_.assign(scene.parameters.size(), Dual(0.0, Eigen::VectorXd::Zero(count)));

@@ -158,8 +158,8 @@ std::string configuration_text(const AssemblyConfiguration& configuration,
   if (!configuration.joints.empty()) {
     text += "  slides\n" + table_head({"displacement", "velocity", "acceleration"});
     for (const JointState& joint : configuration.joints) {
-      text += table_row(joint.name, {joint.displacement.value(), joint.velocity,
-                                     joint.acceleration});
+      text +=
+          table_row(joint.name, {joint.displacement.value(), joint.velocity, joint.acceleration});
     }
   }
   for (std::size_t index = 0; index < scene.outputs.size(); ++index) {
@@ -183,8 +183,8 @@ std::string configuration_text(const AssemblyConfiguration& configuration,
       const Eigen::VectorXd& tolerances = solved.values->tolerances();
       text += table_row("worst case",
                         {worst_case(point.x, tolerances), worst_case(point.y, tolerances)});
-      text += table_row("rss", {root_sum_square(point.x, tolerances),
-                                root_sum_square(point.y, tolerances)});
+      text += table_row(
+          "rss", {root_sum_square(point.x, tolerances), root_sum_square(point.y, tolerances)});
     }
   }
   return text;
@@ -259,9 +259,8 @@ std::string report_text(const SolvedScene& solved) {
   text += "\n";
   for (std::size_t index = 0; index < solution.groups.size(); ++index) {
     const FoundGroup& group = solution.groups[index];
-    text += "group: " + group.model->group->name() + " " +
-            spell(*group.model->group, group.kind) + ", model " +
-            std::to_string(group.model->number) + ", links";
+    text += "group: " + group.model->group->name() + " " + spell(*group.model->group, group.kind) +
+            ", model " + std::to_string(group.model->number) + ", links";
     for (const std::string& link : solution.group_links[index]) {
       text += " " + link;
     }
@@ -305,8 +304,7 @@ std::string csv_header(const Scene& scene) {
     add(want.position, output.name, {"x", "y"});
     add(want.velocity, output.name, {"vx", "vy"});
     add(want.acceleration, output.name, {"ax", "ay"});
-    add(want.sensitivity, output.name,
-        {"worst_case_x", "worst_case_y", "rss_x", "rss_y"});
+    add(want.sensitivity, output.name, {"worst_case_x", "worst_case_y", "rss_x", "rss_y"});
   }
   add(true, "solution", {"regularity", "residual"});
   std::string line;

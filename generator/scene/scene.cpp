@@ -1,6 +1,7 @@
 #include "scene/scene.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -27,8 +28,8 @@ std::vector<std::string> names_of(const Items& items) {
 
 template <typename Items>
 int index_of(const Items& items, const std::string& name) {
-  const auto found = std::find_if(items.begin(), items.end(),
-                                  [&](const auto& item) { return item.name == name; });
+  const auto found =
+      std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
   return found == items.end() ? -1 : static_cast<int>(found - items.begin());
 }
 
@@ -48,9 +49,9 @@ class SceneReader {
   Scene read(const std::string& text, const std::vector<std::string>& settings) {
     const Json root = parsed(text);
     expect_object(root, "");
-    expect_keys(root, "",
-                {"name", "parameters", "links", "joints", "drivers", "outputs", "want", "sweep",
-                 "guess"});
+    expect_keys(
+        root, "",
+        {"name", "parameters", "links", "joints", "drivers", "outputs", "want", "sweep", "guess"});
     read_name(root);
     read_parameters(root, settings);
     read_links(root);
@@ -344,8 +345,8 @@ class SceneReader {
       expect_keys(value, where, {"position", "velocity", "acceleration"});
       driver.position = number(required(value, "position", where), where + ".position");
       const Json zero = 0;
-      driver.velocity = number(value.contains("velocity") ? value["velocity"] : zero,
-                               where + ".velocity");
+      driver.velocity =
+          number(value.contains("velocity") ? value["velocity"] : zero, where + ".velocity");
       driver.acceleration = number(value.contains("acceleration") ? value["acceleration"] : zero,
                                    where + ".acceleration");
       scene_.drivers.push_back(std::move(driver));
@@ -440,13 +441,10 @@ Scene parse_scene(const std::string& text, const std::string& file,
 
 Scene read_scene(const std::string& file, const std::vector<std::string>& settings) {
   std::ifstream in(file, std::ios::binary);
+  if (!in || std::filesystem::is_directory(file)) {
+    throw InputError(file + ": cannot be read (does it exist, and is it a file?)");
+  }
   const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in.good() && !in.eof()) {
-    throw InputError(file + ": cannot be read (does it exist?)");
-  }
-  if (!in.is_open() || in.bad()) {
-    throw InputError(file + ": cannot be read (does it exist?)");
-  }
   return parse_scene(text, file, settings);
 }
 

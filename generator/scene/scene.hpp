@@ -25,8 +25,8 @@ struct SceneParameter {
 struct SceneFeature {
   std::string name;
   bool line = false;
-  SceneNumber x, y;                ///< of the point, or of the line's `through`
-  SceneNumber along_x, along_y;    ///< of a line; not necessarily a unit vector
+  SceneNumber x, y;              ///< of the point, or of the line's `through`
+  SceneNumber along_x, along_y;  ///< of a line; not necessarily a unit vector
   std::string where;
 };
 

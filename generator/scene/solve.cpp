@@ -133,8 +133,7 @@ class MechanismSolver {
     for (const int link : moving) {
       names.push_back(mechanism_.links[static_cast<std::size_t>(link)]);
     }
-    const auto freedom =
-        3 * static_cast<int>(moving.size()) - 2 * static_cast<int>(open.size());
+    const auto freedom = 3 * static_cast<int>(moving.size()) - 2 * static_cast<int>(open.size());
     if (freedom != 0) {
       fail("joints", std::string(freedom > 0 ? "under" : "over") + "-constrained: the " +
                          std::to_string(moving.size()) + " links without a driver (" +
@@ -243,8 +242,8 @@ class MechanismSolver {
         second_rates.push_back(state.acceleration(2));
       }
     }
-    problem.input_rates = Eigen::Map<Eigen::VectorXd>(rates.data(),
-                                                      static_cast<Eigen::Index>(rates.size()));
+    problem.input_rates =
+        Eigen::Map<Eigen::VectorXd>(rates.data(), static_cast<Eigen::Index>(rates.size()));
     problem.input_second_rates = Eigen::Map<Eigen::VectorXd>(
         second_rates.data(), static_cast<Eigen::Index>(second_rates.size()));
   }

@@ -14,7 +14,9 @@ namespace assur::generator {
 namespace {
 
 /// The link on the other side of a joint.
-int across(const Joint& joint, int link) { return joint.first == link ? joint.second : joint.first; }
+int across(const Joint& joint, int link) {
+  return joint.first == link ? joint.second : joint.first;
+}
 
 }  // namespace
 
@@ -134,8 +136,7 @@ std::vector<int> SpanningTree::path_to(const Group& group, int link) const {
 
 std::string loop_name(const Group& group, const SpanningTree& tree, int chord) {
   const Joint& joint = group.joints()[static_cast<std::size_t>(chord)];
-  std::vector<int> loop =
-      joint.external() ? std::vector<int>{} : tree.path_to(group, joint.first);
+  std::vector<int> loop = joint.external() ? std::vector<int>{} : tree.path_to(group, joint.first);
   std::vector<int> back = tree.path_to(group, joint.second);
   // What both sides share is walked to and fro and drops out of the loop.
   while (!loop.empty() && !back.empty() && loop.front() == back.front()) {

@@ -38,10 +38,9 @@ std::vector<Model> orbits(const Group& group) {
     }
     Model model{&group, 0, orbit.begin()->second, {}};
     for (const auto& [spelling, member] : orbit) {
-      const auto onto_representative =
-          std::find_if(automorphisms.begin(), automorphisms.end(), [&](const auto& image) {
-            return moved(member, image) == model.representative;
-          });
+      const auto onto_representative = std::find_if(
+          automorphisms.begin(), automorphisms.end(),
+          [&](const auto& image) { return moved(member, image) == model.representative; });
       model.members.push_back({member, *onto_representative});
     }
     models.push_back(std::move(model));

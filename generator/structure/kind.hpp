@@ -31,7 +31,7 @@ struct Relabelling {
 struct Model {
   const Group* group;
   int number;
-  Kind representative;              ///< the kind for which the equations are derived
+  Kind representative;               ///< the kind for which the equations are derived
   std::vector<Relabelling> members;  ///< every kind of the orbit, the representative first
 
   /// `tetrad model 2 (RPR-RRR)`, for messages.

@@ -328,8 +328,8 @@ bool ExpressionGraph::share_term_pair(std::vector<ScaledNode>& roots) {
         }
         const std::vector<ScaledNode> old = terms;  // making a node may move `terms`
         if (shared.node < 0) {
-          shared = make_sum({{1, old[i].node}, {old[j].coefficient / old[i].coefficient,
-                                                old[j].node}});
+          shared =
+              make_sum({{1, old[i].node}, {old[j].coefficient / old[i].coefficient, old[j].node}});
         }
         if (shared.node == index) {
           i = j = old.size();

@@ -1,4 +1,5 @@
-// Turns polynomials into one graph of sums and products in which every common part is computed once.
+// Turns polynomials into one graph of sums and products in which every common part is computed
+// once.
 #pragma once
 
 #include <map>
@@ -32,8 +33,8 @@ class ExpressionGraph {
   enum class Operation : unsigned char { constant, symbol, product, sum };
   struct Node {
     Operation operation;
-    int symbol = -1;               ///< rank of a symbol
-    std::vector<int> factors;      ///< of a product, ascending, repeated for squares
+    int symbol = -1;                ///< rank of a symbol
+    std::vector<int> factors;       ///< of a product, ascending, repeated for squares
     std::vector<ScaledNode> terms;  ///< of a sum, a positive one first if there is any
   };
 
@@ -46,7 +47,9 @@ class ExpressionGraph {
   /// most frequent first. `roots` are the results that must remain.
   void share_pairs(std::vector<ScaledNode>& roots);
 
-  [[nodiscard]] const Node& node(int index) const { return nodes_[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] const Node& node(int index) const {
+    return nodes_[static_cast<std::size_t>(index)];
+  }
   [[nodiscard]] int size() const { return static_cast<int>(nodes_.size()); }
   [[nodiscard]] const SymbolOrder& order() const { return *order_; }
   /// Operations that one node costs once its children are known.

@@ -19,9 +19,8 @@ std::vector<NamedQuantity> needed(const std::vector<NamedQuantity>& quantities,
   };
   for (std::size_t back = quantities.size(); back-- > 0;) {
     const GiNaC::symbol& symbol = quantities[back].symbol;
-    wanted[back] = std::any_of(results.begin(), results.end(), [&](const Result& result) {
-      return occurs(symbol, result.value);
-    });
+    wanted[back] = std::any_of(results.begin(), results.end(),
+                               [&](const Result& result) { return occurs(symbol, result.value); });
     for (std::size_t later = back + 1; later < quantities.size() && !wanted[back]; ++later) {
       wanted[back] = wanted[later] && occurs(symbol, quantities[later].definition);
     }
@@ -147,8 +146,7 @@ OperationCount Program::count() const {
 std::vector<std::string> Program::reads() const {
   std::set<int> ranks;
   for (int node = 0; node < graph_.size(); ++node) {
-    if (done_[static_cast<std::size_t>(node)] &&
-        graph_.node(node).operation == Operation::symbol &&
+    if (done_[static_cast<std::size_t>(node)] && graph_.node(node).operation == Operation::symbol &&
         definitions_.count(name_of(node)) == 0) {
       ranks.insert(graph_.node(node).symbol);
     }

@@ -1,4 +1,5 @@
-// Turns named quantities and results into a straight-line program: each step computed once, in order.
+// Turns named quantities and results into a straight-line program: each step computed once, in
+// order.
 #pragma once
 
 #include <string>

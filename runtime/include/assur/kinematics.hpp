@@ -94,8 +94,8 @@ template <typename Model, typename Scalar>
     Model::input_jacobian(d, u, q, result.to_inputs);
     result.to_dimensions = jacobian.solve(
         Matrix<Scalar, Model::unknown_count, Model::dimension_count>(-result.to_dimensions));
-    result.to_inputs = jacobian.solve(
-        Matrix<Scalar, Model::unknown_count, Model::input_count>(-result.to_inputs));
+    result.to_inputs =
+        jacobian.solve(Matrix<Scalar, Model::unknown_count, Model::input_count>(-result.to_inputs));
   }
   return jacobian.status();
 }

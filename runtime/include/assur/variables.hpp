@@ -82,9 +82,8 @@ void advance(Variables& variables, const Vector<Scalar, Count>& step) {
 /// Whether no variable is NaN or infinite.
 template <typename Variables>
 [[nodiscard]] bool is_finite(const Variables& variables) {
-  return std::apply(
-      [](const auto&... member) { return (detail::is_finite_member(member) && ...); },
-      variables.members());
+  return std::apply([](const auto&... member) { return (detail::is_finite_member(member) && ...); },
+                    variables.members());
 }
 
 }  // namespace assur

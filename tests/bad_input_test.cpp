@@ -1,0 +1,165 @@
+// Law: unusable input gets one line on standard error that says where, what, and the mend; nothing
+// on standard output; exit status 2.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "command.hpp"
+
+namespace assur::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void expect_one_line(const CommandResult& result, const std::string& expected) {
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.output, "");
+  EXPECT_EQ(std::count(result.messages.begin(), result.messages.end(), '\n'), 1) << result.messages;
+  EXPECT_EQ(result.messages.rfind("error: ", 0), 0U) << result.messages;
+  EXPECT_NE(result.messages.find(expected), std::string::npos)
+      << "expected: " << expected << "\nfound:    " << result.messages;
+}
+
+/// A change of the worked example that makes it unusable, and what the message must say.
+struct Fault {
+  const char* name;
+  const char* pointer;  ///< JSON pointer of what is replaced
+  const char* value;    ///< JSON; empty: the member is removed
+  const char* message;
+};
+
+class BadScene : public testing::TestWithParam<Fault> {};
+
+TEST_P(BadScene, GetsOneLine) {
+  const Fault& fault = GetParam();
+  Json scene = Json::parse(read_file(ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json"));
+  const Json::json_pointer pointer(fault.pointer);
+  if (*fault.value == '\0') {
+    scene[pointer.parent_pointer()].erase(pointer.back());
+  } else {
+    scene[pointer] = Json::parse(fault.value);
+  }
+  const TemporaryDirectory directory;
+  const auto file = directory.write("scene.json", scene.dump());
+  expect_one_line(run_assur("solve " + file.string()), fault.message);
+}
+
+constexpr std::array<Fault, 46> faults = {{
+    {"UnknownTopLevelKey", "/drivrs", "{}",
+     "scene.json: unknown key 'drivrs' (did you mean 'drivers'?)"},
+    {"LinksMissing", "/links", "", "the key 'links' is missing"},
+    {"JointsMissing", "/joints", "", "the key 'joints' is missing"},
+    {"LinksNoObject", "/links", "[]", "links: expected an object {...}, found array"},
+    {"LinkNoObject", "/links/rod", "3", "links.rod: expected an object"},
+    {"NameNoText", "/name", "7", "name: expected a text, found number"},
+    {"UnknownLink", "/joints/B/between/1", "\"rood.B\"",
+     "joints.B.between[1]: no link named 'rood' (did you mean 'rod'?)"},
+    {"UnknownFeature", "/joints/B/between/1", "\"rod.Z\"",
+     "joints.B.between[1]: link 'rod' has no feature 'Z'"},
+    {"ReferenceWithoutDot", "/joints/B/between/1", "\"rod\"", "expected 'link.feature'"},
+    {"ReferenceNoText", "/joints/B/between/1", "1", "joints.B.between[1]: expected a text"},
+    {"BetweenTooShort", "/joints/B/between", "[\"rod.B\"]", "expected two or more features"},
+    {"BetweenNoList", "/joints/B/between", "\"rod.B\"", "expected two or more features"},
+    {"LinkTwiceInJoint", "/joints/B/between/0", "\"rod.E\"", "stands twice in one joint"},
+    {"UnknownJointType", "/joints/B/type", "\"revolut\"",
+     "joints.B.type: no joint type 'revolut' (did you mean 'revolute'?)"},
+    {"JointTypeMissing", "/joints/B/type", "", "joints.B: the key 'type' is missing"},
+    {"UnknownJointKey", "/joints/B/axis", "1", "joints.B: unknown key 'axis'"},
+    {"PointInPrismatic", "/joints/S/between/1", "\"slider.D\"",
+     "a prismatic joint joins two lines"},
+    {"LineInRevolute", "/joints/D/between/1", "\"slider.slide\"", "a revolute joint joins points"},
+    {"TwoPointsInSlot", "/joints/B/type", "\"pin-in-slot\"",
+     "a pin-in-slot joint joins a point and a line"},
+    {"PointOfThree", "/links/rod/B", "[0, 0, 0]", "links.rod.B: expected two numbers [x, y]"},
+    {"PointOfText", "/links/rod/B", "\"origin\"", "links.rod.B: expected a point"},
+    {"CoordinateNoNumber", "/links/rod/B", "[true, 0]",
+     "links.rod.B[0]: expected a number or an expression, found boolean"},
+    {"LineWithoutSense", "/links/rod/slide/along", "[0, 0]",
+     "links.rod.slide.along: a direction [0, 0] has no sense"},
+    {"LineWithoutPoint", "/links/rod/slide/through", "", "the key 'through' is missing"},
+    {"UnknownLineKey", "/links/rod/slide/angle", "0", "links.rod.slide: unknown key 'angle'"},
+    {"UnknownParameter", "/links/rod/E", "[\"BEE\", 0]",
+     "links.rod.E[0]: no parameter named 'BEE' (did you mean 'BE'?)"},
+    {"BadExpression", "/links/rod/E", "[\"BE*\", 0]", "at column 4 of 'BE*'"},
+    {"UnknownFunction", "/links/rod/E", "[\"sinh(1)\", 0]", "no function named 'sinh' at column 1"},
+    {"WrongArity", "/links/rod/E", "[\"atan2(1)\", 0]", "atan2 takes two arguments"},
+    {"UnclosedBracket", "/links/rod/E", "[\"(1 + 2\", 0]", "expected ')' at column 7"},
+    {"NumberOutOfRange", "/links/rod/E", "[\"1e999\", 0]", "not a number in the range"},
+    {"DivisionByZero", "/links/rod/E", "[\"1/0\", 0]", "the value is not a finite number"},
+    {"RootOfNegative", "/links/rod/E", "[\"sqrt(-1)\", 0]", "the value is not a finite number"},
+    {"ParameterCycle", "/parameters/AB", "\"2*AB\"", "the parameter depends on itself"},
+    {"ParameterReserved", "/parameters/pi", "3", "'pi' is the name of a function or constant"},
+    {"ParameterName", "/parameters/1st", "3", "'1st' is not a name"},
+    {"NegativeTolerance", "/parameters/AB/tolerance", "-1", "cannot be negative"},
+    {"UnknownParameterKey", "/parameters/AB/tol", "1", "parameters.AB: unknown key 'tol'"},
+    {"UnknownDriver", "/drivers/AA", "{\"position\": 0}", "no joint named 'AA'"},
+    {"DriverWithoutPosition", "/drivers/A/position", "", "the key 'position' is missing"},
+    {"OutputOfLine", "/outputs/E", "\"rod.slide\"", "an output is a point"},
+    {"UnknownWant", "/want", "[\"speed\"]", "want[0]: no such result 'speed'"},
+    {"SweepCount", "/sweep", "{\"parameter\": \"phi\", \"from\": 0, \"to\": 1, \"count\": 0}",
+     "sweep.count: expected a whole number"},
+    {"SweepParameter", "/sweep", "{\"parameter\": \"psi\", \"from\": 0, \"to\": 1, \"count\": 2}",
+     "sweep.parameter: no parameter named 'psi' (did you mean 'phi'?)"},
+    {"UnderConstrained", "/joints/E", "", "under-constrained"},
+    {"NoGround", "/links/ground", "", "no link named 'ground'"},
+}};
+
+INSTANTIATE_TEST_SUITE_P(Faults, BadScene, testing::ValuesIn(faults),
+                         [](const auto& fault) { return std::string(fault.param.name); });
+
+TEST(BadFile, Missing) { expect_one_line(run_assur("solve /no/such/file.json"), "cannot be read"); }
+TEST(BadFile, Directory) {
+  const TemporaryDirectory directory;
+  expect_one_line(run_assur("solve " + directory.path().string()), "cannot be read");
+}
+TEST(BadFile, NotJson) {
+  const TemporaryDirectory directory;
+  const auto file = directory.write("scene.json", "{\"links\": {,}}");
+  expect_one_line(run_assur("solve " + file.string()), "not JSON: parse error at line 1");
+}
+TEST(BadFile, Empty) {
+  const TemporaryDirectory directory;
+  const auto file = directory.write("scene.json", "");
+  expect_one_line(run_assur("solve " + file.string()), "not JSON");
+}
+TEST(BadFile, KeyTwice) {
+  const TemporaryDirectory directory;
+  const auto file = directory.write("scene.json", R"({"name": "a", "name": "b"})");
+  expect_one_line(run_assur("solve " + file.string()), "the key 'name' stands twice");
+}
+TEST(BadFile, NumberOutOfRange) {
+  const TemporaryDirectory directory;
+  const auto file = directory.write("scene.json", R"({"links": {"ground": {"A": [1e999, 0]}}})");
+  expect_one_line(run_assur("solve " + file.string()), "not JSON: number overflow");
+}
+TEST(BadFile, DeeplyNested) {
+  const TemporaryDirectory directory;
+  const auto file = directory.write("scene.json", R"({"joints": {}, "links": {"ground": {"A": [")" +
+                                                      std::string(100000, '(') + R"(", 0]}}})");
+  expect_one_line(run_assur("solve " + file.string()), "nested too deeply");
+}
+
+TEST(BadArguments, UnknownSetting) {
+  expect_one_line(run_assur("solve " ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json --set AC=3"),
+                  "--set: no parameter named 'AC'");
+}
+TEST(BadArguments, SettingWithoutValue) {
+  expect_one_line(run_assur("solve " ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json --set AB"),
+                  "--set: expected NAME=EXPR");
+}
+TEST(BadArguments, UnknownSubcommand) { expect_one_line(run_assur("solv"), "see assur --help"); }
+TEST(BadArguments, NoSubcommand) { expect_one_line(run_assur(""), "subcommand"); }
+TEST(BadArguments, UnknownFormat) {
+  expect_one_line(run_assur("catalogue --format xml"), "--format");
+}
+TEST(BadArguments, UnknownModel) {
+  expect_one_line(run_assur("emit --model 25 --output /tmp"), "no tetrad model 25");
+}
+TEST(BadArguments, OutputNotWritable) {
+  expect_one_line(run_assur("emit --model 1 --output /dev/null/x"), "--output: cannot write");
+}
+
+}  // namespace
+}  // namespace assur::test

@@ -1,0 +1,74 @@
+// Law: emission depends on its input alone, and what is checked in is what the generator emits.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "command.hpp"
+
+namespace assur::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Every file below a directory, in order, as one text.
+std::string whole_tree(const fs::path& directory) {
+  std::set<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(directory)) {
+    if (entry.is_regular_file()) {
+      files.insert(entry.path());
+    }
+  }
+  std::string text;
+  for (const fs::path& file : files) {
+    text += fs::relative(file, directory).string() + "\n" + read_file(file);
+  }
+  return text;
+}
+
+TEST(Emission, IsTheSameInEveryProcess) {
+  // Each process has its addresses elsewhere (address-space randomisation is the system's default),
+  // and GiNaC orders by address.
+  std::set<std::string> trees;
+  for (int process = 0; process < 4; ++process) {
+    const TemporaryDirectory directory;
+    ASSERT_EQ(run_assur("emit --all --output " + directory.path().string()).status, 0);
+    trees.insert(whole_tree(directory.path()));
+  }
+  EXPECT_EQ(trees.size(), 1U);
+}
+
+TEST(Emission, CheckedInFilesAreCurrent) {
+  const CommandResult result = run_assur("emit --all --output " ASSUR_GENERATED " --check");
+  EXPECT_EQ(result.status, 0) << result.messages;
+}
+
+TEST(Emission, CheckFindsAChangeAndWritesNothing) {
+  const TemporaryDirectory directory;
+  const std::string output = directory.path().string();
+  ASSERT_EQ(run_assur("emit --all --output " + output).status, 0);
+  const std::string changed = "assur/tetrad/model_03.hpp";
+  directory.write(changed, "// changed\n");
+  const CommandResult result = run_assur("emit --all --output " + output + " --check");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.messages, "differs: " + changed + "\n");
+  EXPECT_EQ(read_file(directory.path() / changed), "// changed\n");
+}
+
+TEST(Emission, CallsNoPowerAndNoTrigonometryAndDoesNotBranch) {
+  const std::string text = whole_tree(ASSUR_GENERATED);
+  for (const char* forbidden :
+       {"pow(", "sin(", "cos(", "tan(", "sqrt(", "if (", "for (", "while (", " ? "}) {
+    EXPECT_EQ(text.find(forbidden), std::string::npos) << forbidden;
+  }
+}
+
+TEST(Emission, LinesFitAHundredColumns) {
+  std::istringstream lines(whole_tree(ASSUR_GENERATED));
+  std::string line;
+  while (std::getline(lines, line)) {
+    EXPECT_LE(line.size(), 100U) << line;
+  }
+}
+
+}  // namespace
+}  // namespace assur::test

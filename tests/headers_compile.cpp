@@ -1,0 +1,7 @@
+// Compiles every generated model as C++17 with a project's strictest warnings; there is no more to
+// it than the includes and one use of each function.
+#include <assur/kinematics.hpp>
+#include <assur/normal_form.hpp>
+#include <assur/tetrad/models.hpp>
+
+static_assert(std::tuple_size_v<assur::tetrad::Models> == 24);

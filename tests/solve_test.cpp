@@ -1,0 +1,210 @@
+// Checks `assur solve`: the worked mechanism against independent values and differences, and what
+// the contract promises of every result.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+
+namespace assur::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::string worked = ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json";
+
+Json solved(const std::string& arguments) {
+  const CommandResult result = run_assur("solve " + arguments + " --format json");
+  EXPECT_EQ(result.status, 0) << result.messages;
+  return Json::parse(result.output);
+}
+
+/// The configuration of the worked mechanism that the paper draws.
+Json drawn_configuration(const std::string& settings = "") {
+  const Json root = solved(worked + settings);
+  for (const Json& configuration : root["configurations"]) {
+    if (std::abs(configuration["links"]["rod"]["theta"].get<double>() - 0.7325) < 0.02) {
+      return configuration;
+    }
+  }
+  return {};
+}
+
+TEST(WorkedMechanism, IsTheTetradThatThePaperNames) {
+  const Json root = solved(worked);
+  EXPECT_EQ(root["status"], "ok");
+  EXPECT_EQ(root["mobility"], 0);
+  EXPECT_EQ(root["groups"][0]["class"], 4);
+  EXPECT_EQ(root["groups"][0]["kind"], "RRP-RRR");
+  EXPECT_EQ(root["groups"][0]["model"], 2);
+  EXPECT_EQ(root["groups"][0]["links"], Json({"rod", "lever", "slider", "bar"}));
+}
+
+// Values of an independent derivation in 30-digit arithmetic (docs/quintero_2011.md).
+TEST(WorkedMechanism, AgreesWithAnIndependentDerivation) {
+  const Json configuration = drawn_configuration();
+  const Json& links = configuration["links"];
+  constexpr double degree = 3.14159265358979323846 / 180;
+  EXPECT_NEAR(links["rod"]["theta"].get<double>() / degree, 41.9682695356, 1e-10);
+  EXPECT_NEAR(links["lever"]["theta"].get<double>() / degree, 92.2903675359, 1e-10);
+  EXPECT_NEAR(links["bar"]["theta"].get<double>() / degree, -103.092154299, 1e-9);
+  EXPECT_NEAR(configuration["joints"]["S"]["displacement"].get<double>(), 307.739262482, 1e-9);
+  EXPECT_NEAR(links["rod"]["velocity"][2].get<double>(), -0.00860783887219, 1e-14);
+  EXPECT_NEAR(links["lever"]["velocity"][2].get<double>(), -0.474663754894, 1e-12);
+  EXPECT_NEAR(links["bar"]["velocity"][2].get<double>(), -0.110310615115, 1e-12);
+  EXPECT_NEAR(configuration["joints"]["S"]["velocity"].get<double>(), 62.6008512896, 1e-10);
+  EXPECT_NEAR(links["rod"]["acceleration"][2].get<double>(), 0.266304687858, 1e-12);
+  EXPECT_NEAR(links["lever"]["acceleration"][2].get<double>(), 0.448468904885, 1e-12);
+  EXPECT_NEAR(links["bar"]["acceleration"][2].get<double>(), 0.161533268309, 1e-12);
+  EXPECT_NEAR(configuration["joints"]["S"]["acceleration"].get<double>(), -58.4124671031, 1e-10);
+}
+
+TEST(WorkedMechanism, SensitivitiesAreTheDifferencesOfSolutions) {
+  const Json root = drawn_configuration();
+  const std::vector<std::pair<std::string, double>> parameters = {
+      {"AG", 275}, {"AB", 100}, {"BE", 500}, {"EF", 300},
+      {"GD", 300}, {"FG", 150}, {"FD", 180}, {"phi", 70 * 3.14159265358979323846 / 180}};
+  double worst = 0;
+  for (const auto& [name, value] : parameters) {
+    const double step = name == "phi" ? 1e-5 : 1e-3;
+    const auto at = [&, parameter = name, base = value](double offset) {
+      std::array<char, 64> setting{};
+      (void)std::snprintf(setting.data(), setting.size(), " --set %s=%.17g", parameter.c_str(),
+                          base + offset);
+      return drawn_configuration(setting.data())["outputs"];
+    };
+    const Json above = at(step);
+    const Json below = at(-step);
+    for (const char* point : {"E", "F", "D"}) {
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        const double difference = (above[point]["position"][axis].get<double>() -
+                                   below[point]["position"][axis].get<double>()) /
+                                  (2 * step);
+        const double derived = root["outputs"][point]["sensitivity"][name][axis].get<double>();
+        worst = std::max(worst, std::abs(difference - derived) / (1 + std::abs(derived)));
+      }
+    }
+  }
+  std::cout << "largest relative disagreement " << worst << '\n';
+  EXPECT_LT(worst, 2e-8);
+}
+
+TEST(WorkedMechanism, ToleranceSumsFollowFromTheSensitivities) {
+  const Json point = drawn_configuration()["outputs"]["E"];
+  const std::vector<std::pair<std::string, double>> tolerances = {
+      {"AG", 0.1}, {"AB", 0.05}, {"BE", 0.1}, {"EF", 0.1}, {"GD", 0.1}, {"FG", 0.1}, {"FD", 0.1}};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    double sum = 0;
+    double squares = 0;
+    for (const auto& [name, tolerance] : tolerances) {
+      const double part = point["sensitivity"][name][axis].get<double>() * tolerance;
+      sum += std::abs(part);
+      squares += part * part;
+    }
+    EXPECT_NEAR(point["worst_case"][axis].get<double>(), sum, 1e-14);
+    EXPECT_NEAR(point["rss"][axis].get<double>(), std::sqrt(squares), 1e-14);
+  }
+}
+
+TEST(Solve, LeavesOutWhatIsNotWanted) {
+  Json scene = Json::parse(read_file(worked));
+  scene["want"] = {"velocity"};
+  const TemporaryDirectory directory;
+  const Json root = solved(directory.write("scene.json", scene.dump()).string());
+  const Json& point = root["configurations"][0]["outputs"]["E"];
+  EXPECT_TRUE(point.contains("velocity"));
+  for (const char* absent : {"position", "acceleration", "sensitivity", "worst_case", "rss"}) {
+    EXPECT_FALSE(point.contains(absent)) << absent;
+  }
+}
+
+TEST(Solve, DriverAloneIsAMechanismWithoutGroups) {
+  const TemporaryDirectory directory;
+  const auto file = directory.write("scene.json", R"({
+    "parameters": {"r": 2, "phi": "30*deg"},
+    "links": {"ground": {"A": [1, 0]}, "crank": {"A": [0, 0], "P": ["r", 0]}},
+    "joints": {"A": {"type": "revolute", "between": ["ground.A", "crank.A"]}},
+    "drivers": {"A": {"position": "phi", "velocity": 3, "acceleration": 5}},
+    "outputs": {"P": "crank.P"}})");
+  const Json root = solved(file.string());
+  EXPECT_EQ(root["groups"].size(), 0U);
+  const Json& point = root["configurations"][0]["outputs"]["P"];
+  const double c = std::sqrt(3) / 2;
+  const double s = 0.5;
+  EXPECT_NEAR(point["position"][0].get<double>(), 1 + 2 * c, 1e-15);
+  EXPECT_NEAR(point["velocity"][0].get<double>(), -6 * s, 1e-14);
+  EXPECT_NEAR(point["velocity"][1].get<double>(), 6 * c, 1e-14);
+  EXPECT_NEAR(point["acceleration"][0].get<double>(), -10 * s - 18 * c, 1e-14);
+  EXPECT_NEAR(point["acceleration"][1].get<double>(), 10 * c - 18 * s, 1e-14);
+  EXPECT_NEAR(point["sensitivity"]["r"][0].get<double>(), c, 1e-15);
+  EXPECT_NEAR(point["sensitivity"]["phi"][1].get<double>(), 2 * c, 1e-15);
+}
+
+TEST(Solve, OverConstrainedSceneIsNamed) {
+  Json scene = Json::parse(read_file(worked));
+  scene["links"]["ground"]["T"] = {0, 0};
+  scene["joints"]["T"] = {{"type", "revolute"}, {"between", {"ground.T", "bar.E"}}};
+  const TemporaryDirectory directory;
+  const CommandResult result =
+      run_assur("solve " + directory.write("scene.json", scene.dump()).string());
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.messages.find("over-constrained: the 4 links without a driver"),
+            std::string::npos)
+      << result.messages;
+}
+
+TEST(Solve, SweepWritesARowAStep) {
+  Json scene = Json::parse(read_file(worked));
+  scene["sweep"] = {{"parameter", "phi"}, {"from", "69*deg"}, {"to", "71*deg"}, {"count", 5}};
+  const TemporaryDirectory directory;
+  const CommandResult result =
+      run_assur("solve --format csv " + directory.write("scene.json", scene.dump()).string());
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.output.rfind("step,configuration,phi,crank.x", 0), 0U);
+  EXPECT_GE(std::count(result.output.begin(), result.output.end(), '\n'), 6);
+}
+
+/// A tetrad on the ground, all links in their own odd frames, with a prismatic joint everywhere but
+/// at G: model 23 or its like, which angles over-determine.
+TEST(Solve, DegenerateGroupIsAVerdict) {
+  const TemporaryDirectory directory;
+  const auto scene = [&](const std::string& angle) {
+    return directory
+        .write("scene.json", R"({
+      "links": {
+        "ground": {"B": {"through": [0, 0], "along": [1, 0]},
+                   "E": {"through": [4, 0], "along": [0, 1]}},
+        "left": {"B": {"through": [0, 0], "along": [1, 0]}, "C": {"through": [0, 1], "along": [1, 1]},
+                 "G": [1, 2]},
+        "right": {"E": {"through": [0, 0], "along": [0, 1]}, "D": {"through": [0, 1], "along": [)" +
+                                 angle + R"(]}, "F": [1, 2]},
+        "slide": {"C": {"through": [0, 0], "along": [1, 1]}, "D": {"through": [0, 1], "along": [1, -1]}},
+        "bar": {"G": [0, 0], "F": [3, 0]}},
+      "joints": {
+        "B": {"type": "prismatic", "between": ["ground.B", "left.B"]},
+        "C": {"type": "prismatic", "between": ["left.C", "slide.C"]},
+        "G": {"type": "revolute", "between": ["left.G", "bar.G"]},
+        "E": {"type": "prismatic", "between": ["ground.E", "right.E"]},
+        "D": {"type": "prismatic", "between": ["right.D", "slide.D"]},
+        "F": {"type": "revolute", "between": ["right.F", "bar.F"]}}})")
+        .string();
+  };
+  CommandResult result = run_assur("solve --format json " + scene("1, -1"));
+  EXPECT_EQ(result.status, 1) << result.messages;
+  Json root = Json::parse(result.output);
+  EXPECT_EQ(root["status"], "degenerate");
+  EXPECT_EQ(root["mobility"], 1);
+  EXPECT_EQ(root["groups"][0]["model"], 18);
+  EXPECT_NE(root["reason"].get<std::string>().find("B, C, E, D"), std::string::npos)
+      << root["reason"];
+  result = run_assur("solve --format json " + scene("1, -2"));
+  EXPECT_EQ(result.status, 1);
+  root = Json::parse(result.output);
+  EXPECT_EQ(root["mobility"], 0);
+  EXPECT_NE(root["reason"].get<std::string>().find("cannot be assembled"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace assur::test
