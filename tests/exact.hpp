@@ -61,7 +61,7 @@ class RandomInputs {
   template <typename Variables>
   Variables variables() {
     Variables result;
-    std::apply([this](auto&... member) { (fill(member), ...); }, result.members());
+    std::apply([this](auto&... member) { (this->fill(member), ...); }, result.members());
     return result;
   }
   template <typename Vector>

@@ -37,7 +37,8 @@ std::vector<Model> orbits(const Group& group) {
       seen.insert(member);
     }
     Model model{&group, 0, orbit.begin()->second, {}};
-    for (const auto& [spelling, member] : orbit) {
+    for (const auto& entry : orbit) {
+      const Kind& member = entry.second;
       const auto onto_representative = std::find_if(
           automorphisms.begin(), automorphisms.end(),
           [&](const auto& image) { return moved(member, image) == model.representative; });
