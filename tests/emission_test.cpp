@@ -55,7 +55,12 @@ TEST(Emission, CheckFindsAChangeAndWritesNothing) {
 }
 
 TEST(Emission, CallsNoPowerAndNoTrigonometryAndDoesNotBranch) {
-  const std::string text = whole_tree(ASSUR_GENERATED);
+  std::istringstream lines(whole_tree(ASSUR_GENERATED));
+  std::string text;
+  std::string line;
+  while (std::getline(lines, line)) {
+    text += line.substr(0, line.find("//")) + "\n";
+  }
   for (const char* forbidden :
        {"pow(", "sin(", "cos(", "tan(", "sqrt(", "if (", "for (", "while (", " ? "}) {
     EXPECT_EQ(text.find(forbidden), std::string::npos) << forbidden;

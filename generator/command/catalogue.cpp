@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "derivatives/mobility.hpp"
+#include "elimination/eliminate.hpp"
 #include "structure/printed_table.hpp"
 
 namespace assur::generator {
@@ -16,6 +17,7 @@ using Json = nlohmann::ordered_json;
 struct CatalogueEntry {
   const Model* model;
   Mobility mobility;
+  int max_configurations;  ///< zero for a degenerate model
   const PrintedRow* printed;
   std::vector<std::string> kinds;
   std::vector<std::string> disagreements;  ///< between the derivation and the printed row
@@ -62,7 +64,9 @@ std::vector<CatalogueEntry> entries_of(const Group& group) {
   std::vector<CatalogueEntry> entries;
   for (const Model& model : models_of(group)) {
     const ClosureEquations equations = closure_equations(model);
-    CatalogueEntry entry{&model, mobility_of(equations, differentiate(equations)), nullptr, {}, {}};
+    const Mobility mobility = mobility_of(equations, differentiate(equations));
+    const int most = mobility.rigid ? eliminate(equations).max_configurations : 0;
+    CatalogueEntry entry{&model, mobility, most, nullptr, {}, {}};
     for (const Relabelling& member : model.members) {
       entry.kinds.push_back(spell(group, member.kind));
     }
@@ -92,7 +96,7 @@ Json group_json(const Group& group) {
     row["model"] = entry.model->number;
     row["kinds"] = entry.kinds;
     row["mobility"] = entry.mobility.freedom;
-    row["max_configurations"] = nullptr;
+    row["max_configurations"] = entry.mobility.rigid ? Json(entry.max_configurations) : Json();
     row["verdict"] = verdict(entry);
     row["reason"] = entry.mobility.reason;
     if (entry.printed != nullptr) {
@@ -122,8 +126,11 @@ std::string catalogue_text() {
             std::to_string(models_of(group).size()) + " models\n";
     for (const CatalogueEntry& entry : entries_of(group)) {
       const std::string number = std::to_string(entry.model->number);
-      text += std::string(5 - number.size(), ' ') + number + "  " + verdict(entry) + ", mobility " +
-              std::to_string(entry.mobility.freedom) + "  " + joined(entry.kinds, ", ") + "\n";
+      text += std::string(5 - number.size(), ' ') + number + "  " + verdict(entry) + ", " +
+              (entry.mobility.rigid
+                   ? "at most " + std::to_string(entry.max_configurations) + " configurations"
+                   : "mobility " + std::to_string(entry.mobility.freedom)) +
+              "  " + joined(entry.kinds, ", ") + "\n";
       if (!entry.mobility.rigid) {
         text += "         " + entry.mobility.reason + "\n";
       }
@@ -140,11 +147,12 @@ std::string catalogue_markdown() {
   for (const Group& group : known_groups()) {
     text += "## " + group.name() + "\n\n" + std::to_string(all_kinds(group).size()) + " kinds, " +
             std::to_string(models_of(group).size()) + " models.\n\n" +
-            "| model | kinds | verdict | mobility | printed family | disagreement |\n" +
-            "|---|---|---|---|---|---|\n";
+            "| model | kinds | verdict | mobility | configurations at most | printed family | "
+            "disagreement |\n|---|---|---|---|---|---|---|\n";
     for (const CatalogueEntry& entry : entries_of(group)) {
       text += "| " + std::to_string(entry.model->number) + " | " + joined(entry.kinds, ", ") +
               " | " + verdict(entry) + " | " + std::to_string(entry.mobility.freedom) + " | " +
+              (entry.mobility.rigid ? std::to_string(entry.max_configurations) : "") + " | " +
               (entry.printed == nullptr ? "" : entry.printed->family) + " | " +
               joined(entry.disagreements, "; ") + " |\n";
     }

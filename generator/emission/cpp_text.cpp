@@ -35,6 +35,10 @@ class CppText {
 
   /// The right-hand side of the step that computes a node itself.
   [[nodiscard]] std::string computed(const Program::Step& step) const {
+    if (step.reciprocal) {
+      const bool simple = !program_.name_of(step.value.node).empty();
+      return "Scalar(1) / " + (simple ? scaled(step.value) : "(" + scaled(step.value) + ")");
+    }
     if (program_.name_of(step.value.node) == step.name) {
       return expression(step.value.node);
     }
@@ -132,7 +136,8 @@ std::vector<std::string> cpp_lines(const Program& program, const Spelling& spell
   const CppText text(program, spelling);
   std::vector<std::string> lines;
   for (const Program::Step& step : program.steps()) {
-    lines.push_back("const Scalar " + step.name + " = " + text.computed(step) + ";");
+    const std::string comment = step.comment.empty() ? "" : "  // zero: " + step.comment;
+    lines.push_back("const Scalar " + step.name + " = " + text.computed(step) + ";" + comment);
   }
   for (const Program::Assignment& assignment : program.assignments()) {
     lines.push_back(assignment.target + " = " + text.scaled(assignment.value) + ";");

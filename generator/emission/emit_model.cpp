@@ -208,23 +208,32 @@ mustache::data kind_list(const Model& model) {
   return list;
 }
 
-mustache::data loop_list(const ClosureEquations& equations) {
-  mustache::data list{mustache::data::type::list};
+/// The vector equations, and what the angles must satisfy beside them.
+std::vector<std::string> closure_lines(const ClosureEquations& equations) {
+  std::vector<std::string> lines;
   for (const LoopClosure& loop : equations.loops) {
-    mustache::data entry;
-    entry.set("name", loop.name);
-    entry.set("equation", loop.equation);
-    list << entry;
+    lines.push_back(loop.name + ":  " + loop.equation);
   }
-  return list;
+  for (const AngleSum& sum : equations.compatibility) {
+    lines.push_back("angles that prismatic joints alone close:  " + sum.text() + " = 0");
+  }
+  return lines;
 }
 
-mustache::data compatibility_list(const ClosureEquations& equations) {
-  mustache::data list{mustache::data::type::list};
-  for (const AngleSum& sum : equations.compatibility) {
-    list << mustache::data{"sum", sum.text()};
+/// How the closed form comes about, a line a step.
+std::vector<std::string> elimination_steps(const Elimination& elimination) {
+  std::vector<std::string> steps = elimination.reduction.text;
+  const std::string first = elimination.first->name;
+  if (elimination.second != nullptr) {
+    steps.push_back("Bezout determinant in " + elimination.second->name);
   }
-  return list;
+  const std::string degree = std::to_string(elimination.degree);
+  steps.push_back(elimination.first->is_angle()
+                      ? "trigonometric polynomial of degree " + degree + " in " + first
+                      : "polynomial of degree " + degree + " in " + first);
+  steps.push_back("at most " + std::to_string(elimination.max_configurations) +
+                  (elimination.max_configurations == 1 ? " configuration" : " configurations"));
+  return steps;
 }
 
 EmittedFile emit_model_list(const Group& group) {
@@ -251,14 +260,18 @@ EmittedFile emit_model(const Model& model) {
   const ClosureEquations equations = closure_equations(model);
   const Derivatives derivatives = differentiate(equations);
   const Mobility mobility = mobility_of(equations, derivatives);
-  const SymbolOrder order = symbol_order(equations);
   const ModelSpelling spelling(equations);
 
   mustache::data functions{mustache::data::type::list};
-  for (const ModelFunction& function : model_functions(equations, derivatives)) {
-    const Program program(order, equations.vocabulary.quantities(), function.results);
-    functions << function_view(function, program, spelling);
-  }
+  const auto add_functions = [&](const std::vector<ModelFunction>& list,
+                                 const Vocabulary& vocabulary) {
+    const SymbolOrder order = symbol_order(equations, vocabulary);
+    for (const ModelFunction& function : list) {
+      const Program program(order, vocabulary.quantities(), function.results);
+      functions << function_view(function, program, spelling);
+    }
+  };
+  add_functions(model_functions(equations, derivatives), equations.vocabulary);
 
   mustache::data view;
   view.set("group", model.group->name());
@@ -273,10 +286,31 @@ EmittedFile emit_model(const Model& model) {
                                            " where it can be assembled");
   view.set("reason", mobility.reason);
   view.set("rigid", boolean(mobility.rigid));
-  view.set("loops", loop_list(equations));
-  view.set("has_compatibility", !equations.compatibility.empty());
-  view.set("compatibility", compatibility_list(equations));
+  std::vector<std::string> closure = closure_lines(equations);
   view.set("frames", link_list(equations));
+  view.set("has_positions", mobility.rigid);
+  if (mobility.rigid) {
+    Elimination elimination = eliminate(equations);
+    const std::vector<ModelFunction> list = position_functions(equations, elimination);
+    add_functions(list, elimination.vocabulary);
+    const auto index_of = [&](const Variable* unknown) {
+      int index = 0;
+      for (const Variable& candidate : equations.unknowns) {
+        if (&candidate == unknown) {
+          return index;
+        }
+        ++index;
+      }
+      return -1;
+    };
+    view.set("max_configurations", std::to_string(elimination.max_configurations));
+    view.set("polynomial_degree", std::to_string(elimination.degree));
+    view.set("first_unknown", std::to_string(index_of(elimination.first)));
+    view.set("second_unknown", std::to_string(index_of(elimination.second)));
+    const std::vector<std::string> steps = elimination_steps(elimination);
+    closure.insert(closure.end(), steps.begin(), steps.end());
+  }
+  view.set("closure", line_list(closure, ""));
   view.set("functions", functions);
   const auto count = [&view](const std::string& name, std::size_t size) {
     view.set(name, std::to_string(size));

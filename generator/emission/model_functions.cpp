@@ -135,7 +135,80 @@ std::vector<ModelFunction> model_functions(const ClosureEquations& equations,
   return functions;
 }
 
-SymbolOrder symbol_order(const ClosureEquations& equations) {
+std::vector<ModelFunction> position_functions(const ClosureEquations& /*equations*/,
+                                              Elimination& elimination) {
+  const Parameter dimensions{"const Dimensions<Scalar>&", "d"};
+  const Parameter inputs{"const Inputs<Scalar>&", "u"};
+  const Parameter first{"const Configuration<Scalar>&", "q"};
+  const bool trigonometric = elimination.first->is_angle();
+  std::vector<ModelFunction> functions;
+
+  ModelFunction polynomial{
+      "position_polynomial",
+      {"The final polynomial T in " + elimination.first->name + ", free of all other unknowns:"},
+      {dimensions, inputs},
+      {},
+      {}};
+  if (trigonometric) {
+    polynomial.doc.emplace_back("T = sum over k of cosine[k] cos(k x) + sine[k] sin(k x).");
+    polynomial.outputs = {{"TrigonometricPolynomial<Scalar, polynomial_degree>&", "T"}};
+  } else {
+    polynomial.doc.emplace_back("T = sum over k of T(k) x^k.");
+    polynomial.outputs = {{"Vector<Scalar, static_cast<int>(polynomial_degree) + 1>&", "T"}};
+  }
+  for (std::size_t power = 0; power < elimination.polynomial.size(); ++power) {
+    const std::string place = std::to_string(power);
+    const Vector2& pair = elimination.polynomial[power];
+    if (trigonometric) {
+      polynomial.results.push_back({"T.cosine[" + place + "]", pair.x});
+      polynomial.results.push_back({"T.sine[" + place + "]", pair.y});
+    } else {
+      polynomial.results.push_back({"T(" + place + ")", pair.x});
+    }
+  }
+  functions.push_back(std::move(polynomial));
+
+  if (elimination.second != nullptr) {
+    const bool angle = elimination.second->is_angle();
+    functions.push_back(
+        {"second_equations",
+         {"The reduced equations, one a row, where " + elimination.first->name + " is known: " +
+              (angle ? "e(i, 0) cos z + e(i, 1) sin z + e(i, 2) = 0"
+                     : "e(i, 0) z^2 + e(i, 1) z + e(i, 2) = 0"),
+          "with z = " + elimination.second->name + "."},
+         {dimensions, inputs, first},
+         {{"Matrix<Scalar, 2, 3>&", "e"}},
+         {}});
+    for (std::size_t row = 0; row < elimination.in_second.size(); ++row) {
+      for (std::size_t part = 0; part < 3; ++part) {
+        functions.back().results.push_back(
+            {entry("e", row, part), elimination.in_second[row][part]});
+      }
+    }
+  }
+
+  ModelFunction complete{"complete",
+                         {"The other unknowns of a configuration in which those of the reduced",
+                          "equations are known."},
+                         {dimensions, inputs},
+                         {{"Configuration<Scalar>&", "q"}},
+                         {}};
+  for (const BackSubstitution& step : elimination.reduction.steps) {
+    const GiNaC::ex inverse = elimination.vocabulary.name_reciprocal(
+        "inverse_" + step.unknown->name, step.denominator, step.degeneracy);
+    const std::string target = "q." + step.unknown->name;
+    if (step.unknown->is_angle()) {
+      complete.results.push_back({target + ".cos", step.numerators[0] * inverse});
+      complete.results.push_back({target + ".sin", step.numerators[1] * inverse});
+    } else {
+      complete.results.push_back({target, step.numerators[0] * inverse});
+    }
+  }
+  functions.push_back(std::move(complete));
+  return functions;
+}
+
+SymbolOrder symbol_order(const ClosureEquations& equations, const Vocabulary& vocabulary) {
   SymbolOrder order;
   const auto lists = {&equations.unknowns, &equations.dimensions, &equations.inputs};
   for (const std::deque<Variable>* list : lists) {
@@ -154,7 +227,7 @@ SymbolOrder symbol_order(const ClosureEquations& equations) {
       order.declare(variable.second_rate);
     }
   }
-  for (const NamedQuantity& quantity : equations.vocabulary.quantities()) {
+  for (const NamedQuantity& quantity : vocabulary.quantities()) {
     order.declare(quantity.symbol);
   }
   return order;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "derivatives/differentiate.hpp"
+#include "elimination/eliminate.hpp"
 #include "subexpressions/program.hpp"
 
 namespace assur::generator {
@@ -28,7 +29,13 @@ struct ModelFunction {
 [[nodiscard]] std::vector<ModelFunction> model_functions(const ClosureEquations& equations,
                                                          const Derivatives& derivatives);
 
+/// The functions of a rigid model's position analysis; they use the elimination's vocabulary, to
+/// which reciprocals are added.
+[[nodiscard]] std::vector<ModelFunction> position_functions(const ClosureEquations& equations,
+                                                            Elimination& elimination);
+
 /// Ranks the symbols of a model: unknowns, dimensions, inputs, rates, then named quantities.
-[[nodiscard]] SymbolOrder symbol_order(const ClosureEquations& equations);
+[[nodiscard]] SymbolOrder symbol_order(const ClosureEquations& equations,
+                                       const Vocabulary& vocabulary);
 
 }  // namespace assur::generator

@@ -31,6 +31,22 @@ Vector2 Vocabulary::name(const std::string& name, const Vector2& definition,
           this->name(name + "_y", definition.y, meaning + ", y")};
 }
 
+GiNaC::ex Vocabulary::name_reciprocal(const std::string& name, const GiNaC::ex& denominator,
+                                      const std::string& degeneracy) {
+  if (GiNaC::is_a<GiNaC::numeric>(denominator)) {
+    return 1 / denominator;
+  }
+  const GiNaC::ex expanded = expand(denominator);
+  for (const NamedQuantity& quantity : quantities_) {
+    if (quantity.reciprocal && (expanded - quantity.expanded).expand().is_zero()) {
+      return quantity.symbol;
+    }
+  }
+  const GiNaC::symbol symbol(name);
+  quantities_.push_back({symbol, denominator, expanded, degeneracy, true});
+  return symbol;
+}
+
 GiNaC::ex Vocabulary::expand(const GiNaC::ex& expression) const {
   return expression.subs(expansions_, GiNaC::subs_options::no_pattern).expand();
 }
@@ -58,6 +74,9 @@ GiNaC::ex Vocabulary::recognise(const GiNaC::ex& expression) const {
     return expanded;
   }
   for (const NamedQuantity& quantity : quantities_) {
+    if (quantity.reciprocal) {
+      continue;
+    }
     if ((expanded - quantity.expanded).expand().is_zero()) {
       return quantity.symbol;
     }

@@ -16,6 +16,7 @@ struct NamedQuantity {
   GiNaC::ex definition;  ///< in variables and quantities named earlier
   GiNaC::ex expanded;    ///< in variables alone
   std::string meaning;
+  bool reciprocal = false;  ///< the quantity is one over its definition
 };
 
 /// The names that the equations of one model use. Because a rotated vector differentiates to the
@@ -28,7 +29,12 @@ class Vocabulary {
   /// Names both components `<name>_x` and `<name>_y` of a vector.
   Vector2 name(const std::string& name, const Vector2& definition, const std::string& meaning);
 
-  /// The expression in variables alone, expanded.
+  /// Names one over a denominator; `degeneracy` says what its vanishing means. A plain number is
+  /// inverted as it is.
+  GiNaC::ex name_reciprocal(const std::string& name, const GiNaC::ex& denominator,
+                            const std::string& degeneracy);
+
+  /// The expression in variables alone, expanded; reciprocals stay as they are.
   [[nodiscard]] GiNaC::ex expand(const GiNaC::ex& expression) const;
   /// The total derivative, through the definitions, in names wherever names serve.
   [[nodiscard]] GiNaC::ex derivative(const GiNaC::ex& expression, const Variable& variable) const;

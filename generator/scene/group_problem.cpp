@@ -1,8 +1,9 @@
 #include "scene/group_problem.hpp"
 
-#include <Eigen/QR>
+#include <assur/assembly.hpp>
 #include <assur/kinematics.hpp>
 #include <assur/tetrad/models.hpp>
+#include <limits>
 #include <utility>
 
 namespace assur::generator {
@@ -74,53 +75,47 @@ class ModelState {
     return true;
   }
 
-  Status solve(GroupState& state) {
+  [[nodiscard]] GroupSolution solve() {
+    GroupSolution solution;
     if constexpr (Model::rigid) {
-      start_from_guess();
-      const Status status = refine<Model, double>(d_, u_, q_);
-      if (status != Status::ok && status != Status::near_singular) {
-        return status;
+      const Assemblies<Model> found = assemblies<Model>(d_, u_);
+      solution.status = found.status;
+      solution.mobility = found.mobility;
+      for (int index = 0; index < found.count; ++index) {
+        const auto slot = static_cast<std::size_t>(index);
+        solution.states.push_back(state_of(found.configurations[slot], found.regularity[slot]));
       }
-      Motion<Model, double> rates;
-      const Vector<double, Model::input_count> u1 = problem_.input_rates;
-      const Vector<double, Model::input_count> u2 = problem_.input_second_rates;
-      state.regularity = motion<Model, double>(d_, u_, q_, u1, u2, rates);
-      Sensitivities<Model, double> sensitive;
-      if (sensitivities<Model, double>(d_, u_, q_, sensitive) != state.regularity) {
-        return Status::singular;
-      }
-      Vector<double, Model::equation_count> f;
-      Model::residual(d_, u_, q_, f);
-      state.residual = f.cwiseAbs().maxCoeff();
-      describe(rates, sensitive, u1, u2, state);
-      return Status::ok;
-    } else {
-      return Status::singular;
     }
+    return solution;
   }
 
  private:
-  /// Angles as guessed; displacements, in which the equations are linear, by least squares.
-  void start_from_guess() {
-    Vector<double, Model::unknown_count> step = Vector<double, Model::unknown_count>::Zero();
-    for (int index = 0; index < Model::unknown_count; ++index) {
-      const ModelUnknown& unknown = Model::unknowns[static_cast<std::size_t>(index)];
-      if (unknown.is_angle) {
-        step(index) = problem_.guessed_angles[static_cast<std::size_t>(unknown.owner)];
-      }
-    }
-    advance(q_, step);
+  /// Where the Jacobian has no inverse the rates and gradients are not numbers.
+  GroupState state_of(const typename Model::template Configuration<double>& q, Status regularity) {
+    q_ = q;
+    GroupState state;
     Vector<double, Model::equation_count> f;
     Model::residual(d_, u_, q_, f);
-    Matrix<double, Model::equation_count, Model::unknown_count> jacobian;
-    Model::jacobian(d_, u_, q_, jacobian);
-    for (int index = 0; index < Model::unknown_count; ++index) {
-      if (Model::unknowns[static_cast<std::size_t>(index)].is_angle) {
-        jacobian.col(index).setZero();
-      }
+    state.residual = f.cwiseAbs().maxCoeff();
+    const Vector<double, Model::input_count> u1 = problem_.input_rates;
+    const Vector<double, Model::input_count> u2 = problem_.input_second_rates;
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    Motion<Model, double> rates;
+    Sensitivities<Model, double> sensitive;
+    const Status moving = motion<Model, double>(d_, u_, q_, u1, u2, rates);
+    if (moving != Status::ok && moving != Status::near_singular) {
+      rates.velocity.setConstant(unknown);
+      rates.acceleration.setConstant(unknown);
     }
-    advance(q_, Vector<double, Model::unknown_count>(
-                    jacobian.completeOrthogonalDecomposition().solve(-f)));
+    const Status following = sensitivities<Model, double>(d_, u_, q_, sensitive);
+    if (following != Status::ok && following != Status::near_singular) {
+      sensitive.to_dimensions.setConstant(unknown);
+      sensitive.to_inputs.setConstant(unknown);
+    }
+    state.regularity =
+        regularity == Status::ok && moving == Status::ok ? Status::ok : Status::near_singular;
+    describe(rates, sensitive, u1, u2, state);
+    return state;
   }
 
   void describe(const Motion<Model, double>& rates, const Sensitivities<Model, double>& sensitive,
@@ -185,11 +180,11 @@ class ModelState {
 
 }  // namespace
 
-Status solve_tetrad(int model, const GroupProblem& problem, GroupState& state) {
-  Status status = Status::singular;
+GroupSolution solve_tetrad(int model, const GroupProblem& problem) {
+  GroupSolution solution;
   with_tetrad(model,
-              [&](auto chosen) { status = ModelState<decltype(chosen)>(problem).solve(state); });
-  return status;
+              [&](auto chosen) { solution = ModelState<decltype(chosen)>(problem).solve(); });
+  return solution;
 }
 
 bool tetrad_is_compatible(int model, const GroupProblem& problem) {

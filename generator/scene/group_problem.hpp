@@ -1,7 +1,7 @@
 // Turns a group with placed neighbours into the states of its links, by the generated model.
 #pragma once
 
-#include <assur/status.hpp>
+#include <assur/assembly.hpp>
 #include <vector>
 
 #include "scene/link_state.hpp"
@@ -14,7 +14,6 @@ struct GroupProblem {
   std::vector<DimensionValue<Dual>> inputs;  ///< the model's inputs
   Eigen::VectorXd input_rates;
   Eigen::VectorXd input_second_rates;
-  std::vector<double> guessed_angles;  ///< for each link of the model, of its normal frame
 };
 
 /// A slide of the group: the displacement between the feet on its two links.
@@ -33,9 +32,15 @@ struct GroupState {
   double residual = 0;  ///< largest closure residual, in the scene's unit of length
 };
 
-/// Assembles, from the guess, the tetrad model of a number, with rates and gradients. The status is
-/// `ok` or says why there is no state.
-[[nodiscard]] Status solve_tetrad(int model, const GroupProblem& problem, GroupState& state);
+/// Every assembly configuration of a group.
+struct GroupSolution {
+  AssemblyStatus status = AssemblyStatus::ok;
+  int mobility = 0;  ///< of a degenerate group where it was found assembled
+  std::vector<GroupState> states;
+};
+
+/// Assembles the tetrad model of a number, with rates and gradients.
+[[nodiscard]] GroupSolution solve_tetrad(int model, const GroupProblem& problem);
 
 /// Whether a degenerate tetrad model can be assembled: its angles are compatible.
 [[nodiscard]] bool tetrad_is_compatible(int model, const GroupProblem& problem);

@@ -49,9 +49,8 @@ class SceneReader {
   Scene read(const std::string& text, const std::vector<std::string>& settings) {
     const Json root = parsed(text);
     expect_object(root, "");
-    expect_keys(
-        root, "",
-        {"name", "parameters", "links", "joints", "drivers", "outputs", "want", "sweep", "guess"});
+    expect_keys(root, "",
+                {"name", "parameters", "links", "joints", "drivers", "outputs", "want", "sweep"});
     read_name(root);
     read_parameters(root, settings);
     read_links(root);
@@ -60,7 +59,6 @@ class SceneReader {
     read_outputs(root);
     read_want(root);
     read_sweep(root);
-    read_guess(root);
     return std::move(scene_);
   }
 
@@ -412,20 +410,6 @@ class SceneReader {
     }
     sweep.count = count.get<int>();
     scene_.sweep = std::move(sweep);
-  }
-
-  void read_guess(const Json& root) {
-    if (!root.contains("guess")) {
-      return;
-    }
-    expect_object(root["guess"], "guess");
-    for (const auto& [name, value] : root["guess"].items()) {
-      const int link = index_of(scene_.links, name);
-      if (link < 0) {
-        fail("guess", "no link named " + quoted(name) + suggestion(name, names_of(scene_.links)));
-      }
-      scene_.guesses.push_back({link, number(value, "guess." + name)});
-    }
   }
 
   Scene scene_;

@@ -74,12 +74,6 @@ struct SceneSweep {
   int count = 0;
 };
 
-/// The starting angle of a link for Newton's iteration.
-struct SceneGuess {
-  int link = 0;
-  SceneNumber angle;
-};
-
 /// One planar mechanism. The link named `ground`, if there is any, is the fixed frame.
 struct Scene {
   std::string file;  ///< for messages
@@ -91,7 +85,6 @@ struct Scene {
   std::vector<SceneOutput> outputs;
   SceneWant want;
   std::optional<SceneSweep> sweep;
-  std::vector<SceneGuess> guesses;
 
   [[nodiscard]] const SceneFeature& feature(const FeatureReference& reference) const {
     return links[static_cast<std::size_t>(reference.link)]

@@ -164,23 +164,44 @@ class MechanismSolver {
         describe_degenerate(group, roles, problem, mobility);
         return;
       }
-      GroupState state;
-      const Status status = solve_tetrad(group.model->number, problem, state);
-      if (status != Status::ok) {
-        fail("guess", std::string("Newton's iteration from this guess ends with: ") +
-                          to_string(status) + "; give angles nearer to an assembled position");
+      list_configurations(group, roles, problem);
+      return;
+    }
+    solution_.status = SolutionStatus::degenerate;
+    solution_.reason = obstacle;
+  }
+
+  void list_configurations(const FoundGroup& group, const RoleAssignment& roles,
+                           const GroupProblem& problem) {
+    const GroupSolution found = solve_tetrad(group.model->number, problem);
+    if (found.status == AssemblyStatus::not_finite) {
+      fail("links", "the lengths differ by more powers of ten than double precision can hold");
+    }
+    if (found.status == AssemblyStatus::degenerate) {
+      solution_.status = SolutionStatus::degenerate;
+      solution_.mobility = found.mobility;
+      std::vector<std::string> names;
+      for (const int index : roles.joints) {
+        names.push_back(joint(index).name);
       }
-      solution_.configurations.push_back(completed(state.frames, problem.links, &roles, &group));
-      AssemblyConfiguration& configuration = solution_.configurations.back();
+      solution_.reason =
+          "the closure of the joints " + listed(names) +
+          (found.mobility > 0 ? " leaves an angle or a displacement free: infinitely many positions"
+                              : " does not determine a position, and no assembly was found");
+      return;
+    }
+    if (found.states.empty()) {
+      solution_.status = SolutionStatus::no_assembly;
+    }
+    for (const GroupState& state : found.states) {
+      AssemblyConfiguration configuration = completed(state.frames, problem.links, &roles, &group);
       configuration.regularity = state.regularity;
       configuration.residual = state.residual;
       for (const SlideState& slide : state.slides) {
         configuration.joints.push_back(scene_slide(group, roles, problem, slide));
       }
-      return;
+      solution_.configurations.push_back(std::move(configuration));
     }
-    solution_.status = SolutionStatus::degenerate;
-    solution_.reason = obstacle;
   }
 
   /// Fills the problem; returns what stands in the way of a normal form, or nothing.
@@ -204,14 +225,6 @@ class MechanismSolver {
                ": its features at the joints " + listed(names) + " coincide or are parallel";
       }
       problem.links.push_back(form);
-      double guess = 0;
-      for (const SceneGuess& given : scene_.guesses) {
-        if (given.link == played) {
-          guess = values_.value(given.angle).value();
-        }
-      }
-      problem.guessed_angles.push_back(
-          guess + std::atan2(form.frame.direction.sin.value(), form.frame.direction.cos.value()));
     }
     pose_inputs(group, roles, problem);
     return "";

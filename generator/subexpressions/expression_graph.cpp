@@ -37,6 +37,17 @@ int most_frequent_factor(const Polynomial& polynomial) {
   return best;
 }
 
+/// The positive rational number by which all coefficients can be divided to coprime integers.
+GiNaC::numeric content_of(const Polynomial& polynomial) {
+  GiNaC::numeric numerators = 0;
+  GiNaC::numeric denominators = 1;
+  for (const auto& [monomial, coefficient] : polynomial) {
+    numerators = GiNaC::gcd(numerators, coefficient.numer());
+    denominators = GiNaC::lcm(denominators, coefficient.denom());
+  }
+  return numerators.is_zero() ? GiNaC::numeric(1) : GiNaC::abs(numerators / denominators);
+}
+
 template <typename Pair>
 const Pair* most_frequent(const std::map<Pair, int>& counts) {
   const auto best = std::max_element(
@@ -113,6 +124,15 @@ ScaledNode ExpressionGraph::make_sum(std::vector<ScaledNode> terms) {
 }
 
 ScaledNode ExpressionGraph::add(const Polynomial& polynomial) {
+  const GiNaC::numeric content = content_of(polynomial);
+  if (content != 1) {
+    Polynomial primitive = polynomial;
+    for (auto& [monomial, coefficient] : primitive) {
+      coefficient /= content;
+    }
+    const ScaledNode result = add(primitive);
+    return {content * result.coefficient, result.node};
+  }
   const int factor = most_frequent_factor(polynomial);
   if (factor < 0) {
     std::vector<ScaledNode> terms;

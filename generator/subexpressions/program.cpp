@@ -67,7 +67,9 @@ Program::Program(const SymbolOrder& order, const std::vector<NamedQuantity>& qua
     }
   }
   for (std::size_t index = 0; index < named.size(); ++index) {
-    definitions_[named[index].symbol.get_name()] = roots[index];
+    const std::string name = named[index].symbol.get_name();
+    const bool reciprocal = named[index].reciprocal;
+    definitions_[name] = {name, roots[index], reciprocal, reciprocal ? named[index].meaning : ""};
   }
   for (const NamedQuantity& quantity : named) {
     schedule(graph_.add(polynomial(quantity.symbol, order)).node);
@@ -88,9 +90,8 @@ void Program::schedule(int node) {
   if (content.operation == Operation::symbol) {
     const auto definition = definitions_.find(names_[slot]);
     if (definition != definitions_.end()) {
-      const ScaledNode value = definition->second;
-      schedule(value.node);
-      steps_.push_back({names_[slot], value});
+      schedule(definition->second.value.node);
+      steps_.push_back(definition->second);
     }
     return;
   }
@@ -103,7 +104,7 @@ void Program::schedule(int node) {
   if (shared_[slot]) {
     ++temporaries_;
     names_[slot] = (temporaries_ < 10 ? "t0" : "t") + std::to_string(temporaries_);
-    steps_.push_back({names_[slot], {1, node}});
+    steps_.push_back({names_[slot], {1, node}, false, ""});
   }
 }
 
@@ -128,6 +129,7 @@ OperationCount Program::count() const {
     }
   };
   for (const Step& step : steps_) {
+    total.divisions += step.reciprocal ? 1 : 0;
     if (name_of(step.value.node).empty() || name_of(step.value.node) == step.name) {
       inner(step.value.node);
     }

@@ -23,6 +23,8 @@ class Program {
   struct Step {
     std::string name;
     ScaledNode value;
+    bool reciprocal = false;  ///< the step is one over the value
+    std::string comment;      ///< of a reciprocal: what the vanishing of the value means
   };
   struct Assignment {
     std::string target;
@@ -53,7 +55,7 @@ class Program {
   std::vector<Assignment> assignments_;
   std::vector<std::string> names_;
   // What scheduling needs: the definition of each computed symbol, and the nodes worth a step.
-  std::map<std::string, ScaledNode> definitions_;
+  std::map<std::string, Step> definitions_;
   std::vector<bool> shared_;
   std::vector<bool> done_;
   int temporaries_ = 0;

@@ -10,10 +10,14 @@ namespace assur::tetrad {
 
 /// Tetrad model 1 (RRR-RRR): rigid (generic rank 4 of 4 equations in 4 unknowns).
 ///
-/// Loop closure, with vectors from joint to joint in the fixed frame:
+/// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + BC + CD - ED - E = 0
 ///   BGFEB:  B + BG + GF - EF - E = 0
-
+///   BCDEB squared: free of theta_CD
+///   BGFEB squared: free of theta_GF
+///   Bezout determinant in theta_EDF
+///   trigonometric polynomial of degree 3 in theta_BCG
+///   at most 6 configurations
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin at B, x-axis toward C, angle theta_BCG
@@ -35,6 +39,9 @@ namespace assur::tetrad {
 ///   pose_jacobians:       6, 2, 0
 ///   link_velocities:      10, 6, 0
 ///   link_accelerations:   15, 10, 0
+///   position_polynomial:  102, 77, 0
+///   second_equations:     34, 24, 0
+///   complete:             16, 14, 2
 struct Model01 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 1;
@@ -46,6 +53,10 @@ struct Model01 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
+  static constexpr int max_configurations = 6;
+  static constexpr std::size_t polynomial_degree = 3;
+  static constexpr int first_unknown = 0;    ///< of the final polynomial
+  static constexpr int second_unknown = 1;  ///< of the reduced equations; -1: none
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -419,6 +430,107 @@ struct Model01 {
     a(3, 0) = a_x_B - alpha_BCG * BG_y - BG_x * t01;
     a(3, 1) = a_y_B + alpha_BCG * BG_x - BG_y * t01;
     a(3, 2) = alpha_GF;
+  }
+
+  /// The final polynomial T in theta_BCG, free of all other unknowns:
+  /// T = sum over k of cosine[k] cos(k x) + sine[k] sin(k x).
+  template <typename Scalar>
+  static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar P1_m1_re = -Scalar(2) * d.BC * d.ED;
+    const Scalar P1_0_re = -Scalar(2) * d.ED * EB_x;
+    const Scalar P1_0_im = Scalar(2) * d.ED * EB_y;
+    const Scalar P2_m1_re = -Scalar(2) * (d.x_G_BCG * d.x_F_EDF + d.y_G_BCG * d.y_F_EDF);
+    const Scalar P2_m1_im = -Scalar(2) * (d.x_G_BCG * d.y_F_EDF - d.x_F_EDF * d.y_G_BCG);
+    const Scalar P2_0_re = -Scalar(2) * (EB_x * d.x_F_EDF + EB_y * d.y_F_EDF);
+    const Scalar P2_0_im = Scalar(2) * (EB_y * d.x_F_EDF - EB_x * d.y_F_EDF);
+    const Scalar C1_m1_re = d.BC * EB_x;
+    const Scalar C1_m1_im = d.BC * EB_y;
+    const Scalar t01 = EB_x * EB_x + EB_y * EB_y;
+    const Scalar C1_0_re = d.BC * d.BC + d.ED * d.ED + t01 - d.CD * d.CD;
+    const Scalar C2_m1_re = EB_x * d.x_G_BCG + EB_y * d.y_G_BCG;
+    const Scalar C2_m1_im = EB_y * d.x_G_BCG - EB_x * d.y_G_BCG;
+    const Scalar C2_0_re = d.x_G_BCG * d.x_G_BCG + d.y_G_BCG * d.y_G_BCG + d.x_F_EDF * d.x_F_EDF
+        + d.y_F_EDF * d.y_F_EDF + t01 - d.GF * d.GF;
+    const Scalar t02 = P2_m1_im * C1_m1_im;
+    const Scalar t03 = P1_m1_re * C2_m1_re - P2_m1_re * C1_m1_re;
+    const Scalar U_m2_re = t02 + t03;
+    const Scalar t04 = C1_m1_re * P2_m1_im;
+    const Scalar t05 = P1_m1_re * C2_m1_im - P2_m1_re * C1_m1_im;
+    const Scalar U_m2_im = t05 - t04;
+    const Scalar t06 = C2_m1_re * P1_0_re - C1_m1_re * P2_0_re;
+    const Scalar t07 = C2_m1_im * P1_0_im - C1_m1_im * P2_0_im;
+    const Scalar U_m1_re = P1_m1_re * C2_0_re + t06 - P2_m1_re * C1_0_re - t07;
+    const Scalar t08 = C2_m1_im * P1_0_re - C1_m1_im * P2_0_re;
+    const Scalar t09 = C2_m1_re * P1_0_im - C1_m1_re * P2_0_im;
+    const Scalar U_m1_im = t08 + t09 - P2_m1_im * C1_0_re;
+    const Scalar U_0_re = C2_0_re * P1_0_re + t03 - t02 - C1_0_re * P2_0_re;
+    const Scalar U_0_im = C2_0_re * P1_0_im - t04 - C1_0_re * P2_0_im - t05;
+    const Scalar U_1_re = t06 + t07;
+    const Scalar U_1_im = t09 - t08;
+    const Scalar V_m1_re = -Scalar(1) / Scalar(2) * (P1_m1_re * P2_0_im + P2_m1_im * P1_0_re
+        - P2_m1_re * P1_0_im);
+    const Scalar V_m1_im = -Scalar(1) / Scalar(2) * (P1_m1_re * P2_0_re - P2_m1_re * P1_0_re
+        - P2_m1_im * P1_0_im);
+    const Scalar V_0_re = P1_0_im * P2_0_re - P1_m1_re * P2_m1_im - P1_0_re * P2_0_im;
+    const Scalar t10 = V_m1_re * V_m1_re;
+    const Scalar t11 = V_m1_im * V_m1_im;
+    T.cosine[0] = U_m2_re * U_m2_re + U_m2_im * U_m2_im + U_m1_re * U_m1_re + U_m1_im * U_m1_im
+        + U_0_re * U_0_re + U_0_im * U_0_im + U_1_re * U_1_re + U_1_im * U_1_im - Scalar(2) * t10
+        - Scalar(2) * t11 - V_0_re * V_0_re;
+    T.cosine[1] = Scalar(2) * (U_m1_re * (U_m2_re + U_0_re) + U_m1_im * (U_m2_im + U_0_im)
+        + U_0_re * U_1_re + U_0_im * U_1_im - Scalar(2) * V_m1_re * V_0_re);
+    T.sine[1] = Scalar(2) * (U_m1_re * (U_m2_im - U_0_im) + U_0_im * U_1_re - U_m1_im * (U_m2_re
+        - U_0_re) - U_0_re * U_1_im - Scalar(2) * V_m1_im * V_0_re);
+    T.cosine[2] = -Scalar(2) * (t10 - t11 - U_m2_re * U_0_re - U_m2_im * U_0_im - U_m1_re * U_1_re
+        - U_m1_im * U_1_im);
+    T.sine[2] = -Scalar(2) * (U_m2_re * U_0_im + U_m1_re * U_1_im + Scalar(2) * V_m1_re * V_m1_im
+        - U_m2_im * U_0_re - U_m1_im * U_1_re);
+    T.cosine[3] = Scalar(2) * (U_m2_re * U_1_re + U_m2_im * U_1_im);
+    T.sine[3] = -Scalar(2) * (U_m2_re * U_1_im - U_m2_im * U_1_re);
+  }
+
+  /// The reduced equations, one a row, where theta_BCG is known: e(i, 0) cos z + e(i, 1) sin z +
+  ///     e(i, 2) = 0
+  /// with z = theta_EDF.
+  template <typename Scalar>
+  static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar t01 = q.theta_BCG.cos * EB_x + q.theta_BCG.sin * EB_y;
+    const Scalar t02 = EB_x * EB_x + EB_y * EB_y;
+    const Scalar t03 = EB_x + q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
+    const Scalar t04 = EB_y + q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    e(0, 0) = -Scalar(2) * (q.theta_BCG.cos * d.BC + EB_x) * d.ED;
+    e(0, 1) = -Scalar(2) * d.ED * (d.BC * q.theta_BCG.sin + EB_y);
+    e(0, 2) = d.ED * d.ED + d.BC * (d.BC + Scalar(2) * t01) + t02 - d.CD * d.CD;
+    e(1, 0) = -Scalar(2) * (t03 * d.x_F_EDF + t04 * d.y_F_EDF);
+    e(1, 1) = -Scalar(2) * (d.x_F_EDF * t04 - t03 * d.y_F_EDF);
+    e(1, 2) = d.y_G_BCG * (d.y_G_BCG + Scalar(2) * q.theta_BCG.cos * EB_y
+        - Scalar(2) * EB_x * q.theta_BCG.sin) + d.x_F_EDF * d.x_F_EDF + d.y_F_EDF * d.y_F_EDF
+        + d.x_G_BCG * (d.x_G_BCG + Scalar(2) * t01) + t02 - d.GF * d.GF;
+  }
+
+  /// The other unknowns of a configuration in which those of the reduced
+  /// equations are known.
+  template <typename Scalar>
+  static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      Configuration<Scalar>& q) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar inverse_theta_CD = Scalar(1) / d.CD;  // zero: the link that turns by theta_CD has
+                                                       //     no length
+    const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
+                                                       //     no length
+    q.theta_CD.cos = -(q.theta_BCG.cos * d.BC + EB_x - q.theta_EDF.cos * d.ED) * inverse_theta_CD;
+    q.theta_CD.sin = -inverse_theta_CD * (d.BC * q.theta_BCG.sin + EB_y - d.ED * q.theta_EDF.sin);
+    q.theta_GF.cos = -(EB_x + q.theta_BCG.cos * d.x_G_BCG + q.theta_EDF.sin * d.y_F_EDF
+        - q.theta_BCG.sin * d.y_G_BCG - q.theta_EDF.cos * d.x_F_EDF) * inverse_theta_GF;
+    q.theta_GF.sin = -inverse_theta_GF * (EB_y + q.theta_BCG.cos * d.y_G_BCG
+        + q.theta_BCG.sin * d.x_G_BCG - q.theta_EDF.cos * d.y_F_EDF - q.theta_EDF.sin * d.x_F_EDF);
   }
 };
 

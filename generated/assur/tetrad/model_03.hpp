@@ -10,10 +10,14 @@ namespace assur::tetrad {
 
 /// Tetrad model 3 (RPR-RRP): rigid (generic rank 4 of 4 equations in 4 unknowns).
 ///
-/// Loop closure, with vectors from joint to joint in the fixed frame:
+/// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + BC + slide_C + CD - ED - E = 0
 ///   BGFEB:  B + BG + GF - slide_F - EF - E = 0
-
+///   BCDEB across the slide: free of s_C
+///   BGFEB across the slide: free of s_F
+///   Bezout determinant in theta_EDF
+///   trigonometric polynomial of degree 3 in theta_BCG
+///   at most 6 configurations
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin at B, x-axis along the slide at C, angle theta_BCG
@@ -35,6 +39,9 @@ namespace assur::tetrad {
 ///   pose_jacobians:       10, 6, 0
 ///   link_velocities:      16, 12, 0
 ///   link_accelerations:   27, 18, 0
+///   position_polynomial:  65, 54, 0
+///   second_equations:     16, 12, 0
+///   complete:             12, 12, 0
 struct Model03 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 3;
@@ -46,6 +53,10 @@ struct Model03 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
+  static constexpr int max_configurations = 6;
+  static constexpr std::size_t polynomial_degree = 3;
+  static constexpr int first_unknown = 0;    ///< of the final polynomial
+  static constexpr int second_unknown = 1;  ///< of the reduced equations; -1: none
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -457,6 +468,86 @@ struct Model03 {
     a(3, 0) = a_x_B - alpha_BCG * BG_y - BG_x * t03;
     a(3, 1) = a_y_B + alpha_BCG * BG_x - BG_y * t03;
     a(3, 2) = alpha_EDF;
+  }
+
+  /// The final polynomial T in theta_BCG, free of all other unknowns:
+  /// T = sum over k of cosine[k] cos(k x) + sine[k] sin(k x).
+  template <typename Scalar>
+  static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar P1_m1_re = -Scalar(2) * d.y_D_EDF;
+    const Scalar P1_m1_im = Scalar(2) * d.x_D_EDF;
+    const Scalar P2_m1_re = -Scalar(2) * d.y_G_BCG;
+    const Scalar P2_m1_im = -Scalar(2) * d.x_G_BCG;
+    const Scalar P2_0_re = -Scalar(2) * EB_y;
+    const Scalar P2_0_im = -Scalar(2) * EB_x;
+    const Scalar C1_0_re = Scalar(2) * (d.h_C_BCG - d.h_C_CD);
+    const Scalar C2_0_re = Scalar(2) * (d.h_F_EDF - d.h_F_GF);
+    const Scalar t01 = EB_x * P2_m1_im;
+    const Scalar t02 = EB_y * P2_m1_re;
+    const Scalar U_m2_re = -t01 - t02;
+    const Scalar t03 = EB_x * P2_m1_re;
+    const Scalar t04 = EB_y * P2_m1_im;
+    const Scalar U_m2_im = t03 - t04;
+    const Scalar t05 = EB_x * P2_0_im;
+    const Scalar t06 = EB_y * P2_0_re;
+    const Scalar U_m1_re = P1_m1_re * C2_0_re - t05 - t06 - P2_m1_re * C1_0_re;
+    const Scalar t07 = EB_x * P2_0_re;
+    const Scalar t08 = EB_y * P2_0_im;
+    const Scalar U_m1_im = t07 + C2_0_re * P1_m1_im - t08 - P2_m1_im * C1_0_re;
+    const Scalar U_0_re = t01 - t02 - P2_0_re * C1_0_re;
+    const Scalar U_0_im = -t03 - t04 - P2_0_im * C1_0_re;
+    const Scalar U_1_re = t05 - t06;
+    const Scalar U_1_im = -t07 - t08;
+    const Scalar V_m1_re = -Scalar(1) / Scalar(2) * (P2_0_im * P1_m1_re - P2_0_re * P1_m1_im);
+    const Scalar V_m1_im = -Scalar(1) / Scalar(2) * (P2_0_re * P1_m1_re + P2_0_im * P1_m1_im);
+    const Scalar V_0_re = P2_m1_re * P1_m1_im - P2_m1_im * P1_m1_re;
+    const Scalar t09 = V_m1_re * V_m1_re;
+    const Scalar t10 = V_m1_im * V_m1_im;
+    T.cosine[0] = U_m2_re * U_m2_re + U_m2_im * U_m2_im + U_m1_re * U_m1_re + U_m1_im * U_m1_im
+        + U_0_re * U_0_re + U_0_im * U_0_im + U_1_re * U_1_re + U_1_im * U_1_im - Scalar(2) * t09
+        - Scalar(2) * t10 - V_0_re * V_0_re;
+    T.cosine[1] = Scalar(2) * (U_m1_re * (U_m2_re + U_0_re) + U_m1_im * (U_m2_im + U_0_im)
+        + U_0_re * U_1_re + U_0_im * U_1_im - Scalar(2) * V_m1_re * V_0_re);
+    T.sine[1] = Scalar(2) * (U_m1_re * (U_m2_im - U_0_im) + U_0_im * U_1_re - U_m1_im * (U_m2_re
+        - U_0_re) - U_0_re * U_1_im - Scalar(2) * V_m1_im * V_0_re);
+    T.cosine[2] = -Scalar(2) * (t09 - t10 - U_m2_re * U_0_re - U_m2_im * U_0_im - U_m1_re * U_1_re
+        - U_m1_im * U_1_im);
+    T.sine[2] = -Scalar(2) * (U_m2_re * U_0_im + U_m1_re * U_1_im + Scalar(2) * V_m1_re * V_m1_im
+        - U_m2_im * U_0_re - U_m1_im * U_1_re);
+    T.cosine[3] = Scalar(2) * (U_m2_re * U_1_re + U_m2_im * U_1_im);
+    T.sine[3] = -Scalar(2) * (U_m2_re * U_1_im - U_m2_im * U_1_re);
+  }
+
+  /// The reduced equations, one a row, where theta_BCG is known: e(i, 0) cos z + e(i, 1) sin z +
+  ///     e(i, 2) = 0
+  /// with z = theta_EDF.
+  template <typename Scalar>
+  static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    e(0, 0) = -Scalar(2) * (q.theta_BCG.cos * d.y_D_EDF - q.theta_BCG.sin * d.x_D_EDF);
+    e(0, 1) = -Scalar(2) * (q.theta_BCG.cos * d.x_D_EDF + d.y_D_EDF * q.theta_BCG.sin);
+    e(0, 2) = Scalar(2) * (q.theta_BCG.cos * EB_y + d.h_C_BCG - q.theta_BCG.sin * EB_x - d.h_C_CD);
+    e(1, 0) = -Scalar(2) * (EB_y + q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG);
+    e(1, 1) = Scalar(2) * (EB_x + q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG);
+    e(1, 2) = Scalar(2) * (d.h_F_EDF - d.h_F_GF);
+  }
+
+  /// The other unknowns of a configuration in which those of the reduced
+  /// equations are known.
+  template <typename Scalar>
+  static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      Configuration<Scalar>& q) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    q.s_C = (q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF - EB_x) * q.theta_BCG.cos
+        + (q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin - EB_y) * q.theta_BCG.sin;
+    q.s_F = q.theta_EDF.cos * (EB_x + q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG)
+        + q.theta_EDF.sin * (EB_y + q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG);
   }
 };
 

@@ -10,10 +10,13 @@ namespace assur::tetrad {
 
 /// Tetrad model 4 (RPR-RPR): rigid (generic rank 4 of 4 equations in 4 unknowns).
 ///
-/// Loop closure, with vectors from joint to joint in the fixed frame:
+/// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + BC + slide_C - slide_D - ED - E = 0
 ///   BGFEB:  B + BG + GF - EF - E = 0
-
+///   BCDEB: solved for s_C and s_D
+///   BGFEB squared: free of theta_GF
+///   trigonometric polynomial of degree 1 in theta_BCG
+///   at most 2 configurations
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin at B, x-axis along the slide at C, angle theta_BCG
@@ -35,6 +38,8 @@ namespace assur::tetrad {
 ///   pose_jacobians:       8, 4, 0
 ///   link_velocities:      14, 10, 0
 ///   link_accelerations:   25, 16, 0
+///   position_polynomial:  19, 16, 0
+///   complete:             19, 16, 2
 struct Model04 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 4;
@@ -46,6 +51,10 @@ struct Model04 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
+  static constexpr int max_configurations = 2;
+  static constexpr std::size_t polynomial_degree = 1;
+  static constexpr int first_unknown = 0;    ///< of the final polynomial
+  static constexpr int second_unknown = -1;  ///< of the reduced equations; -1: none
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -456,6 +465,48 @@ struct Model04 {
     a(3, 0) = a_x_B - alpha_BCG * BG_y - BG_x * t03;
     a(3, 1) = a_y_B + alpha_BCG * BG_x - BG_y * t03;
     a(3, 2) = alpha_GF;
+  }
+
+  /// The final polynomial T in theta_BCG, free of all other unknowns:
+  /// T = sum over k of cosine[k] cos(k x) + sine[k] sin(k x).
+  template <typename Scalar>
+  static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar t01 = d.x_F_EDF * d.psi_D_CD.cos - d.y_F_EDF * d.psi_D_CD.sin;
+    const Scalar t02 = d.x_G_BCG - t01;
+    const Scalar t03 = d.x_F_EDF * d.psi_D_CD.sin + d.psi_D_CD.cos * d.y_F_EDF;
+    const Scalar t04 = d.y_G_BCG - t03;
+    const Scalar T_m1_re = EB_x * t02 + EB_y * t04;
+    const Scalar T_m1_im = EB_y * t02 - EB_x * t04;
+    const Scalar T_0_re = d.x_F_EDF * d.x_F_EDF + d.y_F_EDF * d.y_F_EDF + EB_x * EB_x + EB_y * EB_y
+        + d.x_G_BCG * (d.x_G_BCG - Scalar(2) * t01) + d.y_G_BCG * (d.y_G_BCG - Scalar(2) * t03)
+        - d.GF * d.GF;
+    T.cosine[0] = T_0_re;
+    T.cosine[1] = Scalar(2) * T_m1_re;
+    T.sine[1] = Scalar(2) * T_m1_im;
+  }
+
+  /// The other unknowns of a configuration in which those of the reduced
+  /// equations are known.
+  template <typename Scalar>
+  static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      Configuration<Scalar>& q) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;  // zero: the slides of s_C and s_D are
+                                                             //     parallel
+    const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
+                                                       //     no length
+    const Scalar t01 = d.h_C_BCG + q.theta_BCG.cos * EB_y - q.theta_BCG.sin * EB_x;
+    const Scalar t02 = d.x_G_BCG + d.psi_D_CD.sin * d.y_F_EDF - d.psi_D_CD.cos * d.x_F_EDF;
+    const Scalar t03 = d.y_G_BCG - d.psi_D_CD.sin * d.x_F_EDF - d.psi_D_CD.cos * d.y_F_EDF;
+    q.s_C = inverse_s_C * (d.psi_D_CD.sin * (q.theta_BCG.cos * EB_x + EB_y * q.theta_BCG.sin)
+        + d.h_D_EDF - d.psi_D_CD.cos * t01);
+    q.s_D = inverse_s_C * (d.psi_D_CD.cos * d.h_D_EDF - t01);
+    q.theta_GF.cos = -(EB_x + q.theta_BCG.cos * t02 - q.theta_BCG.sin * t03) * inverse_theta_GF;
+    q.theta_GF.sin = -inverse_theta_GF * (EB_y + q.theta_BCG.cos * t03 + q.theta_BCG.sin * t02);
   }
 };
 

@@ -10,10 +10,14 @@ namespace assur::tetrad {
 
 /// Tetrad model 5 (RPP-RRR): rigid (generic rank 4 of 4 equations in 4 unknowns).
 ///
-/// Loop closure, with vectors from joint to joint in the fixed frame:
+/// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + BC + slide_C + CD - ED - E = 0
 ///   BGFEB:  B + BG + slide_G + GF - EF - E = 0
-
+///   BCDEB across the slide: free of s_C
+///   BGFEB across the slide: free of s_G
+///   Bezout determinant in theta_EDF
+///   trigonometric polynomial of degree 2 in theta_BCG
+///   at most 4 configurations
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin at B, x-axis along the slide at C, angle theta_BCG
@@ -35,6 +39,9 @@ namespace assur::tetrad {
 ///   pose_jacobians:       16, 10, 0
 ///   link_velocities:      24, 18, 0
 ///   link_accelerations:   40, 26, 0
+///   position_polynomial:  37, 29, 0
+///   second_equations:     24, 14, 0
+///   complete:             14, 12, 0
 struct Model05 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 5;
@@ -46,6 +53,10 @@ struct Model05 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
+  static constexpr int max_configurations = 4;
+  static constexpr std::size_t polynomial_degree = 2;
+  static constexpr int first_unknown = 0;    ///< of the final polynomial
+  static constexpr int second_unknown = 1;  ///< of the reduced equations; -1: none
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -523,6 +534,75 @@ struct Model05 {
     a(3, 1) = a_y_B + alpha_BCG * t05 + sin_GF * a_s_G - omega_BCG * (omega_BCG * t06
         - Scalar(2) * cos_GF * v_s_G);
     a(3, 2) = alpha_BCG;
+  }
+
+  /// The final polynomial T in theta_BCG, free of all other unknowns:
+  /// T = sum over k of cosine[k] cos(k x) + sine[k] sin(k x).
+  template <typename Scalar>
+  static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar P1_m1_im = Scalar(2) * d.ED;
+    const Scalar P2_m1_re = -Scalar(2) * (d.psi_G_BCG.cos * d.y_F_EDF
+        - d.psi_G_BCG.sin * d.x_F_EDF);
+    const Scalar P2_m1_im = Scalar(2) * (d.psi_G_BCG.cos * d.x_F_EDF + d.y_F_EDF * d.psi_G_BCG.sin);
+    const Scalar C1_0_re = Scalar(2) * (d.h_C_BCG - d.h_C_CD);
+    const Scalar C2_m1_re = d.psi_G_BCG.cos * EB_y - d.psi_G_BCG.sin * EB_x;
+    const Scalar C2_m1_im = -d.psi_G_BCG.cos * EB_x - d.psi_G_BCG.sin * EB_y;
+    const Scalar C2_0_re = Scalar(2) * (d.h_G_BCG - d.h_G_GF);
+    const Scalar t01 = EB_y * P2_m1_re;
+    const Scalar t02 = EB_x * P2_m1_im + P1_m1_im * C2_m1_im;
+    const Scalar U_m2_re = -t01 - t02;
+    const Scalar t03 = EB_x * P2_m1_re;
+    const Scalar t04 = EB_y * P2_m1_im - P1_m1_im * C2_m1_re;
+    const Scalar U_m2_im = t03 - t04;
+    const Scalar U_m1_re = -P2_m1_re * C1_0_re;
+    const Scalar U_m1_im = P1_m1_im * C2_0_re - P2_m1_im * C1_0_re;
+    const Scalar U_0_re = t02 - t01;
+    const Scalar U_0_im = -t03 - t04;
+    const Scalar V_0_re = P2_m1_re * P1_m1_im;
+    T.cosine[0] = U_m2_re * U_m2_re + U_m2_im * U_m2_im + U_m1_re * U_m1_re + U_m1_im * U_m1_im
+        + U_0_re * U_0_re + U_0_im * U_0_im - V_0_re * V_0_re;
+    T.cosine[1] = Scalar(2) * (U_m1_re * (U_m2_re + U_0_re) + U_m1_im * (U_m2_im + U_0_im));
+    T.sine[1] = Scalar(2) * (U_m1_re * (U_m2_im - U_0_im) - U_m1_im * (U_m2_re - U_0_re));
+    T.cosine[2] = Scalar(2) * (U_m2_re * U_0_re + U_m2_im * U_0_im);
+    T.sine[2] = -Scalar(2) * (U_m2_re * U_0_im - U_m2_im * U_0_re);
+  }
+
+  /// The reduced equations, one a row, where theta_BCG is known: e(i, 0) cos z + e(i, 1) sin z +
+  ///     e(i, 2) = 0
+  /// with z = theta_EDF.
+  template <typename Scalar>
+  static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar t01 = d.psi_G_BCG.cos * d.y_F_EDF - d.psi_G_BCG.sin * d.x_F_EDF;
+    const Scalar t02 = d.psi_G_BCG.cos * d.x_F_EDF + d.y_F_EDF * d.psi_G_BCG.sin;
+    e(0, 0) = Scalar(2) * q.theta_BCG.sin * d.ED;
+    e(0, 1) = -Scalar(2) * d.ED * q.theta_BCG.cos;
+    e(0, 2) = Scalar(2) * (q.theta_BCG.cos * EB_y + d.h_C_BCG - q.theta_BCG.sin * EB_x - d.h_C_CD);
+    e(1, 0) = -Scalar(2) * (q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02);
+    e(1, 1) = -Scalar(2) * (q.theta_BCG.cos * t02 + q.theta_BCG.sin * t01);
+    e(1, 2) = Scalar(2) * (q.theta_BCG.cos * (EB_y * d.psi_G_BCG.cos - EB_x * d.psi_G_BCG.sin)
+        + d.h_G_BCG - q.theta_BCG.sin * (EB_x * d.psi_G_BCG.cos + EB_y * d.psi_G_BCG.sin)
+        - d.h_G_GF);
+  }
+
+  /// The other unknowns of a configuration in which those of the reduced
+  /// equations are known.
+  template <typename Scalar>
+  static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      Configuration<Scalar>& q) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar t01 = EB_x + q.theta_EDF.sin * d.y_F_EDF - q.theta_EDF.cos * d.x_F_EDF;
+    const Scalar t02 = EB_y - q.theta_EDF.cos * d.y_F_EDF - q.theta_EDF.sin * d.x_F_EDF;
+    q.s_C = (q.theta_EDF.cos * d.ED - EB_x) * q.theta_BCG.cos + (d.ED * q.theta_EDF.sin
+        - EB_y) * q.theta_BCG.sin;
+    q.s_G = -q.theta_BCG.cos * (t01 * d.psi_G_BCG.cos + t02 * d.psi_G_BCG.sin)
+        - q.theta_BCG.sin * (d.psi_G_BCG.cos * t02 - t01 * d.psi_G_BCG.sin);
   }
 };
 

@@ -10,10 +10,13 @@ namespace assur::tetrad {
 
 /// Tetrad model 6 (RPP-RPR): rigid (generic rank 4 of 4 equations in 4 unknowns).
 ///
-/// Loop closure, with vectors from joint to joint in the fixed frame:
+/// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + BC + slide_C - slide_D - ED - E = 0
 ///   BGFEB:  B + BG + slide_G + GF - EF - E = 0
-
+///   BCDEB: solved for s_C and s_D
+///   BGFEB across the slide: free of s_G
+///   trigonometric polynomial of degree 1 in theta_BCG
+///   at most 2 configurations
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin at B, x-axis along the slide at C, angle theta_BCG
@@ -35,6 +38,8 @@ namespace assur::tetrad {
 ///   pose_jacobians:       14, 8, 0
 ///   link_velocities:      22, 16, 0
 ///   link_accelerations:   38, 24, 0
+///   position_polynomial:  12, 9, 0
+///   complete:             15, 13, 1
 struct Model06 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 6;
@@ -46,6 +51,10 @@ struct Model06 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
+  static constexpr int max_configurations = 2;
+  static constexpr std::size_t polynomial_degree = 1;
+  static constexpr int first_unknown = 0;    ///< of the final polynomial
+  static constexpr int second_unknown = -1;  ///< of the reduced equations; -1: none
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -529,6 +538,41 @@ struct Model06 {
     a(3, 1) = a_y_B + alpha_BCG * t05 + sin_GF * a_s_G - omega_BCG * (omega_BCG * t06
         - Scalar(2) * cos_GF * v_s_G);
     a(3, 2) = alpha_BCG;
+  }
+
+  /// The final polynomial T in theta_BCG, free of all other unknowns:
+  /// T = sum over k of cosine[k] cos(k x) + sine[k] sin(k x).
+  template <typename Scalar>
+  static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar T_m1_re = d.psi_G_BCG.cos * EB_y - d.psi_G_BCG.sin * EB_x;
+    const Scalar T_m1_im = -d.psi_G_BCG.cos * EB_x - EB_y * d.psi_G_BCG.sin;
+    const Scalar T_0_re = -Scalar(2) * (d.psi_G_BCG.cos * (d.x_F_EDF * d.psi_D_CD.sin
+        + d.y_F_EDF * d.psi_D_CD.cos) + d.h_G_GF - d.psi_G_BCG.sin * (d.x_F_EDF * d.psi_D_CD.cos
+        - d.psi_D_CD.sin * d.y_F_EDF) - d.h_G_BCG);
+    T.cosine[0] = T_0_re;
+    T.cosine[1] = Scalar(2) * T_m1_re;
+    T.sine[1] = Scalar(2) * T_m1_im;
+  }
+
+  /// The other unknowns of a configuration in which those of the reduced
+  /// equations are known.
+  template <typename Scalar>
+  static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      Configuration<Scalar>& q) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;  // zero: the slides of s_C and s_D are
+                                                             //     parallel
+    const Scalar t01 = q.theta_BCG.cos * EB_x + EB_y * q.theta_BCG.sin;
+    const Scalar t02 = q.theta_BCG.cos * EB_y - q.theta_BCG.sin * EB_x;
+    const Scalar t03 = d.h_C_BCG + t02;
+    q.s_C = inverse_s_C * (d.psi_D_CD.sin * t01 + d.h_D_EDF - d.psi_D_CD.cos * t03);
+    q.s_D = inverse_s_C * (d.psi_D_CD.cos * d.h_D_EDF - t03);
+    q.s_G = d.psi_G_BCG.sin * (d.psi_D_CD.sin * d.x_F_EDF + d.psi_D_CD.cos * d.y_F_EDF - t02)
+        - d.psi_G_BCG.cos * (t01 + d.psi_D_CD.sin * d.y_F_EDF - d.psi_D_CD.cos * d.x_F_EDF);
   }
 };
 

@@ -10,10 +10,14 @@ namespace assur::tetrad {
 
 /// Tetrad model 8 (PRR-RRR): rigid (generic rank 4 of 4 equations in 4 unknowns).
 ///
-/// Loop closure, with vectors from joint to joint in the fixed frame:
+/// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + slide_B + BC + CD - ED - E = 0
 ///   BGFEB:  B + slide_B + BG + GF - EF - E = 0
-
+///   BCDEB squared: free of theta_CD
+///   BGFEB squared: free of theta_GF
+///   Bezout determinant in s_B
+///   trigonometric polynomial of degree 3 in theta_EDF
+///   at most 6 configurations
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin at C, x-axis along the slide at B, angle phi_B
@@ -35,6 +39,9 @@ namespace assur::tetrad {
 ///   pose_jacobians:       8, 7, 0
 ///   link_velocities:      14, 13, 0
 ///   link_accelerations:   28, 21, 0
+///   position_polynomial:  89, 71, 0
+///   second_equations:     50, 39, 0
+///   complete:             18, 18, 2
 struct Model08 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 8;
@@ -46,6 +53,10 @@ struct Model08 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
+  static constexpr int max_configurations = 6;
+  static constexpr std::size_t polynomial_degree = 3;
+  static constexpr int first_unknown = 0;    ///< of the final polynomial
+  static constexpr int second_unknown = 3;  ///< of the reduced equations; -1: none
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -502,6 +513,122 @@ struct Model08 {
     a(3, 0) = t05 - omega_B * (Scalar(2) * t03 + omega_B * t10) - alpha_B * t11;
     a(3, 1) = t08 + omega_B * (Scalar(2) * t07 - omega_B * t11) + alpha_B * t10;
     a(3, 2) = alpha_GF;
+  }
+
+  /// The final polynomial T in theta_EDF, free of all other unknowns:
+  /// T = sum over k of cosine[k] cos(k x) + sine[k] sin(k x).
+  template <typename Scalar>
+  static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar b_m1_re = -d.ED * u.phi_B.cos;
+    const Scalar b_m1_im = -d.ED * u.phi_B.sin;
+    const Scalar t01 = u.phi_B.cos * EB_x + u.phi_B.sin * EB_y;
+    const Scalar b_0_re = Scalar(2) * t01;
+    const Scalar c_m1_re = -d.ED * (EB_x + u.phi_B.sin * d.h_B_BCG);
+    const Scalar c_m1_im = -d.ED * (EB_y - u.phi_B.cos * d.h_B_BCG);
+    const Scalar t02 = u.phi_B.cos * EB_y - u.phi_B.sin * EB_x;
+    const Scalar t03 = d.h_B_BCG - Scalar(2) * t02;
+    const Scalar t04 = EB_x * EB_x + EB_y * EB_y;
+    const Scalar c_0_re = d.ED * d.ED + d.h_B_BCG * t03 + t04 - d.CD * d.CD;
+    const Scalar e_m1_re = -u.phi_B.cos * d.x_F_EDF - u.phi_B.sin * d.y_F_EDF;
+    const Scalar e_m1_im = u.phi_B.cos * d.y_F_EDF - u.phi_B.sin * d.x_F_EDF;
+    const Scalar e_0_re = Scalar(2) * (t01 + d.x_G_BCG);
+    const Scalar t05 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar t06 = EB_x + u.phi_B.sin * t05 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar t07 = EB_y + u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t05;
+    const Scalar f_m1_re = -d.x_F_EDF * t06 - d.y_F_EDF * t07;
+    const Scalar f_m1_im = d.y_F_EDF * t06 - d.x_F_EDF * t07;
+    const Scalar f_0_re = d.x_F_EDF * d.x_F_EDF + d.y_F_EDF * d.y_F_EDF
+        + d.x_G_BCG * (Scalar(2) * t01 + d.x_G_BCG) + d.y_G_BCG * (d.y_G_BCG + Scalar(2) * t02)
+        + t04 - d.GF * d.GF - d.h_B_BCG * (Scalar(2) * d.y_G_BCG - t03);
+    const Scalar M_m1_re = f_m1_re - c_m1_re;
+    const Scalar M_m1_im = f_m1_im - c_m1_im;
+    const Scalar M_0_re = f_0_re - c_0_re;
+    const Scalar N_m1_re = e_m1_re - b_m1_re;
+    const Scalar N_m1_im = e_m1_im - b_m1_im;
+    const Scalar N_0_re = e_0_re - b_0_re;
+    const Scalar t08 = f_m1_re * b_m1_re - c_m1_re * e_m1_re;
+    const Scalar t09 = f_m1_im * b_m1_im - c_m1_im * e_m1_im;
+    const Scalar O_m2_re = t08 - t09;
+    const Scalar O_m2_im = f_m1_im * b_m1_re + f_m1_re * b_m1_im - c_m1_re * e_m1_im
+        - c_m1_im * e_m1_re;
+    const Scalar O_m1_re = f_0_re * b_m1_re + f_m1_re * b_0_re - c_m1_re * e_0_re
+        - c_0_re * e_m1_re;
+    const Scalar O_m1_im = f_0_re * b_m1_im + f_m1_im * b_0_re - c_m1_im * e_0_re
+        - c_0_re * e_m1_im;
+    const Scalar O_0_re = f_0_re * b_0_re + Scalar(2) * t08 + Scalar(2) * t09 - c_0_re * e_0_re;
+    const Scalar t10 = M_m1_re * M_m1_re - N_m1_re * O_m1_re;
+    const Scalar t11 = M_m1_im * M_m1_im - N_m1_im * O_m1_im;
+    const Scalar t12 = N_m1_im * O_m2_im;
+    const Scalar t13 = N_m1_re * O_m2_im;
+    T.cosine[0] = M_0_re * M_0_re + Scalar(2) * t10 + Scalar(2) * t11 - N_0_re * O_0_re;
+    T.cosine[1] = -Scalar(2) * (N_m1_re * (O_0_re + O_m2_re) + t12 + O_m1_re * N_0_re
+        - Scalar(2) * M_m1_re * M_0_re);
+    T.sine[1] = -Scalar(2) * (N_m1_im * (O_0_re - O_m2_re) + t13 + O_m1_im * N_0_re
+        - Scalar(2) * M_m1_im * M_0_re);
+    T.cosine[2] = -Scalar(2) * (N_0_re * O_m2_re + t11 - t10);
+    T.sine[2] = Scalar(2) * (Scalar(2) * M_m1_re * M_m1_im - N_m1_re * O_m1_im - O_m1_re * N_m1_im
+        - N_0_re * O_m2_im);
+    T.cosine[3] = Scalar(2) * (t12 - N_m1_re * O_m2_re);
+    T.sine[3] = -Scalar(2) * (t13 + N_m1_im * O_m2_re);
+  }
+
+  /// The reduced equations, one a row, where theta_EDF is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
+  ///     = 0
+  /// with z = s_B.
+  template <typename Scalar>
+  static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar t01 = u.phi_B.cos * EB_x + u.phi_B.sin * EB_y;
+    const Scalar t02 = u.phi_B.cos * EB_y - u.phi_B.sin * EB_x;
+    const Scalar t03 = d.h_B_BCG - Scalar(2) * t02;
+    const Scalar t04 = EB_x * EB_x + EB_y * EB_y;
+    const Scalar t05 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar t06 = EB_x + u.phi_B.sin * t05 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar t07 = EB_y + u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t05;
+    e(0, 0) = Scalar(1);
+    e(0, 1) = -Scalar(2) * ((q.theta_EDF.cos * u.phi_B.cos + q.theta_EDF.sin * u.phi_B.sin) * d.ED
+        - t01);
+    e(0, 2) = d.ED * (d.ED - Scalar(2) * q.theta_EDF.cos * EB_x
+        - Scalar(2) * q.theta_EDF.sin * EB_y) + t04 - d.CD * d.CD
+        - d.h_B_BCG * (Scalar(2) * d.ED * (q.theta_EDF.cos * u.phi_B.sin
+        - u.phi_B.cos * q.theta_EDF.sin) - t03);
+    e(1, 0) = Scalar(1);
+    e(1, 1) = Scalar(2) * (u.phi_B.cos * (EB_x + q.theta_EDF.sin * d.y_F_EDF
+        - q.theta_EDF.cos * d.x_F_EDF) + u.phi_B.sin * (EB_y - q.theta_EDF.cos * d.y_F_EDF
+        - q.theta_EDF.sin * d.x_F_EDF) + d.x_G_BCG);
+    e(1, 2) = d.x_F_EDF * (d.x_F_EDF - Scalar(2) * q.theta_EDF.cos * t06
+        - Scalar(2) * q.theta_EDF.sin * t07) + d.y_F_EDF * (d.y_F_EDF
+        + Scalar(2) * q.theta_EDF.sin * t06 - Scalar(2) * q.theta_EDF.cos * t07)
+        + d.y_G_BCG * (d.y_G_BCG + Scalar(2) * t02) + d.x_G_BCG * (Scalar(2) * t01 + d.x_G_BCG)
+        + t04 - d.GF * d.GF - d.h_B_BCG * (Scalar(2) * d.y_G_BCG - t03);
+  }
+
+  /// The other unknowns of a configuration in which those of the reduced
+  /// equations are known.
+  template <typename Scalar>
+  static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      Configuration<Scalar>& q) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar inverse_theta_CD = Scalar(1) / d.CD;  // zero: the link that turns by theta_CD has
+                                                       //     no length
+    const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
+                                                       //     no length
+    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    q.theta_CD.cos = (q.theta_EDF.cos * d.ED - q.s_B * u.phi_B.cos - d.h_B_BCG * u.phi_B.sin
+        - EB_x) * inverse_theta_CD;
+    q.theta_CD.sin = inverse_theta_CD * (d.ED * q.theta_EDF.sin + u.phi_B.cos * d.h_B_BCG
+        - q.s_B * u.phi_B.sin - EB_y);
+    q.theta_GF.cos = -(EB_x + u.phi_B.cos * t01 + u.phi_B.sin * t02 + q.theta_EDF.sin * d.y_F_EDF
+        - q.theta_EDF.cos * d.x_F_EDF) * inverse_theta_GF;
+    q.theta_GF.sin = -inverse_theta_GF * (EB_y + u.phi_B.sin * t01 - u.phi_B.cos * t02
+        - q.theta_EDF.cos * d.y_F_EDF - q.theta_EDF.sin * d.x_F_EDF);
   }
 };
 

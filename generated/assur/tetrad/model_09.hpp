@@ -10,10 +10,14 @@ namespace assur::tetrad {
 
 /// Tetrad model 9 (PRR-RPR): rigid (generic rank 4 of 4 equations in 4 unknowns).
 ///
-/// Loop closure, with vectors from joint to joint in the fixed frame:
+/// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + slide_B + BC + CD - slide_D - ED - E = 0
 ///   BGFEB:  B + slide_B + BG + GF - EF - E = 0
-
+///   BCDEB across the slide: free of s_D
+///   BGFEB squared: free of theta_GF
+///   Bezout determinant in s_B
+///   trigonometric polynomial of degree 3 in theta_EDF
+///   at most 6 configurations
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin at C, x-axis along the slide at B, angle phi_B
@@ -35,6 +39,9 @@ namespace assur::tetrad {
 ///   pose_jacobians:       8, 7, 0
 ///   link_velocities:      14, 13, 0
 ///   link_accelerations:   28, 21, 0
+///   position_polynomial:  81, 60, 0
+///   second_equations:     44, 36, 0
+///   complete:             16, 17, 1
 struct Model09 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 9;
@@ -46,6 +53,10 @@ struct Model09 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
+  static constexpr int max_configurations = 6;
+  static constexpr std::size_t polynomial_degree = 3;
+  static constexpr int first_unknown = 0;    ///< of the final polynomial
+  static constexpr int second_unknown = 2;  ///< of the reduced equations; -1: none
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -509,6 +520,105 @@ struct Model09 {
     a(3, 0) = t05 - omega_B * (Scalar(2) * t03 + omega_B * t10) - alpha_B * t11;
     a(3, 1) = t08 + omega_B * (Scalar(2) * t07 - omega_B * t11) + alpha_B * t10;
     a(3, 2) = alpha_GF;
+  }
+
+  /// The final polynomial T in theta_EDF, free of all other unknowns:
+  /// T = sum over k of cosine[k] cos(k x) + sine[k] sin(k x).
+  template <typename Scalar>
+  static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar b_m1_re = -d.x_F_EDF * u.phi_B.cos - d.y_F_EDF * u.phi_B.sin;
+    const Scalar b_m1_im = u.phi_B.cos * d.y_F_EDF - d.x_F_EDF * u.phi_B.sin;
+    const Scalar t01 = u.phi_B.cos * EB_x + u.phi_B.sin * EB_y;
+    const Scalar b_0_re = Scalar(2) * (d.x_G_BCG + t01);
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar t03 = EB_x + u.phi_B.sin * t02 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar t04 = EB_y + u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t02;
+    const Scalar c_m1_re = -d.x_F_EDF * t03 - d.y_F_EDF * t04;
+    const Scalar c_m1_im = d.y_F_EDF * t03 - d.x_F_EDF * t04;
+    const Scalar t05 = u.phi_B.cos * EB_y - u.phi_B.sin * EB_x;
+    const Scalar c_0_re = d.x_F_EDF * d.x_F_EDF + d.y_F_EDF * d.y_F_EDF + EB_x * EB_x + EB_y * EB_y
+        + d.x_G_BCG * (d.x_G_BCG + Scalar(2) * t01) + d.h_B_BCG * (d.h_B_BCG - Scalar(2) * d.y_G_BCG
+        - Scalar(2) * t05) + d.y_G_BCG * (d.y_G_BCG + Scalar(2) * t05) - d.GF * d.GF;
+    const Scalar f_m1_re = u.phi_B.cos * d.h_B_BCG - EB_y;
+    const Scalar f_m1_im = EB_x + u.phi_B.sin * d.h_B_BCG;
+    const Scalar f_0_re = Scalar(2) * (d.h_D_EDF - d.h_D_CD);
+    const Scalar t06 = u.phi_B.sin * c_0_re;
+    const Scalar t07 = f_0_re * b_m1_re + b_0_re * f_m1_re;
+    const Scalar t08 = f_m1_re * f_m1_re + u.phi_B.sin * (t06 + t07);
+    const Scalar t09 = b_m1_im * f_0_re + b_0_re * f_m1_im;
+    const Scalar t10 = f_m1_im * f_m1_im + u.phi_B.cos * (u.phi_B.cos * c_0_re - t09);
+    const Scalar t11 = f_m1_im * b_m1_re + b_m1_im * f_m1_re;
+    const Scalar t12 = u.phi_B.cos * c_m1_re - t11;
+    const Scalar t13 = u.phi_B.cos * c_m1_im;
+    const Scalar t14 = b_m1_im * f_m1_im;
+    const Scalar t15 = f_0_re * b_0_re;
+    const Scalar t16 = u.phi_B.sin * c_m1_re;
+    const Scalar t17 = b_m1_re * f_m1_re;
+    const Scalar t18 = t16 + t17;
+    const Scalar t19 = u.phi_B.sin * c_m1_im;
+    const Scalar t20 = u.phi_B.sin * (t19 + t11);
+    const Scalar t21 = t13 - t14;
+    const Scalar t22 = t16 + Scalar(1) / Scalar(2) * t17;
+    T.cosine[0] = f_0_re * f_0_re + Scalar(2) * t08 + Scalar(2) * t10;
+    T.cosine[1] = Scalar(2) * (Scalar(2) * f_0_re * f_m1_re + u.phi_B.cos * t12
+        - u.phi_B.sin * (Scalar(2) * t13 - t14 - t15 - Scalar(3) * t18));
+    T.sine[1] = Scalar(2) * (Scalar(2) * f_0_re * f_m1_im + t20 - u.phi_B.cos * (t15
+        + Scalar(2) * t22 - Scalar(3) * t21));
+    T.cosine[2] = Scalar(2) * (t08 - t10);
+    T.sine[2] = Scalar(2) * (u.phi_B.sin * t09 + Scalar(2) * f_m1_im * f_m1_re
+        - u.phi_B.cos * (Scalar(2) * t06 + t07));
+    T.cosine[3] = -Scalar(2) * (u.phi_B.sin * (t14 - t18) - u.phi_B.cos * (Scalar(2) * t19 - t12));
+    T.sine[3] = Scalar(2) * (t20 - u.phi_B.cos * (t21 + Scalar(2) * t22));
+  }
+
+  /// The reduced equations, one a row, where theta_EDF is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
+  ///     = 0
+  /// with z = s_B.
+  template <typename Scalar>
+  static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
+    e.setZero();
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar t02 = EB_x + u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar t03 = EB_y + u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar t04 = u.phi_B.cos * EB_y - u.phi_B.sin * EB_x;
+    e(0, 1) = -Scalar(2) * (q.theta_EDF.cos * u.phi_B.sin - q.theta_EDF.sin * u.phi_B.cos);
+    e(0, 2) = Scalar(2) * (q.theta_EDF.cos * (u.phi_B.cos * d.h_B_BCG - EB_y)
+        + q.theta_EDF.sin * (u.phi_B.sin * d.h_B_BCG + EB_x) + d.h_D_EDF - d.h_D_CD);
+    e(1, 0) = Scalar(1);
+    e(1, 1) = Scalar(2) * (u.phi_B.cos * (EB_x + q.theta_EDF.sin * d.y_F_EDF
+        - q.theta_EDF.cos * d.x_F_EDF) + u.phi_B.sin * (EB_y - q.theta_EDF.cos * d.y_F_EDF
+        - q.theta_EDF.sin * d.x_F_EDF) + d.x_G_BCG);
+    e(1, 2) = d.x_F_EDF * (d.x_F_EDF - Scalar(2) * q.theta_EDF.cos * t02
+        - Scalar(2) * q.theta_EDF.sin * t03) + d.y_F_EDF * (d.y_F_EDF
+        + Scalar(2) * q.theta_EDF.sin * t02 - Scalar(2) * q.theta_EDF.cos * t03)
+        + d.x_G_BCG * (d.x_G_BCG + Scalar(2) * u.phi_B.cos * EB_x + Scalar(2) * u.phi_B.sin * EB_y)
+        + EB_x * EB_x + EB_y * EB_y + d.h_B_BCG * (d.h_B_BCG - Scalar(2) * d.y_G_BCG
+        - Scalar(2) * t04) + d.y_G_BCG * (d.y_G_BCG + Scalar(2) * t04) - d.GF * d.GF;
+  }
+
+  /// The other unknowns of a configuration in which those of the reduced
+  /// equations are known.
+  template <typename Scalar>
+  static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      Configuration<Scalar>& q) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
+                                                       //     no length
+    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    q.s_D = (q.s_B * u.phi_B.cos + d.h_B_BCG * u.phi_B.sin + EB_x) * q.theta_EDF.cos
+        + (q.s_B * u.phi_B.sin + EB_y - u.phi_B.cos * d.h_B_BCG) * q.theta_EDF.sin;
+    q.theta_GF.cos = -(EB_x + u.phi_B.cos * t01 + u.phi_B.sin * t02 + q.theta_EDF.sin * d.y_F_EDF
+        - q.theta_EDF.cos * d.x_F_EDF) * inverse_theta_GF;
+    q.theta_GF.sin = -inverse_theta_GF * (EB_y + u.phi_B.sin * t01 - u.phi_B.cos * t02
+        - q.theta_EDF.cos * d.y_F_EDF - q.theta_EDF.sin * d.x_F_EDF);
   }
 };
 

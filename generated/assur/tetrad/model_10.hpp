@@ -10,10 +10,14 @@ namespace assur::tetrad {
 
 /// Tetrad model 10 (PRR-RPP): rigid (generic rank 4 of 4 equations in 4 unknowns).
 ///
-/// Loop closure, with vectors from joint to joint in the fixed frame:
+/// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + slide_B + BC + CD - slide_D - ED - E = 0
 ///   BGFEB:  B + slide_B + BG + GF - slide_F - EF - E = 0
-
+///   BCDEB across the slide: free of s_D
+///   BGFEB across the slide: free of s_F
+///   Bezout determinant in s_B
+///   trigonometric polynomial of degree 2 in theta_EDF
+///   at most 4 configurations
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin at C, x-axis along the slide at B, angle phi_B
@@ -35,6 +39,9 @@ namespace assur::tetrad {
 ///   pose_jacobians:       8, 7, 0
 ///   link_velocities:      14, 13, 0
 ///   link_accelerations:   28, 21, 0
+///   position_polynomial:  31, 24, 0
+///   second_equations:     26, 21, 0
+///   complete:             16, 16, 0
 struct Model10 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 10;
@@ -46,6 +53,10 @@ struct Model10 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
+  static constexpr int max_configurations = 4;
+  static constexpr std::size_t polynomial_degree = 2;
+  static constexpr int first_unknown = 0;    ///< of the final polynomial
+  static constexpr int second_unknown = 1;  ///< of the reduced equations; -1: none
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -534,6 +545,73 @@ struct Model10 {
     a(3, 0) = t05 - omega_B * (Scalar(2) * t03 + omega_B * t10) - alpha_B * t11;
     a(3, 1) = t08 + omega_B * (Scalar(2) * t07 - omega_B * t11) + alpha_B * t10;
     a(3, 2) = alpha_EDF;
+  }
+
+  /// The final polynomial T in theta_EDF, free of all other unknowns:
+  /// T = sum over k of cosine[k] cos(k x) + sine[k] sin(k x).
+  template <typename Scalar>
+  static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar c_m1_re = d.h_B_BCG * u.phi_B.cos - EB_y;
+    const Scalar c_m1_im = d.h_B_BCG * u.phi_B.sin + EB_x;
+    const Scalar c_0_re = Scalar(2) * (d.h_D_EDF - d.h_D_CD);
+    const Scalar e_m1_re = u.phi_B.cos * d.psi_F_EDF.sin - u.phi_B.sin * d.psi_F_EDF.cos;
+    const Scalar e_m1_im = u.phi_B.cos * d.psi_F_EDF.cos + u.phi_B.sin * d.psi_F_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar t02 = EB_y + u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar t03 = EB_x + u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar f_m1_re = d.psi_F_EDF.sin * t03 - d.psi_F_EDF.cos * t02;
+    const Scalar f_m1_im = d.psi_F_EDF.cos * t03 + d.psi_F_EDF.sin * t02;
+    const Scalar f_0_re = Scalar(2) * (d.h_F_EDF - d.h_F_GF);
+    const Scalar t04 = u.phi_B.cos * f_m1_im - c_m1_im * e_m1_im;
+    const Scalar t05 = u.phi_B.sin * f_m1_re + c_m1_re * e_m1_re;
+    T.cosine[0] = Scalar(2) * (t04 - t05);
+    T.cosine[1] = -Scalar(2) * (u.phi_B.sin * f_0_re + e_m1_re * c_0_re);
+    T.sine[1] = Scalar(2) * (u.phi_B.cos * f_0_re - e_m1_im * c_0_re);
+    T.cosine[2] = -Scalar(2) * (t04 + t05);
+    T.sine[2] = Scalar(2) * (u.phi_B.cos * f_m1_re - u.phi_B.sin * f_m1_im - c_m1_re * e_m1_im
+        - e_m1_re * c_m1_im);
+  }
+
+  /// The reduced equations, one a row, where theta_EDF is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
+  ///     = 0
+  /// with z = s_B.
+  template <typename Scalar>
+  static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
+    e.setZero();
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar t02 = EB_y + u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar t03 = EB_x + u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
+    e(0, 1) = -Scalar(2) * (q.theta_EDF.cos * u.phi_B.sin - q.theta_EDF.sin * u.phi_B.cos);
+    e(0, 2) = Scalar(2) * (q.theta_EDF.cos * (u.phi_B.cos * d.h_B_BCG - EB_y)
+        + q.theta_EDF.sin * (u.phi_B.sin * d.h_B_BCG + EB_x) + d.h_D_EDF - d.h_D_CD);
+    e(1, 1) = -Scalar(2) * (q.theta_EDF.cos * (u.phi_B.sin * d.psi_F_EDF.cos
+        - u.phi_B.cos * d.psi_F_EDF.sin) - q.theta_EDF.sin * (u.phi_B.cos * d.psi_F_EDF.cos
+        + u.phi_B.sin * d.psi_F_EDF.sin));
+    e(1, 2) = -Scalar(2) * (q.theta_EDF.cos * (d.psi_F_EDF.cos * t02 - d.psi_F_EDF.sin * t03)
+        + d.h_F_GF - q.theta_EDF.sin * (d.psi_F_EDF.cos * t03 + d.psi_F_EDF.sin * t02) - d.h_F_EDF);
+  }
+
+  /// The other unknowns of a configuration in which those of the reduced
+  /// equations are known.
+  template <typename Scalar>
+  static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      Configuration<Scalar>& q) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar t03 = EB_x + u.phi_B.cos * t01 + u.phi_B.sin * t02;
+    const Scalar t04 = EB_y + u.phi_B.sin * t01 - u.phi_B.cos * t02;
+    q.s_D = (q.s_B * u.phi_B.cos + d.h_B_BCG * u.phi_B.sin + EB_x) * q.theta_EDF.cos
+        + (q.s_B * u.phi_B.sin + EB_y - u.phi_B.cos * d.h_B_BCG) * q.theta_EDF.sin;
+    q.s_F = q.theta_EDF.cos * (t03 * d.psi_F_EDF.cos + t04 * d.psi_F_EDF.sin)
+        + q.theta_EDF.sin * (d.psi_F_EDF.cos * t04 - t03 * d.psi_F_EDF.sin);
   }
 };
 

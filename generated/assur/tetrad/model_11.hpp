@@ -10,10 +10,14 @@ namespace assur::tetrad {
 
 /// Tetrad model 11 (PRR-PRR): rigid (generic rank 4 of 4 equations in 4 unknowns).
 ///
-/// Loop closure, with vectors from joint to joint in the fixed frame:
+/// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + slide_B + BC + CD - ED - slide_E - E = 0
 ///   BGFEB:  B + slide_B + BG + GF - EF - slide_E - E = 0
-
+///   BCDEB squared: free of theta_CD
+///   BGFEB squared: free of theta_GF
+///   Bezout determinant in s_E
+///   polynomial of degree 2 in s_B
+///   at most 2 configurations
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin at C, x-axis along the slide at B, angle phi_B
@@ -35,6 +39,9 @@ namespace assur::tetrad {
 ///   pose_jacobians:       12, 9, 0
 ///   link_velocities:      22, 19, 0
 ///   link_accelerations:   44, 31, 0
+///   position_polynomial:  77, 63, 0
+///   second_equations:     69, 55, 0
+///   complete:             20, 22, 2
 struct Model11 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 11;
@@ -46,6 +53,10 @@ struct Model11 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 0;
+  static constexpr int max_configurations = 2;
+  static constexpr std::size_t polynomial_degree = 2;
+  static constexpr int first_unknown = 2;    ///< of the final polynomial
+  static constexpr int second_unknown = 3;  ///< of the reduced equations; -1: none
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -563,6 +574,115 @@ struct Model11 {
     a(3, 0) = t05 - omega_B * (Scalar(2) * t03 + omega_B * t12) - alpha_B * t13;
     a(3, 1) = t08 + omega_B * (Scalar(2) * t07 - omega_B * t13) + alpha_B * t12;
     a(3, 2) = alpha_GF;
+  }
+
+  /// The final polynomial T in s_B, free of all other unknowns:
+  /// T = sum over k of T(k) x^k.
+  template <typename Scalar>
+  static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar t01 = u.phi_B.cos * u.phi_E.sin - u.phi_B.sin * u.phi_E.cos;
+    const Scalar t02 = u.phi_E.cos * EB_x + u.phi_E.sin * EB_y;
+    const Scalar b_0_re = Scalar(2) * (t01 * d.h_B_BCG - t02);
+    const Scalar t03 = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
+    const Scalar b_1_re = -Scalar(2) * t03;
+    const Scalar t04 = u.phi_E.cos * EB_y - u.phi_E.sin * EB_x;
+    const Scalar t05 = d.h_E_EDF + Scalar(2) * t04;
+    const Scalar t06 = EB_x * EB_x + EB_y * EB_y;
+    const Scalar c_0_re = d.h_B_BCG * (d.h_B_BCG + Scalar(2) * u.phi_B.sin * EB_x
+        - Scalar(2) * t03 * d.h_E_EDF - Scalar(2) * u.phi_B.cos * EB_y) + d.h_E_EDF * t05 + t06
+        - d.CD * d.CD;
+    const Scalar c_1_re = -Scalar(2) * (t01 * d.h_E_EDF - u.phi_B.cos * EB_x - u.phi_B.sin * EB_y);
+    const Scalar t07 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar e_0_re = -Scalar(2) * (u.phi_E.cos * (EB_x + u.phi_B.sin * t07
+        + u.phi_B.cos * d.x_G_BCG) + u.phi_E.sin * (EB_y + u.phi_B.sin * d.x_G_BCG
+        - u.phi_B.cos * t07) - d.x_F_EDF);
+    const Scalar t08 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t09 = d.h_B_BCG * t08 + d.x_G_BCG * d.x_F_EDF - d.y_G_BCG * t08;
+    const Scalar t10 = d.x_G_BCG * t08 - t07 * d.x_F_EDF;
+    const Scalar f_0_re = d.h_B_BCG * (d.h_B_BCG - Scalar(2) * d.y_G_BCG) + d.x_G_BCG * d.x_G_BCG
+        + d.y_G_BCG * d.y_G_BCG + d.y_F_EDF * (d.y_F_EDF - Scalar(2) * t04) + t06
+        - Scalar(2) * u.phi_B.cos * (u.phi_E.cos * t09 + u.phi_E.sin * t10 + EB_y * t07
+        - EB_x * d.x_G_BCG) - Scalar(2) * u.phi_B.sin * (u.phi_E.sin * t09 - u.phi_E.cos * t10
+        - EB_x * t07 - EB_y * d.x_G_BCG) - d.GF * d.GF - d.x_F_EDF * (Scalar(2) * t02 - d.x_F_EDF)
+        - d.h_E_EDF * (Scalar(2) * d.y_F_EDF - t05);
+    const Scalar f_1_re = Scalar(2) * (d.x_G_BCG + u.phi_B.cos * (EB_x - u.phi_E.sin * t08
+        - u.phi_E.cos * d.x_F_EDF) + u.phi_B.sin * (EB_y + u.phi_E.cos * t08
+        - u.phi_E.sin * d.x_F_EDF));
+    const Scalar t11 = c_0_re - f_0_re;
+    const Scalar M_0_re = -t11;
+    const Scalar t12 = c_1_re - f_1_re;
+    const Scalar M_1_re = -t12;
+    const Scalar t13 = b_0_re - e_0_re;
+    const Scalar N_0_re = -t13;
+    const Scalar O_0_re = f_0_re * b_0_re - c_0_re * e_0_re;
+    const Scalar O_1_re = f_1_re * b_0_re - t11 * b_1_re - c_1_re * e_0_re;
+    const Scalar O_2_re = t13 - t12 * b_1_re;
+    T(0) = M_0_re * M_0_re - N_0_re * O_0_re;
+    T(1) = Scalar(2) * M_0_re * M_1_re - N_0_re * O_1_re;
+    T(2) = M_1_re * M_1_re - N_0_re * O_2_re;
+  }
+
+  /// The reduced equations, one a row, where s_B is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2) = 0
+  /// with z = s_E.
+  template <typename Scalar>
+  static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar t01 = q.s_B * u.phi_B.cos + d.h_B_BCG * u.phi_B.sin + EB_x;
+    const Scalar t02 = q.s_B * u.phi_B.sin + EB_y - u.phi_B.cos * d.h_B_BCG;
+    const Scalar t03 = EB_x * EB_x + EB_y * EB_y;
+    const Scalar t04 = q.s_B + d.x_G_BCG;
+    const Scalar t05 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar t06 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t07 = d.h_B_BCG * t06 + t04 * d.x_F_EDF - d.y_G_BCG * t06;
+    const Scalar t08 = q.s_B * t06 + d.x_G_BCG * t06 - t05 * d.x_F_EDF;
+    const Scalar t09 = u.phi_E.cos * EB_y - EB_x * u.phi_E.sin;
+    e(0, 0) = Scalar(1);
+    e(0, 1) = -Scalar(2) * (t01 * u.phi_E.cos + t02 * u.phi_E.sin);
+    e(0, 2) = d.h_E_EDF * (Scalar(2) * u.phi_E.cos * t02 + d.h_E_EDF
+        - Scalar(2) * t01 * u.phi_E.sin) + q.s_B * (q.s_B + Scalar(2) * u.phi_B.cos * EB_x
+        + Scalar(2) * u.phi_B.sin * EB_y) + d.h_B_BCG * (d.h_B_BCG + Scalar(2) * u.phi_B.sin * EB_x
+        - Scalar(2) * u.phi_B.cos * EB_y) + t03 - d.CD * d.CD;
+    e(1, 0) = Scalar(1);
+    e(1, 1) = -Scalar(2) * (u.phi_E.cos * (EB_x + u.phi_B.cos * t04 + u.phi_B.sin * t05)
+        + u.phi_E.sin * (EB_y + u.phi_B.sin * t04 - u.phi_B.cos * t05) - d.x_F_EDF);
+    e(1, 2) = Scalar(2) * u.phi_B.sin * (u.phi_E.cos * t08 + EB_x * t05 + EB_y * t04
+        - u.phi_E.sin * t07) + d.x_F_EDF * (d.x_F_EDF - Scalar(2) * EB_x * u.phi_E.cos
+        - Scalar(2) * EB_y * u.phi_E.sin) + q.s_B * (q.s_B + Scalar(2) * d.x_G_BCG)
+        + d.h_B_BCG * (d.h_B_BCG - Scalar(2) * d.y_G_BCG) + d.x_G_BCG * d.x_G_BCG
+        + d.y_G_BCG * d.y_G_BCG + t03 + d.h_E_EDF * (d.h_E_EDF + Scalar(2) * t09
+        - Scalar(2) * d.y_F_EDF) + d.y_F_EDF * (d.y_F_EDF - Scalar(2) * t09)
+        - Scalar(2) * u.phi_B.cos * (u.phi_E.cos * t07 + u.phi_E.sin * t08 + EB_y * t05
+        - EB_x * t04) - d.GF * d.GF;
+  }
+
+  /// The other unknowns of a configuration in which those of the reduced
+  /// equations are known.
+  template <typename Scalar>
+  static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      Configuration<Scalar>& q) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar inverse_theta_CD = Scalar(1) / d.CD;  // zero: the link that turns by theta_CD has
+                                                       //     no length
+    const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
+                                                       //     no length
+    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar t03 = q.s_E + d.x_F_EDF;
+    const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
+    q.theta_CD.cos = -(q.s_B * u.phi_B.cos + d.h_B_BCG * u.phi_B.sin + EB_x - q.s_E * u.phi_E.cos
+        - d.h_E_EDF * u.phi_E.sin) * inverse_theta_CD;
+    q.theta_CD.sin = -inverse_theta_CD * (q.s_B * u.phi_B.sin + u.phi_E.cos * d.h_E_EDF + EB_y
+        - q.s_E * u.phi_E.sin - u.phi_B.cos * d.h_B_BCG);
+    q.theta_GF.cos = -(EB_x + u.phi_B.cos * t01 + u.phi_B.sin * t02 - u.phi_E.cos * t03
+        - u.phi_E.sin * t04) * inverse_theta_GF;
+    q.theta_GF.sin = -inverse_theta_GF * (EB_y + u.phi_B.sin * t01 + u.phi_E.cos * t04
+        - u.phi_B.cos * t02 - u.phi_E.sin * t03);
   }
 };
 

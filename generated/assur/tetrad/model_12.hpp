@@ -10,10 +10,14 @@ namespace assur::tetrad {
 
 /// Tetrad model 12 (PPR-RRP): rigid (generic rank 4 of 4 equations in 4 unknowns).
 ///
-/// Loop closure, with vectors from joint to joint in the fixed frame:
+/// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + slide_B + BC + slide_C + CD - ED - E = 0
 ///   BGFEB:  B + slide_B + BG + GF - slide_F - EF - E = 0
-
+///   BCDEB across the slide: free of s_C
+///   BGFEB across the slide: free of s_F
+///   Bezout determinant in s_B
+///   trigonometric polynomial of degree 2 in theta_EDF
+///   at most 4 configurations
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin at G, x-axis along the slide at B, angle phi_B
@@ -35,6 +39,9 @@ namespace assur::tetrad {
 ///   pose_jacobians:       14, 14, 0
 ///   link_velocities:      22, 20, 0
 ///   link_accelerations:   40, 30, 0
+///   position_polynomial:  31, 21, 0
+///   second_equations:     20, 18, 0
+///   complete:             16, 16, 0
 struct Model12 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 12;
@@ -46,6 +53,10 @@ struct Model12 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
+  static constexpr int max_configurations = 4;
+  static constexpr std::size_t polynomial_degree = 2;
+  static constexpr int first_unknown = 0;    ///< of the final polynomial
+  static constexpr int second_unknown = 1;  ///< of the reduced equations; -1: none
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -596,6 +607,67 @@ struct Model12 {
     a(3, 0) = -t09;
     a(3, 1) = -t12;
     a(3, 2) = alpha_EDF;
+  }
+
+  /// The final polynomial T in theta_EDF, free of all other unknowns:
+  /// T = sum over k of cosine[k] cos(k x) + sine[k] sin(k x).
+  template <typename Scalar>
+  static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar b_0_re = -Scalar(2) * d.psi_C_BCG.sin;
+    const Scalar t01 = d.x_D_EDF * u.phi_B.sin - d.y_D_EDF * u.phi_B.cos;
+    const Scalar t02 = d.x_D_EDF * u.phi_B.cos + u.phi_B.sin * d.y_D_EDF;
+    const Scalar c_m1_re = t01 * d.psi_C_BCG.cos + d.psi_C_BCG.sin * t02;
+    const Scalar c_m1_im = d.psi_C_BCG.sin * t01 - d.psi_C_BCG.cos * t02;
+    const Scalar c_0_re = -Scalar(2) * (d.psi_C_BCG.cos * (d.h_B_BCG + u.phi_B.sin * EB_x
+        - u.phi_B.cos * EB_y) + d.psi_C_BCG.sin * (u.phi_B.cos * EB_x + u.phi_B.sin * EB_y)
+        + d.h_C_CD - d.h_C_BCG);
+    const Scalar f_m1_re = u.phi_B.cos * d.h_B_BCG - EB_y;
+    const Scalar f_m1_im = EB_x + u.phi_B.sin * d.h_B_BCG;
+    const Scalar f_0_re = Scalar(2) * (d.h_F_EDF - d.h_F_GF);
+    const Scalar t03 = u.phi_B.cos * c_m1_im;
+    const Scalar t04 = u.phi_B.sin * c_m1_re;
+    T.cosine[0] = Scalar(2) * t04 + b_0_re * f_0_re - Scalar(2) * t03;
+    T.cosine[1] = Scalar(2) * (u.phi_B.sin * c_0_re + b_0_re * f_m1_re);
+    T.sine[1] = -Scalar(2) * (u.phi_B.cos * c_0_re - b_0_re * f_m1_im);
+    T.cosine[2] = Scalar(2) * (t03 + t04);
+    T.sine[2] = -Scalar(2) * (u.phi_B.cos * c_m1_re - u.phi_B.sin * c_m1_im);
+  }
+
+  /// The reduced equations, one a row, where theta_EDF is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
+  ///     = 0
+  /// with z = s_B.
+  template <typename Scalar>
+  static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
+    e.setZero();
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar t01 = q.theta_EDF.cos * d.y_D_EDF + q.theta_EDF.sin * d.x_D_EDF - EB_y;
+    const Scalar t02 = q.theta_EDF.cos * d.x_D_EDF - d.y_D_EDF * q.theta_EDF.sin - EB_x;
+    e(0, 1) = -Scalar(2) * d.psi_C_BCG.sin;
+    e(0, 2) = -Scalar(2) * ((t01 * u.phi_B.cos + d.h_B_BCG - t02 * u.phi_B.sin) * d.psi_C_BCG.cos
+        + d.h_C_CD - d.psi_C_BCG.sin * (u.phi_B.cos * t02 + t01 * u.phi_B.sin) - d.h_C_BCG);
+    e(1, 1) = -Scalar(2) * (q.theta_EDF.cos * u.phi_B.sin - q.theta_EDF.sin * u.phi_B.cos);
+    e(1, 2) = -Scalar(2) * (q.theta_EDF.cos * (EB_y - u.phi_B.cos * d.h_B_BCG) + d.h_F_GF
+        - q.theta_EDF.sin * (EB_x + u.phi_B.sin * d.h_B_BCG) - d.h_F_EDF);
+  }
+
+  /// The other unknowns of a configuration in which those of the reduced
+  /// equations are known.
+  template <typename Scalar>
+  static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      Configuration<Scalar>& q) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar t01 = q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF - EB_x;
+    const Scalar t02 = q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin - EB_y;
+    q.s_C = (t01 * u.phi_B.cos + t02 * u.phi_B.sin - q.s_B) * d.psi_C_BCG.cos + (u.phi_B.cos * t02
+        + d.h_B_BCG - t01 * u.phi_B.sin) * d.psi_C_BCG.sin;
+    q.s_F = q.theta_EDF.cos * (EB_x + u.phi_B.cos * q.s_B + u.phi_B.sin * d.h_B_BCG)
+        + q.theta_EDF.sin * (EB_y + u.phi_B.sin * q.s_B - u.phi_B.cos * d.h_B_BCG);
   }
 };
 

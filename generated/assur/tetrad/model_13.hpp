@@ -10,10 +10,14 @@ namespace assur::tetrad {
 
 /// Tetrad model 13 (PPR-RRR): rigid (generic rank 4 of 4 equations in 4 unknowns).
 ///
-/// Loop closure, with vectors from joint to joint in the fixed frame:
+/// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + slide_B + BC + slide_C + CD - ED - E = 0
 ///   BGFEB:  B + slide_B + BG + GF - EF - E = 0
-
+///   BCDEB across the slide: free of s_C
+///   BGFEB squared: free of theta_GF
+///   Bezout determinant in s_B
+///   trigonometric polynomial of degree 2 in theta_EDF
+///   at most 4 configurations
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin at G, x-axis along the slide at B, angle phi_B
@@ -35,6 +39,9 @@ namespace assur::tetrad {
 ///   pose_jacobians:       14, 14, 0
 ///   link_velocities:      22, 20, 0
 ///   link_accelerations:   40, 30, 0
+///   position_polynomial:  63, 39, 0
+///   second_equations:     39, 28, 0
+///   complete:             22, 19, 1
 struct Model13 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 13;
@@ -46,6 +53,10 @@ struct Model13 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
+  static constexpr int max_configurations = 4;
+  static constexpr std::size_t polynomial_degree = 2;
+  static constexpr int first_unknown = 0;    ///< of the final polynomial
+  static constexpr int second_unknown = 2;  ///< of the reduced equations; -1: none
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -591,6 +602,88 @@ struct Model13 {
     a(3, 0) = -t09;
     a(3, 1) = -t12;
     a(3, 2) = alpha_GF;
+  }
+
+  /// The final polynomial T in theta_EDF, free of all other unknowns:
+  /// T = sum over k of cosine[k] cos(k x) + sine[k] sin(k x).
+  template <typename Scalar>
+  static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar t01 = d.x_F_EDF * u.phi_B.cos + d.y_F_EDF * u.phi_B.sin;
+    const Scalar b_m1_re = -t01;
+    const Scalar t02 = d.x_F_EDF * u.phi_B.sin - u.phi_B.cos * d.y_F_EDF;
+    const Scalar b_m1_im = -t02;
+    const Scalar t03 = u.phi_B.cos * EB_x + u.phi_B.sin * EB_y;
+    const Scalar b_0_re = Scalar(2) * t03;
+    const Scalar c_m1_re = -t02 * d.h_B_BCG - d.x_F_EDF * EB_x - d.y_F_EDF * EB_y;
+    const Scalar c_m1_im = t01 * d.h_B_BCG + d.y_F_EDF * EB_x - d.x_F_EDF * EB_y;
+    const Scalar t04 = u.phi_B.cos * EB_y - u.phi_B.sin * EB_x;
+    const Scalar c_0_re = d.x_F_EDF * d.x_F_EDF + d.y_F_EDF * d.y_F_EDF + EB_x * EB_x + EB_y * EB_y
+        + d.h_B_BCG * (d.h_B_BCG - Scalar(2) * t04) - d.GF * d.GF;
+    const Scalar e_0_re = -Scalar(2) * d.psi_C_BCG.sin;
+    const Scalar f_m1_re = (u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin) * d.ED;
+    const Scalar f_m1_im = -d.ED * (u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin);
+    const Scalar f_0_re = -Scalar(2) * (t03 * d.psi_C_BCG.sin + d.h_C_CD
+        + d.psi_C_BCG.cos * (d.h_B_BCG - t04) - d.h_C_BCG);
+    const Scalar t05 = b_m1_re * f_m1_re;
+    const Scalar t06 = b_m1_im * f_m1_im;
+    const Scalar t07 = f_m1_re * f_m1_re;
+    const Scalar t08 = f_m1_im * f_m1_im;
+    T.cosine[0] = Scalar(2) * t07 + Scalar(2) * t08 + f_0_re * f_0_re - e_0_re * (Scalar(2) * t05
+        + Scalar(2) * t06 + b_0_re * f_0_re - c_0_re * e_0_re);
+    T.cosine[1] = -Scalar(2) * (e_0_re * (b_m1_re * f_0_re + f_m1_re * b_0_re - e_0_re * c_m1_re)
+        - Scalar(2) * f_m1_re * f_0_re);
+    T.sine[1] = -Scalar(2) * (e_0_re * (b_m1_im * f_0_re + f_m1_im * b_0_re - e_0_re * c_m1_im)
+        - Scalar(2) * f_m1_im * f_0_re);
+    T.cosine[2] = Scalar(2) * (t07 - t08 - e_0_re * (t05 - t06));
+    T.sine[2] = -Scalar(2) * (e_0_re * (b_m1_re * f_m1_im + f_m1_re * b_m1_im)
+        - Scalar(2) * f_m1_re * f_m1_im);
+  }
+
+  /// The reduced equations, one a row, where theta_EDF is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
+  ///     = 0
+  /// with z = s_B.
+  template <typename Scalar>
+  static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
+    e.setZero();
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar t01 = EB_x + q.theta_EDF.sin * d.y_F_EDF - q.theta_EDF.cos * d.x_F_EDF;
+    const Scalar t02 = EB_y - q.theta_EDF.cos * d.y_F_EDF - q.theta_EDF.sin * d.x_F_EDF;
+    e(0, 1) = -Scalar(2) * d.psi_C_BCG.sin;
+    e(0, 2) = Scalar(2) * (((q.theta_EDF.cos * u.phi_B.sin - q.theta_EDF.sin * u.phi_B.cos) * d.ED
+        + u.phi_B.cos * EB_y - d.h_B_BCG - u.phi_B.sin * EB_x) * d.psi_C_BCG.cos
+        + d.psi_C_BCG.sin * (d.ED * (q.theta_EDF.cos * u.phi_B.cos + u.phi_B.sin * q.theta_EDF.sin)
+        - u.phi_B.cos * EB_x - u.phi_B.sin * EB_y) + d.h_C_BCG - d.h_C_CD);
+    e(1, 0) = Scalar(1);
+    e(1, 1) = Scalar(2) * (u.phi_B.cos * t01 + u.phi_B.sin * t02);
+    e(1, 2) = d.h_B_BCG * (d.h_B_BCG + Scalar(2) * u.phi_B.sin * t01
+        - Scalar(2) * u.phi_B.cos * t02) + d.x_F_EDF * (d.x_F_EDF
+        - Scalar(2) * q.theta_EDF.cos * EB_x - Scalar(2) * q.theta_EDF.sin * EB_y)
+        + d.y_F_EDF * (d.y_F_EDF + Scalar(2) * q.theta_EDF.sin * EB_x
+        - Scalar(2) * q.theta_EDF.cos * EB_y) + EB_x * EB_x + EB_y * EB_y - d.GF * d.GF;
+  }
+
+  /// The other unknowns of a configuration in which those of the reduced
+  /// equations are known.
+  template <typename Scalar>
+  static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      Configuration<Scalar>& q) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
+                                                       //     no length
+    q.s_C = ((q.theta_EDF.cos * u.phi_B.cos + q.theta_EDF.sin * u.phi_B.sin) * d.ED - q.s_B
+        - u.phi_B.cos * EB_x - u.phi_B.sin * EB_y) * d.psi_C_BCG.cos
+        - (d.ED * (q.theta_EDF.cos * u.phi_B.sin - u.phi_B.cos * q.theta_EDF.sin)
+        + u.phi_B.cos * EB_y - d.h_B_BCG - u.phi_B.sin * EB_x) * d.psi_C_BCG.sin;
+    q.theta_GF.cos = -(EB_x + q.theta_EDF.sin * d.y_F_EDF + u.phi_B.cos * q.s_B
+        + u.phi_B.sin * d.h_B_BCG - q.theta_EDF.cos * d.x_F_EDF) * inverse_theta_GF;
+    q.theta_GF.sin = -inverse_theta_GF * (EB_y + u.phi_B.sin * q.s_B - q.theta_EDF.cos * d.y_F_EDF
+        - q.theta_EDF.sin * d.x_F_EDF - u.phi_B.cos * d.h_B_BCG);
   }
 };
 

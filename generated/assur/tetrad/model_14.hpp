@@ -10,10 +10,13 @@ namespace assur::tetrad {
 
 /// Tetrad model 14 (PPR-RPR): rigid (generic rank 4 of 4 equations in 4 unknowns).
 ///
-/// Loop closure, with vectors from joint to joint in the fixed frame:
+/// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + slide_B + BC + slide_C - slide_D - ED - E = 0
 ///   BGFEB:  B + slide_B + BG + GF - EF - E = 0
-
+///   BCDEB: solved for s_C and s_D
+///   BGFEB squared: free of theta_GF
+///   polynomial of degree 2 in s_B
+///   at most 2 configurations
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin at G, x-axis along the slide at B, angle phi_B
@@ -36,6 +39,8 @@ namespace assur::tetrad {
 ///   pose_jacobians:       12, 12, 0
 ///   link_velocities:      20, 18, 0
 ///   link_accelerations:   38, 28, 0
+///   position_polynomial:  29, 21, 0
+///   complete:             27, 22, 2
 struct Model14 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 14;
@@ -47,6 +52,10 @@ struct Model14 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
+  static constexpr int max_configurations = 2;
+  static constexpr std::size_t polynomial_degree = 2;
+  static constexpr int first_unknown = 1;    ///< of the final polynomial
+  static constexpr int second_unknown = -1;  ///< of the reduced equations; -1: none
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -617,6 +626,56 @@ struct Model14 {
     a(3, 0) = -t09;
     a(3, 1) = -t12;
     a(3, 2) = alpha_GF;
+  }
+
+  /// The final polynomial T in s_B, free of all other unknowns:
+  /// T = sum over k of T(k) x^k.
+  template <typename Scalar>
+  static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar t01 = u.phi_B.cos * EB_x + EB_y * u.phi_B.sin;
+    const Scalar t02 = u.phi_B.cos * EB_y - u.phi_B.sin * EB_x;
+    const Scalar t03 = d.h_B_BCG - t02;
+    const Scalar t04 = t01 * d.psi_D_CD.cos - d.psi_D_CD.sin * t03;
+    const Scalar t05 = d.psi_D_CD.sin * t01 + d.psi_D_CD.cos * t03;
+    const Scalar T_0_re = EB_x * EB_x + EB_y * EB_y + d.x_F_EDF * (d.x_F_EDF
+        + Scalar(2) * d.psi_C_BCG.sin * t05 - Scalar(2) * d.psi_C_BCG.cos * t04)
+        + d.y_F_EDF * (d.y_F_EDF + Scalar(2) * d.psi_C_BCG.cos * t05
+        + Scalar(2) * d.psi_C_BCG.sin * t04) + d.h_B_BCG * (d.h_B_BCG - Scalar(2) * t02)
+        - d.GF * d.GF;
+    const Scalar T_1_re = Scalar(2) * (t01 + d.psi_C_BCG.sin * (d.psi_D_CD.sin * d.x_F_EDF
+        + d.psi_D_CD.cos * d.y_F_EDF) - d.psi_C_BCG.cos * (d.psi_D_CD.cos * d.x_F_EDF
+        - d.psi_D_CD.sin * d.y_F_EDF));
+    T(0) = T_0_re;
+    T(1) = T_1_re;
+    T(2) = Scalar(1);
+  }
+
+  /// The other unknowns of a configuration in which those of the reduced
+  /// equations are known.
+  template <typename Scalar>
+  static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      Configuration<Scalar>& q) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;  // zero: the slides of s_C and s_D are
+                                                             //     parallel
+    const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
+                                                       //     no length
+    const Scalar t01 = q.s_B + u.phi_B.cos * EB_x + EB_y * u.phi_B.sin;
+    const Scalar t02 = d.h_B_BCG + u.phi_B.sin * EB_x - u.phi_B.cos * EB_y;
+    const Scalar t03 = d.h_C_BCG - t02 * d.psi_C_BCG.cos - t01 * d.psi_C_BCG.sin;
+    const Scalar t04 = d.psi_D_CD.cos * d.x_F_EDF - d.psi_D_CD.sin * d.y_F_EDF;
+    const Scalar t05 = d.psi_D_CD.sin * d.x_F_EDF + d.psi_D_CD.cos * d.y_F_EDF;
+    const Scalar t06 = q.s_B + d.psi_C_BCG.sin * t05 - d.psi_C_BCG.cos * t04;
+    const Scalar t07 = d.h_B_BCG + d.psi_C_BCG.cos * t05 + d.psi_C_BCG.sin * t04;
+    q.s_C = inverse_s_C * (d.psi_D_CD.sin * (d.psi_C_BCG.cos * t01 - t02 * d.psi_C_BCG.sin)
+        + d.h_D_EDF - d.psi_D_CD.cos * t03);
+    q.s_D = inverse_s_C * (d.psi_D_CD.cos * d.h_D_EDF - t03);
+    q.theta_GF.cos = -(EB_x + u.phi_B.cos * t06 + u.phi_B.sin * t07) * inverse_theta_GF;
+    q.theta_GF.sin = -inverse_theta_GF * (EB_y + u.phi_B.sin * t06 - u.phi_B.cos * t07);
   }
 };
 

@@ -10,10 +10,14 @@ namespace assur::tetrad {
 
 /// Tetrad model 16 (PPR-PRR): rigid (generic rank 4 of 4 equations in 4 unknowns).
 ///
-/// Loop closure, with vectors from joint to joint in the fixed frame:
+/// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + slide_B + BC + slide_C + CD - ED - slide_E - E = 0
 ///   BGFEB:  B + slide_B + BG + GF - EF - slide_E - E = 0
-
+///   BCDEB across the slide: free of s_C
+///   BGFEB squared: free of theta_GF
+///   Bezout determinant in s_E
+///   polynomial of degree 2 in s_B
+///   at most 2 configurations
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin at G, x-axis along the slide at B, angle phi_B
@@ -35,6 +39,9 @@ namespace assur::tetrad {
 ///   pose_jacobians:       18, 16, 0
 ///   link_velocities:      30, 26, 0
 ///   link_accelerations:   56, 40, 0
+///   position_polynomial:  53, 42, 0
+///   second_equations:     52, 42, 0
+///   complete:             20, 21, 1
 struct Model16 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 16;
@@ -46,6 +53,10 @@ struct Model16 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 0;
+  static constexpr int max_configurations = 2;
+  static constexpr std::size_t polynomial_degree = 2;
+  static constexpr int first_unknown = 1;    ///< of the final polynomial
+  static constexpr int second_unknown = 3;  ///< of the reduced equations; -1: none
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -653,6 +664,87 @@ struct Model16 {
     a(3, 0) = -t09;
     a(3, 1) = -t12;
     a(3, 2) = alpha_GF;
+  }
+
+  /// The final polynomial T in s_B, free of all other unknowns:
+  /// T = sum over k of T(k) x^k.
+  template <typename Scalar>
+  static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar t01 = u.phi_B.cos * u.phi_E.sin - u.phi_B.sin * u.phi_E.cos;
+    const Scalar t02 = u.phi_E.cos * EB_x + u.phi_E.sin * EB_y;
+    const Scalar b_0_re = Scalar(2) * (t01 * d.h_B_BCG + d.x_F_EDF - t02);
+    const Scalar t03 = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
+    const Scalar b_1_re = -Scalar(2) * t03;
+    const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t05 = EB_y + u.phi_E.cos * t04 - u.phi_E.sin * d.x_F_EDF;
+    const Scalar t06 = EB_x - u.phi_E.sin * t04 - u.phi_E.cos * d.x_F_EDF;
+    const Scalar t07 = u.phi_E.cos * EB_y - u.phi_E.sin * EB_x;
+    const Scalar c_0_re = d.h_B_BCG * (d.h_B_BCG + Scalar(2) * u.phi_B.sin * t06
+        - Scalar(2) * u.phi_B.cos * t05) + EB_x * EB_x + EB_y * EB_y + d.x_F_EDF * (d.x_F_EDF
+        - Scalar(2) * t02) + d.h_E_EDF * (d.h_E_EDF + Scalar(2) * t07 - Scalar(2) * d.y_F_EDF)
+        + d.y_F_EDF * (d.y_F_EDF - Scalar(2) * t07) - d.GF * d.GF;
+    const Scalar c_1_re = Scalar(2) * (u.phi_B.cos * t06 + u.phi_B.sin * t05);
+    const Scalar e_0_re = -Scalar(2) * (t01 * d.psi_C_BCG.cos - t03 * d.psi_C_BCG.sin);
+    const Scalar f_0_re = -Scalar(2) * (d.psi_C_BCG.cos * (d.h_B_BCG + u.phi_B.sin * EB_x
+        - t03 * d.h_E_EDF - u.phi_B.cos * EB_y) + d.h_C_CD - d.psi_C_BCG.sin * (t01 * d.h_E_EDF
+        - u.phi_B.cos * EB_x - u.phi_B.sin * EB_y) - d.h_C_BCG);
+    const Scalar f_1_re = -Scalar(2) * d.psi_C_BCG.sin;
+    T(0) = f_0_re * f_0_re - e_0_re * (b_0_re * f_0_re - c_0_re * e_0_re);
+    T(1) = Scalar(2) * f_0_re * f_1_re - e_0_re * (b_0_re * f_1_re + f_0_re * b_1_re
+        - e_0_re * c_1_re);
+    T(2) = e_0_re * (e_0_re - f_1_re * b_1_re) + f_1_re * f_1_re;
+  }
+
+  /// The reduced equations, one a row, where s_B is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2) = 0
+  /// with z = s_E.
+  template <typename Scalar>
+  static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
+    e.setZero();
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar t01 = u.phi_B.cos * u.phi_E.sin - u.phi_B.sin * u.phi_E.cos;
+    const Scalar t02 = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
+    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t04 = EB_x - u.phi_E.sin * t03 - u.phi_E.cos * d.x_F_EDF;
+    const Scalar t05 = EB_y + u.phi_E.cos * t03 - u.phi_E.sin * d.x_F_EDF;
+    const Scalar t06 = u.phi_E.cos * EB_y - u.phi_E.sin * EB_x;
+    e(0, 1) = -Scalar(2) * (t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin);
+    e(0, 2) = Scalar(2) * (d.psi_C_BCG.cos * (t02 * d.h_E_EDF + u.phi_B.cos * EB_y - d.h_B_BCG
+        - u.phi_B.sin * EB_x) + d.psi_C_BCG.sin * (t01 * d.h_E_EDF - q.s_B - u.phi_B.cos * EB_x
+        - u.phi_B.sin * EB_y) + d.h_C_BCG - d.h_C_CD);
+    e(1, 0) = Scalar(1);
+    e(1, 1) = -Scalar(2) * (u.phi_E.cos * (EB_x + u.phi_B.cos * q.s_B + u.phi_B.sin * d.h_B_BCG)
+        + u.phi_E.sin * (EB_y + u.phi_B.sin * q.s_B - u.phi_B.cos * d.h_B_BCG) - d.x_F_EDF);
+    e(1, 2) = q.s_B * (q.s_B + Scalar(2) * u.phi_B.cos * t04 + Scalar(2) * u.phi_B.sin * t05)
+        + d.h_B_BCG * (d.h_B_BCG + Scalar(2) * u.phi_B.sin * t04 - Scalar(2) * u.phi_B.cos * t05)
+        + d.x_F_EDF * (d.x_F_EDF - Scalar(2) * u.phi_E.cos * EB_x - Scalar(2) * u.phi_E.sin * EB_y)
+        + EB_x * EB_x + EB_y * EB_y + d.h_E_EDF * (d.h_E_EDF + Scalar(2) * t06
+        - Scalar(2) * d.y_F_EDF) + d.y_F_EDF * (d.y_F_EDF - Scalar(2) * t06) - d.GF * d.GF;
+  }
+
+  /// The other unknowns of a configuration in which those of the reduced
+  /// equations are known.
+  template <typename Scalar>
+  static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      Configuration<Scalar>& q) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
+                                                       //     no length
+    const Scalar t01 = q.s_E * u.phi_E.cos + d.h_E_EDF * u.phi_E.sin - EB_x;
+    const Scalar t02 = q.s_E * u.phi_E.sin - u.phi_E.cos * d.h_E_EDF - EB_y;
+    const Scalar t03 = q.s_E + d.x_F_EDF;
+    const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
+    q.s_C = (t01 * u.phi_B.cos + t02 * u.phi_B.sin - q.s_B) * d.psi_C_BCG.cos + (u.phi_B.cos * t02
+        + d.h_B_BCG - t01 * u.phi_B.sin) * d.psi_C_BCG.sin;
+    q.theta_GF.cos = -(EB_x + u.phi_B.cos * q.s_B + u.phi_B.sin * d.h_B_BCG - u.phi_E.cos * t03
+        - u.phi_E.sin * t04) * inverse_theta_GF;
+    q.theta_GF.sin = -inverse_theta_GF * (EB_y + u.phi_E.cos * t04 + u.phi_B.sin * q.s_B
+        - u.phi_E.sin * t03 - u.phi_B.cos * d.h_B_BCG);
   }
 };
 

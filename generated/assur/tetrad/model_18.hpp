@@ -12,7 +12,7 @@ namespace assur::tetrad {
 ///     equations in 5 unknowns: prismatic joints alone close a loop, so its angles are
 ///     over-determined (-phi_B + phi_E - psi_C_BCG - psi_D_CD + psi_D_EDF = 0)).
 ///
-/// Loop closure, with vectors from joint to joint in the fixed frame:
+/// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + slide_B + BC + slide_C - slide_D - ED - slide_E - E = 0
 ///   BGFEB:  B + slide_B + BG + GF - EF - slide_E - E = 0
 ///   angles that prismatic joints alone close:  -phi_B + phi_E - psi_C_BCG - psi_D_CD + psi_D_EDF =
@@ -51,6 +51,7 @@ struct Model18 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 1;
+
 
   /// Link dimensions d.
   template <typename Scalar>

@@ -10,10 +10,14 @@ namespace assur::tetrad {
 
 /// Tetrad model 19 (PPP-RRR): rigid (generic rank 4 of 4 equations in 4 unknowns).
 ///
-/// Loop closure, with vectors from joint to joint in the fixed frame:
+/// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + slide_B + slide_C + CD - ED - E = 0
 ///   BGFEB:  B + slide_B + BG + slide_G + GF - EF - E = 0
-
+///   BCDEB across the slide: free of s_C
+///   BGFEB across the slide: free of s_G
+///   Bezout determinant in s_B
+///   trigonometric polynomial of degree 1 in theta_EDF
+///   at most 2 configurations
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin where the slides at B and C cross, x-axis along the slide at B, angle phi_B
@@ -35,6 +39,9 @@ namespace assur::tetrad {
 ///   pose_jacobians:       20, 14, 0
 ///   link_velocities:      32, 26, 0
 ///   link_accelerations:   60, 42, 0
+///   position_polynomial:  30, 18, 0
+///   second_equations:     26, 19, 0
+///   complete:             22, 18, 0
 struct Model19 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 19;
@@ -46,6 +53,10 @@ struct Model19 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
+  static constexpr int max_configurations = 2;
+  static constexpr std::size_t polynomial_degree = 1;
+  static constexpr int first_unknown = 0;    ///< of the final polynomial
+  static constexpr int second_unknown = 1;  ///< of the reduced equations; -1: none
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -602,6 +613,69 @@ struct Model19 {
     a(3, 1) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_GF * v_s_G - omega_B * t10)
         + alpha_B * t09 + sin_GF * a_s_G + t06;
     a(3, 2) = alpha_B;
+  }
+
+  /// The final polynomial T in theta_EDF, free of all other unknowns:
+  /// T = sum over k of cosine[k] cos(k x) + sine[k] sin(k x).
+  template <typename Scalar>
+  static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar b_0_re = -Scalar(2) * d.psi_C_BCG.sin;
+    const Scalar c_m1_re = (d.psi_C_BCG.cos * u.phi_B.sin + d.psi_C_BCG.sin * u.phi_B.cos) * d.ED;
+    const Scalar c_m1_im = -d.ED * (d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin);
+    const Scalar t01 = u.phi_B.cos * EB_y - u.phi_B.sin * EB_x;
+    const Scalar t02 = u.phi_B.cos * EB_x + u.phi_B.sin * EB_y;
+    const Scalar c_0_re = Scalar(2) * (d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02 - d.h_C_CD);
+    const Scalar e_0_re = -Scalar(2) * d.psi_G_BCG.sin;
+    const Scalar t03 = u.phi_B.sin * d.x_F_EDF - u.phi_B.cos * d.y_F_EDF;
+    const Scalar t04 = u.phi_B.cos * d.x_F_EDF + u.phi_B.sin * d.y_F_EDF;
+    const Scalar f_m1_re = t03 * d.psi_G_BCG.cos + d.psi_G_BCG.sin * t04;
+    const Scalar f_m1_im = d.psi_G_BCG.sin * t03 - d.psi_G_BCG.cos * t04;
+    const Scalar f_0_re = Scalar(2) * (t01 * d.psi_G_BCG.cos + d.h_G_BCG - t02 * d.psi_G_BCG.sin
+        - d.h_G_GF);
+    T.cosine[0] = b_0_re * f_0_re - c_0_re * e_0_re;
+    T.cosine[1] = Scalar(2) * (b_0_re * f_m1_re - e_0_re * c_m1_re);
+    T.sine[1] = Scalar(2) * (b_0_re * f_m1_im - e_0_re * c_m1_im);
+  }
+
+  /// The reduced equations, one a row, where theta_EDF is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
+  ///     = 0
+  /// with z = s_B.
+  template <typename Scalar>
+  static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
+    e.setZero();
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar t01 = EB_y - q.theta_EDF.cos * d.y_F_EDF - q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar t02 = EB_x + q.theta_EDF.sin * d.y_F_EDF - q.theta_EDF.cos * d.x_F_EDF;
+    e(0, 1) = -Scalar(2) * d.psi_C_BCG.sin;
+    e(0, 2) = Scalar(2) * (((q.theta_EDF.cos * u.phi_B.sin - q.theta_EDF.sin * u.phi_B.cos) * d.ED
+        + u.phi_B.cos * EB_y - u.phi_B.sin * EB_x) * d.psi_C_BCG.cos
+        + d.psi_C_BCG.sin * (d.ED * (q.theta_EDF.cos * u.phi_B.cos + u.phi_B.sin * q.theta_EDF.sin)
+        - u.phi_B.cos * EB_x - u.phi_B.sin * EB_y) - d.h_C_CD);
+    e(1, 1) = -Scalar(2) * d.psi_G_BCG.sin;
+    e(1, 2) = Scalar(2) * ((u.phi_B.cos * t01 - u.phi_B.sin * t02) * d.psi_G_BCG.cos + d.h_G_BCG
+        - d.psi_G_BCG.sin * (u.phi_B.cos * t02 + u.phi_B.sin * t01) - d.h_G_GF);
+  }
+
+  /// The other unknowns of a configuration in which those of the reduced
+  /// equations are known.
+  template <typename Scalar>
+  static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      Configuration<Scalar>& q) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar t01 = EB_x + q.theta_EDF.sin * d.y_F_EDF - q.theta_EDF.cos * d.x_F_EDF;
+    const Scalar t02 = EB_y - q.theta_EDF.cos * d.y_F_EDF - q.theta_EDF.sin * d.x_F_EDF;
+    q.s_C = ((q.theta_EDF.cos * u.phi_B.cos + q.theta_EDF.sin * u.phi_B.sin) * d.ED - q.s_B
+        - u.phi_B.cos * EB_x - u.phi_B.sin * EB_y) * d.psi_C_BCG.cos
+        - (d.ED * (q.theta_EDF.cos * u.phi_B.sin - u.phi_B.cos * q.theta_EDF.sin)
+        + u.phi_B.cos * EB_y - u.phi_B.sin * EB_x) * d.psi_C_BCG.sin;
+    q.s_G = -(q.s_B + u.phi_B.cos * t01 + u.phi_B.sin * t02) * d.psi_G_BCG.cos - (u.phi_B.cos * t02
+        - u.phi_B.sin * t01) * d.psi_G_BCG.sin;
   }
 };
 

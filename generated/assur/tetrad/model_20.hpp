@@ -10,10 +10,13 @@ namespace assur::tetrad {
 
 /// Tetrad model 20 (PPP-RPR): rigid (generic rank 4 of 4 equations in 4 unknowns).
 ///
-/// Loop closure, with vectors from joint to joint in the fixed frame:
+/// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + slide_B + slide_C - slide_D - ED - E = 0
 ///   BGFEB:  B + slide_B + BG + slide_G + GF - EF - E = 0
-
+///   BCDEB: solved for s_C and s_D
+///   BGFEB across the slide: free of s_G
+///   polynomial of degree 1 in s_B
+///   at most 1 configuration
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin where the slides at B and C cross, x-axis along the slide at B, angle phi_B
@@ -36,6 +39,8 @@ namespace assur::tetrad {
 ///   pose_jacobians:       18, 12, 0
 ///   link_velocities:      30, 24, 0
 ///   link_accelerations:   58, 40, 0
+///   position_polynomial:  14, 13, 0
+///   complete:             25, 18, 1
 struct Model20 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 20;
@@ -47,6 +52,10 @@ struct Model20 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
+  static constexpr int max_configurations = 1;
+  static constexpr std::size_t polynomial_degree = 1;
+  static constexpr int first_unknown = 0;    ///< of the final polynomial
+  static constexpr int second_unknown = -1;  ///< of the reduced equations; -1: none
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -632,6 +641,45 @@ struct Model20 {
     a(3, 1) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_GF * v_s_G - omega_B * t10)
         + alpha_B * t09 + sin_GF * a_s_G + t06;
     a(3, 2) = alpha_B;
+  }
+
+  /// The final polynomial T in s_B, free of all other unknowns:
+  /// T = sum over k of T(k) x^k.
+  template <typename Scalar>
+  static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar t01 = d.x_F_EDF * d.psi_D_CD.sin + d.y_F_EDF * d.psi_D_CD.cos;
+    const Scalar t02 = d.x_F_EDF * d.psi_D_CD.cos - d.psi_D_CD.sin * d.y_F_EDF;
+    const Scalar T_0_re = -Scalar(2) * ((t01 * d.psi_C_BCG.cos + t02 * d.psi_C_BCG.sin
+        + u.phi_B.sin * EB_x - u.phi_B.cos * EB_y) * d.psi_G_BCG.cos + d.h_G_GF
+        - (d.psi_C_BCG.cos * t02 - t01 * d.psi_C_BCG.sin - u.phi_B.cos * EB_x
+        - EB_y * u.phi_B.sin) * d.psi_G_BCG.sin - d.h_G_BCG);
+    const Scalar T_1_re = -Scalar(2) * d.psi_G_BCG.sin;
+    T(0) = T_0_re;
+    T(1) = T_1_re;
+  }
+
+  /// The other unknowns of a configuration in which those of the reduced
+  /// equations are known.
+  template <typename Scalar>
+  static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      Configuration<Scalar>& q) {
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;  // zero: the slides of s_C and s_D are
+                                                             //     parallel
+    const Scalar t01 = u.phi_B.cos * EB_y - EB_x * u.phi_B.sin;
+    const Scalar t02 = u.phi_B.sin * EB_y + q.s_B + u.phi_B.cos * EB_x;
+    const Scalar t03 = d.psi_D_CD.cos * d.x_F_EDF - d.psi_D_CD.sin * d.y_F_EDF;
+    const Scalar t04 = d.psi_D_CD.sin * d.x_F_EDF + d.psi_D_CD.cos * d.y_F_EDF;
+    q.s_C = inverse_s_C * (d.h_D_EDF + d.psi_C_BCG.sin * (d.psi_D_CD.sin * t01
+        + d.psi_D_CD.cos * t02) - d.psi_C_BCG.cos * (t01 * d.psi_D_CD.cos - d.psi_D_CD.sin * t02));
+    q.s_D = -inverse_s_C * (t01 * d.psi_C_BCG.cos - d.psi_D_CD.cos * d.h_D_EDF
+        - d.psi_C_BCG.sin * t02);
+    q.s_G = d.psi_G_BCG.cos * (d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04 - t02)
+        - d.psi_G_BCG.sin * (t01 - d.psi_C_BCG.cos * t04 - d.psi_C_BCG.sin * t03);
   }
 };
 

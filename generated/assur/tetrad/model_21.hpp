@@ -12,7 +12,7 @@ namespace assur::tetrad {
 ///     equations in 5 unknowns: prismatic joints alone close a loop, so its angles are
 ///     over-determined (psi_C_BCG + psi_D_CD + psi_F_EDF - psi_F_GF - psi_G_BCG = 0)).
 ///
-/// Loop closure, with vectors from joint to joint in the fixed frame:
+/// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + slide_B + slide_C - slide_D - ED - E = 0
 ///   BGFEB:  B + slide_B + BG + slide_G - slide_F - EF - E = 0
 ///   angles that prismatic joints alone close:  psi_C_BCG + psi_D_CD + psi_F_EDF - psi_F_GF -
@@ -52,6 +52,7 @@ struct Model21 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 1;
+
 
   /// Link dimensions d.
   template <typename Scalar>

@@ -13,7 +13,7 @@ namespace assur::tetrad {
 ///     over-determined (-phi_B + phi_E - psi_C_BCG - psi_D_CD + psi_D_EDF = 0; -phi_B + phi_E +
 ///     psi_F_EDF - psi_F_GF - psi_G_BCG = 0)).
 ///
-/// Loop closure, with vectors from joint to joint in the fixed frame:
+/// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + slide_B + slide_C - slide_D - slide_E - E = 0
 ///   BGFEB:  B + slide_B + BG + slide_G - slide_F - EF - slide_E - E = 0
 ///   angles that prismatic joints alone close:  -phi_B + phi_E - psi_C_BCG - psi_D_CD + psi_D_EDF =
@@ -55,6 +55,7 @@ struct Model24 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 2;
+
 
   /// Link dimensions d.
   template <typename Scalar>

@@ -19,6 +19,13 @@ using Vector = Eigen::Matrix<Scalar, Rows, 1>;
 template <typename Scalar, int Rows, int Columns>
 using Matrix = Eigen::Matrix<Scalar, Rows, Columns>;
 
+/// T(x) = sum over k of cosine[k] cos(k x) + sine[k] sin(k x), k = 0 .. Degree; sine[0] counts not.
+template <typename Scalar, std::size_t Degree>
+struct TrigonometricPolynomial {
+  std::array<Scalar, Degree + 1> cosine{};
+  std::array<Scalar, Degree + 1> sine{};
+};
+
 /// A link's frame in the fixed frame: a point p of the link lies at (x, y) + R(direction) p.
 template <typename Scalar>
 struct Pose {

@@ -1,0 +1,194 @@
+#include "elimination/eliminate.hpp"
+
+#include <utility>
+
+#include "derivatives/mobility.hpp"
+#include "error.hpp"
+
+namespace assur::generator {
+
+namespace {
+
+/// a0 + a1 cos x + a2 sin x as a Laurent polynomial in exp(i x), or a0 + a1 x + a2 x^2.
+Univariate in_unknown(const GiNaC::ex& expression, const Variable& unknown) {
+  Univariate result;
+  if (!unknown.is_angle()) {
+    const GiNaC::ex expanded = expression.expand();
+    for (int power = 0; power <= expanded.degree(unknown.value); ++power) {
+      result.add(power, {expanded.coeff(unknown.value, power), 0});
+    }
+    return result;
+  }
+  const GiNaC::ex by_cosine = expression.diff(unknown.cosine);
+  const GiNaC::ex by_sine = expression.diff(unknown.sine);
+  const GiNaC::ex rest = expression.subs(GiNaC::lst{unknown.cosine == 0, unknown.sine == 0});
+  const GiNaC::numeric half(1, 2);
+  result.add(0, {rest.expand(), 0});
+  result.add(1, {(half * by_cosine).expand(), (-half * by_sine).expand()});
+  result.add(-1, {(half * by_cosine).expand(), (half * by_sine).expand()});
+  return result;
+}
+
+class BezoutElimination {
+ public:
+  BezoutElimination(const ClosureEquations& equations, const Reduction& reduction,
+                    const Vocabulary& vocabulary, const Variable& first, const Variable* second)
+      : equations_(equations), result_{reduction, &first, second, {}, {}, 0, 0, vocabulary} {}
+
+  Elimination run() {
+    const Univariate final_polynomial = result_.second == nullptr ? single() : resultant();
+    read_off(final_polynomial);
+    return std::move(result_);
+  }
+
+ private:
+  Univariate single() {
+    return in_unknown(result_.reduction.equations[0], *result_.first)
+        .named("T", "final polynomial", result_.vocabulary);
+  }
+
+  Univariate resultant() {
+    std::vector<std::array<Univariate, 3>> coefficients;
+    for (const GiNaC::ex& equation : result_.reduction.equations) {
+      result_.in_second.push_back(coefficients_in_second(equation));
+      const std::string number = std::to_string(result_.in_second.size());
+      std::array<Univariate, 3> row;
+      for (std::size_t part = 0; part < 3; ++part) {
+        row[part] = in_unknown(result_.in_second.back()[part], *result_.first);
+      }
+      coefficients.push_back(row);
+    }
+    return result_.second->is_angle() ? of_angle(coefficients[0], coefficients[1])
+                                      : of_displacement(coefficients[0], coefficients[1]);
+  }
+
+  [[nodiscard]] std::array<GiNaC::ex, 3> coefficients_in_second(const GiNaC::ex& equation) const {
+    const Variable& z = *result_.second;
+    if (z.is_angle()) {
+      const GiNaC::ex rest = equation.subs(GiNaC::lst{z.cosine == 0, z.sine == 0}).expand();
+      return {equation.diff(z.cosine).expand(), equation.diff(z.sine).expand(), rest};
+    }
+    const GiNaC::ex expanded = equation.expand();
+    return {expanded.coeff(z.value, 2), expanded.coeff(z.value, 1), expanded.coeff(z.value, 0)};
+  }
+
+  /// A cos z + B sin z + C = 0 with P = A - i B is P e + 2 C + conj(P) / e = 0 for e = exp(i z).
+  /// Two of them have a common root where |P1 C2 - P2 C1|^2 = (Im P1 conj(P2))^2.
+  Univariate of_angle(const std::array<Univariate, 3>& one, const std::array<Univariate, 3>& two) {
+    const ComplexExpression minus_i{0, -1};
+    const auto leading = [&](const std::array<Univariate, 3>& row, const std::string& number) {
+      return (row[0] + minus_i * row[1])
+          .named("P" + number, "coefficient P of equation " + number, result_.vocabulary);
+    };
+    const auto constant = [&](const std::array<Univariate, 3>& row, const std::string& number) {
+      return row[2].named("C" + number, "coefficient C of equation " + number, result_.vocabulary);
+    };
+    const Univariate p1 = leading(one, "1");
+    const Univariate p2 = leading(two, "2");
+    const Univariate c1 = constant(one, "1");
+    const Univariate c2 = constant(two, "2");
+    const Univariate u = (p1 * c2 - p2 * c1).named("U", "P1 C2 - P2 C1", result_.vocabulary);
+    const Univariate product = p1 * p2.circle_conjugate();
+    // Im f = (f - conj f) / (2 i) as a function on the circle.
+    const Univariate v =
+        (ComplexExpression{0, GiNaC::numeric(-1, 2)} * (product - product.circle_conjugate()))
+            .named("V", "Im P1 conj(P2)", result_.vocabulary);
+    return u * u.circle_conjugate() - v * v;
+  }
+
+  /// Of a z^2 + b z + c and d z^2 + e z + f, by their degrees in z.
+  Univariate of_displacement(std::array<Univariate, 3> one, std::array<Univariate, 3> two) {
+    if (one[0].is_zero() && !two[0].is_zero()) {
+      std::swap(one, two);
+    }
+    const auto name = [&](std::array<Univariate, 3>& row, const std::string& letters) {
+      for (std::size_t part = 0; part < 3; ++part) {
+        row[part] =
+            row[part].named(std::string(1, letters[part]),
+                            "coefficient of z^" + std::to_string(2 - part), result_.vocabulary);
+      }
+    };
+    name(one, "abc");
+    name(two, "def");
+    const auto& [a, b, c] = one;
+    const auto& [d, e, f] = two;
+    if (a.is_zero()) {
+      return b * f - e * c;
+    }
+    if (d.is_zero()) {
+      return a * f * f - b * f * e + c * e * e;
+    }
+    // Both quadratic: the Bezout determinant.
+    const auto named = [&](const Univariate& value, const std::string& letter) {
+      return value.named(letter, "minor of the Bezout matrix", result_.vocabulary);
+    };
+    const Univariate ac = named(a * f - d * c, "M");
+    const Univariate ab = named(a * e - d * b, "N");
+    const Univariate bc = named(b * f - e * c, "O");
+    return ac * ac - ab * bc;
+  }
+
+  /// Reads the real coefficients off and finds the generic degree by exact evaluation.
+  void read_off(const Univariate& polynomial) {
+    const bool trigonometric = result_.first->is_angle();
+    for (int power = 0; power <= polynomial.degree(); ++power) {
+      const ComplexExpression coefficient = polynomial.at(power);
+      // f_k w^k + conj(f_k) w^-k = 2 Re f_k cos kx - 2 Im f_k sin kx.
+      result_.polynomial.push_back(trigonometric && power > 0
+                                       ? Vector2{2 * coefficient.re, -2 * coefficient.im}
+                                       : Vector2{coefficient.re, 0});
+    }
+    result_.degree = -1;
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      const GiNaC::exmap values = random_assembly(equations_, seed);
+      for (int power = 0; power < static_cast<int>(result_.polynomial.size()); ++power) {
+        const Vector2& pair = result_.polynomial[static_cast<std::size_t>(power)];
+        const auto vanishes = [&](const GiNaC::ex& part) {
+          return result_.vocabulary.expand(part).subs(values).expand().is_zero();
+        };
+        if (!vanishes(pair.x) || !vanishes(pair.y)) {
+          result_.degree = std::max(result_.degree, power);
+        }
+      }
+    }
+    if (result_.degree < 1) {
+      throw GeneratorError("elimination", equations_.model->title(),
+                           "the final polynomial has no unknown in it");
+    }
+    result_.polynomial.resize(static_cast<std::size_t>(result_.degree) + 1);
+    result_.max_configurations = trigonometric ? 2 * result_.degree : result_.degree;
+  }
+
+  const ClosureEquations& equations_;
+  Elimination result_;
+};
+
+}  // namespace
+
+Elimination eliminate(const ClosureEquations& equations) {
+  Vocabulary vocabulary;
+  const Reduction reduction = reduce(equations, vocabulary);
+  const std::vector<const Variable*>& remaining = reduction.remaining;
+  std::vector<std::pair<const Variable*, const Variable*>> choices;
+  if (remaining.size() == 1) {
+    choices = {{remaining[0], nullptr}};
+  } else {
+    choices = {{remaining[0], remaining[1]}};
+    // An angle that is left with a displacement stays: the displacement is the simpler to
+    // eliminate.
+    if (remaining[0]->is_angle() == remaining[1]->is_angle()) {
+      choices.emplace_back(remaining[1], remaining[0]);
+    }
+  }
+  std::optional<Elimination> best;
+  for (const auto& [first, second] : choices) {
+    Elimination candidate =
+        BezoutElimination(equations, reduction, vocabulary, *first, second).run();
+    if (!best || candidate.degree < best->degree) {
+      best = std::move(candidate);
+    }
+  }
+  return std::move(*best);
+}
+
+}  // namespace assur::generator

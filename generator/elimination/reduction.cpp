@@ -1,0 +1,214 @@
+#include "elimination/reduction.hpp"
+
+#include <algorithm>
+
+#include "error.hpp"
+
+namespace assur::generator {
+
+namespace {
+
+/// One vector loop equation, linear in displacements and in the (cos, sin) of each angle.
+struct LoopVector {
+  std::string name;
+  Vector2 closure;
+};
+
+bool depends_on(const GiNaC::ex& expression, const Variable& variable) {
+  return variable.is_angle() ? expression.has(variable.cosine) || expression.has(variable.sine)
+                             : expression.has(variable.value);
+}
+bool depends_on(const Vector2& vector, const Variable& variable) {
+  return depends_on(vector.x, variable) || depends_on(vector.y, variable);
+}
+
+GiNaC::ex dot(const Vector2& a, const Vector2& b) { return a.x * b.x + a.y * b.y; }
+GiNaC::ex cross(const Vector2& a, const Vector2& b) { return a.x * b.y - a.y * b.x; }
+
+/// d(vector)/d(displacement): the direction of the slide, with its sign in the loop.
+Vector2 direction(const Vector2& vector, const Variable& displacement) {
+  return {vector.x.diff(displacement.value), vector.y.diff(displacement.value)};
+}
+Vector2 without(const Vector2& vector, const Variable& displacement) {
+  return {vector.x.subs(displacement.value == 0), vector.y.subs(displacement.value == 0)};
+}
+
+class LoopReduction {
+ public:
+  LoopReduction(const ClosureEquations& equations, Vocabulary& vocabulary)
+      : equations_(equations), vocabulary_(vocabulary) {}
+
+  Reduction run() {
+    put_origin_at_last_joint();
+    for (const LoopVector& loop : loops_) {
+      reduce_loop(loop);
+    }
+    for (const bool angles : {true, false}) {
+      for (const Variable& unknown : equations_.unknowns) {
+        if (unknown.is_angle() == angles && !is_eliminated(unknown)) {
+          result_.remaining.push_back(&unknown);
+        }
+      }
+    }
+    if (result_.equations.size() != result_.remaining.size() || result_.remaining.empty() ||
+        result_.remaining.size() > 2) {
+      throw GeneratorError("elimination", equations_.model->title(),
+                           "the reduction leaves no one or two equations in as many unknowns");
+    }
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] bool is_eliminated(const Variable& unknown) const {
+    return std::any_of(result_.steps.begin(), result_.steps.end(),
+                       [&](const BackSubstitution& step) { return step.unknown == &unknown; });
+  }
+  [[nodiscard]] GiNaC::ex on_circle(const GiNaC::ex& expression) const {
+    return generator::on_circle(expression, equations_);
+  }
+
+  void put_origin_at_last_joint() {
+    std::vector<std::string> external;
+    for (const Joint& joint : equations_.model->group->joints()) {
+      if (joint.external()) {
+        external.emplace_back(1, joint.name);
+      }
+    }
+    const auto input = [&](const std::string& name) -> const Variable& {
+      return *std::find_if(equations_.inputs.begin(), equations_.inputs.end(),
+                           [&](const Variable& variable) { return variable.name == name; });
+    };
+    GiNaC::exmap shift;
+    for (const std::string axis : {"x", "y"}) {
+      const Variable& origin = input(axis + "_" + external.back());
+      shift[origin.value] = 0;
+      for (const std::string& joint : external) {
+        if (joint != external.back()) {
+          const Variable& place = input(axis + "_" + joint);
+          shift[place.value] =
+              vocabulary_.name(external.back() + joint + "_" + axis, place.value - origin.value,
+                               "from joint " + external.back() + " to " + joint);
+        }
+      }
+    }
+    for (const LoopClosure& loop : equations_.loops) {
+      const auto shifted = [&](const GiNaC::ex& component) {
+        return equations_.vocabulary.expand(component).subs(shift).expand();
+      };
+      loops_.push_back({loop.name, {shifted(loop.residual.x), shifted(loop.residual.y)}});
+    }
+  }
+
+  /// Displacements that occur in this loop and in no other.
+  [[nodiscard]] std::vector<const Variable*> own_unknowns(const LoopVector& loop,
+                                                          bool angles) const {
+    std::vector<const Variable*> own;
+    for (const Variable& unknown : equations_.unknowns) {
+      const bool elsewhere =
+          std::any_of(loops_.begin(), loops_.end(), [&](const LoopVector& other) {
+            return &other != &loop && depends_on(other.closure, unknown);
+          });
+      if (unknown.is_angle() == angles && !elsewhere && depends_on(loop.closure, unknown)) {
+        own.push_back(&unknown);
+      }
+    }
+    return own;
+  }
+
+  void reduce_loop(const LoopVector& loop) {
+    const std::vector<const Variable*> slides = own_unknowns(loop, false);
+    if (slides.size() == 2) {
+      solve_two_slides(loop, *slides[0], *slides[1]);
+    } else if (slides.size() == 1) {
+      project(loop, *slides[0]);
+    } else {
+      square(loop);
+    }
+  }
+
+  /// Loop . normal = 0 holds no displacement; loop . direction = 0 gives it back.
+  void project(const LoopVector& loop, const Variable& slide) {
+    const Vector2 along = direction(loop.closure, slide);
+    const Vector2 rest = without(loop.closure, slide);
+    result_.equations.push_back(on_circle(2 * cross(along, rest)));
+    result_.steps.push_back({&slide, {on_circle(-dot(along, rest))}, 1, ""});
+    result_.text.push_back(loop.name + " across the slide: free of " + slide.name);
+  }
+
+  /// Both components of the loop go into its two displacements.
+  void solve_two_slides(const LoopVector& loop, const Variable& first, const Variable& second) {
+    const Vector2 first_along = direction(loop.closure, first);
+    const Vector2 second_along = direction(loop.closure, second);
+    const Vector2 rest = without(without(loop.closure, first), second);
+    const GiNaC::ex determinant = on_circle(cross(first_along, second_along));
+    const std::string degeneracy =
+        "the slides of " + first.name + " and " + second.name + " are parallel";
+    result_.steps.push_back(
+        {&first, {on_circle(cross(second_along, rest))}, determinant, degeneracy});
+    result_.steps.push_back(
+        {&second, {on_circle(cross(rest, first_along))}, determinant, degeneracy});
+    result_.text.push_back(loop.name + ": solved for " + first.name + " and " + second.name);
+  }
+
+  /// |rest|^2 - |v|^2 = 0 where the loop is rest + R(theta) v and theta occurs nowhere else.
+  void square(const LoopVector& loop) {
+    for (const Variable* angle : own_unknowns(loop, true)) {
+      const Vector2 vector{loop.closure.x.diff(angle->cosine), loop.closure.y.diff(angle->cosine)};
+      const bool is_single =
+          std::none_of(equations_.unknowns.begin(), equations_.unknowns.end(),
+                       [&](const Variable& unknown) { return depends_on(vector, unknown); });
+      if (!is_single) {
+        continue;
+      }
+      const GiNaC::lst erased{angle->cosine == 0, angle->sine == 0};
+      const Vector2 rest{loop.closure.x.subs(erased), loop.closure.y.subs(erased)};
+      result_.equations.push_back(on_circle(dot(rest, rest) - dot(vector, vector)));
+      // R(theta) v = -rest, so exp(i theta) = -rest conj(v) / |v|^2; for v = (L, 0) it is -rest /
+      // L.
+      const bool on_axis = vector.y.is_zero();
+      const Vector2 by = on_axis ? Vector2{1, 0} : vector;
+      result_.steps.push_back({angle,
+                               {on_circle(-dot(rest, by)), on_circle(-cross(by, rest))},
+                               on_axis ? vector.x : on_circle(dot(vector, vector)),
+                               "the link that turns by " + angle->name + " has no length"});
+      result_.text.push_back(loop.name + " squared: free of " + angle->name);
+      return;
+    }
+    throw GeneratorError("elimination", equations_.model->title(),
+                         "loop " + loop.name + " has no slide and no single vector of its own");
+  }
+
+  const ClosureEquations& equations_;
+  Vocabulary& vocabulary_;
+  std::vector<LoopVector> loops_;
+  Reduction result_;
+};
+
+}  // namespace
+
+GiNaC::ex on_circle(const GiNaC::ex& expression, const ClosureEquations& equations) {
+  GiNaC::ex result = expression.expand();
+  for (const std::deque<Variable>* list :
+       {&equations.unknowns, &equations.dimensions, &equations.inputs}) {
+    for (const Variable& variable : *list) {
+      if (!variable.is_angle()) {
+        continue;
+      }
+      const GiNaC::ex square = 1 - variable.sine * variable.sine;
+      GiNaC::ex reduced;
+      const int degree = result.degree(variable.cosine);
+      for (int power = 0; power <= degree; ++power) {
+        reduced += result.coeff(variable.cosine, power) * GiNaC::pow(square, power / 2) *
+                   GiNaC::pow(variable.cosine, power % 2);
+      }
+      result = reduced.expand();
+    }
+  }
+  return result;
+}
+
+Reduction reduce(const ClosureEquations& equations, Vocabulary& vocabulary) {
+  return LoopReduction(equations, vocabulary).run();
+}
+
+}  // namespace assur::generator

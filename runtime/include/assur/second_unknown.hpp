@@ -1,0 +1,113 @@
+// Solves the two reduced equations of a model for their second unknown where the first is known.
+#pragma once
+
+#include <array>
+#include <assur/model.hpp>
+#include <cmath>
+
+namespace assur::detail {
+
+template <typename Scalar>
+[[nodiscard]] double size_of(const Scalar& value) {
+  return std::abs(static_cast<double>(value));
+}
+
+/// Values of the second unknown that satisfy one of the equations, with how badly they miss both,
+/// relative to the size of the coefficients. Both equations hold at an assembly.
+template <typename Unknown>
+struct SecondCandidates {
+  struct Candidate {
+    Unknown value{};
+    double miss = 0;
+  };
+  std::array<Candidate, 4> list;
+  int count = 0;
+};
+
+/// a cos z + b sin z + c, relative to the size of its coefficients.
+template <typename Scalar>
+[[nodiscard]] double relative_miss(const Matrix<Scalar, 2, 3>& e, int row,
+                                   const Direction<Scalar>& z) {
+  const Scalar value = e(row, 0) * z.cos + e(row, 1) * z.sin + e(row, 2);
+  const double scale = size_of(e(row, 0)) + size_of(e(row, 1)) + size_of(e(row, 2));
+  return scale > 0 ? size_of(value) / scale : 0;
+}
+
+/// a z^2 + b z + c, relative to the size of its terms.
+template <typename Scalar>
+[[nodiscard]] double relative_miss(const Matrix<Scalar, 2, 3>& e, int row, const Scalar& z) {
+  const Scalar square = e(row, 0) * z * z;
+  const Scalar linear = e(row, 1) * z;
+  const double scale = size_of(square) + size_of(linear) + size_of(e(row, 2));
+  return scale > 0 ? size_of(square + linear + e(row, 2)) / scale : 0;
+}
+
+template <typename Scalar, typename Unknown>
+void add_candidate(const Matrix<Scalar, 2, 3>& e, const Unknown& z,
+                   SecondCandidates<Unknown>& candidates) {
+  const double miss = relative_miss(e, 0, z) + relative_miss(e, 1, z);
+  if (std::isfinite(miss)) {
+    candidates.list[static_cast<std::size_t>(candidates.count++)] = {z, miss};
+  }
+}
+
+/// a cos z + b sin z + c = 0: the foot of the perpendicular from the origin on the line, and from
+/// there to both sides; a line that rounding keeps off the circle touches it.
+template <typename Scalar>
+void solve_row(const Matrix<Scalar, 2, 3>& e, int row,
+               SecondCandidates<Direction<Scalar>>& candidates) {
+  using std::sqrt;
+  const Scalar a = e(row, 0);
+  const Scalar b = e(row, 1);
+  const Scalar c = e(row, 2);
+  const Scalar square = a * a + b * b;
+  if (!(square > Scalar(0))) {
+    return;
+  }
+  const Scalar inside = square - c * c;
+  const Scalar root = inside > Scalar(0) ? Scalar(sqrt(inside)) : Scalar(0);
+  for (const int side : {1, -1}) {
+    const Scalar reach = Scalar(side) * root;
+    Direction<Scalar> z{(-(a * c) - b * reach) / square, (-(b * c) + a * reach) / square};
+    const Scalar norm = sqrt(z.cos * z.cos + z.sin * z.sin);
+    if (norm > Scalar(0)) {
+      z = {z.cos / norm, z.sin / norm};
+      add_candidate(e, z, candidates);
+    }
+  }
+}
+
+/// a z^2 + b z + c = 0 by the formula that does not cancel.
+template <typename Scalar>
+void solve_row(const Matrix<Scalar, 2, 3>& e, int row, SecondCandidates<Scalar>& candidates) {
+  using std::sqrt;
+  const Scalar a = e(row, 0);
+  const Scalar b = e(row, 1);
+  const Scalar c = e(row, 2);
+  const Scalar inside = b * b - Scalar(4) * a * c;
+  const Scalar root = inside > Scalar(0) ? Scalar(sqrt(inside)) : Scalar(0);
+  const Scalar q = b > Scalar(0) ? -(b + root) / Scalar(2) : -(b - root) / Scalar(2);
+  if (!(a == Scalar(0))) {
+    add_candidate(e, Scalar(q / a), candidates);
+  }
+  if (!(q == Scalar(0))) {
+    add_candidate(e, Scalar(c / q), candidates);
+  }
+}
+
+/// All candidates, those that miss least first.
+template <typename Unknown, typename Scalar>
+[[nodiscard]] SecondCandidates<Unknown> second_candidates(const Matrix<Scalar, 2, 3>& e) {
+  SecondCandidates<Unknown> candidates;
+  solve_row(e, 0, candidates);
+  solve_row(e, 1, candidates);
+  for (int last = 1; last < candidates.count; ++last) {
+    for (auto at = static_cast<std::size_t>(last);
+         at > 0 && candidates.list[at].miss < candidates.list[at - 1].miss; --at) {
+      std::swap(candidates.list[at], candidates.list[at - 1]);
+    }
+  }
+  return candidates;
+}
+
+}  // namespace assur::detail
