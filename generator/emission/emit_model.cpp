@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <kainjow/mustache.hpp>
 #include <map>
@@ -115,12 +116,10 @@ mustache::data line_list(const std::vector<std::string>& lines, const std::strin
 
 /// Outputs most of whose entries are zero are cleared before the others are assigned.
 bool mostly_zero(const ModelFunction& function, const Parameter& output) {
-  for (const Result& result : function.results) {
-    if (result.target.rfind(output.name + "(", 0) == 0 && result.value.is_zero()) {
-      return true;
-    }
-  }
-  return false;
+  const std::string entries = output.name + "(";
+  return std::any_of(function.results.begin(), function.results.end(), [&](const Result& result) {
+    return result.target.starts_with(entries) && result.value.is_zero();
+  });
 }
 
 mustache::data function_view(const ModelFunction& function, const Program& program,
@@ -145,7 +144,7 @@ mustache::data function_view(const ModelFunction& function, const Program& progr
   body.insert(body.end(), lines.begin(), lines.end());
 
   const auto input_text = [&](const Parameter& parameter) {
-    return parameter.type + (used.count(parameter.name) == 0 ? "" : " " + parameter.name);
+    return parameter.type + (used.contains(parameter.name) ? " " + parameter.name : "");
   };
   const auto output_text = [](const Parameter& parameter) {
     return parameter.type + " " + parameter.name;

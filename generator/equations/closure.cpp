@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <ranges>
 
 #include "error.hpp"
 
@@ -244,8 +245,8 @@ class ClosureWalk {
       for (const std::string& vector : near.vectors) {
         equation += equation.empty() ? vector.substr(2) : " " + vector;
       }
-      for (auto vector = far.vectors.rbegin(); vector != far.vectors.rend(); ++vector) {
-        equation += ((*vector)[0] == '+' ? " - " : " + ") + vector->substr(2);
+      for (const std::string& vector : std::views::reverse(far.vectors)) {
+        equation += (vector[0] == '+' ? " - " : " + ") + vector.substr(2);
       }
       result_.loops.push_back({loop_name(group_, tree_, chord), chord, equation + " = 0",
                                near.position - far.position});

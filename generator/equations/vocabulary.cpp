@@ -15,7 +15,7 @@ bool needs_no_name(const GiNaC::ex& expression) {
 
 GiNaC::ex Vocabulary::name(const std::string& name, const GiNaC::ex& definition,
                            const std::string& meaning) {
-  const GiNaC::ex recognised = recognise(definition);
+  GiNaC::ex recognised = recognise(definition);
   if (needs_no_name(recognised)) {
     return recognised;
   }
@@ -69,7 +69,7 @@ GiNaC::ex Vocabulary::derivative(const GiNaC::ex& expression, const Variable& va
 }
 
 GiNaC::ex Vocabulary::recognise(const GiNaC::ex& expression) const {
-  const GiNaC::ex expanded = expand(expression);
+  GiNaC::ex expanded = expand(expression);
   if (needs_no_name(expanded)) {
     return expanded;
   }

@@ -58,7 +58,7 @@ Scalar evaluate(const Expression& expression, const ValueOf& value_of) {
     return value_of(expression.name);
   }
   const std::string& name = expression.name;
-  const Scalar first = evaluate<Scalar>(expression.arguments[0], value_of);
+  const auto first = evaluate<Scalar>(expression.arguments[0], value_of);
   if (expression.arguments.size() == 1) {
     if (name == "-") return Scalar(-first);
     if (name == "sqrt") return Scalar(sqrt(first));
@@ -72,7 +72,7 @@ Scalar evaluate(const Expression& expression, const ValueOf& value_of) {
   if (name == "^" && is_constant(expression.arguments[1])) {  // no logarithm, so any base
     return Scalar(pow(first, constant_value(expression.arguments[1])));
   }
-  const Scalar second = evaluate<Scalar>(expression.arguments[1], value_of);
+  const auto second = evaluate<Scalar>(expression.arguments[1], value_of);
   if (name == "+") return Scalar(first + second);
   if (name == "-") return Scalar(first - second);
   if (name == "*") return Scalar(first * second);

@@ -19,12 +19,12 @@ std::vector<int> matched_joints(const Group& group, const Mechanism& mechanism,
     const int second = links[static_cast<std::size_t>(wanted.second)];
     const auto fits = [&](int index) {
       const MechanismJoint& joint = mechanism.joints[static_cast<std::size_t>(index)];
-      if (used.count(index) != 0) {
+      if (used.contains(index)) {
         return false;
       }
       if (wanted.external()) {
         const int other = joint.first == second ? joint.second : joint.first;
-        return (joint.first == second || joint.second == second) && moving.count(other) == 0;
+        return (joint.first == second || joint.second == second) && !moving.contains(other);
       }
       return joint.joins(links[static_cast<std::size_t>(wanted.first)], second);
     };

@@ -72,7 +72,7 @@ ParameterValues::ParameterValues(const Scene& scene, std::optional<std::pair<int
 }
 
 Dual ParameterValues::constant(double value) const {
-  return Dual(value, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(values_.size())));
+  return {value, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(values_.size()))};
 }
 
 Dual ParameterValues::value(const SceneNumber& number) const {

@@ -20,6 +20,7 @@ using Json = nlohmann::ordered_json;
 template <typename Items>
 std::vector<std::string> names_of(const Items& items) {
   std::vector<std::string> names;
+  names.reserve(items.size());
   for (const auto& item : items) {
     names.push_back(item.name);
   }
@@ -227,7 +228,7 @@ class SceneReader {
       result.x = std::move(x);
       result.y = std::move(y);
     } else {
-      fail(where, "expected a point [x, y] or a line {\"through\": [x, y], \"along\": [dx, dy]}");
+      fail(where, R"(expected a point [x, y] or a line {"through": [x, y], "along": [dx, dy]})");
     }
     return result;
   }

@@ -130,6 +130,7 @@ class MechanismSolver {
   void solve_group(const std::vector<int>& moving) {
     const std::vector<int> open = open_joints();
     std::vector<std::string> names;
+    names.reserve(moving.size());
     for (const int link : moving) {
       names.push_back(mechanism_.links[static_cast<std::size_t>(link)]);
     }
@@ -279,8 +280,8 @@ class MechanismSolver {
                     : "they are not compatible here, and the group cannot be assembled");
   }
 
-  JointState scene_slide(const FoundGroup& found, const RoleAssignment& roles,
-                         const GroupProblem& problem, const SlideState& slide) const {
+  [[nodiscard]] JointState scene_slide(const FoundGroup& found, const RoleAssignment& roles,
+                                       const GroupProblem& problem, const SlideState& slide) const {
     const Joint& wanted = found.model->group->joints()[static_cast<std::size_t>(slide.joint)];
     const MechanismJoint& at = joint(roles.joints[static_cast<std::size_t>(slide.joint)]);
     const auto shift_on = [&](int link) -> Dual {

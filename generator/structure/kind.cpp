@@ -27,7 +27,7 @@ std::vector<Model> orbits(const Group& group) {
   std::vector<Model> models;
   std::set<Kind> seen;
   for (const Kind& kind : all_kinds(group)) {
-    if (seen.count(kind) != 0) {
+    if (seen.contains(kind)) {
       continue;
     }
     std::map<std::string, Kind> orbit;

@@ -166,7 +166,7 @@ ScaledNode ExpressionGraph::add(const Polynomial& polynomial) {
     factors.push_back(inner.node);
   }
   const ScaledNode product = make_product(std::move(factors));
-  const ScaledNode head{inner.coefficient * product.coefficient, product.node};
+  ScaledNode head{inner.coefficient * product.coefficient, product.node};
   if (rest.empty()) {
     return head;
   }
@@ -336,34 +336,34 @@ bool ExpressionGraph::share_term_pair(std::vector<ScaledNode>& roots) {
   ScaledNode shared{0, -1};
   std::map<int, Node> rewritten;
   for (int index = 0; index < static_cast<int>(reached.size()); ++index) {
-    const std::vector<ScaledNode>& terms = node(index).terms;
-    if (!reached[static_cast<std::size_t>(index)] || terms.size() < 2) {
+    if (!reached[static_cast<std::size_t>(index)] || node(index).terms.size() < 2) {
       continue;
     }
+    // A copy: making the shared node may move the nodes.
+    const std::vector<ScaledNode> terms = node(index).terms;
     for (std::size_t i = 0; i < terms.size(); ++i) {
       for (std::size_t j = i + 1; j < terms.size(); ++j) {
         if (Pair{{terms[i].node, terms[j].node}, ratio(terms[i], terms[j])} != pair ||
-            rewritten.count(index) != 0) {
+            rewritten.contains(index)) {
           continue;
         }
-        const std::vector<ScaledNode> old = terms;  // making a node may move `terms`
         if (shared.node < 0) {
-          shared =
-              make_sum({{1, old[i].node}, {old[j].coefficient / old[i].coefficient, old[j].node}});
+          shared = make_sum(
+              {{1, terms[i].node}, {terms[j].coefficient / terms[i].coefficient, terms[j].node}});
         }
         if (shared.node == index) {
-          i = j = old.size();
+          i = j = terms.size();
           continue;
         }
         std::vector<ScaledNode> rest;
-        for (std::size_t k = 0; k < old.size(); ++k) {
+        for (std::size_t k = 0; k < terms.size(); ++k) {
           if (k != i && k != j) {
-            rest.push_back(old[k]);
+            rest.push_back(terms[k]);
           }
         }
-        rest.push_back({old[i].coefficient * shared.coefficient, shared.node});
+        rest.push_back({terms[i].coefficient * shared.coefficient, shared.node});
         rewritten[index] = {Operation::sum, -1, {}, std::move(rest)};
-        i = j = old.size();
+        i = j = terms.size();
       }
     }
   }

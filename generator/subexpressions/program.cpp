@@ -41,6 +41,7 @@ Program::Program(const SymbolOrder& order, const std::vector<NamedQuantity>& qua
     : graph_(order) {
   const std::vector<NamedQuantity> named = needed(quantities, results);
   std::vector<ScaledNode> roots;
+  roots.reserve(named.size() + results.size());
   for (const NamedQuantity& quantity : named) {
     roots.push_back(graph_.add(polynomial(quantity.definition, order)));
   }
@@ -149,11 +150,12 @@ std::vector<std::string> Program::reads() const {
   std::set<int> ranks;
   for (int node = 0; node < graph_.size(); ++node) {
     if (done_[static_cast<std::size_t>(node)] && graph_.node(node).operation == Operation::symbol &&
-        definitions_.count(name_of(node)) == 0) {
+        !definitions_.contains(name_of(node))) {
       ranks.insert(graph_.node(node).symbol);
     }
   }
   std::vector<std::string> names;
+  names.reserve(ranks.size());
   for (const int rank : ranks) {
     names.push_back(graph_.order().name(rank));
   }
