@@ -203,6 +203,53 @@ class MechanismSolver {
       }
       solution_.configurations.push_back(std::move(configuration));
     }
+    put_in_order();
+  }
+
+  /// Orders configurations by what depends on the mechanism alone, not on where it stands, how it
+  /// is reflected or in which order the scene lists it: sums over all pairs of moving links of the
+  /// cosines of the angles between them. Equal sums fall back on sines and displacements.
+  void put_in_order() {
+    std::vector<std::pair<std::vector<double>, AssemblyConfiguration>> keyed;
+    for (AssemblyConfiguration& configuration : solution_.configurations) {
+      keyed.emplace_back(order_key(configuration), std::move(configuration));
+    }
+    const auto before = [](const auto& left, const auto& right) {
+      for (std::size_t place = 0; place < left.first.size(); ++place) {
+        const double difference = left.first[place] - right.first[place];
+        if (std::abs(difference) > 1e-9 * (1 + std::abs(left.first[place]))) {
+          return difference < 0;
+        }
+      }
+      return false;
+    };
+    std::stable_sort(keyed.begin(), keyed.end(), before);
+    solution_.configurations.clear();
+    for (auto& [key, configuration] : keyed) {
+      solution_.configurations.push_back(std::move(configuration));
+    }
+  }
+
+  [[nodiscard]] std::vector<double> order_key(const AssemblyConfiguration& configuration) const {
+    std::vector<double> key(4, 0.0);
+    for (std::size_t one = 0; one < configuration.links.size(); ++one) {
+      for (std::size_t other = one + 1; other < configuration.links.size(); ++other) {
+        if (states_[one] || states_[other]) {
+          continue;  // placed by the ground or a driver
+        }
+        const Direction<Dual> between = turned(configuration.links[other].direction,
+                                               reversed(configuration.links[one].direction));
+        const double cosine = between.cos.value();
+        key[0] += cosine;
+        key[1] += cosine * cosine;
+        key[2] += cosine * cosine * cosine;
+        key[3] += between.sin.value();
+      }
+    }
+    for (const JointState& slide : configuration.joints) {
+      key.push_back(slide.displacement.value());
+    }
+    return key;
   }
 
   /// Fills the problem; returns what stands in the way of a normal form, or nothing.

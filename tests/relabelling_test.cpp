@@ -1,0 +1,144 @@
+// Law, over all 64 kinds: a scene gives the same configurations in the same order however its links
+// and joints are listed, and the one from which it was made is among them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <assur/tetrad/models.hpp>
+#include <numeric>
+#include <sstream>
+
+#include "kind_in_space.hpp"
+#include "scene/solve.hpp"
+
+namespace assur::test {
+namespace {
+
+using generator::AssemblyConfiguration;
+using generator::ParameterValues;
+using generator::Scene;
+using generator::Solution;
+
+std::string feature_text(const BodyFeature& feature, bool line) {
+  std::ostringstream text;
+  text.precision(17);
+  const auto x = static_cast<double>(feature.x);
+  const auto y = static_cast<double>(feature.y);
+  if (line) {
+    text << R"({"through": [)" << x << ", " << y << R"(], "along": [)"
+         << std::cos(static_cast<double>(feature.angle)) << ", "
+         << std::sin(static_cast<double>(feature.angle)) << "]}";
+  } else {
+    text << "[" << x << ", " << y << "]";
+  }
+  return text.str();
+}
+
+/// The scene file of a group, its links and joints listed in given orders.
+template <typename Space>
+std::string scene_text(const Space& space, const std::vector<std::size_t>& link_order,
+                       const std::vector<std::size_t>& joint_order) {
+  const auto& joints = space.bodies.joints;
+  const auto link_text = [&](int link) {
+    std::string features;
+    for (std::size_t joint = 0; joint < joints.size(); ++joint) {
+      const bool first = joints[joint].first == link;
+      if (first || joints[joint].second == link) {
+        features += (features.empty() ? "\"J" : ", \"J") + std::to_string(joint) + "\": " +
+                    feature_text(first ? joints[joint].on_first : joints[joint].on_second,
+                                 joints[joint].prismatic);
+      }
+    }
+    return features;
+  };
+  std::string text = R"({"links": {"ground": {)" + link_text(-1) + "}";
+  for (const std::size_t link : link_order) {
+    text += ", \"L" + std::to_string(link) + "\": {" + link_text(static_cast<int>(link)) + "}";
+  }
+  text += R"(}, "joints": {)";
+  bool first = true;
+  for (const std::size_t joint : joint_order) {
+    const auto name = [&](int link) {
+      return (link < 0 ? std::string("ground") : "L" + std::to_string(link)) + ".J" +
+             std::to_string(joint);
+    };
+    const BodyJoint& at = joints[joint];
+    text += std::string(first ? "" : ", ") + "\"J" + std::to_string(joint) + R"(": {"type": ")" +
+            (at.prismatic ? "prismatic" : "revolute") + R"(", "between": [")" + name(at.first) +
+            R"(", ")" + name(at.second) + R"("]})";
+    first = false;
+  }
+  return text + "}}";
+}
+
+/// Angles of the links by name, per configuration.
+std::vector<std::map<std::string, double>> angles(const std::string& text) {
+  const Scene scene = generator::parse_scene(text, "scene", {});
+  const ParameterValues values(scene);
+  const Solution solution = generator::solve(scene, values);
+  std::vector<std::map<std::string, double>> result;
+  for (const AssemblyConfiguration& configuration : solution.configurations) {
+    result.emplace_back();
+    for (std::size_t link = 0; link < scene.links.size(); ++link) {
+      const auto& direction = configuration.links[link].direction;
+      result.back()[scene.links[link].name] =
+          std::atan2(direction.sin.value(), direction.cos.value());
+    }
+  }
+  return result;
+}
+
+double apart(double one, double other) {
+  return std::abs(std::remainder(one - other, 2 * std::acos(-1.0)));
+}
+
+template <typename Model>
+void check_kinds(int& groups) {
+  if constexpr (Model::rigid) {
+    for (const auto& roles : Model::kinds) {
+      for (unsigned sample = 0; sample < 3; ++sample) {
+        const unsigned seed = 300 * static_cast<unsigned>(Model::number) + sample;
+        SCOPED_TRACE(std::string(roles.kind) + ", seed " + std::to_string(seed));
+        const KindInSpace<Model> space(roles, seed);
+        std::vector<std::size_t> links(4);
+        std::vector<std::size_t> joints(6);
+        std::iota(links.begin(), links.end(), std::size_t{0});
+        std::iota(joints.begin(), joints.end(), std::size_t{0});
+        const auto reference = angles(scene_text(space, links, joints));
+        const bool made_is_found =
+            std::any_of(reference.begin(), reference.end(), [&](const auto& configuration) {
+              double worst = 0;
+              for (std::size_t link = 0; link < 4; ++link) {
+                worst = std::max(worst, apart(configuration.at("L" + std::to_string(link)),
+                                              static_cast<double>(space.bodies.poses[link].theta)));
+              }
+              return worst < 1e-6;
+            });
+        EXPECT_TRUE(made_is_found);
+        std::mt19937 engine(seed);
+        for (int relabelling = 0; relabelling < 4; ++relabelling) {
+          std::shuffle(links.begin(), links.end(), engine);
+          std::shuffle(joints.begin(), joints.end(), engine);
+          const auto relabelled = angles(scene_text(space, links, joints));
+          ASSERT_EQ(relabelled.size(), reference.size());
+          for (std::size_t index = 0; index < reference.size(); ++index) {
+            for (const auto& [link, angle] : reference[index]) {
+              EXPECT_LT(apart(angle, relabelled[index].at(link)), 1e-8);
+            }
+          }
+        }
+        ++groups;
+      }
+    }
+  }
+}
+
+TEST(Relabelling, KeepsConfigurationsAndTheirOrder) {
+  int groups = 0;
+  std::apply([&](auto... model) { (check_kinds<decltype(model)>(groups), ...); },
+             tetrad::Models());
+  std::cout << groups << " groups, each in five listings\n";
+  EXPECT_GT(groups, 100);
+}
+
+}  // namespace
+}  // namespace assur::test
