@@ -140,10 +140,11 @@ class ModelState {
     Model::link_accelerations(d_, u_, q_, rates.velocity, rates.acceleration, u1, u2, a);
     for (int link = 0; link < Model::link_count; ++link) {
       const Pose<double>& pose = poses[static_cast<std::size_t>(link)];
-      const Eigen::VectorXd turning = p_gradient.row(3 * link + 2);
+      const Eigen::Index row = 3 * Eigen::Index{link};
+      const Eigen::VectorXd turning = p_gradient.row(row + 2);
       LinkState frame;
-      frame.x = Dual(pose.x, p_gradient.row(3 * link).transpose());
-      frame.y = Dual(pose.y, p_gradient.row(3 * link + 1).transpose());
+      frame.x = Dual(pose.x, p_gradient.row(row).transpose());
+      frame.y = Dual(pose.y, p_gradient.row(row + 1).transpose());
       frame.direction = {Dual(pose.direction.cos, -pose.direction.sin * turning),
                          Dual(pose.direction.sin, pose.direction.cos * turning)};
       frame.velocity = v.row(link).transpose();
