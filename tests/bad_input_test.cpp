@@ -137,8 +137,19 @@ TEST(BadFile, NumberOutOfRange) {
 TEST(BadFile, DeeplyNested) {
   const TemporaryDirectory directory;
   const auto file = directory.write("scene.json", R"({"joints": {}, "links": {"ground": {"A": [")" +
-                                                      std::string(100000, '(') + R"(", 0]}}})");
+                                                      std::string(5000, '(') + R"(", 0]}}})");
   expect_one_line(run_assur("solve " + file.string()), "nested too deeply");
+}
+
+TEST(BadFile, EndlessExpression) {
+  const TemporaryDirectory directory;
+  std::string sum = "1";
+  for (int term = 0; term < 100000; ++term) {
+    sum += "+1";
+  }
+  const auto file = directory.write(
+      "scene.json", R"({"joints": {}, "links": {"ground": {"A": [")" + sum + R"(", 0]}}})");
+  expect_one_line(run_assur("solve " + file.string()), "longer than 10000 characters");
 }
 
 TEST(BadArguments, UnknownSetting) {

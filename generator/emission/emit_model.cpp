@@ -285,6 +285,7 @@ EmittedFile emit_model(const Model& model) {
                                            " where it can be assembled");
   view.set("reason", mobility.reason);
   view.set("rigid", boolean(mobility.rigid));
+  view.set("mobility", std::to_string(mobility.freedom));
   std::vector<std::string> closure = closure_lines(equations);
   view.set("frames", link_list(equations));
   view.set("has_positions", mobility.rigid);

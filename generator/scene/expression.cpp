@@ -32,6 +32,8 @@ constexpr std::array<Constant, 2> constants = {
 
 // Deeper nesting than any person writes would exhaust the stack.
 constexpr int max_depth = 200;
+// Terms in a row make a tree as deep as the row is long.
+constexpr std::size_t max_length = 10000;
 
 bool is_name_start(char letter) {
   return std::isalpha(static_cast<unsigned char>(letter)) != 0 || letter == '_';
@@ -47,6 +49,9 @@ class Parser {
   explicit Parser(const std::string& text) : text_(text) {}
 
   Expression whole() {
+    if (text_.size() > max_length) {
+      fail("longer than " + std::to_string(max_length) + " characters");
+    }
     Expression result = sum();
     if (at_ < text_.size()) {
       fail("expected an operator, found '" + std::string(1, text_[at_]) + "'");
@@ -75,6 +80,14 @@ class Parser {
     return {Expression::Kind::call, 0, std::move(name), std::move(arguments)};
   }
 
+  /// Moves its operands: a list of initialisers would copy whole trees for every term.
+  static Expression binary(std::string name, Expression left, Expression right) {
+    std::vector<Expression> arguments;
+    arguments.push_back(std::move(left));
+    arguments.push_back(std::move(right));
+    return call(std::move(name), std::move(arguments));
+  }
+
   Expression sum() {
     if (++depth_ > max_depth) {
       fail("nested too deeply");
@@ -82,9 +95,9 @@ class Parser {
     Expression left = product();
     while (true) {
       if (take('+')) {
-        left = call("+", {left, product()});
+        left = binary("+", std::move(left), product());
       } else if (take('-')) {
-        left = call("-", {left, product()});
+        left = binary("-", std::move(left), product());
       } else {
         --depth_;
         return left;
@@ -96,9 +109,9 @@ class Parser {
     Expression left = sign();
     while (true) {
       if (take('*')) {
-        left = call("*", {left, sign()});
+        left = binary("*", std::move(left), sign());
       } else if (take('/')) {
-        left = call("/", {left, sign()});
+        left = binary("/", std::move(left), sign());
       } else {
         return left;
       }
@@ -124,7 +137,7 @@ class Parser {
     if (!take('^')) {
       return base;
     }
-    return call("^", {base, sign()});
+    return binary("^", std::move(base), sign());
   }
 
   Expression atom() {

@@ -188,6 +188,14 @@ GroupSolution solve_tetrad(int model, const GroupProblem& problem) {
   return solution;
 }
 
+ModelVerdict tetrad_verdict(int model) {
+  ModelVerdict verdict{};
+  with_tetrad(model, [&](auto chosen) {
+    verdict = {decltype(chosen)::rigid, decltype(chosen)::mobility};
+  });
+  return verdict;
+}
+
 bool tetrad_is_compatible(int model, const GroupProblem& problem) {
   bool compatible = false;
   with_tetrad(

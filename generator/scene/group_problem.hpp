@@ -42,6 +42,13 @@ struct GroupSolution {
 /// Assembles the tetrad model of a number, with rates and gradients.
 [[nodiscard]] GroupSolution solve_tetrad(int model, const GroupProblem& problem);
 
+/// What a tetrad model is before any numbers: whether it is rigid, and its generic mobility.
+struct ModelVerdict {
+  bool rigid;
+  int mobility;
+};
+[[nodiscard]] ModelVerdict tetrad_verdict(int model);
+
 /// Whether a degenerate tetrad model can be assembled: its angles are compatible.
 [[nodiscard]] bool tetrad_is_compatible(int model, const GroupProblem& problem);
 

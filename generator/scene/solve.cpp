@@ -4,7 +4,6 @@
 #include <optional>
 #include <set>
 
-#include "derivatives/mobility.hpp"
 #include "error.hpp"
 
 namespace assur::generator {
@@ -151,8 +150,7 @@ class MechanismSolver {
     solution_.groups = found;
     solution_.group_links.push_back(names);
     const FoundGroup& group = found.front();
-    const ClosureEquations equations = closure_equations(*group.model);
-    const Mobility mobility = mobility_of(equations, differentiate(equations));
+    const ModelVerdict verdict = tetrad_verdict(group.model->number);
 
     std::string obstacle;
     for (const RoleAssignment& roles : group.assignments) {
@@ -161,8 +159,8 @@ class MechanismSolver {
       if (!obstacle.empty()) {
         continue;
       }
-      if (!mobility.rigid) {
-        describe_degenerate(group, roles, problem, mobility);
+      if (!verdict.rigid) {
+        describe_degenerate(group, roles, problem, verdict);
         return;
       }
       list_configurations(group, roles, problem);
@@ -310,7 +308,7 @@ class MechanismSolver {
   }
 
   void describe_degenerate(const FoundGroup& found, const RoleAssignment& roles,
-                           const GroupProblem& problem, const Mobility& mobility) {
+                           const GroupProblem& problem, const ModelVerdict& verdict) {
     solution_.status = SolutionStatus::degenerate;
     std::vector<std::string> slides;
     for (std::size_t index = 0; index < roles.joints.size(); ++index) {
@@ -319,7 +317,7 @@ class MechanismSolver {
       }
     }
     const bool compatible = tetrad_is_compatible(found.model->number, problem);
-    solution_.mobility = compatible ? mobility.freedom : 0;
+    solution_.mobility = compatible ? verdict.mobility : 0;
     solution_.reason =
         "prismatic joints close a loop and over-determine its angles (among the joints " +
         listed(slides) + "); " +

@@ -46,6 +46,7 @@ struct Model22 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 22;
   static constexpr bool rigid = true;
+  static constexpr int mobility = 0;  ///< generic, where it can be assembled
   static constexpr int link_count = 4;
   static constexpr int joint_count = 6;
   static constexpr int equation_count = 4;

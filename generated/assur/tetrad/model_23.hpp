@@ -44,6 +44,7 @@ struct Model23 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 23;
   static constexpr bool rigid = false;
+  static constexpr int mobility = 1;  ///< generic, where it can be assembled
   static constexpr int link_count = 4;
   static constexpr int joint_count = 6;
   static constexpr int equation_count = 4;

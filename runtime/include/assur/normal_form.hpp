@@ -41,7 +41,7 @@ struct NormalForm {
   std::array<Scalar, 3> shift{};
 };
 
-/// Brings a link into its normal form. `singular` if the points or lines that define the frame
+/// Brings a link of two or three joints into its normal form. `singular` if the points or lines that define the frame
 /// coincide or are parallel; then the group is degenerate or a relabelling is needed.
 template <typename Scalar>
 [[nodiscard]] Status normal_form(const std::array<LinkFeature<Scalar>, 3>& features, int count,
