@@ -1,5 +1,5 @@
-// Slow and common ways to find the real roots of a trigonometric polynomial, for comparison: none of
-// them knows whether it found them all.
+// Slow and common ways to find the real roots of a trigonometric polynomial, for comparison: none
+// of them knows whether it found them all.
 #pragma once
 
 #include <Eigen/Dense>

@@ -134,8 +134,7 @@ void check_kinds(int& groups) {
 
 TEST(Relabelling, KeepsConfigurationsAndTheirOrder) {
   int groups = 0;
-  std::apply([&](auto... model) { (check_kinds<decltype(model)>(groups), ...); },
-             tetrad::Models());
+  std::apply([&](auto... model) { (check_kinds<decltype(model)>(groups), ...); }, tetrad::Models());
   std::cout << groups << " groups, each in five listings\n";
   EXPECT_GT(groups, 100);
 }

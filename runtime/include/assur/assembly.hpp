@@ -318,15 +318,17 @@ class AssemblySearch {
     return true;
   }
 
-  /// Newton's steps as long as they lessen the residual.
+  /// Newton's steps as long as they lessen a residual above rounding. The longest length is near
+  /// one; where a displacement is longer, its rounding ends the steps.
   Status polish(Configuration<double>& q) const {
     Vector<double, Model::equation_count> f;
     Model::residual(d_, u_, q, f);
     double miss = f.cwiseAbs().maxCoeff();
-    const FactoredJacobian<Model, double> jacobian(d_, u_, q);
-    for (int step = 0; step < 3 && miss > 0 && jacobian.solvable(); ++step) {
+    const ScaledJacobian<Model, double> jacobian(d_, u_, q);
+    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+    for (int step = 0; step < 3 && miss > rounding && jacobian.solvable(); ++step) {
       Configuration<double> next = q;
-      nudge(next, jacobian.solve(Vector<double, Model::unknown_count>(-f)));
+      nudge(next, jacobian.correction(-f));
       Model::residual(d_, u_, next, f);
       const double next_miss = f.cwiseAbs().maxCoeff();
       if (!(next_miss < miss)) {
@@ -502,7 +504,9 @@ template <typename Model>
   if (!detail::AssemblySearch<Model, double>(d, u, result).run()) {
     (void)detail::AssemblySearch<Model, DoubleDouble>(d, u, result).run();
   }
-  detail::sort_assemblies<Model>(d, u, result);
+  if (result.count > 1) {
+    detail::sort_assemblies<Model>(d, u, result);
+  }
   for (int index = 0; index < result.count; ++index) {
     auto& q = result.configurations[static_cast<std::size_t>(index)];
     q = detail::scaled_to<std::decay_t<decltype(q)>>(q, 1 / scale);

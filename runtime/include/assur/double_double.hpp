@@ -1,4 +1,3 @@
-#pragma once
 // A number held as the unevaluated sum of two doubles, high + low, |low| <= ulp(high)/2: about 106
 // significant bits over the exponent range of double. Used to decide signs that double leaves open,
 // so every operation below carries a proven relative error bound (Joldes, Muller, Popescu, "Tight
@@ -7,6 +6,7 @@
 //   sum 3u^2,  product 5u^2,  quotient 15u^2,  square root 25/8 u^2   -- all below 16u^2 = 2^-102.
 // The bounds need round-to-nearest, no overflow, and no underflow of the low parts: keep magnitudes
 // above ~1e-270.
+#pragma once
 
 #include <cmath>
 #include <limits>

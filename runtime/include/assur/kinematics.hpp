@@ -9,10 +9,10 @@
 
 namespace assur {
 
-/// The loop Jacobian J at one configuration, factored. Columns are first scaled to a largest entry
-/// of one, so that the condition does not depend on the unit of length.
+/// The loop Jacobian J at one configuration, with its condition. Columns are scaled to a largest
+/// entry of one, so that the condition does not depend on the unit of length.
 template <typename Model, typename Scalar>
-class FactoredJacobian {
+class ScaledJacobian {
   static_assert(Model::rigid, "a degenerate model has no inverse Jacobian");
 
  public:
@@ -20,57 +20,81 @@ class FactoredJacobian {
 
   /// status(): ok, near_singular (the derivatives may keep fewer than six digits), singular, or
   /// not_finite.
-  FactoredJacobian(const typename Model::template Dimensions<Scalar>& d,
-                   const typename Model::template Inputs<Scalar>& u,
-                   const typename Model::template Configuration<Scalar>& q) {
+  ScaledJacobian(const typename Model::template Dimensions<Scalar>& d,
+                 const typename Model::template Inputs<Scalar>& u,
+                 const typename Model::template Configuration<Scalar>& q) {
     if (!is_finite(d) || !is_finite(u) || !is_finite(q)) {
       status_ = Status::not_finite;
       return;
     }
-    Matrix<Scalar, size, size> jacobian;
-    Model::jacobian(d, u, q, jacobian);
-    column_scale_ = jacobian.cwiseAbs().colwise().maxCoeff();
-    if (!(column_scale_.minCoeff() > Scalar(0))) {
-      status_ = Status::singular;
-      return;
-    }
+    Model::jacobian(d, u, q, scaled_);
+    column_scale_ = scaled_.cwiseAbs().colwise().maxCoeff();
     column_scale_ = column_scale_.cwiseInverse();
-    // Entries so small that their inverse overflows leave no column to scale.
-    if (!column_scale_.allFinite()) {
-      status_ = Status::singular;
+    if (!column_scale_.allFinite()) {  // a column is zero, or so small that nothing is left of it
       return;
     }
-    factors_.compute(jacobian * column_scale_.asDiagonal());
-    reciprocal_condition_ = factors_.rcond();
+    scaled_ = scaled_ * column_scale_.asDiagonal();
+    // At these sizes the inverse by cofactors costs less than an estimate of its norm.
+    inverse_ = scaled_.inverse();
+    reciprocal_condition_ = Scalar(1) / (one_norm(scaled_) * one_norm(inverse_));
     const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
-    if (!(reciprocal_condition_ > epsilon)) {
-      status_ = Status::singular;
-    } else if (reciprocal_condition_ < epsilon * Scalar(1e6)) {
-      status_ = Status::near_singular;
-    } else {
-      status_ = Status::ok;
+    if (reciprocal_condition_ > epsilon) {
+      status_ = reciprocal_condition_ < epsilon * Scalar(1e6) ? Status::near_singular : Status::ok;
     }
   }
 
   [[nodiscard]] Status status() const { return status_; }
-  /// Whether `solve` may be called.
+  /// Whether J has an inverse as far as rounding lets tell.
   [[nodiscard]] bool solvable() const {
     return status_ == Status::ok || status_ == Status::near_singular;
   }
   /// Reciprocal of the condition number in the 1-norm, columns scaled; zero if unknown.
   [[nodiscard]] Scalar reciprocal_condition() const { return reciprocal_condition_; }
 
+  /// An approximate x with J x = rhs, good for corrections. Requires solvable().
+  [[nodiscard]] Vector<Scalar, size> correction(const Vector<Scalar, size>& rhs) const {
+    return column_scale_.asDiagonal() * (inverse_ * rhs);
+  }
+
+ protected:
+  [[nodiscard]] const Matrix<Scalar, size, size>& scaled() const { return scaled_; }
+  [[nodiscard]] const Vector<Scalar, size>& column_scale() const { return column_scale_; }
+
+ private:
+  [[nodiscard]] static Scalar one_norm(const Matrix<Scalar, size, size>& matrix) {
+    return matrix.cwiseAbs().colwise().sum().maxCoeff();
+  }
+
+  Status status_ = Status::singular;
+  Scalar reciprocal_condition_ = Scalar(0);
+  Vector<Scalar, size> column_scale_;
+  Matrix<Scalar, size, size> scaled_;
+  Matrix<Scalar, size, size> inverse_;
+};
+
+/// The loop Jacobian factored, for solutions as accurate as its condition allows.
+template <typename Model, typename Scalar>
+class FactoredJacobian : public ScaledJacobian<Model, Scalar> {
+ public:
+  static constexpr int size = Model::unknown_count;
+
+  FactoredJacobian(const typename Model::template Dimensions<Scalar>& d,
+                   const typename Model::template Inputs<Scalar>& u,
+                   const typename Model::template Configuration<Scalar>& q)
+      : ScaledJacobian<Model, Scalar>(d, u, q) {
+    if (this->solvable()) {
+      factors_.compute(this->scaled());
+    }
+  }
+
   /// X with J X = rhs. Requires solvable().
   template <int Columns>
   [[nodiscard]] Matrix<Scalar, size, Columns> solve(
       const Matrix<Scalar, size, Columns>& rhs) const {
-    return column_scale_.asDiagonal() * factors_.solve(rhs);
+    return this->column_scale().asDiagonal() * factors_.solve(rhs);
   }
 
  private:
-  Status status_ = Status::singular;
-  Scalar reciprocal_condition_ = Scalar(0);
-  Vector<Scalar, size> column_scale_;
   Eigen::PartialPivLU<Matrix<Scalar, size, size>> factors_;
 };
 

@@ -41,8 +41,9 @@ struct NormalForm {
   std::array<Scalar, 3> shift{};
 };
 
-/// Brings a link of two or three joints into its normal form. `singular` if the points or lines that define the frame
-/// coincide or are parallel; then the group is degenerate or a relabelling is needed.
+/// Brings a link of two or three joints into its normal form. `singular` if the points or lines
+/// that define the frame coincide or are parallel; then the group is degenerate or a relabelling is
+/// needed.
 template <typename Scalar>
 [[nodiscard]] Status normal_form(const std::array<LinkFeature<Scalar>, 3>& features, int count,
                                  NormalForm<Scalar>& result) {

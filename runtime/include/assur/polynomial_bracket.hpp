@@ -1,5 +1,5 @@
+// Turns a bracket that holds one root of a polynomial into that root, for trigonometric_roots.hpp.
 #pragma once
-// Closes in on the one root of a polynomial in an interval. Used by trigonometric_roots.hpp.
 
 #include <array>
 #include <cmath>

@@ -1,9 +1,12 @@
 // Solves the two reduced equations of a model for their second unknown where the first is known.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <assur/model.hpp>
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
 namespace assur::detail {
 
@@ -95,12 +98,32 @@ void solve_row(const Matrix<Scalar, 2, 3>& e, int row, SecondCandidates<Scalar>&
   }
 }
 
-/// All candidates, those that miss least first.
+/// How well a row determines an angle: the sine squared at which its line cuts the circle.
+template <typename Scalar>
+[[nodiscard]] double sharpness(const Matrix<Scalar, 2, 3>& e, int row) {
+  const auto a = static_cast<double>(e(row, 0));
+  const auto b = static_cast<double>(e(row, 1));
+  const auto c = static_cast<double>(e(row, 2));
+  const double square = a * a + b * b;
+  return square > 0 ? (square - c * c) / square : -1;
+}
+
+/// All candidates, those that miss least first. Where one row alone determines an angle well, the
+/// other only chooses between its two.
 template <typename Unknown, typename Scalar>
 [[nodiscard]] SecondCandidates<Unknown> second_candidates(const Matrix<Scalar, 2, 3>& e) {
   SecondCandidates<Unknown> candidates;
-  solve_row(e, 0, candidates);
-  solve_row(e, 1, candidates);
+  if constexpr (std::is_same_v<Unknown, Direction<Scalar>>) {
+    const double first = sharpness(e, 0);
+    const double second = sharpness(e, 1);
+    solve_row(e, first > second ? 0 : 1, candidates);
+    if (std::max(first, second) < 1e-3) {
+      solve_row(e, first > second ? 1 : 0, candidates);
+    }
+  } else {
+    solve_row(e, 0, candidates);
+    solve_row(e, 1, candidates);
+  }
   for (int last = 1; last < candidates.count; ++last) {
     for (auto at = static_cast<std::size_t>(last);
          at > 0 && candidates.list[at].miss < candidates.list[at - 1].miss; --at) {

@@ -1,5 +1,6 @@
-#pragma once
-// A trigonometric polynomial T of order N on four charts of 90 degrees, in Bernstein and in power
+// Turns a trigonometric polynomial into Bernstein form on four charts, with error bounds.
+//
+// T of order N on four charts of 90 degrees, in Bernstein and in power
 // form; cutting, and counting sign variations of, Bernstein coefficients. Used by
 // trigonometric_roots.hpp.
 //
@@ -21,6 +22,7 @@
 //     largest coefficient of the arc; 4D u M is used. M falls with the width of the arc near a
 //     multiple root, so the bound does not pile up with depth. (A rounded mu = 1 - lambda only
 //     changes the length of the dividing vector.)
+#pragma once
 
 #include <array>
 #include <assur/model.hpp>

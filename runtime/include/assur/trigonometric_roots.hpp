@@ -1,4 +1,5 @@
-#pragma once
+// Turns a trigonometric polynomial into all its real roots, with a certified count.
+//
 // All real roots in [0, 2 pi) of T(th) = sum_{k=0..N} cosine[k] cos(k th) + sine[k] sin(k th), N <=
 // 3, with a certified count. No heap, no exceptions. Scalar is double, DoubleDouble, or any type
 // with + - * /, comparisons, abs, sqrt, double() and numeric_limits::epsilon(), twice the largest
@@ -16,6 +17,7 @@
 // trigonometric_charts.hpp from the error of the given coefficients and all rounding. An uncertain
 // coefficient may have either sign: the largest number of variations over all choices counts. The
 // count depends on nothing else, in particular on no iteration.
+#pragma once
 
 #include <array>
 #include <assur/polynomial_bracket.hpp>
