@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "exact.hpp"
+#include "largest.hpp"
 #include "model_types.hpp"
 #include "sturm.hpp"
 
@@ -53,7 +54,7 @@ TYPED_TEST(Assembling, LosesNoneAndInventsNone) {
         Vector<double, Model::equation_count> f;
         Model::residual(d, u, found.configurations[slot], f);
         if (found.regularity[slot] == Status::ok) {
-          worst = std::max(
+          worst = largest(
               worst, f.cwiseAbs().maxCoeff() / longest_length(d, u, found.configurations[slot]));
         }
       }

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "kind_in_space.hpp"
+#include "largest.hpp"
 #include "model_types.hpp"
 
 namespace assur::test {
@@ -73,13 +74,13 @@ class Invariance : public testing::Test {
   }
 
   static double largest_difference(const std::vector<Shape>& a, const std::vector<Shape>& b) {
-    double largest = 0;
+    double most = 0;
     for (std::size_t index = 0; index < a.size() && index < b.size(); ++index) {
       for (std::size_t part = 0; part < a[index].size(); ++part) {
-        largest = std::max(largest, std::abs(a[index][part] - b[index][part]));
+        most = largest(most, std::abs(a[index][part] - b[index][part]));
       }
     }
-    return largest;
+    return most;
   }
 
   /// Compares the shapes before and after a change of the group; groups that are within 1e-4 of a
@@ -100,7 +101,7 @@ class Invariance : public testing::Test {
         EXPECT_EQ(before.size(), after.size());
         const double difference = largest_difference(before, after);
         EXPECT_LT(difference, tolerance);
-        worst = std::max(worst, difference);
+        worst = largest(worst, difference);
         ++compared;
       }
     }

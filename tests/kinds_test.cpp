@@ -5,6 +5,7 @@
 #include <set>
 
 #include "kind_in_space.hpp"
+#include "largest.hpp"
 #include "model_types.hpp"
 
 namespace assur::test {
@@ -19,12 +20,15 @@ constexpr Real dimension_step = 1e-5L;
 /// twice: error O(h^6).
 template <typename Sample>
 auto first_derivative(const Sample& at, Real h) {
-  return (45 * (at(1) - at(-1)) - 9 * (at(2) - at(-2)) + (at(3) - at(-3))) / (60 * h);
+  using Value = std::decay_t<decltype(at(0))>;  // not an expression of values that are gone
+  return Value((45 * (at(1) - at(-1)) - 9 * (at(2) - at(-2)) + (at(3) - at(-3))) / (60 * h));
 }
 template <typename Sample>
 auto second_derivative(const Sample& at, Real h) {
-  return (270 * (at(1) + at(-1)) - 27 * (at(2) + at(-2)) + 2 * (at(3) + at(-3)) - 490 * at(0)) /
-         (180 * h * h);
+  using Value = std::decay_t<decltype(at(0))>;
+  return Value(
+      (270 * (at(1) + at(-1)) - 27 * (at(2) + at(-2)) + 2 * (at(3) + at(-3)) - 490 * at(0)) /
+      (180 * h * h));
 }
 
 template <typename Model>
@@ -156,9 +160,9 @@ TYPED_TEST(Kinds, MotionFollowsTheBodies) {
           const Real v_true = v_expected(3 * link + part);
           const Real a_true = a_expected(3 * link + part);
           worst_velocity =
-              std::max(worst_velocity, std::abs(v(link, part) - v_true) / (1 + std::abs(v_true)));
-          worst_acceleration = std::max(worst_acceleration,
-                                        std::abs(a(link, part) - a_true) / (1 + std::abs(a_true)));
+              largest(worst_velocity, std::abs(v(link, part) - v_true) / (1 + std::abs(v_true)));
+          worst_acceleration = largest(worst_acceleration,
+                                       std::abs(a(link, part) - a_true) / (1 + std::abs(a_true)));
         }
       }
       ++compared;
@@ -212,8 +216,8 @@ TYPED_TEST(Kinds, SensitivitiesFollowReassembly) {
       };
       const auto compare = [&](const auto& column, const auto& expected) {
         for (int row = 0; row < Model::unknown_count; ++row) {
-          worst = std::max(worst,
-                           std::abs(column(row) - expected(row)) / (1 + std::abs(expected(row))));
+          worst =
+              largest(worst, std::abs(column(row) - expected(row)) / (1 + std::abs(expected(row))));
         }
       };
       for (int index = 0; index < Model::dimension_count; ++index) {

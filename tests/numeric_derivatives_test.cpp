@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "exact.hpp"
+#include "largest.hpp"
 #include "model_types.hpp"
 
 namespace assur::test {
@@ -104,8 +105,8 @@ class NumericDerivatives : public testing::Test {
       const auto error = [&](const Residual<Model>& numeric) {
         return (numeric - exact).cwiseAbs().maxCoeff() / size;
       };
-      worst_complex_ = std::max(worst_complex_, error(complex_step(at, list, column)));
-      worst_central_ = std::max(worst_central_, error(richardson(at, list, column)));
+      worst_complex_ = largest(worst_complex_, error(complex_step(at, list, column)));
+      worst_central_ = largest(worst_central_, error(richardson(at, list, column)));
     }
   }
 

@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "exact.hpp"
+#include "largest.hpp"
 #include "reference_roots.hpp"
 #include "sturm.hpp"
 
@@ -42,7 +43,7 @@ struct Tally {
     lost += other.lost;
     invented += other.invented;
     undecided += other.undecided;
-    residual = std::max(residual, other.residual);
+    residual = largest(residual, other.residual);
     return *this;
   }
 };
@@ -79,7 +80,7 @@ void judge(const Group<Model>& group, Tally& tally) {
     Vector<double, Model::equation_count> f;
     Model::residual(group.d, group.u, q, f);
     if (found.regularity[slot] == Status::ok) {
-      tally.residual = std::max(tally.residual, f.cwiseAbs().maxCoeff() / longest);
+      tally.residual = largest(tally.residual, f.cwiseAbs().maxCoeff() / longest);
     }
   }
   tally.add(found.count, exact_assembly_count<Model>(group.d, group.u), declared);

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "kind_in_space.hpp"
+#include "largest.hpp"
 #include "scene/solve.hpp"
 
 namespace assur::test {
@@ -108,8 +109,8 @@ void check_kinds(int& groups) {
             std::any_of(reference.begin(), reference.end(), [&](const auto& configuration) {
               double worst = 0;
               for (std::size_t link = 0; link < 4; ++link) {
-                worst = std::max(worst, apart(configuration.at("L" + std::to_string(link)),
-                                              static_cast<double>(space.bodies.poses[link].theta)));
+                worst = largest(worst, apart(configuration.at("L" + std::to_string(link)),
+                                             static_cast<double>(space.bodies.poses[link].theta)));
               }
               return worst < 1e-6;
             });

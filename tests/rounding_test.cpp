@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "exact.hpp"
+#include "largest.hpp"
 #include "model_types.hpp"
 
 namespace assur::test {
@@ -113,17 +114,17 @@ TYPED_TEST(Rounding, StaysWithinUlps) {
     for (std::size_t list = 0; list < truth.lists.size(); ++list) {
       // The unit is that of the largest entry of the function's result: where terms cancel, an
       // entry of its own has no digits to be right in.
-      double largest = 0;
+      double scale = 0;
       for (const double value : rounded.lists[list]) {
-        largest = std::max(largest, std::abs(value));
+        scale = largest(scale, std::abs(value));
       }
-      if (largest == 0) {
+      if (scale == 0) {
         continue;
       }
-      const double ulp = largest * std::numeric_limits<double>::epsilon();
+      const double ulp = scale * std::numeric_limits<double>::epsilon();
       for (std::size_t entry = 0; entry < truth.lists[list].size(); ++entry) {
         const Rational error = exact(rounded.lists[list][entry]) - truth.lists[list][entry];
-        worst = std::max(worst, std::abs(cln::double_approx(error)) / ulp);
+        worst = largest(worst, std::abs(cln::double_approx(error)) / ulp);
       }
     }
   }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
+#include "largest.hpp"
 
 namespace assur::test {
 namespace {
@@ -83,7 +84,7 @@ TEST(WorkedMechanism, SensitivitiesAreTheDifferencesOfSolutions) {
                                    below[point]["position"][axis].get<double>()) /
                                   (2 * step);
         const double derived = root["outputs"][point]["sensitivity"][name][axis].get<double>();
-        worst = std::max(worst, std::abs(difference - derived) / (1 + std::abs(derived)));
+        worst = largest(worst, std::abs(difference - derived) / (1 + std::abs(derived)));
       }
     }
   }
