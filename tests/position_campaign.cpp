@@ -63,7 +63,7 @@ Group<Model> random_group(RandomInputs& random) {
 template <typename Model>
 void judge(const Group<Model>& group, Tally& tally) {
   const Assemblies<Model> found = assemblies<Model>(group.d, group.u);
-  bool declared = found.status == AssemblyStatus::degenerate;
+  bool declared = found.status == AssemblyStatus::degenerate || found.undecided > 0;
   double longest = 1e-300;
   const auto measure = [&](const auto& member) {
     if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {

@@ -81,6 +81,7 @@ class ModelState {
       const Assemblies<Model> found = assemblies<Model>(d_, u_);
       solution.status = found.status;
       solution.mobility = found.mobility;
+      solution.undecided = found.undecided;
       for (int index = 0; index < found.count; ++index) {
         const auto slot = static_cast<std::size_t>(index);
         solution.states.push_back(state_of(found.configurations[slot], found.regularity[slot]));

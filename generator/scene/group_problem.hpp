@@ -35,7 +35,8 @@ struct GroupState {
 /// Every assembly configuration of a group.
 struct GroupSolution {
   AssemblyStatus status = AssemblyStatus::ok;
-  int mobility = 0;  ///< of a degenerate group where it was found assembled
+  int mobility = 0;   ///< of a degenerate group where it was found assembled
+  int undecided = 0;  ///< nearly multiple roots that may hide two configurations, or none
   std::vector<GroupState> states;
 };
 

@@ -189,6 +189,13 @@ class MechanismSolver {
                               : " does not determine a position, and no assembly was found");
       return;
     }
+    if (found.states.empty() && found.undecided > 0) {
+      solution_.status = SolutionStatus::degenerate;
+      solution_.reason =
+          "the links are at the very limit of their reach: no arithmetic here tells whether they "
+          "can be assembled";
+      return;
+    }
     if (found.states.empty()) {
       solution_.status = SolutionStatus::no_assembly;
     }

@@ -30,6 +30,9 @@ struct Assemblies {
   /// ok, or near_singular: the derivatives may keep fewer than six digits, or two configurations
   /// meet so closely that double-double arithmetic cannot tell whether they are two, one or none.
   std::array<Status, capacity> regularity{};
+  /// Nearly multiple roots of the final polynomial that double-double could not exclude and from
+  /// which no closed configuration came: each may hide two that meet, or none.
+  int undecided = 0;
   /// For a degenerate group: freedom where it was found assembled, or zero if it was not.
   int mobility = 0;
 };
@@ -83,6 +86,7 @@ class AssemblySearch {
   /// False if this precision does not tell the configurations apart.
   [[nodiscard]] bool run() {
     result_.count = 0;
+    result_.undecided = 0;
     result_.status = AssemblyStatus::ok;
     work_d_ = scaled_to<Dimensions<Work>>(d_, 1.0);
     work_u_ = scaled_to<Inputs<Work>>(u_, 1.0);
@@ -267,26 +271,43 @@ class AssemblySearch {
   }
 
   /// At a nearly multiple root either configurations meet, or several regular ones share the first
-  /// unknown and differ in the second: then each of them polishes to a regular one of its own.
+  /// unknown and differ in the second: then each of them polishes to a regular one of its own. The
+  /// candidates' misses say nothing here: the first unknown is not known that well.
   void accept_cluster(Configuration<Work> q, int max_roots) {
     const int before = result_.count;
     if constexpr (Model::second_unknown >= 0) {
       const auto list = candidates(q);
       for (int index = 0; index < list.count && result_.count - before < max_roots; ++index) {
-        const auto& candidate = list.list[static_cast<std::size_t>(index)];
-        if (candidate.miss < 1e-5) {
-          std::get<static_cast<std::size_t>(Model::second_unknown)>(q.members()) = candidate.value;
-          if (accept(q) && repeats_earlier(result_.count - 1, before)) {
-            --result_.count;
-          }
-        }
+        std::get<static_cast<std::size_t>(Model::second_unknown)>(q.members()) =
+            list.list[static_cast<std::size_t>(index)].value;
+        accept_in_cluster(q);
       }
     } else {
-      accept(q);
+      accept_in_cluster(q);
     }
     const int found = result_.count - before;
     for (int index = before; index < result_.count && found < max_roots; ++index) {
       result_.regularity[static_cast<std::size_t>(index)] = Status::near_singular;
+    }
+    result_.undecided += found == 0 ? 1 : 0;
+  }
+
+  /// Lists what polishes to a closed configuration near where it started, and is new.
+  void accept_in_cluster(Configuration<Work> q) {
+    constexpr int steps = 30;
+    constexpr auto first = static_cast<std::size_t>(Model::first_unknown);
+    const auto start = to_double(std::get<first>(q.members()));
+    if (!accept(q, steps)) {
+      return;
+    }
+    const int index = result_.count - 1;
+    const auto& polished = result_.configurations[static_cast<std::size_t>(index)];
+    Vector<double, Model::equation_count> f;
+    Model::residual(d_, u_, polished, f);
+    const bool closed = f.cwiseAbs().maxCoeff() < 1e-12;
+    const bool strayed = apart(std::get<first>(polished.members()), start) > 1e-3;
+    if (!closed || strayed || repeats_earlier(index, 0)) {
+      --result_.count;
     }
   }
 
@@ -300,7 +321,7 @@ class AssemblySearch {
   }
 
   /// Fills in the other unknowns, polishes on the loop equations and lists the configuration.
-  bool accept(Configuration<Work>& work) {
+  bool accept(Configuration<Work>& work, int polishing_steps = 3) {
     Model::complete(work_d_, work_u_, work);
     Configuration<double> q;
     std::apply(
@@ -311,7 +332,7 @@ class AssemblySearch {
     if (!is_finite(q) || result_.count == Model::max_configurations) {
       return false;
     }
-    const Status regularity = polish(q);
+    const Status regularity = polish(q, polishing_steps);
     const auto slot = static_cast<std::size_t>(result_.count++);
     result_.configurations[slot] = q;
     result_.regularity[slot] = regularity;
@@ -320,13 +341,13 @@ class AssemblySearch {
 
   /// Newton's steps as long as they lessen a residual above rounding. The longest length is near
   /// one; where a displacement is longer, its rounding ends the steps.
-  Status polish(Configuration<double>& q) const {
+  Status polish(Configuration<double>& q, int steps) const {
     Vector<double, Model::equation_count> f;
     Model::residual(d_, u_, q, f);
     double miss = f.cwiseAbs().maxCoeff();
     const ScaledJacobian<Model, double> jacobian(d_, u_, q);
     constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
-    for (int step = 0; step < 3 && miss > rounding && jacobian.solvable(); ++step) {
+    for (int step = 0; step < steps && miss > rounding && jacobian.solvable(); ++step) {
       Configuration<double> next = q;
       nudge(next, jacobian.correction(-f));
       Model::residual(d_, u_, next, f);
@@ -358,15 +379,13 @@ class AssemblySearch {
         q.members());
   }
 
+  [[nodiscard]] static double apart(double a, double b) { return std::abs(a - b); }
+  [[nodiscard]] static double apart(const Direction<double>& a, const Direction<double>& b) {
+    return std::max(std::abs(a.cos - b.cos), std::abs(a.sin - b.sin));
+  }
+
   /// Largest difference of two configurations, lengths against one.
   [[nodiscard]] double distance(int one, int other) const {
-    const auto apart = [](const auto& a, const auto& b) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(a)>, double>) {
-        return std::abs(a - b);
-      } else {
-        return std::max(std::abs(a.cos - b.cos), std::abs(a.sin - b.sin));
-      }
-    };
     double largest = 0;
     std::apply(
         [&](const auto&... a) {
