@@ -59,17 +59,21 @@ void closed_form(benchmark::State& state) {
   }
 }
 
-/// The same elimination, its roots from the companion matrix, completed and polished likewise.
-void companion_eigenvalues(benchmark::State& state) {
+using Model01Polynomial = assur::TrigonometricPolynomial<double, 3>;
+using Roots = assur::test::ReferenceRoots<3>;
+
+/// The same elimination, its roots by another method, completed and polished likewise.
+template <Roots (*find)(const Model01Polynomial&)>
+void reference(benchmark::State& state) {
   using Model = assur::tetrad::Model01;
   const auto& list = groups<Model>();
   std::size_t next = 0;
   for (auto _ : state) {
     const Group<Model>& group = list[next];
     next = next + 1 == list.size() ? 0 : next + 1;
-    assur::TrigonometricPolynomial<double, 3> T;
+    Model01Polynomial T;
     Model::position_polynomial(group.d, group.u, T);
-    const auto roots = assur::test::companion_roots(T);
+    const Roots roots = find(T);
     for (int root = 0; root < roots.count; ++root) {
       Model::Configuration<double> q;
       q.theta_BCG = assur::direction_of(roots.angles[static_cast<std::size_t>(root)]);
@@ -83,8 +87,14 @@ void companion_eigenvalues(benchmark::State& state) {
   }
 }
 
+Roots companion_eigenvalues(const Model01Polynomial& T) { return assur::test::companion_roots(T); }
+Roots half_angle(const Model01Polynomial& T) { return assur::test::half_angle_roots(T); }
+Roots grid_of_360(const Model01Polynomial& T) { return assur::test::subdivision_roots(T); }
+
 BENCHMARK(closed_form<assur::tetrad::Model01>);
-BENCHMARK(companion_eigenvalues);
+BENCHMARK(reference<companion_eigenvalues>);
+BENCHMARK(reference<half_angle>);
+BENCHMARK(reference<grid_of_360>);
 BENCHMARK(closed_form<assur::tetrad::Model04>);
 
 }  // namespace

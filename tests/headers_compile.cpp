@@ -1,5 +1,6 @@
 // Compiles every generated model as C++17 with a project's strictest warnings; there is no more to
 // it than the includes and one use of each function.
+#include <assur/assembly.hpp>
 #include <assur/kinematics.hpp>
 #include <assur/normal_form.hpp>
 #include <assur/tetrad/models.hpp>
