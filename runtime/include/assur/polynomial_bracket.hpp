@@ -1,4 +1,6 @@
-// Turns a bracket that holds one root of a polynomial into that root, for trigonometric_roots.hpp.
+// Turns a bracket that holds one root of a polynomial into that root.
+//
+// Closes in on the one root of a polynomial in an interval. Used by trigonometric_roots.hpp.
 #pragma once
 
 #include <array>
@@ -16,11 +18,12 @@ struct Bracket {  // holds exactly one root
 };
 
 // One step, to be repeated with iteration = 0, 1, ... until done. `power` holds ascending
-// coefficients. Three steps of Halley's method nearly always do; roots close to each other need
-// more, and then the next zero of the local parabola is taken, on its rising or falling side as the
-// bracket tells: it cannot step to the neighbour.
+// coefficients; below `noise`, the value of the polynomial is rounding. Three steps of Halley's
+// method nearly always do; roots close to each other need more: then the zero of the local parabola
+// is taken, on its rising or its falling side as the bracket tells.
 template <class Scalar, std::size_t Size>
-inline void improve(Bracket<Scalar>& b, const std::array<Scalar, Size>& power, int iteration) {
+inline void improve(Bracket<Scalar>& b, const std::array<Scalar, Size>& power, Scalar noise,
+                    int iteration) {
   using std::abs;
   using std::sqrt;
   Scalar value(0), slope(0), bend(0);  // p, p', p''/2
@@ -42,14 +45,17 @@ inline void improve(Bracket<Scalar>& b, const std::array<Scalar, Size>& power, i
   b.left = on_left ? b.t : b.left;
   b.right = on_left ? b.right : b.t;
   const Scalar next = b.t - step;
-  // Past a few steps every other one bisects: the bracket closes whatever the others do.
-  const bool accept = next >= b.left && next <= b.right && (iteration < 8 || iteration % 2 == 0);
-  b.t = accept ? next : (b.left + b.right) / Scalar(2);
-  // The error left is about step^3 ((p''/2p')^2 + p'''/6p'): below the effect of rounding p, u /
-  // p', from here on.
+  const bool inside = next >= b.left && next <= b.right;
+  // Done when the error left, about step^3 ((p''/2p')^2 + p'''/6p'), is below the effect of
+  // rounding p, u / p', or when p itself is. The slope tells the root from a neighbour just outside
+  // the bracket.
   const Scalar u = std::numeric_limits<Scalar>::epsilon() / Scalar(2);
-  b.done = accept && iteration > 1 &&
-           Scalar(512) * abs(step) * step * step * (square + bend * bend) <= u * square;
+  const bool exact = Scalar(512) * abs(step) * step * step * (square + bend * bend) <= u * square;
+  const bool lost = abs(value) <= noise;
+  b.done = iteration > 1 && (exact | lost) && (slope > Scalar(0)) == b.negative_left;
+  // Past a few steps every other one bisects: the bracket closes whatever the others do.
+  const bool follow = inside && (b.done || iteration < 8 || iteration % 2 == 0);
+  b.t = follow ? next : b.done ? b.t : (b.left + b.right) / Scalar(2);
 }
 
 }  // namespace assur::detail

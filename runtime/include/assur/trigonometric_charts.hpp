@@ -1,6 +1,6 @@
 // Turns a trigonometric polynomial into Bernstein form on four charts, with error bounds.
 //
-// T of order N on four charts of 90 degrees, in Bernstein and in power
+// A trigonometric polynomial T of order N on four charts of 90 degrees, in Bernstein and in power
 // form; cutting, and counting sign variations of, Bernstein coefficients. Used by
 // trigonometric_roots.hpp.
 //
@@ -153,13 +153,14 @@ inline Scalar cut_error(const std::array<Scalar, Size>& b) {
   return Scalar(2 * static_cast<int>(Size - 1)) * std::numeric_limits<Scalar>::epsilon() * largest;
 }
 
-// The largest number of sign variations that coefficients within `error` of b can have. b[0] must
-// exceed `error`.
+// The largest number of sign variations that coefficients within `error` of b can have. The signs
+// of the first and the last are taken as known: they were certain when the arc was cut there,
+// though the error may have grown since.
 template <class Scalar, std::size_t Size>
 inline int count_variations(const std::array<Scalar, Size>& b, Scalar error) {
-  int count = 0;
+  int count = negative(b[Size - 1]) != negative(b[Size - 2]);
   bool uncertain = false;
-  for (std::size_t i = 1; i < Size; ++i) {
+  for (std::size_t i = 1; i + 1 < Size; ++i) {
     count += negative(b[i]) != negative(b[i - 1]);
     uncertain |= !(magnitude(b[i]) > error);
   }
@@ -168,7 +169,7 @@ inline int count_variations(const std::array<Scalar, Size>& b, Scalar error) {
   count = 0;
   bool last = negative(b[0]);
   for (std::size_t i = 1; i < Size; ++i) {
-    const bool next = magnitude(b[i]) > error ? negative(b[i]) : !last;
+    const bool next = magnitude(b[i]) > error || i + 1 == Size ? negative(b[i]) : !last;
     count += next != last;
     last = next;
   }

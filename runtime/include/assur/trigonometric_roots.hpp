@@ -261,11 +261,12 @@ class TrigonometricRootSearch {
 
   // All roots advance in turn by one step, so that the processor can overlap them.
   void refine() {
+    const Scalar noise = std::numeric_limits<Scalar>::epsilon() / Scalar(2) * sum;
     bool open = bracket_count > 0;
     for (int iteration = 0; open && iteration < 300; ++iteration) {
       open = false;
       for (std::size_t r = 0; r < bracket_count; ++r) {
-        if (!brackets[r].done) improve(brackets[r], power[brackets[r].chart], iteration);
+        if (!brackets[r].done) improve(brackets[r], power[brackets[r].chart], noise, iteration);
         open |= !brackets[r].done;
       }
     }
