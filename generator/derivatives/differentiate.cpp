@@ -46,6 +46,16 @@ GiNaC::ex time_derivative(const GiNaC::ex& function, const VariableList& variabl
   return total.expand();
 }
 
+/// d(function)/dt of a function of the variables and of their lower rates.
+GiNaC::ex derivative_with_rates(const GiNaC::ex& function, const VariableList& variables,
+                                const Vocabulary& vocabulary) {
+  GiNaC::ex total = time_derivative(function, variables, vocabulary);
+  for (const Variable* variable : variables) {
+    total += function.diff(variable->rate) * variable->second_rate;
+  }
+  return total.expand();
+}
+
 /// d2(function)/dt2, where only `accelerated` variables have second rates.
 GiNaC::ex second_time_derivative(const GiNaC::ex& function, const VariableList& moving,
                                  const VariableList& accelerated, const Vocabulary& vocabulary) {
@@ -53,6 +63,18 @@ GiNaC::ex second_time_derivative(const GiNaC::ex& function, const VariableList& 
       time_derivative(time_derivative(function, moving, vocabulary), moving, vocabulary);
   for (const Variable* variable : accelerated) {
     total += vocabulary.derivative(function, *variable) * variable->second_rate;
+  }
+  return total.expand();
+}
+
+/// d3(function)/dt3, where only `jerked` variables have third rates.
+GiNaC::ex third_time_derivative(const GiNaC::ex& function, const VariableList& moving,
+                                const VariableList& jerked, const Vocabulary& vocabulary) {
+  const GiNaC::ex first = time_derivative(function, moving, vocabulary);
+  const GiNaC::ex second = derivative_with_rates(first, moving, vocabulary);
+  GiNaC::ex total = derivative_with_rates(second, moving, vocabulary);
+  for (const Variable* variable : jerked) {
+    total += vocabulary.derivative(function, *variable) * variable->third_rate;
   }
   return total.expand();
 }
@@ -94,6 +116,10 @@ Derivatives differentiate(const ClosureEquations& equations) {
   const std::vector<GiNaC::ex> residuals = equations.residuals();
   const VariableList inputs = listed(equations.inputs);
   const VariableList moving = joined(equations.unknowns, equations.inputs);
+  VariableList everything = moving;
+  for (const Variable& dimension : equations.dimensions) {
+    everything.push_back(&dimension);
+  }
 
   Derivatives result;
   result.jacobian = jacobian_of(residuals, equations.unknowns, vocabulary);
@@ -103,6 +129,8 @@ Derivatives differentiate(const ClosureEquations& equations) {
     result.velocity_rhs.push_back(-time_derivative(residual, inputs, vocabulary));
     result.acceleration_rhs.push_back(
         -second_time_derivative(residual, moving, inputs, vocabulary));
+    result.jerk_rhs.push_back(-third_time_derivative(residual, moving, inputs, vocabulary));
+    result.curvature_rhs.push_back(-second_time_derivative(residual, everything, {}, vocabulary));
   }
 
   result.pose_unknown_jacobian = pose_jacobian(equations, equations.unknowns);
@@ -129,6 +157,12 @@ Derivatives differentiate(const ClosureEquations& equations) {
       [&](const AngleSum& angle) {
         return angle_rate(angle, [](const Variable& variable) { return variable.second_rate; });
       });
+  result.pose_curvature = over_poses(
+      equations,
+      [&](const GiNaC::ex& coordinate) {
+        return second_time_derivative(coordinate, everything, {}, vocabulary);
+      },
+      [](const AngleSum& /*angle*/) { return GiNaC::ex(0); });
   return result;
 }
 

@@ -13,20 +13,25 @@ using ExpressionMatrix = std::vector<std::vector<GiNaC::ex>>;
 
 /// Derivatives of f(q, d, u) = 0 with unknowns q, link dimensions d and inputs u, and of the link
 /// poses p = (x, y, theta). With q' for dq/dt:
-///   J q' = velocity_rhs,  J q'' = acceleration_rhs,  J dq/dd = -dimension_jacobian,
-///   J dq/du = -input_jacobian.
+///   J q' = velocity_rhs,  J q'' = acceleration_rhs,  J q''' = jerk_rhs,
+///   J dq/dd = -dimension_jacobian,  J dq/du = -input_jacobian,
+/// and where the dimensions move as well, with d' and u' constant,
+///   J q'' = curvature_rhs.
 struct Derivatives {
   ExpressionMatrix jacobian;            ///< df/dq
   ExpressionMatrix dimension_jacobian;  ///< df/dd
   ExpressionMatrix input_jacobian;      ///< df/du
   std::vector<GiNaC::ex> velocity_rhs;
   std::vector<GiNaC::ex> acceleration_rhs;
+  std::vector<GiNaC::ex> jerk_rhs;
+  std::vector<GiNaC::ex> curvature_rhs;
 
   ExpressionMatrix pose_unknown_jacobian;    ///< dp/dq, three rows a link
   ExpressionMatrix pose_dimension_jacobian;  ///< dp/dd
   ExpressionMatrix pose_input_jacobian;      ///< dp/du
   ExpressionMatrix pose_velocity;            ///< dp/dt, one row a link
   ExpressionMatrix pose_acceleration;        ///< d2p/dt2, one row a link
+  ExpressionMatrix pose_curvature;           ///< d2p/dt2 for constant q', d' and u', likewise
 };
 
 [[nodiscard]] Derivatives differentiate(const ClosureEquations& equations);

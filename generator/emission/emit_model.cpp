@@ -77,6 +77,7 @@ class ModelSpelling {
       const std::string place = "(" + std::to_string(index) + ")";
       rates_[variable.rate.get_name()] = argument + "_rate" + place;
       rates_[variable.second_rate.get_name()] = argument + "_second_rate" + place;
+      rates_[variable.third_rate.get_name()] = argument + "_third_rate" + place;
     }
   }
 

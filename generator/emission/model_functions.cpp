@@ -44,6 +44,8 @@ std::vector<ModelFunction> model_functions(const ClosureEquations& equations,
   const Parameter second_rates{"const Vector<Scalar, unknown_count>&", "q_second_rate"};
   const Parameter input_rates{"const Vector<Scalar, input_count>&", "u_rate"};
   const Parameter input_second_rates{"const Vector<Scalar, input_count>&", "u_second_rate"};
+  const Parameter dimension_rates{"const Vector<Scalar, dimension_count>&", "d_rate"};
+  const Parameter input_third_rates{"const Vector<Scalar, input_count>&", "u_third_rate"};
   const std::vector<Parameter> place = {dimensions, inputs, configuration};
   const auto with = [&](std::vector<Parameter> more) {
     more.insert(more.begin(), place.begin(), place.end());
@@ -82,6 +84,20 @@ std::vector<ModelFunction> model_functions(const ClosureEquations& equations,
                        with({rates, input_rates, input_second_rates}),
                        {{"Vector<Scalar, equation_count>&", "rhs"}},
                        results_of("rhs", derivatives.acceleration_rhs)});
+  functions.push_back(
+      {"jerk_rhs",
+       {"Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the",
+        "inputs up to the third."},
+       with({rates, second_rates, input_rates, input_second_rates, input_third_rates}),
+       {{"Vector<Scalar, equation_count>&", "rhs"}},
+       results_of("rhs", derivatives.jerk_rhs)});
+  functions.push_back(
+      {"curvature_rhs",
+       {"Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and",
+        "du/dt are constant: second derivatives along a line in (d, u)."},
+       with({rates, dimension_rates, input_rates}),
+       {{"Vector<Scalar, equation_count>&", "rhs"}},
+       results_of("rhs", derivatives.curvature_rhs)});
   ModelFunction poses{"link_poses",
                       {"Frames of the links in the fixed frame."},
                       place,
@@ -118,6 +134,13 @@ std::vector<ModelFunction> model_functions(const ClosureEquations& equations,
                        with({rates, second_rates, input_rates, input_second_rates}),
                        {{"Matrix<Scalar, link_count, 3>&", "a"}},
                        results_of("a", derivatives.pose_acceleration)});
+  functions.push_back(
+      {"pose_curvatures",
+       {"d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;",
+        "what second rates add goes by the pose Jacobians."},
+       with({rates, dimension_rates, input_rates}),
+       {{"Matrix<Scalar, link_count, 3>&", "p"}},
+       results_of("p", derivatives.pose_curvature)});
   if (!equations.compatibility.empty()) {
     ModelFunction compatibility{
         "compatibility",
@@ -225,6 +248,7 @@ SymbolOrder symbol_order(const ClosureEquations& equations, const Vocabulary& vo
     for (const Variable& variable : *list) {
       order.declare(variable.rate);
       order.declare(variable.second_rate);
+      order.declare(variable.third_rate);
     }
   }
   for (const NamedQuantity& quantity : vocabulary.quantities()) {

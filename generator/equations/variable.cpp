@@ -12,7 +12,8 @@ Variable::Variable(std::string name_in, Quantity quantity_in, std::string meanin
       cosine("cos_" + name),
       sine("sin_" + name),
       rate(is_angle() ? "omega" + name.substr(name.find('_')) : "v_" + name),
-      second_rate(is_angle() ? "alpha" + name.substr(name.find('_')) : "a_" + name) {}
+      second_rate(is_angle() ? "alpha" + name.substr(name.find('_')) : "a_" + name),
+      third_rate(is_angle() ? "jerk" + name.substr(name.find('_')) : "j_" + name) {}
 
 GiNaC::ex partial(const GiNaC::ex& expression, const Variable& variable) {
   if (variable.is_angle()) {

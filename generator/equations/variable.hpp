@@ -32,6 +32,7 @@ struct Variable {
   GiNaC::symbol cosine, sine;  ///< for an angle
   GiNaC::symbol rate;          ///< first time derivative: `omega_BCG`, `v_s_C`
   GiNaC::symbol second_rate;   ///< second time derivative: `alpha_BCG`, `a_s_C`
+  GiNaC::symbol third_rate;    ///< third time derivative: `jerk_BCG`, `j_s_C`
 };
 
 /// d(expression)/d(variable), where for an angle d cos = -sin and d sin = cos.

@@ -35,10 +35,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       0, 0, 0
 ///   velocity_rhs:         0, 2, 0
 ///   acceleration_rhs:     37, 22, 0
+///   jerk_rhs:             75, 36, 0
+///   curvature_rhs:        70, 31, 0
 ///   link_poses:           10, 10, 0
 ///   pose_jacobians:       10, 6, 0
 ///   link_velocities:      16, 12, 0
 ///   link_accelerations:   27, 18, 0
+///   pose_curvatures:      34, 15, 0
 ///   position_polynomial:  82, 63, 0
 ///   second_equations:     29, 20, 0
 ///   complete:             14, 13, 1
@@ -314,6 +317,115 @@ struct Model02 {
     rhs(3) = BG_y * t04 + GF_y * t05 - EF_y * t01 - t03;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
+      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar alpha_BCG = q_second_rate(0);
+    const Scalar omega_EDF = q_rate(1);
+    const Scalar alpha_EDF = q_second_rate(1);
+    const Scalar omega_GF = q_rate(2);
+    const Scalar alpha_GF = q_second_rate(2);
+    const Scalar v_s_C = q_rate(3);
+    const Scalar a_s_C = q_second_rate(3);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar j_x_E = u_third_rate(2);
+    const Scalar j_y_E = u_third_rate(3);
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
+    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
+    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar t01 = BC_y + slide_C_y + CD_y;
+    const Scalar t02 = q.theta_BCG.cos * v_s_C;
+    const Scalar t03 = BC_x + slide_C_x + CD_x;
+    const Scalar t04 = j_x_B - j_x_E;
+    const Scalar t05 = omega_EDF * omega_EDF;
+    const Scalar t06 = q.theta_BCG.sin * v_s_C;
+    const Scalar t07 = j_y_B - j_y_E;
+    const Scalar t08 = omega_BCG * omega_BCG;
+    const Scalar t09 = omega_GF * omega_GF;
+    rhs(0) = Scalar(3) * alpha_BCG * t06 - omega_BCG * (omega_BCG * (t01 * omega_BCG
+        - Scalar(3) * t02) - Scalar(3) * t03 * alpha_BCG - Scalar(3) * q.theta_BCG.sin * a_s_C)
+        - t04 - omega_EDF * (Scalar(3) * alpha_EDF * ED_x - ED_y * t05);
+    rhs(1) = omega_BCG * (omega_BCG * (omega_BCG * t03 + Scalar(3) * t06)
+        + Scalar(3) * t01 * alpha_BCG - Scalar(3) * q.theta_BCG.cos * a_s_C) - t07
+        - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t05) - Scalar(3) * t02 * alpha_BCG;
+    rhs(2) = omega_BCG * (Scalar(3) * alpha_BCG * BG_x - BG_y * t08)
+        + omega_GF * (Scalar(3) * alpha_GF * GF_x - GF_y * t09) - t04
+        - omega_EDF * (Scalar(3) * alpha_EDF * EF_x - EF_y * t05);
+    rhs(3) = omega_BCG * (Scalar(3) * alpha_BCG * BG_y + BG_x * t08)
+        + omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t09) - t07
+        - omega_EDF * (Scalar(3) * alpha_EDF * EF_y + EF_x * t05);
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar omega_EDF = q_rate(1);
+    const Scalar omega_GF = q_rate(2);
+    const Scalar v_s_C = q_rate(3);
+    const Scalar v_h_C_BCG = d_rate(0);
+    const Scalar v_x_G_BCG = d_rate(1);
+    const Scalar v_y_G_BCG = d_rate(2);
+    const Scalar v_ED = d_rate(3);
+    const Scalar v_x_F_EDF = d_rate(4);
+    const Scalar v_y_F_EDF = d_rate(5);
+    const Scalar v_h_C_CD = d_rate(6);
+    const Scalar v_GF = d_rate(7);
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
+    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
+    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar t01 = v_h_C_BCG - v_h_C_CD;
+    rhs(0) = omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG + Scalar(2) * q.theta_BCG.cos * t01
+        + Scalar(2) * q.theta_BCG.sin * v_s_C) - omega_EDF * (Scalar(2) * q.theta_EDF.sin * v_ED
+        + omega_EDF * ED_x);
+    rhs(1) = omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y) + Scalar(2) * q.theta_BCG.sin * t01
+        - Scalar(2) * q.theta_BCG.cos * v_s_C) + omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_ED
+        - omega_EDF * ED_y);
+    rhs(2) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_y_G_BCG
+        + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + omega_BCG * BG_x)
+        + omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + omega_GF * GF_x)
+        - omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_y_F_EDF
+        + Scalar(2) * q.theta_EDF.sin * v_x_F_EDF + omega_EDF * EF_x);
+    rhs(3) = omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_x_F_EDF
+        - Scalar(2) * q.theta_EDF.sin * v_y_F_EDF - omega_EDF * EF_y)
+        - omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_x_G_BCG
+        - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - omega_BCG * BG_y)
+        - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - omega_GF * GF_y);
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -466,6 +578,39 @@ struct Model02 {
     a(3, 0) = a_x_B - alpha_BCG * BG_y - BG_x * t03;
     a(3, 1) = a_y_B + alpha_BCG * BG_x - BG_y * t03;
     a(3, 2) = alpha_GF;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar v_s_C = q_rate(3);
+    const Scalar v_h_C_BCG = d_rate(0);
+    const Scalar v_x_G_BCG = d_rate(1);
+    const Scalar v_y_G_BCG = d_rate(2);
+    const Scalar v_h_C_CD = d_rate(6);
+    p.setZero();
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
+    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
+    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar t01 = v_h_C_BCG - v_h_C_CD;
+    p(2, 0) = -omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG
+        + Scalar(2) * q.theta_BCG.cos * t01 + Scalar(2) * q.theta_BCG.sin * v_s_C);
+    p(2, 1) = -omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y)
+        + Scalar(2) * q.theta_BCG.sin * t01 - Scalar(2) * q.theta_BCG.cos * v_s_C);
+    p(3, 0) = -omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_y_G_BCG
+        + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + omega_BCG * BG_x);
+    p(3, 1) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_x_G_BCG
+        - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - omega_BCG * BG_y);
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

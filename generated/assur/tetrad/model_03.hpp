@@ -35,10 +35,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       0, 0, 0
 ///   velocity_rhs:         0, 2, 0
 ///   acceleration_rhs:     42, 26, 0
+///   jerk_rhs:             82, 42, 0
+///   curvature_rhs:        68, 34, 0
 ///   link_poses:           10, 10, 0
 ///   pose_jacobians:       10, 6, 0
 ///   link_velocities:      16, 12, 0
 ///   link_accelerations:   27, 18, 0
+///   pose_curvatures:      34, 15, 0
 ///   position_polynomial:  65, 54, 0
 ///   second_equations:     16, 12, 0
 ///   complete:             12, 12, 0
@@ -319,6 +322,126 @@ struct Model03 {
         + Scalar(2) * q.theta_EDF.cos * v_s_F) + BG_y * t04 - t03;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
+      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar alpha_BCG = q_second_rate(0);
+    const Scalar omega_EDF = q_rate(1);
+    const Scalar alpha_EDF = q_second_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar a_s_C = q_second_rate(2);
+    const Scalar v_s_F = q_rate(3);
+    const Scalar a_s_F = q_second_rate(3);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar j_x_E = u_third_rate(2);
+    const Scalar j_y_E = u_third_rate(3);
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
+    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
+    const Scalar ED_x = q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin;
+    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar GF_x = -q.theta_EDF.sin * d.h_F_GF;
+    const Scalar GF_y = q.theta_EDF.cos * d.h_F_GF;
+    const Scalar EF_x = -q.theta_EDF.sin * d.h_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.h_F_EDF;
+    const Scalar slide_F_x = q.theta_EDF.cos * q.s_F;
+    const Scalar slide_F_y = q.theta_EDF.sin * q.s_F;
+    const Scalar t01 = BC_y + slide_C_y + CD_y;
+    const Scalar t02 = q.theta_BCG.cos * v_s_C;
+    const Scalar t03 = BC_x + slide_C_x + CD_x;
+    const Scalar t04 = q.theta_BCG.sin * v_s_C;
+    const Scalar t05 = omega_EDF * omega_EDF;
+    const Scalar t06 = j_x_B - j_x_E;
+    const Scalar t07 = j_y_B - j_y_E;
+    const Scalar t08 = GF_y - EF_y - slide_F_y;
+    const Scalar t09 = q.theta_EDF.cos * v_s_F;
+    const Scalar t10 = GF_x - EF_x - slide_F_x;
+    const Scalar t11 = q.theta_EDF.sin * v_s_F;
+    const Scalar t12 = omega_BCG * omega_BCG;
+    rhs(0) = Scalar(3) * alpha_BCG * t04 - omega_BCG * (omega_BCG * (t01 * omega_BCG
+        - Scalar(3) * t02) - Scalar(3) * t03 * alpha_BCG - Scalar(3) * q.theta_BCG.sin * a_s_C)
+        - omega_EDF * (Scalar(3) * alpha_EDF * ED_x - ED_y * t05) - t06;
+    rhs(1) = omega_BCG * (omega_BCG * (omega_BCG * t03 + Scalar(3) * t04)
+        + Scalar(3) * t01 * alpha_BCG - Scalar(3) * q.theta_BCG.cos * a_s_C)
+        - Scalar(3) * t02 * alpha_BCG - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t05)
+        - t07;
+    rhs(2) = omega_BCG * (Scalar(3) * alpha_BCG * BG_x - BG_y * t12)
+        - omega_EDF * (omega_EDF * (omega_EDF * t08 + Scalar(3) * t09)
+        + Scalar(3) * q.theta_EDF.sin * a_s_F - Scalar(3) * alpha_EDF * t10)
+        - Scalar(3) * alpha_EDF * t11 - t06;
+    rhs(3) = omega_EDF * (omega_EDF * (omega_EDF * t10 - Scalar(3) * t11)
+        + Scalar(3) * alpha_EDF * t08 + Scalar(3) * q.theta_EDF.cos * a_s_F)
+        + Scalar(3) * alpha_EDF * t09 + omega_BCG * (Scalar(3) * alpha_BCG * BG_y + BG_x * t12)
+        - t07;
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar omega_EDF = q_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar v_s_F = q_rate(3);
+    const Scalar v_h_C_BCG = d_rate(0);
+    const Scalar v_x_G_BCG = d_rate(1);
+    const Scalar v_y_G_BCG = d_rate(2);
+    const Scalar v_x_D_EDF = d_rate(3);
+    const Scalar v_y_D_EDF = d_rate(4);
+    const Scalar v_h_F_EDF = d_rate(5);
+    const Scalar v_h_C_CD = d_rate(6);
+    const Scalar v_h_F_GF = d_rate(7);
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
+    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
+    const Scalar ED_x = q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin;
+    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar GF_x = -q.theta_EDF.sin * d.h_F_GF;
+    const Scalar GF_y = q.theta_EDF.cos * d.h_F_GF;
+    const Scalar EF_x = -q.theta_EDF.sin * d.h_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.h_F_EDF;
+    const Scalar slide_F_x = q.theta_EDF.cos * q.s_F;
+    const Scalar slide_F_y = q.theta_EDF.sin * q.s_F;
+    const Scalar t01 = v_h_C_BCG - v_h_C_CD;
+    const Scalar t02 = v_h_F_EDF - v_h_F_GF;
+    rhs(0) = omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG + Scalar(2) * q.theta_BCG.cos * t01
+        + Scalar(2) * q.theta_BCG.sin * v_s_C)
+        - omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_y_D_EDF
+        + Scalar(2) * q.theta_EDF.sin * v_x_D_EDF + omega_EDF * ED_x);
+    rhs(1) = omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y) + Scalar(2) * q.theta_BCG.sin * t01
+        - Scalar(2) * q.theta_BCG.cos * v_s_C)
+        + omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_x_D_EDF
+        - Scalar(2) * q.theta_EDF.sin * v_y_D_EDF - omega_EDF * ED_y);
+    rhs(2) = omega_EDF * (omega_EDF * (GF_x - EF_x - slide_F_x) - Scalar(2) * q.theta_EDF.cos * t02
+        - Scalar(2) * q.theta_EDF.sin * v_s_F)
+        + omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_y_G_BCG
+        + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + omega_BCG * BG_x);
+    rhs(3) = omega_EDF * (omega_EDF * (GF_y - EF_y - slide_F_y)
+        + Scalar(2) * q.theta_EDF.cos * v_s_F - Scalar(2) * q.theta_EDF.sin * t02)
+        - omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_x_G_BCG
+        - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - omega_BCG * BG_y);
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -469,6 +592,39 @@ struct Model03 {
     a(3, 0) = a_x_B - alpha_BCG * BG_y - BG_x * t03;
     a(3, 1) = a_y_B + alpha_BCG * BG_x - BG_y * t03;
     a(3, 2) = alpha_EDF;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar v_h_C_BCG = d_rate(0);
+    const Scalar v_x_G_BCG = d_rate(1);
+    const Scalar v_y_G_BCG = d_rate(2);
+    const Scalar v_h_C_CD = d_rate(6);
+    p.setZero();
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
+    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
+    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar t01 = v_h_C_BCG - v_h_C_CD;
+    p(2, 0) = -omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG
+        + Scalar(2) * q.theta_BCG.cos * t01 + Scalar(2) * q.theta_BCG.sin * v_s_C);
+    p(2, 1) = -omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y)
+        + Scalar(2) * q.theta_BCG.sin * t01 - Scalar(2) * q.theta_BCG.cos * v_s_C);
+    p(3, 0) = -omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_y_G_BCG
+        + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + omega_BCG * BG_x);
+    p(3, 1) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_x_G_BCG
+        - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - omega_BCG * BG_y);
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

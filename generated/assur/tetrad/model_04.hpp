@@ -34,10 +34,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       0, 0, 0
 ///   velocity_rhs:         0, 2, 0
 ///   acceleration_rhs:     40, 26, 0
+///   jerk_rhs:             68, 38, 0
+///   curvature_rhs:        82, 46, 0
 ///   link_poses:           12, 10, 0
 ///   pose_jacobians:       8, 4, 0
 ///   link_velocities:      14, 10, 0
 ///   link_accelerations:   25, 16, 0
+///   pose_curvatures:      32, 12, 0
 ///   position_polynomial:  19, 16, 0
 ///   complete:             19, 16, 2
 struct Model04 {
@@ -323,6 +326,125 @@ struct Model04 {
     rhs(3) = (BG_y - EF_y) * t03 + GF_y * t04 - t02;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
+      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar alpha_BCG = q_second_rate(0);
+    const Scalar omega_GF = q_rate(1);
+    const Scalar alpha_GF = q_second_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar a_s_C = q_second_rate(2);
+    const Scalar v_s_D = q_rate(3);
+    const Scalar a_s_D = q_second_rate(3);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar j_x_E = u_third_rate(2);
+    const Scalar j_y_E = u_third_rate(3);
+    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
+    const Scalar ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = cos_EDF * q.s_D;
+    const Scalar slide_D_y = sin_EDF * q.s_D;
+    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
+    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar t01 = q.theta_BCG.sin * v_s_C - sin_EDF * v_s_D;
+    const Scalar t02 = j_x_B - j_x_E;
+    const Scalar t03 = BC_x + slide_C_x - ED_x - slide_D_x;
+    const Scalar t04 = BC_y + slide_C_y - ED_y - slide_D_y;
+    const Scalar t05 = q.theta_BCG.cos * v_s_C - cos_EDF * v_s_D;
+    const Scalar t06 = j_y_B - j_y_E;
+    const Scalar t07 = BG_x - EF_x;
+    const Scalar t08 = BG_y - EF_y;
+    const Scalar t09 = omega_BCG * omega_BCG;
+    const Scalar t10 = omega_GF * omega_GF;
+    rhs(0) = Scalar(3) * alpha_BCG * t01 + omega_BCG * (Scalar(3) * t03 * alpha_BCG
+        + Scalar(3) * q.theta_BCG.sin * a_s_C - Scalar(3) * sin_EDF * a_s_D
+        - omega_BCG * (t04 * omega_BCG - Scalar(3) * t05)) - t02;
+    rhs(1) = omega_BCG * (Scalar(3) * t04 * alpha_BCG + Scalar(3) * cos_EDF * a_s_D
+        + omega_BCG * (Scalar(3) * t01 + omega_BCG * t03) - Scalar(3) * q.theta_BCG.cos * a_s_C)
+        - Scalar(3) * t05 * alpha_BCG - t06;
+    rhs(2) = omega_BCG * (Scalar(3) * alpha_BCG * t07 - t08 * t09)
+        + omega_GF * (Scalar(3) * alpha_GF * GF_x - GF_y * t10) - t02;
+    rhs(3) = omega_BCG * (Scalar(3) * alpha_BCG * t08 + t07 * t09)
+        + omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t10) - t06;
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar omega_GF = q_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar v_s_D = q_rate(3);
+    const Scalar v_h_C_BCG = d_rate(0);
+    const Scalar v_x_G_BCG = d_rate(1);
+    const Scalar v_y_G_BCG = d_rate(2);
+    const Scalar v_h_D_EDF = d_rate(3);
+    const Scalar v_x_F_EDF = d_rate(4);
+    const Scalar v_y_F_EDF = d_rate(5);
+    const Scalar omega_D_CD = d_rate(6);
+    const Scalar v_GF = d_rate(7);
+    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
+    const Scalar ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = cos_EDF * q.s_D;
+    const Scalar slide_D_y = sin_EDF * q.s_D;
+    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
+    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar t01 = ED_x + slide_D_x;
+    const Scalar t02 = t01 * omega_D_CD;
+    const Scalar t03 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
+    const Scalar t04 = ED_y + slide_D_y;
+    const Scalar t05 = omega_D_CD * t04;
+    const Scalar t06 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
+    const Scalar t07 = omega_D_CD * EF_x;
+    const Scalar t08 = sin_EDF * v_x_F_EDF + cos_EDF * v_y_F_EDF;
+    const Scalar t09 = omega_D_CD * EF_y;
+    const Scalar t10 = cos_EDF * v_x_F_EDF - sin_EDF * v_y_F_EDF;
+    rhs(0) = -omega_D_CD * (t02 + Scalar(2) * t03) - omega_BCG * (Scalar(2) * t02 + Scalar(2) * t03
+        - Scalar(2) * q.theta_BCG.cos * v_h_C_BCG - Scalar(2) * q.theta_BCG.sin * v_s_C
+        - omega_BCG * (BC_x + slide_C_x - t01));
+    rhs(1) = -omega_D_CD * (t05 - Scalar(2) * t06) - omega_BCG * (Scalar(2) * t05
+        + Scalar(2) * q.theta_BCG.cos * v_s_C - Scalar(2) * q.theta_BCG.sin * v_h_C_BCG
+        - Scalar(2) * t06 - omega_BCG * (BC_y + slide_C_y - t04));
+    rhs(2) = omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + omega_GF * GF_x)
+        + omega_BCG * (omega_BCG * (BG_x - EF_x) + Scalar(2) * q.theta_BCG.cos * v_y_G_BCG
+        + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG - Scalar(2) * t07 - Scalar(2) * t08)
+        - omega_D_CD * (t07 + Scalar(2) * t08);
+    rhs(3) = omega_BCG * (omega_BCG * (BG_y - EF_y) + Scalar(2) * q.theta_BCG.sin * v_y_G_BCG
+        + Scalar(2) * t10 - Scalar(2) * q.theta_BCG.cos * v_x_G_BCG - Scalar(2) * t09)
+        - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - omega_GF * GF_y) - omega_D_CD * (t09
+        - Scalar(2) * t10);
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -466,6 +588,35 @@ struct Model04 {
     a(3, 0) = a_x_B - alpha_BCG * BG_y - BG_x * t03;
     a(3, 1) = a_y_B + alpha_BCG * BG_x - BG_y * t03;
     a(3, 2) = alpha_GF;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar v_h_C_BCG = d_rate(0);
+    const Scalar v_x_G_BCG = d_rate(1);
+    const Scalar v_y_G_BCG = d_rate(2);
+    p.setZero();
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    p(2, 0) = -omega_BCG * ((BC_x + slide_C_x) * omega_BCG + Scalar(2) * q.theta_BCG.cos * v_h_C_BCG
+        + Scalar(2) * q.theta_BCG.sin * v_s_C);
+    p(2, 1) = -omega_BCG * (omega_BCG * (BC_y + slide_C_y) + Scalar(2) * q.theta_BCG.sin * v_h_C_BCG
+        - Scalar(2) * q.theta_BCG.cos * v_s_C);
+    p(3, 0) = -omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_y_G_BCG
+        + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + omega_BCG * BG_x);
+    p(3, 1) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_x_G_BCG
+        - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - omega_BCG * BG_y);
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

@@ -35,10 +35,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       0, 0, 0
 ///   velocity_rhs:         0, 2, 0
 ///   acceleration_rhs:     43, 26, 0
+///   jerk_rhs:             83, 42, 0
+///   curvature_rhs:        72, 38, 0
 ///   link_poses:           16, 14, 0
 ///   pose_jacobians:       16, 10, 0
 ///   link_velocities:      24, 18, 0
 ///   link_accelerations:   40, 26, 0
+///   pose_curvatures:      46, 26, 0
 ///   position_polynomial:  37, 29, 0
 ///   second_equations:     24, 14, 0
 ///   complete:             14, 12, 0
@@ -340,6 +343,134 @@ struct Model05 {
         - EF_y * t03 - t05;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
+      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar alpha_BCG = q_second_rate(0);
+    const Scalar omega_EDF = q_rate(1);
+    const Scalar alpha_EDF = q_second_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar a_s_C = q_second_rate(2);
+    const Scalar v_s_G = q_rate(3);
+    const Scalar a_s_G = q_second_rate(3);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar j_x_E = u_third_rate(2);
+    const Scalar j_y_E = u_third_rate(3);
+    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
+    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
+    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar t03 = BC_y + slide_C_y + CD_y;
+    const Scalar t04 = q.theta_BCG.cos * v_s_C;
+    const Scalar t05 = BC_x + slide_C_x + CD_x;
+    const Scalar t06 = omega_EDF * omega_EDF;
+    const Scalar t07 = q.theta_BCG.sin * v_s_C;
+    const Scalar t08 = j_x_B - j_x_E;
+    const Scalar t09 = j_y_B - j_y_E;
+    const Scalar t10 = BG_y + slide_G_y + GF_y;
+    const Scalar t11 = cos_GF * v_s_G;
+    const Scalar t12 = BG_x + slide_G_x + GF_x;
+    const Scalar t13 = sin_GF * v_s_G;
+    rhs(0) = Scalar(3) * alpha_BCG * t07 - omega_BCG * (omega_BCG * (t03 * omega_BCG
+        - Scalar(3) * t04) - Scalar(3) * t05 * alpha_BCG - Scalar(3) * q.theta_BCG.sin * a_s_C)
+        - omega_EDF * (Scalar(3) * alpha_EDF * ED_x - ED_y * t06) - t08;
+    rhs(1) = omega_BCG * (omega_BCG * (omega_BCG * t05 + Scalar(3) * t07)
+        + Scalar(3) * t03 * alpha_BCG - Scalar(3) * q.theta_BCG.cos * a_s_C)
+        - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t06) - Scalar(3) * t04 * alpha_BCG
+        - t09;
+    rhs(2) = Scalar(3) * alpha_BCG * t13 - omega_BCG * (omega_BCG * (omega_BCG * t10
+        - Scalar(3) * t11) - Scalar(3) * alpha_BCG * t12 - Scalar(3) * sin_GF * a_s_G)
+        - omega_EDF * (Scalar(3) * alpha_EDF * EF_x - EF_y * t06) - t08;
+    rhs(3) = omega_BCG * (omega_BCG * (omega_BCG * t12 + Scalar(3) * t13)
+        + Scalar(3) * alpha_BCG * t10 - Scalar(3) * cos_GF * a_s_G)
+        - omega_EDF * (Scalar(3) * alpha_EDF * EF_y + EF_x * t06) - Scalar(3) * alpha_BCG * t11
+        - t09;
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar omega_EDF = q_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar v_s_G = q_rate(3);
+    const Scalar v_h_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1);
+    const Scalar v_h_G_BCG = d_rate(2);
+    const Scalar v_ED = d_rate(3);
+    const Scalar v_x_F_EDF = d_rate(4);
+    const Scalar v_y_F_EDF = d_rate(5);
+    const Scalar v_h_C_CD = d_rate(6);
+    const Scalar v_h_G_GF = d_rate(7);
+    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
+    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
+    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar t03 = v_h_C_BCG - v_h_C_CD;
+    const Scalar t04 = BG_x + slide_G_x + GF_x;
+    const Scalar t05 = t04 * omega_G_BCG;
+    const Scalar t06 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t07 = cos_GF * t06 + sin_GF * v_s_G;
+    const Scalar t08 = BG_y + slide_G_y + GF_y;
+    const Scalar t09 = omega_G_BCG * t08;
+    const Scalar t10 = sin_GF * t06 - cos_GF * v_s_G;
+    rhs(0) = omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG + Scalar(2) * q.theta_BCG.cos * t03
+        + Scalar(2) * q.theta_BCG.sin * v_s_C) - omega_EDF * (Scalar(2) * q.theta_EDF.sin * v_ED
+        + omega_EDF * ED_x);
+    rhs(1) = omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y) + Scalar(2) * q.theta_BCG.sin * t03
+        - Scalar(2) * q.theta_BCG.cos * v_s_C) + omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_ED
+        - omega_EDF * ED_y);
+    rhs(2) = omega_BCG * (omega_BCG * t04 + Scalar(2) * t05 + Scalar(2) * t07) + omega_G_BCG * (t05
+        + Scalar(2) * t07) - omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_y_F_EDF
+        + Scalar(2) * q.theta_EDF.sin * v_x_F_EDF + omega_EDF * EF_x);
+    rhs(3) = omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_x_F_EDF
+        - Scalar(2) * q.theta_EDF.sin * v_y_F_EDF - omega_EDF * EF_y) + omega_BCG * (omega_BCG * t08
+        + Scalar(2) * t09 + Scalar(2) * t10) + omega_G_BCG * (t09 + Scalar(2) * t10);
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -535,6 +666,56 @@ struct Model05 {
     a(3, 1) = a_y_B + alpha_BCG * t05 + sin_GF * a_s_G - omega_BCG * (omega_BCG * t06
         - Scalar(2) * cos_GF * v_s_G);
     a(3, 2) = alpha_BCG;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar v_s_G = q_rate(3);
+    const Scalar v_h_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1);
+    const Scalar v_h_G_BCG = d_rate(2);
+    const Scalar v_h_C_CD = d_rate(6);
+    const Scalar v_h_G_GF = d_rate(7);
+    p.setZero();
+    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
+    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar t03 = v_h_C_BCG - v_h_C_CD;
+    const Scalar t04 = BG_x + slide_G_x + GF_x;
+    const Scalar t05 = t04 * omega_G_BCG;
+    const Scalar t06 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t07 = cos_GF * t06 + sin_GF * v_s_G;
+    const Scalar t08 = BG_y + slide_G_y + GF_y;
+    const Scalar t09 = omega_G_BCG * t08;
+    const Scalar t10 = sin_GF * t06 - cos_GF * v_s_G;
+    p(2, 0) = -omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG
+        + Scalar(2) * q.theta_BCG.cos * t03 + Scalar(2) * q.theta_BCG.sin * v_s_C);
+    p(2, 1) = -omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y)
+        + Scalar(2) * q.theta_BCG.sin * t03 - Scalar(2) * q.theta_BCG.cos * v_s_C);
+    p(3, 0) = -omega_BCG * (omega_BCG * t04 + Scalar(2) * t05 + Scalar(2) * t07)
+        - omega_G_BCG * (t05 + Scalar(2) * t07);
+    p(3, 1) = -omega_BCG * (omega_BCG * t08 + Scalar(2) * t09 + Scalar(2) * t10)
+        - omega_G_BCG * (t09 + Scalar(2) * t10);
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

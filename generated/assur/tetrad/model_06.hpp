@@ -34,10 +34,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       0, 0, 0
 ///   velocity_rhs:         0, 2, 0
 ///   acceleration_rhs:     46, 30, 0
+///   jerk_rhs:             76, 44, 0
+///   curvature_rhs:        84, 53, 0
 ///   link_poses:           18, 14, 0
 ///   pose_jacobians:       14, 8, 0
 ///   link_velocities:      22, 16, 0
 ///   link_accelerations:   38, 24, 0
+///   pose_curvatures:      44, 23, 0
 ///   position_polynomial:  12, 9, 0
 ///   complete:             15, 13, 1
 struct Model06 {
@@ -353,6 +356,143 @@ struct Model06 {
         - t04;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
+      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar alpha_BCG = q_second_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar a_s_G = q_second_rate(2);
+    const Scalar v_s_D = q_rate(3);
+    const Scalar a_s_D = q_second_rate(3);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar j_x_E = u_third_rate(2);
+    const Scalar j_y_E = u_third_rate(3);
+    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
+    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
+    const Scalar sin_GF = t02;
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
+    const Scalar ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = cos_EDF * q.s_D;
+    const Scalar slide_D_y = sin_EDF * q.s_D;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
+    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar t03 = q.theta_BCG.sin * v_s_C - sin_EDF * v_s_D;
+    const Scalar t04 = j_x_B - j_x_E;
+    const Scalar t05 = BC_x + slide_C_x - ED_x - slide_D_x;
+    const Scalar t06 = BC_y + slide_C_y - ED_y - slide_D_y;
+    const Scalar t07 = q.theta_BCG.cos * v_s_C - cos_EDF * v_s_D;
+    const Scalar t08 = j_y_B - j_y_E;
+    const Scalar t09 = BG_y + slide_G_y + GF_y - EF_y;
+    const Scalar t10 = cos_GF * v_s_G;
+    const Scalar t11 = BG_x + slide_G_x + GF_x - EF_x;
+    const Scalar t12 = sin_GF * v_s_G;
+    rhs(0) = Scalar(3) * alpha_BCG * t03 + omega_BCG * (Scalar(3) * t05 * alpha_BCG
+        + Scalar(3) * q.theta_BCG.sin * a_s_C - Scalar(3) * sin_EDF * a_s_D
+        - omega_BCG * (t06 * omega_BCG - Scalar(3) * t07)) - t04;
+    rhs(1) = omega_BCG * (Scalar(3) * t06 * alpha_BCG + Scalar(3) * cos_EDF * a_s_D
+        + omega_BCG * (Scalar(3) * t03 + omega_BCG * t05) - Scalar(3) * q.theta_BCG.cos * a_s_C)
+        - Scalar(3) * t07 * alpha_BCG - t08;
+    rhs(2) = Scalar(3) * alpha_BCG * t12 - t04 - omega_BCG * (omega_BCG * (omega_BCG * t09
+        - Scalar(3) * t10) - Scalar(3) * alpha_BCG * t11 - Scalar(3) * sin_GF * a_s_G);
+    rhs(3) = omega_BCG * (omega_BCG * (omega_BCG * t11 + Scalar(3) * t12)
+        + Scalar(3) * alpha_BCG * t09 - Scalar(3) * cos_GF * a_s_G) - t08
+        - Scalar(3) * alpha_BCG * t10;
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar v_s_D = q_rate(3);
+    const Scalar v_h_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1);
+    const Scalar v_h_G_BCG = d_rate(2);
+    const Scalar v_h_D_EDF = d_rate(3);
+    const Scalar v_x_F_EDF = d_rate(4);
+    const Scalar v_y_F_EDF = d_rate(5);
+    const Scalar omega_D_CD = d_rate(6);
+    const Scalar v_h_G_GF = d_rate(7);
+    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
+    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
+    const Scalar sin_GF = t02;
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
+    const Scalar ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = cos_EDF * q.s_D;
+    const Scalar slide_D_y = sin_EDF * q.s_D;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
+    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar t03 = ED_x + slide_D_x;
+    const Scalar t04 = t03 * omega_D_CD;
+    const Scalar t05 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
+    const Scalar t06 = ED_y + slide_D_y;
+    const Scalar t07 = omega_D_CD * t06;
+    const Scalar t08 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
+    const Scalar t09 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t10 = cos_GF * t09 + sin_GF * v_s_G;
+    const Scalar t11 = GF_x + BG_x + slide_G_x;
+    const Scalar t12 = omega_G_BCG * t11;
+    const Scalar t13 = omega_D_CD * EF_x;
+    const Scalar t14 = sin_EDF * v_x_F_EDF + cos_EDF * v_y_F_EDF;
+    const Scalar t15 = sin_GF * t09 - cos_GF * v_s_G;
+    const Scalar t16 = GF_y + BG_y + slide_G_y;
+    const Scalar t17 = omega_G_BCG * t16;
+    const Scalar t18 = omega_D_CD * EF_y;
+    const Scalar t19 = cos_EDF * v_x_F_EDF - sin_EDF * v_y_F_EDF;
+    rhs(0) = -omega_D_CD * (t04 + Scalar(2) * t05) - omega_BCG * (Scalar(2) * t04 + Scalar(2) * t05
+        - Scalar(2) * q.theta_BCG.cos * v_h_C_BCG - Scalar(2) * q.theta_BCG.sin * v_s_C
+        - omega_BCG * (BC_x + slide_C_x - t03));
+    rhs(1) = -omega_D_CD * (t07 - Scalar(2) * t08) - omega_BCG * (Scalar(2) * t07
+        + Scalar(2) * q.theta_BCG.cos * v_s_C - Scalar(2) * q.theta_BCG.sin * v_h_C_BCG
+        - Scalar(2) * t08 - omega_BCG * (BC_y + slide_C_y - t06));
+    rhs(2) = omega_G_BCG * (Scalar(2) * t10 + t12) - omega_D_CD * (t13 + Scalar(2) * t14)
+        - omega_BCG * (Scalar(2) * t13 + omega_BCG * (EF_x - t11) + Scalar(2) * t14
+        - Scalar(2) * t10 - Scalar(2) * t12);
+    rhs(3) = omega_G_BCG * (Scalar(2) * t15 + t17) - omega_D_CD * (t18 - Scalar(2) * t19)
+        - omega_BCG * (Scalar(2) * t18 + omega_BCG * (EF_y - t16) - Scalar(2) * t15
+        - Scalar(2) * t17 - Scalar(2) * t19);
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -539,6 +679,52 @@ struct Model06 {
     a(3, 1) = a_y_B + alpha_BCG * t05 + sin_GF * a_s_G - omega_BCG * (omega_BCG * t06
         - Scalar(2) * cos_GF * v_s_G);
     a(3, 2) = alpha_BCG;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar v_h_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1);
+    const Scalar v_h_G_BCG = d_rate(2);
+    const Scalar v_h_G_GF = d_rate(7);
+    p.setZero();
+    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar t03 = BG_x + slide_G_x + GF_x;
+    const Scalar t04 = t03 * omega_G_BCG;
+    const Scalar t05 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t06 = cos_GF * t05 + sin_GF * v_s_G;
+    const Scalar t07 = BG_y + slide_G_y + GF_y;
+    const Scalar t08 = omega_G_BCG * t07;
+    const Scalar t09 = sin_GF * t05 - cos_GF * v_s_G;
+    p(2, 0) = -omega_BCG * ((BC_x + slide_C_x) * omega_BCG + Scalar(2) * q.theta_BCG.cos * v_h_C_BCG
+        + Scalar(2) * q.theta_BCG.sin * v_s_C);
+    p(2, 1) = -omega_BCG * (omega_BCG * (BC_y + slide_C_y) + Scalar(2) * q.theta_BCG.sin * v_h_C_BCG
+        - Scalar(2) * q.theta_BCG.cos * v_s_C);
+    p(3, 0) = -omega_BCG * (omega_BCG * t03 + Scalar(2) * t04 + Scalar(2) * t06)
+        - omega_G_BCG * (t04 + Scalar(2) * t06);
+    p(3, 1) = -omega_BCG * (omega_BCG * t07 + Scalar(2) * t08 + Scalar(2) * t09)
+        - omega_G_BCG * (t08 + Scalar(2) * t09);
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

@@ -34,10 +34,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       0, 0, 0
 ///   velocity_rhs:         0, 2, 0
 ///   acceleration_rhs:     60, 36, 0
+///   jerk_rhs:             92, 52, 0
+///   curvature_rhs:        109, 68, 0
 ///   link_poses:           16, 12, 0
 ///   pose_jacobians:       12, 6, 0
 ///   link_velocities:      20, 14, 0
 ///   link_accelerations:   36, 22, 0
+///   pose_curvatures:      42, 20, 0
 ///   compatibility:        12, 6, 0
 struct Model07 {
   static constexpr const char* group = "tetrad";
@@ -369,6 +372,162 @@ struct Model07 {
         + Scalar(2) * cos_slide_F * v_s_F - Scalar(2) * cos_GF * v_s_G) - t06;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
+      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar alpha_BCG = q_second_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar a_s_G = q_second_rate(2);
+    const Scalar v_s_D = q_rate(3);
+    const Scalar a_s_D = q_second_rate(3);
+    const Scalar v_s_F = q_rate(4);
+    const Scalar a_s_F = q_second_rate(4);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar j_x_E = u_third_rate(2);
+    const Scalar j_y_E = u_third_rate(3);
+    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
+    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
+    const Scalar sin_GF = t02;
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
+    const Scalar ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = cos_EDF * q.s_D;
+    const Scalar slide_D_y = sin_EDF * q.s_D;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar EF_x = -(sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin) * d.h_F_EDF;
+    const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
+    const Scalar t03 = d.psi_G_BCG.cos * d.psi_F_GF.cos - d.psi_G_BCG.sin * d.psi_F_GF.sin;
+    const Scalar t04 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
+    const Scalar cos_slide_F = q.theta_BCG.cos * t03 - q.theta_BCG.sin * t04;
+    const Scalar sin_slide_F = q.theta_BCG.cos * t04 + q.theta_BCG.sin * t03;
+    const Scalar slide_F_x = q.s_F * cos_slide_F;
+    const Scalar slide_F_y = q.s_F * sin_slide_F;
+    const Scalar t05 = q.theta_BCG.sin * v_s_C - sin_EDF * v_s_D;
+    const Scalar t06 = j_x_B - j_x_E;
+    const Scalar t07 = BC_x + slide_C_x - ED_x - slide_D_x;
+    const Scalar t08 = BC_y + slide_C_y - ED_y - slide_D_y;
+    const Scalar t09 = q.theta_BCG.cos * v_s_C - cos_EDF * v_s_D;
+    const Scalar t10 = j_y_B - j_y_E;
+    const Scalar t11 = sin_GF * v_s_G - sin_slide_F * v_s_F;
+    const Scalar t12 = BG_x + slide_G_x - EF_x - slide_F_x;
+    const Scalar t13 = BG_y + slide_G_y - EF_y - slide_F_y;
+    const Scalar t14 = cos_GF * v_s_G - cos_slide_F * v_s_F;
+    rhs(0) = Scalar(3) * alpha_BCG * t05 + omega_BCG * (Scalar(3) * t07 * alpha_BCG
+        + Scalar(3) * q.theta_BCG.sin * a_s_C - Scalar(3) * sin_EDF * a_s_D
+        - omega_BCG * (t08 * omega_BCG - Scalar(3) * t09)) - t06;
+    rhs(1) = omega_BCG * (Scalar(3) * t08 * alpha_BCG + Scalar(3) * cos_EDF * a_s_D
+        + omega_BCG * (Scalar(3) * t05 + omega_BCG * t07) - Scalar(3) * q.theta_BCG.cos * a_s_C)
+        - Scalar(3) * t09 * alpha_BCG - t10;
+    rhs(2) = Scalar(3) * alpha_BCG * t11 + omega_BCG * (Scalar(3) * alpha_BCG * t12
+        + Scalar(3) * sin_GF * a_s_G - Scalar(3) * sin_slide_F * a_s_F
+        - omega_BCG * (omega_BCG * t13 - Scalar(3) * t14)) - t06;
+    rhs(3) = omega_BCG * (Scalar(3) * alpha_BCG * t13 + Scalar(3) * cos_slide_F * a_s_F
+        + omega_BCG * (Scalar(3) * t11 + omega_BCG * t12) - Scalar(3) * cos_GF * a_s_G) - t10
+        - Scalar(3) * alpha_BCG * t14;
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar v_s_D = q_rate(3);
+    const Scalar v_s_F = q_rate(4);
+    const Scalar v_h_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1);
+    const Scalar v_h_G_BCG = d_rate(2);
+    const Scalar v_h_D_EDF = d_rate(3);
+    const Scalar omega_F_EDF = d_rate(4);
+    const Scalar v_h_F_EDF = d_rate(5);
+    const Scalar omega_D_CD = d_rate(6);
+    const Scalar omega_F_GF = d_rate(7);
+    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
+    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
+    const Scalar sin_GF = t02;
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
+    const Scalar ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = cos_EDF * q.s_D;
+    const Scalar slide_D_y = sin_EDF * q.s_D;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar t03 = sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin;
+    const Scalar EF_x = -t03 * d.h_F_EDF;
+    const Scalar t04 = cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin;
+    const Scalar EF_y = d.h_F_EDF * t04;
+    const Scalar t05 = d.psi_G_BCG.cos * d.psi_F_GF.cos - d.psi_G_BCG.sin * d.psi_F_GF.sin;
+    const Scalar t06 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
+    const Scalar cos_slide_F = q.theta_BCG.cos * t05 - q.theta_BCG.sin * t06;
+    const Scalar sin_slide_F = q.theta_BCG.cos * t06 + q.theta_BCG.sin * t05;
+    const Scalar slide_F_x = q.s_F * cos_slide_F;
+    const Scalar slide_F_y = q.s_F * sin_slide_F;
+    const Scalar t07 = ED_x + slide_D_x;
+    const Scalar t08 = t07 * omega_D_CD;
+    const Scalar t09 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
+    const Scalar t10 = ED_y + slide_D_y;
+    const Scalar t11 = omega_D_CD * t10;
+    const Scalar t12 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
+    const Scalar t13 = t04 * v_h_F_EDF;
+    const Scalar t14 = Scalar(2) * omega_D_CD + omega_F_EDF;
+    const Scalar t15 = sin_slide_F * v_s_F;
+    const Scalar t16 = slide_F_x * omega_F_GF;
+    const Scalar t17 = slide_F_x - BG_x - slide_G_x;
+    const Scalar t18 = omega_G_BCG * t17;
+    const Scalar t19 = sin_GF * v_s_G - t15 + cos_GF * v_h_G_BCG - t16;
+    const Scalar t20 = omega_D_CD + omega_F_EDF;
+    const Scalar t21 = t03 * v_h_F_EDF;
+    const Scalar t22 = cos_slide_F * v_s_F;
+    const Scalar t23 = omega_F_GF * slide_F_y;
+    const Scalar t24 = slide_F_y - BG_y - slide_G_y;
+    const Scalar t25 = omega_G_BCG * t24;
+    const Scalar t26 = cos_GF * v_s_G - t22 + t23 - sin_GF * v_h_G_BCG;
+    rhs(0) = -omega_D_CD * (t08 + Scalar(2) * t09) - omega_BCG * (Scalar(2) * t08 + Scalar(2) * t09
+        - Scalar(2) * q.theta_BCG.cos * v_h_C_BCG - Scalar(2) * q.theta_BCG.sin * v_s_C
+        - omega_BCG * (BC_x + slide_C_x - t07));
+    rhs(1) = -omega_D_CD * (t11 - Scalar(2) * t12) - omega_BCG * (Scalar(2) * t11
+        + Scalar(2) * q.theta_BCG.cos * v_s_C - Scalar(2) * q.theta_BCG.sin * v_h_C_BCG
+        - Scalar(2) * t12 - omega_BCG * (BC_y + slide_C_y - t10));
+    rhs(2) = -omega_F_EDF * (Scalar(2) * t13 + EF_x * t14) - omega_D_CD * (Scalar(2) * t13
+        + omega_D_CD * EF_x) - omega_F_GF * (Scalar(2) * t15 + t16) - omega_G_BCG * (t18
+        - Scalar(2) * t19) - omega_BCG * (Scalar(2) * t13 + Scalar(2) * EF_x * t20 + Scalar(2) * t18
+        + omega_BCG * (EF_x + t17) - Scalar(2) * t19);
+    rhs(3) = omega_F_GF * (Scalar(2) * t22 - t23) - omega_F_EDF * (Scalar(2) * t21 + t14 * EF_y)
+        - omega_D_CD * (Scalar(2) * t21 + omega_D_CD * EF_y) - omega_G_BCG * (t25 + Scalar(2) * t26)
+        - omega_BCG * (Scalar(2) * t21 + Scalar(2) * t20 * EF_y + Scalar(2) * t25
+        + omega_BCG * (EF_y + t24) + Scalar(2) * t26);
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -545,6 +704,48 @@ struct Model07 {
     a(3, 1) = a_y_B + alpha_BCG * t05 + sin_GF * a_s_G - omega_BCG * (omega_BCG * t06
         - Scalar(2) * cos_GF * v_s_G);
     a(3, 2) = alpha_BCG;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar v_h_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1);
+    const Scalar v_h_G_BCG = d_rate(2);
+    p.setZero();
+    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar t03 = BG_x + slide_G_x;
+    const Scalar t04 = t03 * omega_G_BCG;
+    const Scalar t05 = sin_GF * v_s_G + cos_GF * v_h_G_BCG;
+    const Scalar t06 = BG_y + slide_G_y;
+    const Scalar t07 = omega_G_BCG * t06;
+    const Scalar t08 = cos_GF * v_s_G - sin_GF * v_h_G_BCG;
+    p(2, 0) = -omega_BCG * ((BC_x + slide_C_x) * omega_BCG + Scalar(2) * q.theta_BCG.cos * v_h_C_BCG
+        + Scalar(2) * q.theta_BCG.sin * v_s_C);
+    p(2, 1) = -omega_BCG * (omega_BCG * (BC_y + slide_C_y) + Scalar(2) * q.theta_BCG.sin * v_h_C_BCG
+        - Scalar(2) * q.theta_BCG.cos * v_s_C);
+    p(3, 0) = -omega_BCG * (omega_BCG * t03 + Scalar(2) * t04 + Scalar(2) * t05)
+        - omega_G_BCG * (t04 + Scalar(2) * t05);
+    p(3, 1) = -omega_BCG * (omega_BCG * t06 + Scalar(2) * t07 - Scalar(2) * t08)
+        - omega_G_BCG * (t07 - Scalar(2) * t08);
   }
 
   /// (cos, sin) of each sum of angles that must vanish: assembled only at (1, 0).

@@ -35,10 +35,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       8, 7, 0
 ///   velocity_rhs:         12, 13, 0
 ///   acceleration_rhs:     47, 31, 0
+///   jerk_rhs:             97, 49, 0
+///   curvature_rhs:        78, 37, 0
 ///   link_poses:           8, 9, 0
 ///   pose_jacobians:       8, 7, 0
 ///   link_velocities:      14, 13, 0
 ///   link_accelerations:   28, 21, 0
+///   pose_curvatures:      32, 17, 0
 ///   position_polynomial:  89, 71, 0
 ///   second_equations:     50, 39, 0
 ///   complete:             18, 18, 2
@@ -341,6 +344,125 @@ struct Model08 {
         - t09;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_EDF = q_rate(0);
+    const Scalar alpha_EDF = q_second_rate(0);
+    const Scalar omega_CD = q_rate(1);
+    const Scalar alpha_CD = q_second_rate(1);
+    const Scalar omega_GF = q_rate(2);
+    const Scalar alpha_GF = q_second_rate(2);
+    const Scalar v_s_B = q_rate(3);
+    const Scalar a_s_B = q_second_rate(3);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2);
+    const Scalar j_x_E = u_third_rate(3);
+    const Scalar j_y_E = u_third_rate(4);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar t02 = slide_B_y + BC_y;
+    const Scalar t03 = u.phi_B.cos * v_s_B;
+    const Scalar t04 = slide_B_x + BC_x;
+    const Scalar t05 = u.phi_B.sin * a_s_B;
+    const Scalar t06 = omega_EDF * omega_EDF;
+    const Scalar t07 = omega_CD * omega_CD;
+    const Scalar t08 = u.phi_B.sin * v_s_B;
+    const Scalar t09 = alpha_B * t08 - Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
+    const Scalar t10 = u.phi_B.cos * a_s_B;
+    const Scalar t11 = t03 * alpha_B + Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
+    const Scalar t12 = slide_B_y + BG_y;
+    const Scalar t13 = slide_B_x + BG_x;
+    const Scalar t14 = omega_GF * omega_GF;
+    rhs(0) = t02 * jerk_B + omega_CD * (Scalar(3) * alpha_CD * CD_x - CD_y * t07) + Scalar(3) * t09
+        - omega_B * (omega_B * (t02 * omega_B - Scalar(3) * t03) - Scalar(3) * t04 * alpha_B
+        - Scalar(3) * t05) - omega_EDF * (Scalar(3) * alpha_EDF * ED_x - ED_y * t06);
+    rhs(1) = omega_B * (omega_B * (omega_B * t04 + Scalar(3) * t08) + Scalar(3) * t02 * alpha_B
+        - Scalar(3) * t10) + omega_CD * (Scalar(3) * CD_y * alpha_CD + CD_x * t07) - t04 * jerk_B
+        - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t06) - Scalar(3) * t11;
+    rhs(2) = omega_B * (Scalar(3) * t05 + omega_B * (Scalar(3) * t03 - omega_B * t12)
+        + Scalar(3) * alpha_B * t13) + jerk_B * t12 + omega_GF * (Scalar(3) * alpha_GF * GF_x
+        - GF_y * t14) + Scalar(3) * t09 - omega_EDF * (Scalar(3) * alpha_EDF * EF_x - EF_y * t06);
+    rhs(3) = omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t14) - omega_B * (Scalar(3) * t10
+        - omega_B * (Scalar(3) * t08 + omega_B * t13) - Scalar(3) * alpha_B * t12) - jerk_B * t13
+        - omega_EDF * (Scalar(3) * alpha_EDF * EF_y + EF_x * t06) - Scalar(3) * t11;
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_EDF = q_rate(0);
+    const Scalar omega_CD = q_rate(1);
+    const Scalar omega_GF = q_rate(2);
+    const Scalar v_s_B = q_rate(3);
+    const Scalar v_h_B_BCG = d_rate(0);
+    const Scalar v_x_G_BCG = d_rate(1);
+    const Scalar v_y_G_BCG = d_rate(2);
+    const Scalar v_ED = d_rate(3);
+    const Scalar v_x_F_EDF = d_rate(4);
+    const Scalar v_y_F_EDF = d_rate(5);
+    const Scalar v_CD = d_rate(6);
+    const Scalar v_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar t02 = v_h_B_BCG - v_y_G_BCG;
+    const Scalar t03 = v_s_B + v_x_G_BCG;
+    rhs(0) = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
+        - Scalar(2) * u.phi_B.cos * v_h_B_BCG) + omega_CD * (Scalar(2) * q.theta_CD.sin * v_CD
+        + omega_CD * CD_x) - omega_EDF * (Scalar(2) * q.theta_EDF.sin * v_ED + omega_EDF * ED_x);
+    rhs(1) = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+        - Scalar(2) * u.phi_B.sin * v_h_B_BCG) + omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_ED
+        - omega_EDF * ED_y) - omega_CD * (Scalar(2) * q.theta_CD.cos * v_CD - omega_CD * CD_y);
+    rhs(2) = omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + omega_GF * GF_x)
+        - omega_B * (Scalar(2) * u.phi_B.cos * t02 - Scalar(2) * u.phi_B.sin * t03
+        - omega_B * (slide_B_x + BG_x)) - omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_y_F_EDF
+        + Scalar(2) * q.theta_EDF.sin * v_x_F_EDF + omega_EDF * EF_x);
+    rhs(3) = omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_x_F_EDF
+        - Scalar(2) * q.theta_EDF.sin * v_y_F_EDF - omega_EDF * EF_y)
+        - omega_B * (Scalar(2) * u.phi_B.cos * t03 + Scalar(2) * u.phi_B.sin * t02
+        - omega_B * (slide_B_y + BG_y)) - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF
+        - omega_GF * GF_y);
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -514,6 +636,42 @@ struct Model08 {
     a(3, 0) = t05 - omega_B * (Scalar(2) * t03 + omega_B * t10) - alpha_B * t11;
     a(3, 1) = t08 + omega_B * (Scalar(2) * t07 - omega_B * t11) + alpha_B * t10;
     a(3, 2) = alpha_GF;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar v_s_B = q_rate(3);
+    const Scalar v_h_B_BCG = d_rate(0);
+    const Scalar v_x_G_BCG = d_rate(1);
+    const Scalar v_y_G_BCG = d_rate(2);
+    const Scalar omega_B = u_rate(2);
+    p.setZero();
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar t02 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
+        - Scalar(2) * u.phi_B.cos * v_h_B_BCG);
+    const Scalar t03 = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+        - Scalar(2) * u.phi_B.sin * v_h_B_BCG);
+    const Scalar t04 = v_h_B_BCG - v_y_G_BCG;
+    const Scalar t05 = v_s_B + v_x_G_BCG;
+    p(0, 0) = -t02;
+    p(0, 1) = -t03;
+    p(2, 0) = -t02;
+    p(2, 1) = -t03;
+    p(3, 0) = omega_B * (Scalar(2) * u.phi_B.cos * t04 - Scalar(2) * u.phi_B.sin * t05
+        - omega_B * (slide_B_x + BG_x));
+    p(3, 1) = omega_B * (Scalar(2) * u.phi_B.cos * t05 + Scalar(2) * u.phi_B.sin * t04
+        - omega_B * (slide_B_y + BG_y));
   }
 
   /// The final polynomial T in theta_EDF, free of all other unknowns:

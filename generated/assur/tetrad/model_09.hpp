@@ -35,10 +35,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       8, 7, 0
 ///   velocity_rhs:         12, 13, 0
 ///   acceleration_rhs:     52, 35, 0
+///   jerk_rhs:             104, 55, 0
+///   curvature_rhs:        76, 40, 0
 ///   link_poses:           8, 9, 0
 ///   pose_jacobians:       8, 7, 0
 ///   link_velocities:      14, 13, 0
 ///   link_accelerations:   28, 21, 0
+///   pose_curvatures:      32, 17, 0
 ///   position_polynomial:  81, 60, 0
 ///   second_equations:     44, 36, 0
 ///   complete:             16, 17, 1
@@ -350,6 +353,136 @@ struct Model09 {
         - EF_y * t10;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_EDF = q_rate(0);
+    const Scalar alpha_EDF = q_second_rate(0);
+    const Scalar omega_GF = q_rate(1);
+    const Scalar alpha_GF = q_second_rate(1);
+    const Scalar v_s_B = q_rate(2);
+    const Scalar a_s_B = q_second_rate(2);
+    const Scalar v_s_D = q_rate(3);
+    const Scalar a_s_D = q_second_rate(3);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2);
+    const Scalar j_x_E = u_third_rate(3);
+    const Scalar j_y_E = u_third_rate(4);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
+    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
+    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar t02 = CD_y - ED_y - slide_D_y;
+    const Scalar t03 = q.theta_EDF.cos * v_s_D;
+    const Scalar t04 = CD_x - ED_x - slide_D_x;
+    const Scalar t05 = slide_B_y + BC_y;
+    const Scalar t06 = u.phi_B.cos * v_s_B;
+    const Scalar t07 = slide_B_x + BC_x;
+    const Scalar t08 = u.phi_B.sin * a_s_B;
+    const Scalar t09 = q.theta_EDF.sin * v_s_D;
+    const Scalar t10 = u.phi_B.sin * v_s_B;
+    const Scalar t11 = alpha_B * t10 - Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
+    const Scalar t12 = u.phi_B.cos * a_s_B;
+    const Scalar t13 = t06 * alpha_B + Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
+    const Scalar t14 = slide_B_y + BG_y;
+    const Scalar t15 = slide_B_x + BG_x;
+    const Scalar t16 = omega_EDF * omega_EDF;
+    const Scalar t17 = omega_GF * omega_GF;
+    rhs(0) = t05 * jerk_B + Scalar(3) * t11 - omega_EDF * (omega_EDF * (t02 * omega_EDF
+        + Scalar(3) * t03) + Scalar(3) * q.theta_EDF.sin * a_s_D - Scalar(3) * t04 * alpha_EDF)
+        - omega_B * (omega_B * (t05 * omega_B - Scalar(3) * t06) - Scalar(3) * t07 * alpha_B
+        - Scalar(3) * t08) - Scalar(3) * alpha_EDF * t09;
+    rhs(1) = omega_EDF * (omega_EDF * (omega_EDF * t04 - Scalar(3) * t09)
+        + Scalar(3) * t02 * alpha_EDF + Scalar(3) * q.theta_EDF.cos * a_s_D)
+        + omega_B * (omega_B * (omega_B * t07 + Scalar(3) * t10) + Scalar(3) * t05 * alpha_B
+        - Scalar(3) * t12) + Scalar(3) * t03 * alpha_EDF - t07 * jerk_B - Scalar(3) * t13;
+    rhs(2) = omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t06 - omega_B * t14)
+        + Scalar(3) * alpha_B * t15) + jerk_B * t14 + omega_GF * (Scalar(3) * alpha_GF * GF_x
+        - GF_y * t17) + Scalar(3) * t11 - omega_EDF * (Scalar(3) * alpha_EDF * EF_x - EF_y * t16);
+    rhs(3) = omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t17) - omega_B * (Scalar(3) * t12
+        - omega_B * (Scalar(3) * t10 + omega_B * t15) - Scalar(3) * alpha_B * t14) - jerk_B * t15
+        - omega_EDF * (Scalar(3) * alpha_EDF * EF_y + EF_x * t16) - Scalar(3) * t13;
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_EDF = q_rate(0);
+    const Scalar omega_GF = q_rate(1);
+    const Scalar v_s_B = q_rate(2);
+    const Scalar v_s_D = q_rate(3);
+    const Scalar v_h_B_BCG = d_rate(0);
+    const Scalar v_x_G_BCG = d_rate(1);
+    const Scalar v_y_G_BCG = d_rate(2);
+    const Scalar v_h_D_EDF = d_rate(3);
+    const Scalar v_x_F_EDF = d_rate(4);
+    const Scalar v_y_F_EDF = d_rate(5);
+    const Scalar v_h_D_CD = d_rate(6);
+    const Scalar v_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
+    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
+    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar t02 = v_h_D_EDF - v_h_D_CD;
+    const Scalar t03 = v_h_B_BCG - v_y_G_BCG;
+    const Scalar t04 = v_s_B + v_x_G_BCG;
+    rhs(0) = omega_EDF * ((CD_x - ED_x - slide_D_x) * omega_EDF - Scalar(2) * q.theta_EDF.cos * t02
+        - Scalar(2) * q.theta_EDF.sin * v_s_D) + omega_B * ((slide_B_x + BC_x) * omega_B
+        + Scalar(2) * u.phi_B.sin * v_s_B - Scalar(2) * u.phi_B.cos * v_h_B_BCG);
+    rhs(1) = omega_EDF * (omega_EDF * (CD_y - ED_y - slide_D_y)
+        + Scalar(2) * q.theta_EDF.cos * v_s_D - Scalar(2) * q.theta_EDF.sin * t02)
+        + omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+        - Scalar(2) * u.phi_B.sin * v_h_B_BCG);
+    rhs(2) = omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + omega_GF * GF_x)
+        - omega_B * (Scalar(2) * u.phi_B.cos * t03 - Scalar(2) * u.phi_B.sin * t04
+        - omega_B * (slide_B_x + BG_x)) - omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_y_F_EDF
+        + Scalar(2) * q.theta_EDF.sin * v_x_F_EDF + omega_EDF * EF_x);
+    rhs(3) = omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_x_F_EDF
+        - Scalar(2) * q.theta_EDF.sin * v_y_F_EDF - omega_EDF * EF_y)
+        - omega_B * (Scalar(2) * u.phi_B.cos * t04 + Scalar(2) * u.phi_B.sin * t03
+        - omega_B * (slide_B_y + BG_y)) - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF
+        - omega_GF * GF_y);
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -521,6 +654,42 @@ struct Model09 {
     a(3, 0) = t05 - omega_B * (Scalar(2) * t03 + omega_B * t10) - alpha_B * t11;
     a(3, 1) = t08 + omega_B * (Scalar(2) * t07 - omega_B * t11) + alpha_B * t10;
     a(3, 2) = alpha_GF;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar v_s_B = q_rate(2);
+    const Scalar v_h_B_BCG = d_rate(0);
+    const Scalar v_x_G_BCG = d_rate(1);
+    const Scalar v_y_G_BCG = d_rate(2);
+    const Scalar omega_B = u_rate(2);
+    p.setZero();
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar t02 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
+        - Scalar(2) * u.phi_B.cos * v_h_B_BCG);
+    const Scalar t03 = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+        - Scalar(2) * u.phi_B.sin * v_h_B_BCG);
+    const Scalar t04 = v_h_B_BCG - v_y_G_BCG;
+    const Scalar t05 = v_s_B + v_x_G_BCG;
+    p(0, 0) = -t02;
+    p(0, 1) = -t03;
+    p(2, 0) = -t02;
+    p(2, 1) = -t03;
+    p(3, 0) = omega_B * (Scalar(2) * u.phi_B.cos * t04 - Scalar(2) * u.phi_B.sin * t05
+        - omega_B * (slide_B_x + BG_x));
+    p(3, 1) = omega_B * (Scalar(2) * u.phi_B.cos * t05 + Scalar(2) * u.phi_B.sin * t04
+        - omega_B * (slide_B_y + BG_y));
   }
 
   /// The final polynomial T in theta_EDF, free of all other unknowns:

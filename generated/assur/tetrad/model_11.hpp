@@ -35,10 +35,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       16, 14, 0
 ///   velocity_rhs:         24, 24, 0
 ///   acceleration_rhs:     62, 44, 0
+///   jerk_rhs:             116, 68, 0
+///   curvature_rhs:        84, 46, 0
 ///   link_poses:           12, 13, 0
 ///   pose_jacobians:       12, 9, 0
 ///   link_velocities:      22, 19, 0
 ///   link_accelerations:   44, 31, 0
+///   pose_curvatures:      48, 23, 0
 ///   position_polynomial:  77, 63, 0
 ///   second_equations:     69, 55, 0
 ///   complete:             20, 22, 2
@@ -372,6 +375,149 @@ struct Model11 {
         - omega_B * (Scalar(2) * t11 - omega_B * t16) - alpha_B * t14 - t13;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_CD = q_rate(0);
+    const Scalar alpha_CD = q_second_rate(0);
+    const Scalar omega_GF = q_rate(1);
+    const Scalar alpha_GF = q_second_rate(1);
+    const Scalar v_s_B = q_rate(2);
+    const Scalar a_s_B = q_second_rate(2);
+    const Scalar v_s_E = q_rate(3);
+    const Scalar a_s_E = q_second_rate(3);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2);
+    const Scalar j_x_E = u_third_rate(3);
+    const Scalar j_y_E = u_third_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar alpha_E = u_second_rate(5);
+    const Scalar jerk_E = u_third_rate(5);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_y = d.CD * q.theta_CD.sin;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
+    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar EF_x = u.phi_E.sin * t02 + u.phi_E.cos * d.x_F_EDF;
+    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t02;
+    const Scalar t03 = slide_B_y + BC_y;
+    const Scalar t04 = u.phi_B.cos * v_s_B;
+    const Scalar t05 = slide_B_x + BC_x;
+    const Scalar t06 = u.phi_B.sin * a_s_B;
+    const Scalar t07 = slide_E_y + ED_y;
+    const Scalar t08 = u.phi_E.cos * v_s_E;
+    const Scalar t09 = slide_E_x + ED_x;
+    const Scalar t10 = u.phi_E.sin * a_s_E;
+    const Scalar t11 = omega_CD * omega_CD;
+    const Scalar t12 = u.phi_B.sin * v_s_B;
+    const Scalar t13 = u.phi_E.sin * v_s_E;
+    const Scalar t14 = j_x_B - j_x_E - Scalar(3) * (alpha_B * t12 - alpha_E * t13);
+    const Scalar t15 = u.phi_B.cos * a_s_B;
+    const Scalar t16 = u.phi_E.cos * a_s_E;
+    const Scalar t17 = j_y_B - j_y_E + Scalar(3) * (t04 * alpha_B - t08 * alpha_E);
+    const Scalar t18 = slide_B_y + BG_y;
+    const Scalar t19 = slide_B_x + BG_x;
+    const Scalar t20 = slide_E_y + EF_y;
+    const Scalar t21 = slide_E_x + EF_x;
+    const Scalar t22 = omega_GF * omega_GF;
+    rhs(0) = omega_E * (omega_E * (t07 * omega_E - Scalar(3) * t08) - Scalar(3) * t09 * alpha_E
+        - Scalar(3) * t10) + t03 * jerk_B + omega_CD * (Scalar(3) * alpha_CD * CD_x - CD_y * t11)
+        - omega_B * (omega_B * (t03 * omega_B - Scalar(3) * t04) - Scalar(3) * t05 * alpha_B
+        - Scalar(3) * t06) - t07 * jerk_E - t14;
+    rhs(1) = omega_B * (omega_B * (omega_B * t05 + Scalar(3) * t12) + Scalar(3) * t03 * alpha_B
+        - Scalar(3) * t15) + t09 * jerk_E + omega_CD * (Scalar(3) * CD_y * alpha_CD + CD_x * t11)
+        - omega_E * (omega_E * (omega_E * t09 + Scalar(3) * t13) + Scalar(3) * t07 * alpha_E
+        - Scalar(3) * t16) - t05 * jerk_B - t17;
+    rhs(2) = omega_B * (Scalar(3) * t06 + omega_B * (Scalar(3) * t04 - omega_B * t18)
+        + Scalar(3) * alpha_B * t19) + jerk_B * t18 + omega_GF * (Scalar(3) * alpha_GF * GF_x
+        - GF_y * t22) - omega_E * (Scalar(3) * t10 + omega_E * (Scalar(3) * t08 - omega_E * t20)
+        + Scalar(3) * alpha_E * t21) - jerk_E * t20 - t14;
+    rhs(3) = omega_E * (Scalar(3) * t16 - omega_E * (Scalar(3) * t13 + omega_E * t21)
+        - Scalar(3) * alpha_E * t20) + jerk_E * t21 + omega_GF * (Scalar(3) * GF_y * alpha_GF
+        + GF_x * t22) - omega_B * (Scalar(3) * t15 - omega_B * (Scalar(3) * t12 + omega_B * t19)
+        - Scalar(3) * alpha_B * t18) - jerk_B * t19 - t17;
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_CD = q_rate(0);
+    const Scalar omega_GF = q_rate(1);
+    const Scalar v_s_B = q_rate(2);
+    const Scalar v_s_E = q_rate(3);
+    const Scalar v_h_B_BCG = d_rate(0);
+    const Scalar v_x_G_BCG = d_rate(1);
+    const Scalar v_y_G_BCG = d_rate(2);
+    const Scalar v_h_E_EDF = d_rate(3);
+    const Scalar v_x_F_EDF = d_rate(4);
+    const Scalar v_y_F_EDF = d_rate(5);
+    const Scalar v_CD = d_rate(6);
+    const Scalar v_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2);
+    const Scalar omega_E = u_rate(5);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_y = d.CD * q.theta_CD.sin;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
+    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar EF_x = u.phi_E.sin * t02 + u.phi_E.cos * d.x_F_EDF;
+    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t02;
+    const Scalar t03 = v_h_B_BCG - v_y_G_BCG;
+    const Scalar t04 = v_s_B + v_x_G_BCG;
+    const Scalar t05 = v_h_E_EDF - v_y_F_EDF;
+    const Scalar t06 = v_s_E + v_x_F_EDF;
+    rhs(0) = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
+        - Scalar(2) * u.phi_B.cos * v_h_B_BCG) + omega_CD * (Scalar(2) * q.theta_CD.sin * v_CD
+        + omega_CD * CD_x) - omega_E * ((slide_E_x + ED_x) * omega_E
+        + Scalar(2) * u.phi_E.sin * v_s_E - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
+    rhs(1) = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+        - Scalar(2) * u.phi_B.sin * v_h_B_BCG) - omega_E * (omega_E * (slide_E_y + ED_y)
+        - Scalar(2) * u.phi_E.cos * v_s_E - Scalar(2) * u.phi_E.sin * v_h_E_EDF)
+        - omega_CD * (Scalar(2) * q.theta_CD.cos * v_CD - omega_CD * CD_y);
+    rhs(2) = omega_E * (Scalar(2) * u.phi_E.cos * t05 - Scalar(2) * u.phi_E.sin * t06
+        - omega_E * (slide_E_x + EF_x)) + omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF
+        + omega_GF * GF_x) - omega_B * (Scalar(2) * u.phi_B.cos * t03
+        - Scalar(2) * u.phi_B.sin * t04 - omega_B * (slide_B_x + BG_x));
+    rhs(3) = omega_E * (Scalar(2) * u.phi_E.cos * t06 + Scalar(2) * u.phi_E.sin * t05
+        - omega_E * (slide_E_y + EF_y)) - omega_B * (Scalar(2) * u.phi_B.cos * t04
+        + Scalar(2) * u.phi_B.sin * t03 - omega_B * (slide_B_y + BG_y))
+        - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - omega_GF * GF_y);
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -575,6 +721,53 @@ struct Model11 {
     a(3, 0) = t05 - omega_B * (Scalar(2) * t03 + omega_B * t12) - alpha_B * t13;
     a(3, 1) = t08 + omega_B * (Scalar(2) * t07 - omega_B * t13) + alpha_B * t12;
     a(3, 2) = alpha_GF;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar v_s_B = q_rate(2);
+    const Scalar v_s_E = q_rate(3);
+    const Scalar v_h_B_BCG = d_rate(0);
+    const Scalar v_x_G_BCG = d_rate(1);
+    const Scalar v_y_G_BCG = d_rate(2);
+    const Scalar v_h_E_EDF = d_rate(3);
+    const Scalar omega_B = u_rate(2);
+    const Scalar omega_E = u_rate(5);
+    p.setZero();
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
+    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar t02 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
+        - Scalar(2) * u.phi_B.cos * v_h_B_BCG);
+    const Scalar t03 = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+        - Scalar(2) * u.phi_B.sin * v_h_B_BCG);
+    const Scalar t04 = v_h_B_BCG - v_y_G_BCG;
+    const Scalar t05 = v_s_B + v_x_G_BCG;
+    p(0, 0) = -t02;
+    p(0, 1) = -t03;
+    p(1, 0) = -omega_E * ((slide_E_x + ED_x) * omega_E + Scalar(2) * u.phi_E.sin * v_s_E
+        - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
+    p(1, 1) = -omega_E * (omega_E * (slide_E_y + ED_y) - Scalar(2) * u.phi_E.cos * v_s_E
+        - Scalar(2) * u.phi_E.sin * v_h_E_EDF);
+    p(2, 0) = -t02;
+    p(2, 1) = -t03;
+    p(3, 0) = omega_B * (Scalar(2) * u.phi_B.cos * t04 - Scalar(2) * u.phi_B.sin * t05
+        - omega_B * (slide_B_x + BG_x));
+    p(3, 1) = omega_B * (Scalar(2) * u.phi_B.cos * t05 + Scalar(2) * u.phi_B.sin * t04
+        - omega_B * (slide_B_y + BG_y));
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

@@ -35,10 +35,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       14, 12, 0
 ///   velocity_rhs:         18, 18, 0
 ///   acceleration_rhs:     57, 40, 0
+///   jerk_rhs:             105, 62, 0
+///   curvature_rhs:        95, 59, 0
 ///   link_poses:           14, 14, 0
 ///   pose_jacobians:       14, 14, 0
 ///   link_velocities:      22, 20, 0
 ///   link_accelerations:   40, 30, 0
+///   pose_curvatures:      61, 40, 0
 ///   position_polynomial:  31, 21, 0
 ///   second_equations:     20, 18, 0
 ///   complete:             16, 16, 0
@@ -389,6 +392,165 @@ struct Model12 {
         - alpha_B * t12 - t11;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_EDF = q_rate(0);
+    const Scalar alpha_EDF = q_second_rate(0);
+    const Scalar v_s_B = q_rate(1);
+    const Scalar a_s_B = q_second_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar a_s_C = q_second_rate(2);
+    const Scalar v_s_F = q_rate(3);
+    const Scalar a_s_F = q_second_rate(3);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2);
+    const Scalar j_x_E = u_third_rate(3);
+    const Scalar j_y_E = u_third_rate(4);
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar cos_CD = t01;
+    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar sin_CD = t02;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
+    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar CD_x = sin_CD * d.h_C_CD;
+    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar ED_x = q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin;
+    const Scalar BG_x = t03;
+    const Scalar BG_y = -t04;
+    const Scalar GF_x = -q.theta_EDF.sin * d.h_F_GF;
+    const Scalar GF_y = q.theta_EDF.cos * d.h_F_GF;
+    const Scalar EF_x = -q.theta_EDF.sin * d.h_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.h_F_EDF;
+    const Scalar slide_F_x = q.theta_EDF.cos * q.s_F;
+    const Scalar slide_F_y = q.theta_EDF.sin * q.s_F;
+    const Scalar t05 = slide_B_y + BC_y + slide_C_y + CD_y;
+    const Scalar t06 = u.phi_B.sin * v_s_B;
+    const Scalar t07 = t06 + sin_CD * v_s_C;
+    const Scalar t08 = j_x_B - j_x_E;
+    const Scalar t09 = omega_EDF * omega_EDF;
+    const Scalar t10 = slide_B_x + BC_x + slide_C_x + CD_x;
+    const Scalar t11 = u.phi_B.sin * a_s_B;
+    const Scalar t12 = u.phi_B.cos * v_s_B;
+    const Scalar t13 = t12 + cos_CD * v_s_C;
+    const Scalar t14 = j_y_B - j_y_E;
+    const Scalar t15 = u.phi_B.cos * a_s_B;
+    const Scalar t16 = GF_y - EF_y - slide_F_y;
+    const Scalar t17 = q.theta_EDF.cos * v_s_F;
+    const Scalar t18 = GF_x - EF_x - slide_F_x;
+    const Scalar t19 = slide_B_y + BG_y;
+    const Scalar t20 = slide_B_x + BG_x;
+    const Scalar t21 = q.theta_EDF.sin * v_s_F;
+    rhs(0) = t05 * jerk_B + Scalar(3) * alpha_B * t07 + omega_B * (Scalar(3) * t10 * alpha_B
+        + Scalar(3) * t11 + Scalar(3) * sin_CD * a_s_C - omega_B * (t05 * omega_B
+        - Scalar(3) * t13)) - t08 - omega_EDF * (Scalar(3) * alpha_EDF * ED_x - ED_y * t09);
+    rhs(1) = omega_B * (Scalar(3) * t05 * alpha_B + omega_B * (Scalar(3) * t07 + omega_B * t10)
+        - Scalar(3) * t15 - Scalar(3) * cos_CD * a_s_C) - t10 * jerk_B - Scalar(3) * t13 * alpha_B
+        - t14 - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t09);
+    rhs(2) = omega_B * (Scalar(3) * t11 + omega_B * (Scalar(3) * t12 - omega_B * t19)
+        + Scalar(3) * alpha_B * t20) + jerk_B * t19 + Scalar(3) * alpha_B * t06 - t08
+        - omega_EDF * (omega_EDF * (omega_EDF * t16 + Scalar(3) * t17)
+        + Scalar(3) * q.theta_EDF.sin * a_s_F - Scalar(3) * alpha_EDF * t18)
+        - Scalar(3) * alpha_EDF * t21;
+    rhs(3) = omega_EDF * (omega_EDF * (omega_EDF * t18 - Scalar(3) * t21)
+        + Scalar(3) * alpha_EDF * t16 + Scalar(3) * q.theta_EDF.cos * a_s_F)
+        + Scalar(3) * alpha_EDF * t17 - t14 - omega_B * (Scalar(3) * t15
+        - omega_B * (Scalar(3) * t06 + omega_B * t20) - Scalar(3) * alpha_B * t19) - jerk_B * t20
+        - Scalar(3) * t12 * alpha_B;
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_EDF = q_rate(0);
+    const Scalar v_s_B = q_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar v_s_F = q_rate(3);
+    const Scalar v_h_B_BCG = d_rate(0);
+    const Scalar omega_C_BCG = d_rate(1);
+    const Scalar v_h_C_BCG = d_rate(2);
+    const Scalar v_x_D_EDF = d_rate(3);
+    const Scalar v_y_D_EDF = d_rate(4);
+    const Scalar v_h_F_EDF = d_rate(5);
+    const Scalar v_h_C_CD = d_rate(6);
+    const Scalar v_h_F_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2);
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
+    const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar t03 = t01 - t02;
+    const Scalar cos_CD = t03;
+    const Scalar t04 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t05 = u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t06 = t04 + t05;
+    const Scalar sin_CD = t06;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_x = t07 - t06 * d.h_C_BCG;
+    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar CD_x = sin_CD * d.h_C_CD;
+    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar ED_x = q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin;
+    const Scalar BG_x = t07;
+    const Scalar BG_y = -t08;
+    const Scalar GF_x = -q.theta_EDF.sin * d.h_F_GF;
+    const Scalar GF_y = q.theta_EDF.cos * d.h_F_GF;
+    const Scalar EF_x = -q.theta_EDF.sin * d.h_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.h_F_EDF;
+    const Scalar slide_F_x = q.theta_EDF.cos * q.s_F;
+    const Scalar slide_F_y = q.theta_EDF.sin * q.s_F;
+    const Scalar t09 = slide_C_x + CD_x;
+    const Scalar t10 = sin_CD * v_s_C;
+    const Scalar t11 = omega_C_BCG + Scalar(2) * omega_B;
+    const Scalar t12 = v_h_C_BCG - v_h_C_CD;
+    const Scalar t13 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t14 = slide_C_y + CD_y;
+    const Scalar t15 = cos_CD * v_s_C;
+    const Scalar t16 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t17 = v_h_F_EDF - v_h_F_GF;
+    rhs(0) = omega_C_BCG * (omega_C_BCG * t09 + Scalar(2) * omega_B * t09 + Scalar(2) * t10
+        + v_h_C_BCG * (t03 + cos_CD) - Scalar(2) * cos_CD * v_h_C_CD - d.h_C_BCG * (t04 * t11
+        + t05 * t11)) + omega_B * (Scalar(2) * t10 + Scalar(2) * cos_CD * t12 + omega_B * (t09
+        + slide_B_x + BC_x) - Scalar(2) * t13)
+        - omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_y_D_EDF
+        + Scalar(2) * q.theta_EDF.sin * v_x_D_EDF + omega_EDF * ED_x);
+    rhs(1) = omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_x_D_EDF
+        - Scalar(2) * q.theta_EDF.sin * v_y_D_EDF - omega_EDF * ED_y)
+        + omega_C_BCG * (omega_C_BCG * t14 + Scalar(2) * omega_B * t14 + d.h_C_BCG * (t01 * t11
+        - t02 * t11) + v_h_C_BCG * (t06 + sin_CD) - Scalar(2) * t15 - Scalar(2) * sin_CD * v_h_C_CD)
+        - omega_B * (Scalar(2) * t15 + Scalar(2) * t16 - Scalar(2) * sin_CD * t12 - omega_B * (t14
+        + slide_B_y + BC_y));
+    rhs(2) = omega_EDF * (omega_EDF * (GF_x - EF_x - slide_F_x) - Scalar(2) * q.theta_EDF.cos * t17
+        - Scalar(2) * q.theta_EDF.sin * v_s_F) + omega_B * (omega_B * (slide_B_x + BG_x)
+        - Scalar(2) * t13);
+    rhs(3) = omega_EDF * (omega_EDF * (GF_y - EF_y - slide_F_y)
+        + Scalar(2) * q.theta_EDF.cos * v_s_F - Scalar(2) * q.theta_EDF.sin * t17)
+        + omega_B * (omega_B * (slide_B_y + BG_y) - Scalar(2) * t16);
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -608,6 +770,65 @@ struct Model12 {
     a(3, 0) = -t09;
     a(3, 1) = -t12;
     a(3, 2) = alpha_EDF;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar v_s_B = q_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar v_h_B_BCG = d_rate(0);
+    const Scalar omega_C_BCG = d_rate(1);
+    const Scalar v_h_C_BCG = d_rate(2);
+    const Scalar v_h_C_CD = d_rate(6);
+    const Scalar omega_B = u_rate(2);
+    p.setZero();
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
+    const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar t03 = t01 - t02;
+    const Scalar cos_CD = t03;
+    const Scalar t04 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t05 = u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t06 = t04 + t05;
+    const Scalar sin_CD = t06;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_x = t07 - t06 * d.h_C_BCG;
+    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar CD_x = sin_CD * d.h_C_CD;
+    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar BG_x = t07;
+    const Scalar BG_y = -t08;
+    const Scalar t09 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t10 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t09);
+    const Scalar t11 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t12 = omega_B * (omega_B * (slide_B_y + BG_y) - Scalar(2) * t11);
+    const Scalar t13 = slide_C_x + CD_x;
+    const Scalar t14 = sin_CD * v_s_C;
+    const Scalar t15 = Scalar(2) * omega_B + omega_C_BCG;
+    const Scalar t16 = v_h_C_BCG - v_h_C_CD;
+    const Scalar t17 = slide_C_y + CD_y;
+    const Scalar t18 = cos_CD * v_s_C;
+    p(0, 0) = -t10;
+    p(0, 1) = -t12;
+    p(2, 0) = omega_B * (Scalar(2) * t09 - Scalar(2) * t14 - Scalar(2) * cos_CD * t16
+        - omega_B * (slide_B_x + t13 + BC_x)) - omega_C_BCG * (omega_C_BCG * t13
+        + Scalar(2) * omega_B * t13 + Scalar(2) * t14 + v_h_C_BCG * (t03 + cos_CD)
+        - Scalar(2) * cos_CD * v_h_C_CD - d.h_C_BCG * (t04 * t15 + t05 * t15));
+    p(2, 1) = omega_B * (Scalar(2) * t11 + Scalar(2) * t18 - Scalar(2) * sin_CD * t16
+        - omega_B * (slide_B_y + t17 + BC_y)) - omega_C_BCG * (omega_C_BCG * t17
+        + Scalar(2) * omega_B * t17 + d.h_C_BCG * (t01 * t15 - t02 * t15) + v_h_C_BCG * (t06
+        + sin_CD) - Scalar(2) * t18 - Scalar(2) * sin_CD * v_h_C_CD);
+    p(3, 0) = -t10;
+    p(3, 1) = -t12;
   }
 
   /// The final polynomial T in theta_EDF, free of all other unknowns:

@@ -35,10 +35,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       28, 22, 0
 ///   velocity_rhs:         32, 28, 0
 ///   acceleration_rhs:     59, 42, 0
+///   jerk_rhs:             95, 60, 0
+///   curvature_rhs:        107, 74, 0
 ///   link_poses:           20, 16, 0
 ///   pose_jacobians:       12, 12, 0
 ///   link_velocities:      20, 18, 0
 ///   link_accelerations:   38, 28, 0
+///   pose_curvatures:      51, 33, 0
 ///   position_polynomial:  29, 21, 0
 ///   complete:             27, 22, 2
 struct Model14 {
@@ -414,6 +417,166 @@ struct Model14 {
     rhs(3) = GF_y * t15 - t12 - omega_B * (Scalar(2) * t11 - omega_B * t14) - alpha_B * t13;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_GF = q_rate(0);
+    const Scalar alpha_GF = q_second_rate(0);
+    const Scalar v_s_B = q_rate(1);
+    const Scalar a_s_B = q_second_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar a_s_C = q_second_rate(2);
+    const Scalar v_s_D = q_rate(3);
+    const Scalar a_s_D = q_second_rate(3);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2);
+    const Scalar j_x_E = u_third_rate(3);
+    const Scalar j_y_E = u_third_rate(4);
+    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
+    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
+    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
+    const Scalar t03 = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar cos_CD = t03;
+    const Scalar t04 = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar sin_CD = t04;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar t05 = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_x = t05 - t04 * d.h_C_BCG;
+    const Scalar t06 = u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_y = t03 * d.h_C_BCG - t06;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
+    const Scalar ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = cos_EDF * q.s_D;
+    const Scalar slide_D_y = sin_EDF * q.s_D;
+    const Scalar BG_x = t05;
+    const Scalar BG_y = -t06;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
+    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar t07 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y;
+    const Scalar t08 = j_x_B - j_x_E;
+    const Scalar t09 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x;
+    const Scalar t10 = u.phi_B.sin * a_s_B;
+    const Scalar t11 = u.phi_B.cos * v_s_B;
+    const Scalar t12 = cos_EDF * v_s_D - t11 - cos_CD * v_s_C;
+    const Scalar t13 = u.phi_B.sin * v_s_B;
+    const Scalar t14 = sin_EDF * v_s_D - t13 - sin_CD * v_s_C;
+    const Scalar t15 = j_y_B - j_y_E;
+    const Scalar t16 = u.phi_B.cos * a_s_B;
+    const Scalar t17 = slide_B_y + BG_y - EF_y;
+    const Scalar t18 = slide_B_x + BG_x - EF_x;
+    const Scalar t19 = omega_GF * omega_GF;
+    rhs(0) = t07 * jerk_B + omega_B * (Scalar(3) * t09 * alpha_B + Scalar(3) * t10
+        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_EDF * a_s_D - omega_B * (t07 * omega_B
+        + Scalar(3) * t12)) - t08 - Scalar(3) * alpha_B * t14;
+    rhs(1) = Scalar(3) * alpha_B * t12 + omega_B * (Scalar(3) * t07 * alpha_B
+        + Scalar(3) * cos_EDF * a_s_D + omega_B * (omega_B * t09 - Scalar(3) * t14)
+        - Scalar(3) * t16 - Scalar(3) * cos_CD * a_s_C) - t09 * jerk_B - t15;
+    rhs(2) = omega_B * (Scalar(3) * t10 + omega_B * (Scalar(3) * t11 - omega_B * t17)
+        + Scalar(3) * alpha_B * t18) + jerk_B * t17 + Scalar(3) * alpha_B * t13
+        + omega_GF * (Scalar(3) * alpha_GF * GF_x - GF_y * t19) - t08;
+    rhs(3) = omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t19) - t15
+        - omega_B * (Scalar(3) * t16 - omega_B * (Scalar(3) * t13 + omega_B * t18)
+        - Scalar(3) * alpha_B * t17) - jerk_B * t18 - Scalar(3) * t11 * alpha_B;
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_GF = q_rate(0);
+    const Scalar v_s_B = q_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar v_s_D = q_rate(3);
+    const Scalar v_h_B_BCG = d_rate(0);
+    const Scalar omega_C_BCG = d_rate(1);
+    const Scalar v_h_C_BCG = d_rate(2);
+    const Scalar v_h_D_EDF = d_rate(3);
+    const Scalar v_x_F_EDF = d_rate(4);
+    const Scalar v_y_F_EDF = d_rate(5);
+    const Scalar omega_D_CD = d_rate(6);
+    const Scalar v_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2);
+    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
+    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
+    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
+    const Scalar t03 = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar cos_CD = t03;
+    const Scalar t04 = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar sin_CD = t04;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar t05 = t04 * d.h_C_BCG;
+    const Scalar t06 = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_x = t06 - t05;
+    const Scalar t07 = t03 * d.h_C_BCG;
+    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_y = t07 - t08;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
+    const Scalar ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = cos_EDF * q.s_D;
+    const Scalar slide_D_y = sin_EDF * q.s_D;
+    const Scalar BG_x = t06;
+    const Scalar BG_y = -t08;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
+    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar t09 = ED_x + slide_D_x;
+    const Scalar t10 = t09 * omega_D_CD;
+    const Scalar t11 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
+    const Scalar t12 = slide_C_x - t09;
+    const Scalar t13 = t05 - t12;
+    const Scalar t14 = t11 + t10 - sin_CD * v_s_C;
+    const Scalar t15 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t16 = ED_y + slide_D_y;
+    const Scalar t17 = omega_D_CD * t16;
+    const Scalar t18 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
+    const Scalar t19 = slide_C_y - t16;
+    const Scalar t20 = t07 + t19;
+    const Scalar t21 = t18 - t17 - cos_CD * v_s_C;
+    const Scalar t22 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t23 = omega_C_BCG + Scalar(2) * omega_D_CD;
+    const Scalar t24 = sin_EDF * v_x_F_EDF + cos_EDF * v_y_F_EDF;
+    const Scalar t25 = omega_C_BCG + omega_D_CD;
+    const Scalar t26 = cos_EDF * v_x_F_EDF - sin_EDF * v_y_F_EDF;
+    rhs(0) = omega_C_BCG * (v_h_C_BCG * (t03 + cos_CD) - omega_C_BCG * t13
+        - Scalar(2) * omega_B * t13 - Scalar(2) * t14) + omega_B * (Scalar(2) * cos_CD * v_h_C_BCG
+        + omega_B * (slide_B_x + BC_x + t12) - Scalar(2) * t15 - Scalar(2) * t14)
+        - omega_D_CD * (t10 + Scalar(2) * t11);
+    rhs(1) = omega_C_BCG * (v_h_C_BCG * (t04 + sin_CD) + omega_C_BCG * t20
+        + Scalar(2) * omega_B * t20 + Scalar(2) * t21) + omega_B * (Scalar(2) * sin_CD * v_h_C_BCG
+        + omega_B * (slide_B_y + BC_y + t19) + Scalar(2) * t21 - Scalar(2) * t22)
+        - omega_D_CD * (t17 - Scalar(2) * t18);
+    rhs(2) = omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + omega_GF * GF_x)
+        + omega_B * (omega_B * (slide_B_x + BG_x - EF_x) - Scalar(2) * EF_x * t25 - Scalar(2) * t24
+        - Scalar(2) * t15) - omega_C_BCG * (EF_x * t23 + Scalar(2) * t24)
+        - omega_D_CD * (Scalar(2) * t24 + omega_D_CD * EF_x);
+    rhs(3) = omega_D_CD * (Scalar(2) * t26 - omega_D_CD * EF_y) + omega_B * (omega_B * (slide_B_y
+        + BG_y - EF_y) + Scalar(2) * t26 - Scalar(2) * t25 * EF_y - Scalar(2) * t22)
+        - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - omega_GF * GF_y)
+        - omega_C_BCG * (t23 * EF_y - Scalar(2) * t26);
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -627,6 +790,57 @@ struct Model14 {
     a(3, 0) = -t09;
     a(3, 1) = -t12;
     a(3, 2) = alpha_GF;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar v_s_B = q_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar v_h_B_BCG = d_rate(0);
+    const Scalar omega_C_BCG = d_rate(1);
+    const Scalar v_h_C_BCG = d_rate(2);
+    const Scalar omega_B = u_rate(2);
+    p.setZero();
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
+    const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar t03 = t01 - t02;
+    const Scalar cos_CD = t03;
+    const Scalar t04 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t05 = u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t06 = t04 + t05;
+    const Scalar sin_CD = t06;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_x = t07 - t06 * d.h_C_BCG;
+    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar BG_x = t07;
+    const Scalar BG_y = -t08;
+    const Scalar t09 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t10 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t09);
+    const Scalar t11 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t12 = omega_B * (omega_B * (slide_B_y + BG_y) - Scalar(2) * t11);
+    const Scalar t13 = Scalar(2) * omega_B + omega_C_BCG;
+    const Scalar t14 = sin_CD * v_s_C;
+    const Scalar t15 = cos_CD * v_s_C;
+    p(0, 0) = -t10;
+    p(0, 1) = -t12;
+    p(2, 0) = omega_B * (Scalar(2) * t09 - Scalar(2) * t14 - omega_B * (slide_B_x + slide_C_x
+        + BC_x) - Scalar(2) * cos_CD * v_h_C_BCG) - omega_C_BCG * (t13 * slide_C_x + Scalar(2) * t14
+        + v_h_C_BCG * (t03 + cos_CD) - d.h_C_BCG * (t04 * t13 + t05 * t13));
+    p(2, 1) = omega_B * (Scalar(2) * t11 + Scalar(2) * t15 - omega_B * (slide_B_y + slide_C_y
+        + BC_y) - Scalar(2) * sin_CD * v_h_C_BCG) - omega_C_BCG * (t13 * slide_C_y
+        + d.h_C_BCG * (t01 * t13 - t02 * t13) + v_h_C_BCG * (t06 + sin_CD) - Scalar(2) * t15);
+    p(3, 0) = -t10;
+    p(3, 1) = -t12;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

@@ -35,10 +35,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       42, 30, 0
 ///   velocity_rhs:         46, 36, 0
 ///   acceleration_rhs:     72, 50, 0
+///   jerk_rhs:             104, 68, 0
+///   curvature_rhs:        114, 85, 0
 ///   link_poses:           28, 20, 0
 ///   pose_jacobians:       12, 12, 0
 ///   link_velocities:      20, 18, 0
 ///   link_accelerations:   38, 28, 0
+///   pose_curvatures:      51, 33, 0
 ///   position_polynomial:  20, 15, 0
 ///   complete:             23, 17, 1
 struct Model15 {
@@ -455,6 +458,188 @@ struct Model15 {
         - alpha_B * t15;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar a_s_B = q_second_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1);
+    const Scalar v_s_D = q_rate(2);
+    const Scalar a_s_D = q_second_rate(2);
+    const Scalar v_s_F = q_rate(3);
+    const Scalar a_s_F = q_second_rate(3);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2);
+    const Scalar j_x_E = u_third_rate(3);
+    const Scalar j_y_E = u_third_rate(4);
+    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
+    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
+    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
+    const Scalar t03 = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar cos_CD = t03;
+    const Scalar t04 = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar sin_CD = t04;
+    const Scalar t05 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
+    const Scalar t06 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
+    const Scalar cos_GF = d.psi_C_BCG.cos * t05 - d.psi_C_BCG.sin * t06;
+    const Scalar sin_GF = d.psi_C_BCG.cos * t06 + d.psi_C_BCG.sin * t05;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_x = t07 - t04 * d.h_C_BCG;
+    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
+    const Scalar ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = cos_EDF * q.s_D;
+    const Scalar slide_D_y = sin_EDF * q.s_D;
+    const Scalar BG_x = t07;
+    const Scalar BG_y = -t08;
+    const Scalar GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF;
+    const Scalar EF_x = -(d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF) * d.h_F_EDF;
+    const Scalar EF_y = d.h_F_EDF * (d.psi_F_EDF.cos * cos_EDF - d.psi_F_EDF.sin * sin_EDF);
+    const Scalar slide_F_x = cos_GF * q.s_F;
+    const Scalar slide_F_y = sin_GF * q.s_F;
+    const Scalar t09 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y;
+    const Scalar t10 = j_x_B - j_x_E;
+    const Scalar t11 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x;
+    const Scalar t12 = u.phi_B.sin * a_s_B;
+    const Scalar t13 = u.phi_B.cos * v_s_B;
+    const Scalar t14 = cos_EDF * v_s_D - t13 - cos_CD * v_s_C;
+    const Scalar t15 = u.phi_B.sin * v_s_B;
+    const Scalar t16 = sin_EDF * v_s_D - t15 - sin_CD * v_s_C;
+    const Scalar t17 = j_y_B - j_y_E;
+    const Scalar t18 = u.phi_B.cos * a_s_B;
+    const Scalar t19 = slide_B_y + BG_y + GF_y - EF_y - slide_F_y;
+    const Scalar t20 = t15 - sin_GF * v_s_F;
+    const Scalar t21 = slide_B_x + BG_x + GF_x - EF_x - slide_F_x;
+    const Scalar t22 = t13 - cos_GF * v_s_F;
+    rhs(0) = t09 * jerk_B + omega_B * (Scalar(3) * t11 * alpha_B + Scalar(3) * t12
+        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_EDF * a_s_D - omega_B * (t09 * omega_B
+        + Scalar(3) * t14)) - t10 - Scalar(3) * alpha_B * t16;
+    rhs(1) = Scalar(3) * alpha_B * t14 + omega_B * (Scalar(3) * t09 * alpha_B
+        + Scalar(3) * cos_EDF * a_s_D + omega_B * (omega_B * t11 - Scalar(3) * t16)
+        - Scalar(3) * t18 - Scalar(3) * cos_CD * a_s_C) - t11 * jerk_B - t17;
+    rhs(2) = jerk_B * t19 + Scalar(3) * alpha_B * t20 + omega_B * (Scalar(3) * t12
+        + Scalar(3) * alpha_B * t21 - Scalar(3) * sin_GF * a_s_F - omega_B * (omega_B * t19
+        - Scalar(3) * t22)) - t10;
+    rhs(3) = -t17 - jerk_B * t21 - Scalar(3) * alpha_B * t22 - omega_B * (Scalar(3) * t18
+        - Scalar(3) * alpha_B * t19 - Scalar(3) * cos_GF * a_s_F - omega_B * (Scalar(3) * t20
+        + omega_B * t21));
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar v_s_D = q_rate(2);
+    const Scalar v_s_F = q_rate(3);
+    const Scalar v_h_B_BCG = d_rate(0);
+    const Scalar omega_C_BCG = d_rate(1);
+    const Scalar v_h_C_BCG = d_rate(2);
+    const Scalar v_h_D_EDF = d_rate(3);
+    const Scalar omega_F_EDF = d_rate(4);
+    const Scalar v_h_F_EDF = d_rate(5);
+    const Scalar omega_D_CD = d_rate(6);
+    const Scalar v_h_F_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2);
+    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
+    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
+    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
+    const Scalar t03 = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar cos_CD = t03;
+    const Scalar t04 = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar sin_CD = t04;
+    const Scalar t05 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
+    const Scalar t06 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
+    const Scalar cos_GF = d.psi_C_BCG.cos * t05 - d.psi_C_BCG.sin * t06;
+    const Scalar sin_GF = d.psi_C_BCG.cos * t06 + d.psi_C_BCG.sin * t05;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar t07 = t04 * d.h_C_BCG;
+    const Scalar t08 = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_x = t08 - t07;
+    const Scalar t09 = t03 * d.h_C_BCG;
+    const Scalar t10 = u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_y = t09 - t10;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
+    const Scalar ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = cos_EDF * q.s_D;
+    const Scalar slide_D_y = sin_EDF * q.s_D;
+    const Scalar BG_x = t08;
+    const Scalar BG_y = -t10;
+    const Scalar GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF;
+    const Scalar EF_x = -(d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF) * d.h_F_EDF;
+    const Scalar EF_y = d.h_F_EDF * (d.psi_F_EDF.cos * cos_EDF - d.psi_F_EDF.sin * sin_EDF);
+    const Scalar slide_F_x = cos_GF * q.s_F;
+    const Scalar slide_F_y = sin_GF * q.s_F;
+    const Scalar t11 = ED_x + slide_D_x;
+    const Scalar t12 = t11 * omega_D_CD;
+    const Scalar t13 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
+    const Scalar t14 = slide_C_x - t11;
+    const Scalar t15 = t07 - t14;
+    const Scalar t16 = t13 + t12 - sin_CD * v_s_C;
+    const Scalar t17 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t18 = ED_y + slide_D_y;
+    const Scalar t19 = omega_D_CD * t18;
+    const Scalar t20 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
+    const Scalar t21 = slide_C_y - t18;
+    const Scalar t22 = t09 + t21;
+    const Scalar t23 = t20 - t19 - cos_CD * v_s_C;
+    const Scalar t24 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t25 = v_h_F_EDF - v_h_F_GF;
+    const Scalar t26 = cos_GF * t25 + sin_GF * v_s_F;
+    const Scalar t27 = slide_F_x + EF_x - GF_x;
+    const Scalar t28 = omega_D_CD * t27;
+    const Scalar t29 = omega_F_EDF * t27;
+    const Scalar t30 = t26 + t28;
+    const Scalar t31 = omega_C_BCG * t27;
+    const Scalar t32 = t29 + t30;
+    const Scalar t33 = sin_GF * t25 - cos_GF * v_s_F;
+    const Scalar t34 = slide_F_y + EF_y - GF_y;
+    const Scalar t35 = omega_D_CD * t34;
+    const Scalar t36 = omega_F_EDF * t34;
+    const Scalar t37 = t33 + t35;
+    const Scalar t38 = omega_C_BCG * t34;
+    const Scalar t39 = t36 + t37;
+    rhs(0) = omega_C_BCG * (v_h_C_BCG * (t03 + cos_CD) - omega_C_BCG * t15
+        - Scalar(2) * omega_B * t15 - Scalar(2) * t16) + omega_B * (Scalar(2) * cos_CD * v_h_C_BCG
+        + omega_B * (slide_B_x + BC_x + t14) - Scalar(2) * t17 - Scalar(2) * t16)
+        - omega_D_CD * (t12 + Scalar(2) * t13);
+    rhs(1) = omega_C_BCG * (v_h_C_BCG * (t04 + sin_CD) + omega_C_BCG * t22
+        + Scalar(2) * omega_B * t22 + Scalar(2) * t23) + omega_B * (Scalar(2) * sin_CD * v_h_C_BCG
+        + omega_B * (slide_B_y + BC_y + t21) + Scalar(2) * t23 - Scalar(2) * t24)
+        - omega_D_CD * (t19 - Scalar(2) * t20);
+    rhs(2) = -omega_D_CD * (Scalar(2) * t26 + t28) - omega_F_EDF * (t29 + Scalar(2) * t30)
+        - omega_C_BCG * (t31 + Scalar(2) * t32) - omega_B * (Scalar(2) * t17 + Scalar(2) * t31
+        + Scalar(2) * t32 - omega_B * (slide_B_x + BG_x - t27));
+    rhs(3) = -omega_D_CD * (Scalar(2) * t33 + t35) - omega_F_EDF * (t36 + Scalar(2) * t37)
+        - omega_C_BCG * (t38 + Scalar(2) * t39) - omega_B * (Scalar(2) * t24 + Scalar(2) * t38
+        + Scalar(2) * t39 - omega_B * (slide_B_y + BG_y - t34));
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -673,6 +858,57 @@ struct Model15 {
     a(3, 0) = -t09;
     a(3, 1) = -t12;
     a(3, 2) = alpha_B;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar v_h_B_BCG = d_rate(0);
+    const Scalar omega_C_BCG = d_rate(1);
+    const Scalar v_h_C_BCG = d_rate(2);
+    const Scalar omega_B = u_rate(2);
+    p.setZero();
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
+    const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar t03 = t01 - t02;
+    const Scalar cos_CD = t03;
+    const Scalar t04 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t05 = u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t06 = t04 + t05;
+    const Scalar sin_CD = t06;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_x = t07 - t06 * d.h_C_BCG;
+    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar BG_x = t07;
+    const Scalar BG_y = -t08;
+    const Scalar t09 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t10 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t09);
+    const Scalar t11 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t12 = omega_B * (omega_B * (slide_B_y + BG_y) - Scalar(2) * t11);
+    const Scalar t13 = Scalar(2) * omega_B + omega_C_BCG;
+    const Scalar t14 = sin_CD * v_s_C;
+    const Scalar t15 = cos_CD * v_s_C;
+    p(0, 0) = -t10;
+    p(0, 1) = -t12;
+    p(2, 0) = omega_B * (Scalar(2) * t09 - Scalar(2) * t14 - omega_B * (slide_B_x + slide_C_x
+        + BC_x) - Scalar(2) * cos_CD * v_h_C_BCG) - omega_C_BCG * (t13 * slide_C_x + Scalar(2) * t14
+        + v_h_C_BCG * (t03 + cos_CD) - d.h_C_BCG * (t04 * t13 + t05 * t13));
+    p(2, 1) = omega_B * (Scalar(2) * t11 + Scalar(2) * t15 - omega_B * (slide_B_y + slide_C_y
+        + BC_y) - Scalar(2) * sin_CD * v_h_C_BCG) - omega_C_BCG * (t13 * slide_C_y
+        + d.h_C_BCG * (t01 * t13 - t02 * t13) + v_h_C_BCG * (t06 + sin_CD) - Scalar(2) * t15);
+    p(3, 0) = -t10;
+    p(3, 1) = -t12;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

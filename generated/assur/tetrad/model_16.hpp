@@ -35,10 +35,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       22, 19, 0
 ///   velocity_rhs:         30, 29, 0
 ///   acceleration_rhs:     67, 49, 0
+///   jerk_rhs:             127, 75, 0
+///   curvature_rhs:        103, 65, 0
 ///   link_poses:           18, 18, 0
 ///   pose_jacobians:       18, 16, 0
 ///   link_velocities:      30, 26, 0
 ///   link_accelerations:   56, 40, 0
+///   pose_curvatures:      77, 46, 0
 ///   position_polynomial:  53, 42, 0
 ///   second_equations:     52, 42, 0
 ///   complete:             20, 21, 1
@@ -414,6 +417,175 @@ struct Model16 {
         - omega_B * (Scalar(2) * t13 - omega_B * t18) - alpha_B * t16;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_GF = q_rate(0);
+    const Scalar alpha_GF = q_second_rate(0);
+    const Scalar v_s_B = q_rate(1);
+    const Scalar a_s_B = q_second_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar a_s_C = q_second_rate(2);
+    const Scalar v_s_E = q_rate(3);
+    const Scalar a_s_E = q_second_rate(3);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2);
+    const Scalar j_x_E = u_third_rate(3);
+    const Scalar j_y_E = u_third_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar alpha_E = u_second_rate(5);
+    const Scalar jerk_E = u_third_rate(5);
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar cos_CD = t01;
+    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar sin_CD = t02;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
+    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar CD_x = sin_CD * d.h_C_CD;
+    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
+    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar BG_x = t03;
+    const Scalar BG_y = -t04;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar t05 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar EF_x = u.phi_E.sin * t05 + u.phi_E.cos * d.x_F_EDF;
+    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t05;
+    const Scalar t06 = slide_E_y + ED_y;
+    const Scalar t07 = u.phi_E.cos * v_s_E;
+    const Scalar t08 = slide_E_x + ED_x;
+    const Scalar t09 = u.phi_E.sin * a_s_E;
+    const Scalar t10 = slide_B_y + BC_y + slide_C_y + CD_y;
+    const Scalar t11 = u.phi_B.sin * v_s_B;
+    const Scalar t12 = t11 + sin_CD * v_s_C;
+    const Scalar t13 = slide_B_x + BC_x + slide_C_x + CD_x;
+    const Scalar t14 = u.phi_B.sin * a_s_B;
+    const Scalar t15 = u.phi_B.cos * v_s_B;
+    const Scalar t16 = t15 + cos_CD * v_s_C;
+    const Scalar t17 = u.phi_E.sin * v_s_E;
+    const Scalar t18 = alpha_E * t17 + Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
+    const Scalar t19 = u.phi_E.cos * a_s_E;
+    const Scalar t20 = u.phi_B.cos * a_s_B;
+    const Scalar t21 = t07 * alpha_E - Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
+    const Scalar t22 = slide_B_y + BG_y;
+    const Scalar t23 = slide_B_x + BG_x;
+    const Scalar t24 = slide_E_y + EF_y;
+    const Scalar t25 = slide_E_x + EF_x;
+    const Scalar t26 = omega_GF * omega_GF;
+    rhs(0) = omega_E * (omega_E * (t06 * omega_E - Scalar(3) * t07) - Scalar(3) * t08 * alpha_E
+        - Scalar(3) * t09) + t10 * jerk_B + Scalar(3) * alpha_B * t12
+        + omega_B * (Scalar(3) * t13 * alpha_B + Scalar(3) * t14 + Scalar(3) * sin_CD * a_s_C
+        - omega_B * (t10 * omega_B - Scalar(3) * t16)) - t06 * jerk_E - Scalar(3) * t18;
+    rhs(1) = t08 * jerk_E + omega_B * (Scalar(3) * t10 * alpha_B + omega_B * (Scalar(3) * t12
+        + omega_B * t13) - Scalar(3) * t20 - Scalar(3) * cos_CD * a_s_C) + Scalar(3) * t21
+        - omega_E * (omega_E * (omega_E * t08 + Scalar(3) * t17) + Scalar(3) * t06 * alpha_E
+        - Scalar(3) * t19) - t13 * jerk_B - Scalar(3) * t16 * alpha_B;
+    rhs(2) = omega_B * (Scalar(3) * t14 + omega_B * (Scalar(3) * t15 - omega_B * t22)
+        + Scalar(3) * alpha_B * t23) + jerk_B * t22 + Scalar(3) * alpha_B * t11
+        + omega_GF * (Scalar(3) * alpha_GF * GF_x - GF_y * t26) - omega_E * (Scalar(3) * t09
+        + omega_E * (Scalar(3) * t07 - omega_E * t24) + Scalar(3) * alpha_E * t25) - jerk_E * t24
+        - Scalar(3) * t18;
+    rhs(3) = omega_E * (Scalar(3) * t19 - omega_E * (Scalar(3) * t17 + omega_E * t25)
+        - Scalar(3) * alpha_E * t24) + jerk_E * t25 + omega_GF * (Scalar(3) * GF_y * alpha_GF
+        + GF_x * t26) + Scalar(3) * t21 - omega_B * (Scalar(3) * t20 - omega_B * (Scalar(3) * t11
+        + omega_B * t23) - Scalar(3) * alpha_B * t22) - jerk_B * t23 - Scalar(3) * t15 * alpha_B;
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_GF = q_rate(0);
+    const Scalar v_s_B = q_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar v_s_E = q_rate(3);
+    const Scalar v_h_B_BCG = d_rate(0);
+    const Scalar omega_C_BCG = d_rate(1);
+    const Scalar v_h_C_BCG = d_rate(2);
+    const Scalar v_h_E_EDF = d_rate(3);
+    const Scalar v_x_F_EDF = d_rate(4);
+    const Scalar v_y_F_EDF = d_rate(5);
+    const Scalar v_h_C_CD = d_rate(6);
+    const Scalar v_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2);
+    const Scalar omega_E = u_rate(5);
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
+    const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar t03 = t01 - t02;
+    const Scalar cos_CD = t03;
+    const Scalar t04 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t05 = u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t06 = t04 + t05;
+    const Scalar sin_CD = t06;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_x = t07 - t06 * d.h_C_BCG;
+    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar CD_x = sin_CD * d.h_C_CD;
+    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
+    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar BG_x = t07;
+    const Scalar BG_y = -t08;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar t09 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar EF_x = u.phi_E.sin * t09 + u.phi_E.cos * d.x_F_EDF;
+    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t09;
+    const Scalar t10 = slide_C_x + CD_x;
+    const Scalar t11 = sin_CD * v_s_C;
+    const Scalar t12 = omega_C_BCG + Scalar(2) * omega_B;
+    const Scalar t13 = v_h_C_BCG - v_h_C_CD;
+    const Scalar t14 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t15 = slide_C_y + CD_y;
+    const Scalar t16 = cos_CD * v_s_C;
+    const Scalar t17 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t18 = v_h_E_EDF - v_y_F_EDF;
+    const Scalar t19 = v_s_E + v_x_F_EDF;
+    rhs(0) = omega_C_BCG * (omega_C_BCG * t10 + Scalar(2) * omega_B * t10 + Scalar(2) * t11
+        + v_h_C_BCG * (t03 + cos_CD) - Scalar(2) * cos_CD * v_h_C_CD - d.h_C_BCG * (t04 * t12
+        + t05 * t12)) + omega_B * (Scalar(2) * t11 + Scalar(2) * cos_CD * t13 + omega_B * (t10
+        + slide_B_x + BC_x) - Scalar(2) * t14) - omega_E * ((slide_E_x + ED_x) * omega_E
+        + Scalar(2) * u.phi_E.sin * v_s_E - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
+    rhs(1) = omega_C_BCG * (omega_C_BCG * t15 + Scalar(2) * omega_B * t15 + d.h_C_BCG * (t01 * t12
+        - t02 * t12) + v_h_C_BCG * (t06 + sin_CD) - Scalar(2) * t16 - Scalar(2) * sin_CD * v_h_C_CD)
+        - omega_E * (omega_E * (slide_E_y + ED_y) - Scalar(2) * u.phi_E.cos * v_s_E
+        - Scalar(2) * u.phi_E.sin * v_h_E_EDF) - omega_B * (Scalar(2) * t16 + Scalar(2) * t17
+        - Scalar(2) * sin_CD * t13 - omega_B * (t15 + slide_B_y + BC_y));
+    rhs(2) = omega_E * (Scalar(2) * u.phi_E.cos * t18 - Scalar(2) * u.phi_E.sin * t19
+        - omega_E * (slide_E_x + EF_x)) + omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF
+        + omega_GF * GF_x) + omega_B * (omega_B * (slide_B_x + BG_x) - Scalar(2) * t14);
+    rhs(3) = omega_E * (Scalar(2) * u.phi_E.cos * t19 + Scalar(2) * u.phi_E.sin * t18
+        - omega_E * (slide_E_y + EF_y)) + omega_B * (omega_B * (slide_B_y + BG_y) - Scalar(2) * t17)
+        - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - omega_GF * GF_y);
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -665,6 +837,76 @@ struct Model16 {
     a(3, 0) = -t09;
     a(3, 1) = -t12;
     a(3, 2) = alpha_GF;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar v_s_B = q_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar v_s_E = q_rate(3);
+    const Scalar v_h_B_BCG = d_rate(0);
+    const Scalar omega_C_BCG = d_rate(1);
+    const Scalar v_h_C_BCG = d_rate(2);
+    const Scalar v_h_E_EDF = d_rate(3);
+    const Scalar v_h_C_CD = d_rate(6);
+    const Scalar omega_B = u_rate(2);
+    const Scalar omega_E = u_rate(5);
+    p.setZero();
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
+    const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar t03 = t01 - t02;
+    const Scalar cos_CD = t03;
+    const Scalar t04 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t05 = u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t06 = t04 + t05;
+    const Scalar sin_CD = t06;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_x = t07 - t06 * d.h_C_BCG;
+    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar CD_x = sin_CD * d.h_C_CD;
+    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
+    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar BG_x = t07;
+    const Scalar BG_y = -t08;
+    const Scalar t09 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t10 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t09);
+    const Scalar t11 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t12 = omega_B * (omega_B * (slide_B_y + BG_y) - Scalar(2) * t11);
+    const Scalar t13 = slide_C_x + CD_x;
+    const Scalar t14 = sin_CD * v_s_C;
+    const Scalar t15 = Scalar(2) * omega_B + omega_C_BCG;
+    const Scalar t16 = v_h_C_BCG - v_h_C_CD;
+    const Scalar t17 = slide_C_y + CD_y;
+    const Scalar t18 = cos_CD * v_s_C;
+    p(0, 0) = -t10;
+    p(0, 1) = -t12;
+    p(1, 0) = -omega_E * ((slide_E_x + ED_x) * omega_E + Scalar(2) * u.phi_E.sin * v_s_E
+        - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
+    p(1, 1) = -omega_E * (omega_E * (slide_E_y + ED_y) - Scalar(2) * u.phi_E.cos * v_s_E
+        - Scalar(2) * u.phi_E.sin * v_h_E_EDF);
+    p(2, 0) = omega_B * (Scalar(2) * t09 - Scalar(2) * t14 - Scalar(2) * cos_CD * t16
+        - omega_B * (slide_B_x + t13 + BC_x)) - omega_C_BCG * (omega_C_BCG * t13
+        + Scalar(2) * omega_B * t13 + Scalar(2) * t14 + v_h_C_BCG * (t03 + cos_CD)
+        - Scalar(2) * cos_CD * v_h_C_CD - d.h_C_BCG * (t04 * t15 + t05 * t15));
+    p(2, 1) = omega_B * (Scalar(2) * t11 + Scalar(2) * t18 - Scalar(2) * sin_CD * t16
+        - omega_B * (slide_B_y + t17 + BC_y)) - omega_C_BCG * (omega_C_BCG * t17
+        + Scalar(2) * omega_B * t17 + d.h_C_BCG * (t01 * t15 - t02 * t15) + v_h_C_BCG * (t06
+        + sin_CD) - Scalar(2) * t18 - Scalar(2) * sin_CD * v_h_C_CD);
+    p(3, 0) = -t10;
+    p(3, 1) = -t12;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

@@ -35,10 +35,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       28, 24, 0
 ///   velocity_rhs:         36, 34, 0
 ///   acceleration_rhs:     72, 54, 0
+///   jerk_rhs:             128, 82, 0
+///   curvature_rhs:        122, 84, 0
 ///   link_poses:           22, 20, 0
 ///   pose_jacobians:       18, 16, 0
 ///   link_velocities:      30, 26, 0
 ///   link_accelerations:   56, 40, 0
+///   pose_curvatures:      77, 46, 0
 ///   position_polynomial:  28, 24, 0
 ///   second_equations:     28, 24, 0
 ///   complete:             20, 20, 0
@@ -451,6 +454,204 @@ struct Model17 {
         + alpha_E * t19 - t18 - omega_B * (Scalar(2) * t16 - omega_B * t22) - alpha_B * t21;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar a_s_B = q_second_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1);
+    const Scalar v_s_E = q_rate(2);
+    const Scalar a_s_E = q_second_rate(2);
+    const Scalar v_s_F = q_rate(3);
+    const Scalar a_s_F = q_second_rate(3);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2);
+    const Scalar j_x_E = u_third_rate(3);
+    const Scalar j_y_E = u_third_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar alpha_E = u_second_rate(5);
+    const Scalar jerk_E = u_third_rate(5);
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar cos_CD = t01;
+    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar sin_CD = t02;
+    const Scalar t03 = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
+    const Scalar cos_GF = t03;
+    const Scalar t04 = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
+    const Scalar sin_GF = t04;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar t05 = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_x = t05 - t02 * d.h_C_BCG;
+    const Scalar t06 = u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_y = t01 * d.h_C_BCG - t06;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar CD_x = sin_CD * d.h_C_CD;
+    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar slide_E_x = u.phi_E.cos * q.s_E;
+    const Scalar slide_E_y = u.phi_E.sin * q.s_E;
+    const Scalar t07 = u.phi_E.sin * d.h_E_EDF;
+    const Scalar ED_x = t07;
+    const Scalar t08 = u.phi_E.cos * d.h_E_EDF;
+    const Scalar ED_y = -t08;
+    const Scalar BG_x = t05;
+    const Scalar BG_y = -t06;
+    const Scalar GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF;
+    const Scalar EF_x = t07 - t04 * d.h_F_EDF;
+    const Scalar EF_y = t03 * d.h_F_EDF - t08;
+    const Scalar slide_F_x = cos_GF * q.s_F;
+    const Scalar slide_F_y = sin_GF * q.s_F;
+    const Scalar t09 = slide_E_y + ED_y;
+    const Scalar t10 = u.phi_E.cos * v_s_E;
+    const Scalar t11 = slide_E_x + ED_x;
+    const Scalar t12 = u.phi_E.sin * a_s_E;
+    const Scalar t13 = slide_B_y + BC_y + slide_C_y + CD_y;
+    const Scalar t14 = u.phi_B.sin * v_s_B;
+    const Scalar t15 = t14 + sin_CD * v_s_C;
+    const Scalar t16 = u.phi_E.sin * v_s_E;
+    const Scalar t17 = slide_B_x + BC_x + slide_C_x + CD_x;
+    const Scalar t18 = u.phi_B.sin * a_s_B;
+    const Scalar t19 = u.phi_B.cos * v_s_B;
+    const Scalar t20 = t19 + cos_CD * v_s_C;
+    const Scalar t21 = j_x_B - j_x_E;
+    const Scalar t22 = u.phi_E.cos * a_s_E;
+    const Scalar t23 = u.phi_B.cos * a_s_B;
+    const Scalar t24 = j_y_B - j_y_E;
+    const Scalar t25 = slide_B_y + BG_y;
+    const Scalar t26 = slide_B_x + BG_x;
+    const Scalar t27 = slide_E_y + EF_y + slide_F_y - GF_y;
+    const Scalar t28 = t16 + sin_GF * v_s_F;
+    const Scalar t29 = slide_E_x + EF_x + slide_F_x - GF_x;
+    const Scalar t30 = t10 + cos_GF * v_s_F;
+    rhs(0) = omega_E * (omega_E * (t09 * omega_E - Scalar(3) * t10) - Scalar(3) * t11 * alpha_E
+        - Scalar(3) * t12) + t13 * jerk_B + Scalar(3) * alpha_B * t15
+        + omega_B * (Scalar(3) * t17 * alpha_B + Scalar(3) * t18 + Scalar(3) * sin_CD * a_s_C
+        - omega_B * (t13 * omega_B - Scalar(3) * t20)) - t09 * jerk_E - Scalar(3) * alpha_E * t16
+        - t21;
+    rhs(1) = t11 * jerk_E + Scalar(3) * t10 * alpha_E + omega_B * (Scalar(3) * t13 * alpha_B
+        + omega_B * (Scalar(3) * t15 + omega_B * t17) - Scalar(3) * t23
+        - Scalar(3) * cos_CD * a_s_C) - omega_E * (omega_E * (omega_E * t11 + Scalar(3) * t16)
+        + Scalar(3) * t09 * alpha_E - Scalar(3) * t22) - t17 * jerk_B - Scalar(3) * t20 * alpha_B
+        - t24;
+    rhs(2) = omega_B * (Scalar(3) * t18 + omega_B * (Scalar(3) * t19 - omega_B * t25)
+        + Scalar(3) * alpha_B * t26) + jerk_B * t25 + Scalar(3) * alpha_B * t14 - jerk_E * t27
+        - Scalar(3) * alpha_E * t28 - omega_E * (Scalar(3) * t12 + Scalar(3) * alpha_E * t29
+        + Scalar(3) * sin_GF * a_s_F - omega_E * (omega_E * t27 - Scalar(3) * t30)) - t21;
+    rhs(3) = jerk_E * t29 + Scalar(3) * alpha_E * t30 + omega_E * (Scalar(3) * t22
+        + Scalar(3) * cos_GF * a_s_F - Scalar(3) * alpha_E * t27 - omega_E * (Scalar(3) * t28
+        + omega_E * t29)) - omega_B * (Scalar(3) * t23 - omega_B * (Scalar(3) * t14 + omega_B * t26)
+        - Scalar(3) * alpha_B * t25) - jerk_B * t26 - Scalar(3) * t19 * alpha_B - t24;
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar v_s_E = q_rate(2);
+    const Scalar v_s_F = q_rate(3);
+    const Scalar v_h_B_BCG = d_rate(0);
+    const Scalar omega_C_BCG = d_rate(1);
+    const Scalar v_h_C_BCG = d_rate(2);
+    const Scalar v_h_E_EDF = d_rate(3);
+    const Scalar omega_F_EDF = d_rate(4);
+    const Scalar v_h_F_EDF = d_rate(5);
+    const Scalar v_h_C_CD = d_rate(6);
+    const Scalar v_h_F_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2);
+    const Scalar omega_E = u_rate(5);
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
+    const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar t03 = t01 - t02;
+    const Scalar cos_CD = t03;
+    const Scalar t04 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t05 = u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t06 = t04 + t05;
+    const Scalar sin_CD = t06;
+    const Scalar t07 = d.psi_F_EDF.cos * u.phi_E.cos;
+    const Scalar t08 = d.psi_F_EDF.sin * u.phi_E.sin;
+    const Scalar t09 = t07 - t08;
+    const Scalar cos_GF = t09;
+    const Scalar t10 = d.psi_F_EDF.cos * u.phi_E.sin;
+    const Scalar t11 = u.phi_E.cos * d.psi_F_EDF.sin;
+    const Scalar t12 = t10 + t11;
+    const Scalar sin_GF = t12;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar t13 = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_x = t13 - t06 * d.h_C_BCG;
+    const Scalar t14 = u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_y = t03 * d.h_C_BCG - t14;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar CD_x = sin_CD * d.h_C_CD;
+    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar slide_E_x = u.phi_E.cos * q.s_E;
+    const Scalar slide_E_y = u.phi_E.sin * q.s_E;
+    const Scalar t15 = u.phi_E.sin * d.h_E_EDF;
+    const Scalar ED_x = t15;
+    const Scalar t16 = u.phi_E.cos * d.h_E_EDF;
+    const Scalar ED_y = -t16;
+    const Scalar BG_x = t13;
+    const Scalar BG_y = -t14;
+    const Scalar GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF;
+    const Scalar EF_x = t15 - t12 * d.h_F_EDF;
+    const Scalar EF_y = t09 * d.h_F_EDF - t16;
+    const Scalar slide_F_x = cos_GF * q.s_F;
+    const Scalar slide_F_y = sin_GF * q.s_F;
+    const Scalar t17 = slide_C_x + CD_x;
+    const Scalar t18 = sin_CD * v_s_C;
+    const Scalar t19 = omega_C_BCG + Scalar(2) * omega_B;
+    const Scalar t20 = v_h_C_BCG - v_h_C_CD;
+    const Scalar t21 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t22 = u.phi_E.cos * v_h_E_EDF - u.phi_E.sin * v_s_E;
+    const Scalar t23 = slide_C_y + CD_y;
+    const Scalar t24 = cos_CD * v_s_C;
+    const Scalar t25 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t26 = u.phi_E.cos * v_s_E + u.phi_E.sin * v_h_E_EDF;
+    const Scalar t27 = GF_x - slide_F_x;
+    const Scalar t28 = sin_GF * v_s_F;
+    const Scalar t29 = Scalar(2) * omega_E + omega_F_EDF;
+    const Scalar t30 = v_h_F_EDF - v_h_F_GF;
+    const Scalar t31 = GF_y - slide_F_y;
+    const Scalar t32 = cos_GF * v_s_F;
+    rhs(0) = omega_C_BCG * (omega_C_BCG * t17 + Scalar(2) * omega_B * t17 + Scalar(2) * t18
+        + v_h_C_BCG * (t03 + cos_CD) - Scalar(2) * cos_CD * v_h_C_CD - d.h_C_BCG * (t04 * t19
+        + t05 * t19)) + omega_B * (Scalar(2) * t18 + Scalar(2) * cos_CD * t20 + omega_B * (t17
+        + slide_B_x + BC_x) - Scalar(2) * t21) - omega_E * ((slide_E_x + ED_x) * omega_E
+        - Scalar(2) * t22);
+    rhs(1) = omega_C_BCG * (omega_C_BCG * t23 + Scalar(2) * omega_B * t23 + d.h_C_BCG * (t01 * t19
+        - t02 * t19) + v_h_C_BCG * (t06 + sin_CD) - Scalar(2) * t24 - Scalar(2) * sin_CD * v_h_C_CD)
+        - omega_B * (Scalar(2) * t24 + Scalar(2) * t25 - Scalar(2) * sin_CD * t20 - omega_B * (t23
+        + slide_B_y + BC_y)) - omega_E * (omega_E * (slide_E_y + ED_y) - Scalar(2) * t26);
+    rhs(2) = omega_F_EDF * (omega_F_EDF * t27 + Scalar(2) * omega_E * t27
+        + Scalar(2) * cos_GF * v_h_F_GF + d.h_F_EDF * (t10 * t29 + t11 * t29) - Scalar(2) * t28
+        - v_h_F_EDF * (t09 + cos_GF)) + omega_B * (omega_B * (slide_B_x + BG_x) - Scalar(2) * t21)
+        + omega_E * (Scalar(2) * t22 - Scalar(2) * t28 - Scalar(2) * cos_GF * t30
+        - omega_E * (slide_E_x + EF_x - t27));
+    rhs(3) = omega_F_EDF * (omega_F_EDF * t31 + Scalar(2) * omega_E * t31 + Scalar(2) * t32
+        + Scalar(2) * sin_GF * v_h_F_GF - d.h_F_EDF * (t07 * t29 - t08 * t29) - v_h_F_EDF * (t12
+        + sin_GF)) + omega_B * (omega_B * (slide_B_y + BG_y) - Scalar(2) * t25)
+        + omega_E * (Scalar(2) * t26 + Scalar(2) * t32 - Scalar(2) * sin_GF * t30
+        - omega_E * (slide_E_y + EF_y - t31));
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -703,6 +904,76 @@ struct Model17 {
     a(3, 0) = -t09;
     a(3, 1) = -t12;
     a(3, 2) = alpha_E;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar v_s_E = q_rate(2);
+    const Scalar v_h_B_BCG = d_rate(0);
+    const Scalar omega_C_BCG = d_rate(1);
+    const Scalar v_h_C_BCG = d_rate(2);
+    const Scalar v_h_E_EDF = d_rate(3);
+    const Scalar v_h_C_CD = d_rate(6);
+    const Scalar omega_B = u_rate(2);
+    const Scalar omega_E = u_rate(5);
+    p.setZero();
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
+    const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar t03 = t01 - t02;
+    const Scalar cos_CD = t03;
+    const Scalar t04 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t05 = u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t06 = t04 + t05;
+    const Scalar sin_CD = t06;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_x = t07 - t06 * d.h_C_BCG;
+    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar CD_x = sin_CD * d.h_C_CD;
+    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
+    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar BG_x = t07;
+    const Scalar BG_y = -t08;
+    const Scalar t09 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t10 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t09);
+    const Scalar t11 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t12 = omega_B * (omega_B * (slide_B_y + BG_y) - Scalar(2) * t11);
+    const Scalar t13 = slide_C_x + CD_x;
+    const Scalar t14 = sin_CD * v_s_C;
+    const Scalar t15 = Scalar(2) * omega_B + omega_C_BCG;
+    const Scalar t16 = v_h_C_BCG - v_h_C_CD;
+    const Scalar t17 = slide_C_y + CD_y;
+    const Scalar t18 = cos_CD * v_s_C;
+    p(0, 0) = -t10;
+    p(0, 1) = -t12;
+    p(1, 0) = -omega_E * ((slide_E_x + ED_x) * omega_E + Scalar(2) * u.phi_E.sin * v_s_E
+        - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
+    p(1, 1) = -omega_E * (omega_E * (slide_E_y + ED_y) - Scalar(2) * u.phi_E.cos * v_s_E
+        - Scalar(2) * u.phi_E.sin * v_h_E_EDF);
+    p(2, 0) = omega_B * (Scalar(2) * t09 - Scalar(2) * t14 - Scalar(2) * cos_CD * t16
+        - omega_B * (slide_B_x + t13 + BC_x)) - omega_C_BCG * (omega_C_BCG * t13
+        + Scalar(2) * omega_B * t13 + Scalar(2) * t14 + v_h_C_BCG * (t03 + cos_CD)
+        - Scalar(2) * cos_CD * v_h_C_CD - d.h_C_BCG * (t04 * t15 + t05 * t15));
+    p(2, 1) = omega_B * (Scalar(2) * t11 + Scalar(2) * t18 - Scalar(2) * sin_CD * t16
+        - omega_B * (slide_B_y + t17 + BC_y)) - omega_C_BCG * (omega_C_BCG * t17
+        + Scalar(2) * omega_B * t17 + d.h_C_BCG * (t01 * t15 - t02 * t15) + v_h_C_BCG * (t06
+        + sin_CD) - Scalar(2) * t18 - Scalar(2) * sin_CD * v_h_C_CD);
+    p(3, 0) = -t10;
+    p(3, 1) = -t12;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

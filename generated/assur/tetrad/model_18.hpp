@@ -35,10 +35,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       32, 24, 0
 ///   velocity_rhs:         40, 34, 0
 ///   acceleration_rhs:     81, 56, 0
+///   jerk_rhs:             143, 84, 0
+///   curvature_rhs:        135, 84, 0
 ///   link_poses:           16, 16, 0
 ///   pose_jacobians:       16, 14, 0
 ///   link_velocities:      28, 24, 0
 ///   link_accelerations:   54, 38, 0
+///   pose_curvatures:      67, 39, 0
 ///   compatibility:        16, 8, 0
 struct Model18 {
   static constexpr const char* group = "tetrad";
@@ -454,6 +457,203 @@ struct Model18 {
         - omega_B * (Scalar(2) * t16 - omega_B * t21) - alpha_B * t19;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_GF = q_rate(0);
+    const Scalar alpha_GF = q_second_rate(0);
+    const Scalar v_s_B = q_rate(1);
+    const Scalar a_s_B = q_second_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar a_s_C = q_second_rate(2);
+    const Scalar v_s_E = q_rate(3);
+    const Scalar a_s_E = q_second_rate(3);
+    const Scalar v_s_D = q_rate(4);
+    const Scalar a_s_D = q_second_rate(4);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2);
+    const Scalar j_x_E = u_third_rate(3);
+    const Scalar j_y_E = u_third_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar alpha_E = u_second_rate(5);
+    const Scalar jerk_E = u_third_rate(5);
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar cos_CD = t01;
+    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar sin_CD = t02;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
+    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar t05 = u.phi_E.sin * d.h_E_EDF;
+    const Scalar ED_x = t05 - (u.phi_E.sin * d.psi_D_EDF.cos
+        + u.phi_E.cos * d.psi_D_EDF.sin) * d.h_D_EDF;
+    const Scalar t06 = u.phi_E.cos * d.h_E_EDF;
+    const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
+        - t06;
+    const Scalar t07 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t08 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t07 - d.psi_C_BCG.sin * t08;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t08 + d.psi_C_BCG.sin * t07;
+    const Scalar slide_D_x = q.s_D * cos_slide_D;
+    const Scalar slide_D_y = q.s_D * sin_slide_D;
+    const Scalar BG_x = t03;
+    const Scalar BG_y = -t04;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = t05;
+    const Scalar EF_y = -t06;
+    const Scalar t09 = slide_E_y + ED_y;
+    const Scalar t10 = u.phi_E.cos * v_s_E;
+    const Scalar t11 = slide_E_x + ED_x;
+    const Scalar t12 = u.phi_E.sin * a_s_E;
+    const Scalar t13 = slide_B_y + BC_y + slide_C_y - slide_D_y;
+    const Scalar t14 = slide_B_x + BC_x + slide_C_x - slide_D_x;
+    const Scalar t15 = u.phi_B.sin * a_s_B;
+    const Scalar t16 = u.phi_B.cos * v_s_B;
+    const Scalar t17 = cos_slide_D * v_s_D - t16 - cos_CD * v_s_C;
+    const Scalar t18 = u.phi_B.sin * v_s_B;
+    const Scalar t19 = sin_slide_D * v_s_D - t18 - sin_CD * v_s_C;
+    const Scalar t20 = u.phi_E.sin * v_s_E;
+    const Scalar t21 = alpha_E * t20 + Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
+    const Scalar t22 = u.phi_E.cos * a_s_E;
+    const Scalar t23 = u.phi_B.cos * a_s_B;
+    const Scalar t24 = t10 * alpha_E - Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
+    const Scalar t25 = slide_B_y + BG_y;
+    const Scalar t26 = slide_B_x + BG_x;
+    const Scalar t27 = slide_E_y + EF_y;
+    const Scalar t28 = slide_E_x + EF_x;
+    const Scalar t29 = omega_GF * omega_GF;
+    rhs(0) = omega_E * (omega_E * (t09 * omega_E - Scalar(3) * t10) - Scalar(3) * t11 * alpha_E
+        - Scalar(3) * t12) + t13 * jerk_B + omega_B * (Scalar(3) * t14 * alpha_B + Scalar(3) * t15
+        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_slide_D * a_s_D - omega_B * (t13 * omega_B
+        + Scalar(3) * t17)) - t09 * jerk_E - Scalar(3) * alpha_B * t19 - Scalar(3) * t21;
+    rhs(1) = t11 * jerk_E + Scalar(3) * alpha_B * t17 + omega_B * (Scalar(3) * t13 * alpha_B
+        + Scalar(3) * cos_slide_D * a_s_D + omega_B * (omega_B * t14 - Scalar(3) * t19)
+        - Scalar(3) * t23 - Scalar(3) * cos_CD * a_s_C) + Scalar(3) * t24
+        - omega_E * (omega_E * (omega_E * t11 + Scalar(3) * t20) + Scalar(3) * t09 * alpha_E
+        - Scalar(3) * t22) - t14 * jerk_B;
+    rhs(2) = omega_B * (Scalar(3) * t15 + omega_B * (Scalar(3) * t16 - omega_B * t25)
+        + Scalar(3) * alpha_B * t26) + jerk_B * t25 + Scalar(3) * alpha_B * t18
+        + omega_GF * (Scalar(3) * alpha_GF * GF_x - GF_y * t29) - omega_E * (Scalar(3) * t12
+        + omega_E * (Scalar(3) * t10 - omega_E * t27) + Scalar(3) * alpha_E * t28) - jerk_E * t27
+        - Scalar(3) * t21;
+    rhs(3) = omega_E * (Scalar(3) * t22 - omega_E * (Scalar(3) * t20 + omega_E * t28)
+        - Scalar(3) * alpha_E * t27) + jerk_E * t28 + omega_GF * (Scalar(3) * GF_y * alpha_GF
+        + GF_x * t29) + Scalar(3) * t24 - omega_B * (Scalar(3) * t23 - omega_B * (Scalar(3) * t18
+        + omega_B * t26) - Scalar(3) * alpha_B * t25) - jerk_B * t26 - Scalar(3) * t16 * alpha_B;
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_GF = q_rate(0);
+    const Scalar v_s_B = q_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar v_s_E = q_rate(3);
+    const Scalar v_s_D = q_rate(4);
+    const Scalar v_h_B_BCG = d_rate(0);
+    const Scalar omega_C_BCG = d_rate(1);
+    const Scalar v_h_C_BCG = d_rate(2);
+    const Scalar v_h_E_EDF = d_rate(3);
+    const Scalar omega_D_EDF = d_rate(4);
+    const Scalar v_h_D_EDF = d_rate(5);
+    const Scalar omega_D_CD = d_rate(6);
+    const Scalar v_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2);
+    const Scalar omega_E = u_rate(5);
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
+    const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar t03 = t01 - t02;
+    const Scalar cos_CD = t03;
+    const Scalar t04 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t05 = u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t06 = t04 + t05;
+    const Scalar sin_CD = t06;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_x = t07 - t06 * d.h_C_BCG;
+    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar t09 = u.phi_E.sin * d.h_E_EDF;
+    const Scalar ED_x = t09 - (u.phi_E.sin * d.psi_D_EDF.cos
+        + u.phi_E.cos * d.psi_D_EDF.sin) * d.h_D_EDF;
+    const Scalar t10 = u.phi_E.cos * d.h_E_EDF;
+    const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
+        - t10;
+    const Scalar t11 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t12 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t11 - d.psi_C_BCG.sin * t12;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t12 + d.psi_C_BCG.sin * t11;
+    const Scalar slide_D_x = q.s_D * cos_slide_D;
+    const Scalar slide_D_y = q.s_D * sin_slide_D;
+    const Scalar BG_x = t07;
+    const Scalar BG_y = -t08;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = t09;
+    const Scalar EF_y = -t10;
+    const Scalar t13 = sin_slide_D * v_s_D;
+    const Scalar t14 = omega_D_CD * slide_D_x;
+    const Scalar t15 = d.h_D_EDF * omega_D_EDF;
+    const Scalar t16 = d.psi_D_EDF.cos * v_h_D_EDF - v_h_E_EDF - d.psi_D_EDF.sin * t15;
+    const Scalar t17 = d.psi_D_EDF.sin * v_h_D_EDF + d.psi_D_EDF.cos * t15 - v_s_E;
+    const Scalar t18 = Scalar(2) * u.phi_E.cos * v_h_D_EDF - u.phi_E.sin * t15;
+    const Scalar t19 = Scalar(2) * u.phi_E.sin * v_h_D_EDF + u.phi_E.cos * t15;
+    const Scalar t20 = omega_C_BCG + Scalar(2) * omega_B;
+    const Scalar t21 = sin_CD * v_s_C - t13;
+    const Scalar t22 = t20 + Scalar(2) * omega_D_CD;
+    const Scalar t23 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t24 = cos_slide_D * v_s_D;
+    const Scalar t25 = omega_D_CD * slide_D_y;
+    const Scalar t26 = cos_CD * v_s_C - t24;
+    const Scalar t27 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    rhs(0) = omega_C_BCG * (t20 * slide_C_x + Scalar(2) * t21 + v_h_C_BCG * (t03 + cos_CD)
+        - d.h_C_BCG * (t04 * t20 + t05 * t20) - slide_D_x * t22) + omega_B * (Scalar(2) * t21
+        + Scalar(2) * cos_CD * v_h_C_BCG - omega_B * (slide_D_x - slide_C_x - slide_B_x - BC_x)
+        - Scalar(2) * t14 - Scalar(2) * t23) - omega_D_CD * (Scalar(2) * t13 + t14)
+        - omega_E * ((slide_E_x + ED_x) * omega_E + Scalar(2) * u.phi_E.cos * t16
+        - Scalar(2) * u.phi_E.sin * t17) - omega_D_EDF * (d.psi_D_EDF.cos * t18
+        - d.psi_D_EDF.sin * t19);
+    rhs(1) = omega_D_CD * (Scalar(2) * t24 - t25) + omega_C_BCG * (t20 * slide_C_y
+        + d.h_C_BCG * (t01 * t20 - t02 * t20) + v_h_C_BCG * (t06 + sin_CD) - Scalar(2) * t26
+        - slide_D_y * t22) - omega_E * (omega_E * (slide_E_y + ED_y) + Scalar(2) * u.phi_E.cos * t17
+        + Scalar(2) * u.phi_E.sin * t16) - omega_D_EDF * (d.psi_D_EDF.cos * t19
+        + d.psi_D_EDF.sin * t18) - omega_B * (Scalar(2) * t26 + omega_B * (slide_D_y - slide_C_y
+        - slide_B_y - BC_y) + Scalar(2) * t25 + Scalar(2) * t27 - Scalar(2) * sin_CD * v_h_C_BCG);
+    rhs(2) = omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + omega_GF * GF_x)
+        + omega_B * (omega_B * (slide_B_x + BG_x) - Scalar(2) * t23)
+        - omega_E * (omega_E * (slide_E_x + EF_x) + Scalar(2) * u.phi_E.sin * v_s_E
+        - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
+    rhs(3) = omega_B * (omega_B * (slide_B_y + BG_y) - Scalar(2) * t27)
+        - omega_E * (omega_E * (slide_E_y + EF_y) - Scalar(2) * u.phi_E.cos * v_s_E
+        - Scalar(2) * u.phi_E.sin * v_h_E_EDF) - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF
+        - omega_GF * GF_y);
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -693,6 +893,68 @@ struct Model18 {
     a(3, 0) = -t09;
     a(3, 1) = -t12;
     a(3, 2) = alpha_GF;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar v_s_B = q_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar v_s_E = q_rate(3);
+    const Scalar v_h_B_BCG = d_rate(0);
+    const Scalar omega_C_BCG = d_rate(1);
+    const Scalar v_h_C_BCG = d_rate(2);
+    const Scalar v_h_E_EDF = d_rate(3);
+    const Scalar omega_B = u_rate(2);
+    const Scalar omega_E = u_rate(5);
+    p.setZero();
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
+    const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar t03 = t01 - t02;
+    const Scalar cos_CD = t03;
+    const Scalar t04 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t05 = u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t06 = t04 + t05;
+    const Scalar sin_CD = t06;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_x = t07 - t06 * d.h_C_BCG;
+    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar BG_x = t07;
+    const Scalar BG_y = -t08;
+    const Scalar EF_x = u.phi_E.sin * d.h_E_EDF;
+    const Scalar EF_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar t09 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t10 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t09);
+    const Scalar t11 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t12 = omega_B * (omega_B * (slide_B_y + BG_y) - Scalar(2) * t11);
+    const Scalar t13 = Scalar(2) * omega_B + omega_C_BCG;
+    const Scalar t14 = sin_CD * v_s_C;
+    const Scalar t15 = cos_CD * v_s_C;
+    p(0, 0) = -t10;
+    p(0, 1) = -t12;
+    p(1, 0) = -omega_E * ((slide_E_x + EF_x) * omega_E + Scalar(2) * u.phi_E.sin * v_s_E
+        - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
+    p(1, 1) = -omega_E * (omega_E * (slide_E_y + EF_y) - Scalar(2) * u.phi_E.cos * v_s_E
+        - Scalar(2) * u.phi_E.sin * v_h_E_EDF);
+    p(2, 0) = omega_B * (Scalar(2) * t09 - Scalar(2) * t14 - omega_B * (slide_B_x + slide_C_x
+        + BC_x) - Scalar(2) * cos_CD * v_h_C_BCG) - omega_C_BCG * (t13 * slide_C_x + Scalar(2) * t14
+        + v_h_C_BCG * (t03 + cos_CD) - d.h_C_BCG * (t04 * t13 + t05 * t13));
+    p(2, 1) = omega_B * (Scalar(2) * t11 + Scalar(2) * t15 - omega_B * (slide_B_y + slide_C_y
+        + BC_y) - Scalar(2) * sin_CD * v_h_C_BCG) - omega_C_BCG * (t13 * slide_C_y
+        + d.h_C_BCG * (t01 * t13 - t02 * t13) + v_h_C_BCG * (t06 + sin_CD) - Scalar(2) * t15);
+    p(3, 0) = -t10;
+    p(3, 1) = -t12;
   }
 
   /// (cos, sin) of each sum of angles that must vanish: assembled only at (1, 0).

@@ -35,10 +35,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       20, 14, 0
 ///   velocity_rhs:         24, 20, 0
 ///   acceleration_rhs:     57, 38, 0
+///   jerk_rhs:             99, 58, 0
+///   curvature_rhs:        88, 51, 0
 ///   link_poses:           20, 16, 0
 ///   pose_jacobians:       20, 14, 0
 ///   link_velocities:      32, 26, 0
 ///   link_accelerations:   60, 42, 0
+///   pose_curvatures:      68, 41, 0
 ///   position_polynomial:  30, 18, 0
 ///   second_equations:     26, 19, 0
 ///   complete:             22, 18, 0
@@ -389,6 +392,154 @@ struct Model19 {
         - alpha_B * t10 - EF_y * t06 - t09;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_EDF = q_rate(0);
+    const Scalar alpha_EDF = q_second_rate(0);
+    const Scalar v_s_B = q_rate(1);
+    const Scalar a_s_B = q_second_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar a_s_C = q_second_rate(2);
+    const Scalar v_s_G = q_rate(3);
+    const Scalar a_s_G = q_second_rate(3);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2);
+    const Scalar j_x_E = u_third_rate(3);
+    const Scalar j_y_E = u_third_rate(4);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar CD_x = sin_CD * d.h_C_CD;
+    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar t03 = slide_B_y + slide_C_y + CD_y;
+    const Scalar t04 = u.phi_B.sin * v_s_B;
+    const Scalar t05 = t04 + sin_CD * v_s_C;
+    const Scalar t06 = j_x_B - j_x_E;
+    const Scalar t07 = omega_EDF * omega_EDF;
+    const Scalar t08 = slide_B_x + slide_C_x + CD_x;
+    const Scalar t09 = u.phi_B.sin * a_s_B;
+    const Scalar t10 = u.phi_B.cos * v_s_B;
+    const Scalar t11 = t10 + cos_CD * v_s_C;
+    const Scalar t12 = j_y_B - j_y_E;
+    const Scalar t13 = u.phi_B.cos * a_s_B;
+    const Scalar t14 = slide_B_y + BG_y + slide_G_y + GF_y;
+    const Scalar t15 = t04 + sin_GF * v_s_G;
+    const Scalar t16 = slide_B_x + BG_x + slide_G_x + GF_x;
+    const Scalar t17 = t10 + cos_GF * v_s_G;
+    rhs(0) = t03 * jerk_B + Scalar(3) * alpha_B * t05 + omega_B * (Scalar(3) * t08 * alpha_B
+        + Scalar(3) * t09 + Scalar(3) * sin_CD * a_s_C - omega_B * (t03 * omega_B
+        - Scalar(3) * t11)) - t06 - omega_EDF * (Scalar(3) * alpha_EDF * ED_x - ED_y * t07);
+    rhs(1) = omega_B * (Scalar(3) * t03 * alpha_B + omega_B * (Scalar(3) * t05 + omega_B * t08)
+        - Scalar(3) * t13 - Scalar(3) * cos_CD * a_s_C) - t08 * jerk_B - Scalar(3) * t11 * alpha_B
+        - t12 - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t07);
+    rhs(2) = jerk_B * t14 + Scalar(3) * alpha_B * t15 + omega_B * (Scalar(3) * t09
+        + Scalar(3) * alpha_B * t16 + Scalar(3) * sin_GF * a_s_G - omega_B * (omega_B * t14
+        - Scalar(3) * t17)) - t06 - omega_EDF * (Scalar(3) * alpha_EDF * EF_x - EF_y * t07);
+    rhs(3) = -t12 - jerk_B * t16 - Scalar(3) * alpha_B * t17
+        - omega_EDF * (Scalar(3) * alpha_EDF * EF_y + EF_x * t07) - omega_B * (Scalar(3) * t13
+        + Scalar(3) * cos_GF * a_s_G - Scalar(3) * alpha_B * t14 - omega_B * (Scalar(3) * t15
+        + omega_B * t16));
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar omega_EDF = q_rate(0);
+    const Scalar v_s_B = q_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar v_s_G = q_rate(3);
+    const Scalar omega_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1);
+    const Scalar v_h_G_BCG = d_rate(2);
+    const Scalar v_ED = d_rate(3);
+    const Scalar v_x_F_EDF = d_rate(4);
+    const Scalar v_y_F_EDF = d_rate(5);
+    const Scalar v_h_C_CD = d_rate(6);
+    const Scalar v_h_G_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar CD_x = sin_CD * d.h_C_CD;
+    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar t03 = slide_C_x + CD_x;
+    const Scalar t04 = t03 * omega_C_BCG;
+    const Scalar t05 = sin_CD * v_s_C - cos_CD * v_h_C_CD;
+    const Scalar t06 = u.phi_B.sin * v_s_B;
+    const Scalar t07 = slide_C_y + CD_y;
+    const Scalar t08 = omega_C_BCG * t07;
+    const Scalar t09 = cos_CD * v_s_C + sin_CD * v_h_C_CD;
+    const Scalar t10 = u.phi_B.cos * v_s_B;
+    const Scalar t11 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t12 = cos_GF * t11 + sin_GF * v_s_G;
+    const Scalar t13 = GF_x + BG_x + slide_G_x;
+    const Scalar t14 = omega_G_BCG * t13;
+    const Scalar t15 = sin_GF * t11 - cos_GF * v_s_G;
+    const Scalar t16 = GF_y + BG_y + slide_G_y;
+    const Scalar t17 = omega_G_BCG * t16;
+    rhs(0) = omega_C_BCG * (t04 + Scalar(2) * t05) + omega_B * (Scalar(2) * t04 + Scalar(2) * t06
+        + Scalar(2) * t05 + omega_B * (slide_B_x + t03))
+        - omega_EDF * (Scalar(2) * q.theta_EDF.sin * v_ED + omega_EDF * ED_x);
+    rhs(1) = omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_ED - omega_EDF * ED_y)
+        + omega_C_BCG * (t08 - Scalar(2) * t09) + omega_B * (Scalar(2) * t08 + omega_B * (slide_B_y
+        + t07) - Scalar(2) * t10 - Scalar(2) * t09);
+    rhs(2) = omega_G_BCG * (Scalar(2) * t12 + t14) + omega_B * (Scalar(2) * t06 + Scalar(2) * t12
+        + Scalar(2) * t14 + omega_B * (slide_B_x + t13))
+        - omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_y_F_EDF
+        + Scalar(2) * q.theta_EDF.sin * v_x_F_EDF + omega_EDF * EF_x);
+    rhs(3) = omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_x_F_EDF
+        - Scalar(2) * q.theta_EDF.sin * v_y_F_EDF - omega_EDF * EF_y)
+        + omega_G_BCG * (Scalar(2) * t15 + t17) - omega_B * (Scalar(2) * t10 - Scalar(2) * t15
+        - Scalar(2) * t17 - omega_B * (slide_B_y + t16));
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -614,6 +765,68 @@ struct Model19 {
     a(3, 1) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_GF * v_s_G - omega_B * t10)
         + alpha_B * t09 + sin_GF * a_s_G + t06;
     a(3, 2) = alpha_B;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar v_s_B = q_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar v_s_G = q_rate(3);
+    const Scalar omega_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1);
+    const Scalar v_h_G_BCG = d_rate(2);
+    const Scalar v_h_C_CD = d_rate(6);
+    const Scalar v_h_G_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2);
+    p.setZero();
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar CD_x = sin_CD * d.h_C_CD;
+    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar t03 = u.phi_B.sin * v_s_B;
+    const Scalar t04 = u.phi_B.cos * v_s_B;
+    const Scalar t05 = slide_C_x + CD_x;
+    const Scalar t06 = t05 * omega_C_BCG;
+    const Scalar t07 = sin_CD * v_s_C - cos_CD * v_h_C_CD;
+    const Scalar t08 = slide_C_y + CD_y;
+    const Scalar t09 = omega_C_BCG * t08;
+    const Scalar t10 = cos_CD * v_s_C + sin_CD * v_h_C_CD;
+    const Scalar t11 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t12 = cos_GF * t11 + sin_GF * v_s_G;
+    const Scalar t13 = GF_x + BG_x + slide_G_x;
+    const Scalar t14 = omega_G_BCG * t13;
+    const Scalar t15 = sin_GF * t11 - cos_GF * v_s_G;
+    const Scalar t16 = GF_y + BG_y + slide_G_y;
+    const Scalar t17 = omega_G_BCG * t16;
+    p(0, 0) = -omega_B * (Scalar(2) * t03 + omega_B * slide_B_x);
+    p(0, 1) = omega_B * (Scalar(2) * t04 - omega_B * slide_B_y);
+    p(2, 0) = -omega_C_BCG * (t06 + Scalar(2) * t07) - omega_B * (Scalar(2) * t03 + Scalar(2) * t06
+        + Scalar(2) * t07 + omega_B * (slide_B_x + t05));
+    p(2, 1) = omega_B * (Scalar(2) * t04 + Scalar(2) * t10 - Scalar(2) * t09 - omega_B * (slide_B_y
+        + t08)) - omega_C_BCG * (t09 - Scalar(2) * t10);
+    p(3, 0) = -omega_G_BCG * (Scalar(2) * t12 + t14) - omega_B * (Scalar(2) * t03 + Scalar(2) * t12
+        + Scalar(2) * t14 + omega_B * (slide_B_x + t13));
+    p(3, 1) = omega_B * (Scalar(2) * t04 - Scalar(2) * t15 - Scalar(2) * t17 - omega_B * (slide_B_y
+        + t16)) - omega_G_BCG * (Scalar(2) * t15 + t17);
   }
 
   /// The final polynomial T in theta_EDF, free of all other unknowns:

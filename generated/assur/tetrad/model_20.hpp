@@ -35,10 +35,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       34, 24, 0
 ///   velocity_rhs:         38, 30, 0
 ///   acceleration_rhs:     64, 44, 0
+///   jerk_rhs:             96, 62, 0
+///   curvature_rhs:        107, 73, 0
 ///   link_poses:           26, 18, 0
 ///   pose_jacobians:       18, 12, 0
 ///   link_velocities:      30, 24, 0
 ///   link_accelerations:   58, 40, 0
+///   pose_curvatures:      64, 37, 0
 ///   position_polynomial:  14, 13, 0
 ///   complete:             25, 18, 1
 struct Model20 {
@@ -425,6 +428,169 @@ struct Model20 {
         - alpha_B * t11;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar a_s_B = q_second_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar a_s_G = q_second_rate(2);
+    const Scalar v_s_D = q_rate(3);
+    const Scalar a_s_D = q_second_rate(3);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2);
+    const Scalar j_x_E = u_third_rate(3);
+    const Scalar j_y_E = u_third_rate(4);
+    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
+    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
+    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t03 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t03;
+    const Scalar t04 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar sin_GF = t04;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
+    const Scalar ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = cos_EDF * q.s_D;
+    const Scalar slide_D_y = sin_EDF * q.s_D;
+    const Scalar BG_x = -t04 * d.h_G_BCG;
+    const Scalar BG_y = t03 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
+    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar t05 = slide_B_y + slide_C_y - ED_y - slide_D_y;
+    const Scalar t06 = j_x_B - j_x_E;
+    const Scalar t07 = slide_B_x + slide_C_x - ED_x - slide_D_x;
+    const Scalar t08 = u.phi_B.sin * a_s_B;
+    const Scalar t09 = u.phi_B.cos * v_s_B;
+    const Scalar t10 = cos_EDF * v_s_D - t09 - cos_CD * v_s_C;
+    const Scalar t11 = u.phi_B.sin * v_s_B;
+    const Scalar t12 = sin_EDF * v_s_D - t11 - sin_CD * v_s_C;
+    const Scalar t13 = j_y_B - j_y_E;
+    const Scalar t14 = u.phi_B.cos * a_s_B;
+    const Scalar t15 = slide_B_y + BG_y + slide_G_y + GF_y - EF_y;
+    const Scalar t16 = t11 + sin_GF * v_s_G;
+    const Scalar t17 = slide_B_x + BG_x + slide_G_x + GF_x - EF_x;
+    const Scalar t18 = t09 + cos_GF * v_s_G;
+    rhs(0) = t05 * jerk_B + omega_B * (Scalar(3) * t07 * alpha_B + Scalar(3) * t08
+        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_EDF * a_s_D - omega_B * (t05 * omega_B
+        + Scalar(3) * t10)) - t06 - Scalar(3) * alpha_B * t12;
+    rhs(1) = Scalar(3) * alpha_B * t10 + omega_B * (Scalar(3) * t05 * alpha_B
+        + Scalar(3) * cos_EDF * a_s_D + omega_B * (omega_B * t07 - Scalar(3) * t12)
+        - Scalar(3) * t14 - Scalar(3) * cos_CD * a_s_C) - t07 * jerk_B - t13;
+    rhs(2) = jerk_B * t15 + Scalar(3) * alpha_B * t16 + omega_B * (Scalar(3) * t08
+        + Scalar(3) * alpha_B * t17 + Scalar(3) * sin_GF * a_s_G - omega_B * (omega_B * t15
+        - Scalar(3) * t18)) - t06;
+    rhs(3) = -t13 - jerk_B * t17 - Scalar(3) * alpha_B * t18 - omega_B * (Scalar(3) * t14
+        + Scalar(3) * cos_GF * a_s_G - Scalar(3) * alpha_B * t15 - omega_B * (Scalar(3) * t16
+        + omega_B * t17));
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar v_s_D = q_rate(3);
+    const Scalar omega_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1);
+    const Scalar v_h_G_BCG = d_rate(2);
+    const Scalar v_h_D_EDF = d_rate(3);
+    const Scalar v_x_F_EDF = d_rate(4);
+    const Scalar v_y_F_EDF = d_rate(5);
+    const Scalar omega_D_CD = d_rate(6);
+    const Scalar v_h_G_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2);
+    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
+    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
+    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t03 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t03;
+    const Scalar t04 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar sin_GF = t04;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
+    const Scalar ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = cos_EDF * q.s_D;
+    const Scalar slide_D_y = sin_EDF * q.s_D;
+    const Scalar BG_x = -t04 * d.h_G_BCG;
+    const Scalar BG_y = t03 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
+    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar t05 = ED_x + slide_D_x;
+    const Scalar t06 = t05 * omega_D_CD;
+    const Scalar t07 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
+    const Scalar t08 = slide_C_x - t05;
+    const Scalar t09 = omega_C_BCG * t08;
+    const Scalar t10 = t07 + t06 - sin_CD * v_s_C;
+    const Scalar t11 = u.phi_B.sin * v_s_B;
+    const Scalar t12 = ED_y + slide_D_y;
+    const Scalar t13 = omega_D_CD * t12;
+    const Scalar t14 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
+    const Scalar t15 = slide_C_y - t12;
+    const Scalar t16 = omega_C_BCG * t15;
+    const Scalar t17 = t14 - t13 - cos_CD * v_s_C;
+    const Scalar t18 = u.phi_B.cos * v_s_B;
+    const Scalar t19 = omega_C_BCG + Scalar(2) * omega_D_CD;
+    const Scalar t20 = sin_EDF * v_x_F_EDF + cos_EDF * v_y_F_EDF;
+    const Scalar t21 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t22 = cos_GF * t21 + sin_GF * v_s_G;
+    const Scalar t23 = GF_x + BG_x + slide_G_x;
+    const Scalar t24 = omega_G_BCG * t23;
+    const Scalar t25 = omega_C_BCG + omega_D_CD;
+    const Scalar t26 = cos_EDF * v_x_F_EDF - sin_EDF * v_y_F_EDF;
+    const Scalar t27 = sin_GF * t21 - cos_GF * v_s_G;
+    const Scalar t28 = GF_y + BG_y + slide_G_y;
+    const Scalar t29 = omega_G_BCG * t28;
+    rhs(0) = omega_C_BCG * (t09 - Scalar(2) * t10) + omega_B * (Scalar(2) * t11 + Scalar(2) * t09
+        + omega_B * (slide_B_x + t08) - Scalar(2) * t10) - omega_D_CD * (t06 + Scalar(2) * t07);
+    rhs(1) = omega_C_BCG * (t16 + Scalar(2) * t17) - omega_D_CD * (t13 - Scalar(2) * t14)
+        - omega_B * (Scalar(2) * t18 - Scalar(2) * t16 - omega_B * (slide_B_y + t15)
+        - Scalar(2) * t17);
+    rhs(2) = omega_G_BCG * (Scalar(2) * t22 + t24) + omega_B * (Scalar(2) * t11 + Scalar(2) * t22
+        + Scalar(2) * t24 + omega_B * (slide_B_x + t23 - EF_x) - Scalar(2) * EF_x * t25
+        - Scalar(2) * t20) - omega_C_BCG * (EF_x * t19 + Scalar(2) * t20)
+        - omega_D_CD * (Scalar(2) * t20 + omega_D_CD * EF_x);
+    rhs(3) = omega_D_CD * (Scalar(2) * t26 - omega_D_CD * EF_y) + omega_G_BCG * (Scalar(2) * t27
+        + t29) - omega_C_BCG * (t19 * EF_y - Scalar(2) * t26) - omega_B * (Scalar(2) * t18
+        + Scalar(2) * t25 * EF_y - Scalar(2) * t27 - Scalar(2) * t26 - Scalar(2) * t29
+        - omega_B * (slide_B_y + t28 - EF_y));
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -642,6 +808,63 @@ struct Model20 {
     a(3, 1) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_GF * v_s_G - omega_B * t10)
         + alpha_B * t09 + sin_GF * a_s_G + t06;
     a(3, 2) = alpha_B;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar omega_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1);
+    const Scalar v_h_G_BCG = d_rate(2);
+    const Scalar v_h_G_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2);
+    p.setZero();
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar t03 = u.phi_B.sin * v_s_B;
+    const Scalar t04 = u.phi_B.cos * v_s_B;
+    const Scalar t05 = sin_CD * v_s_C;
+    const Scalar t06 = slide_C_x * omega_C_BCG;
+    const Scalar t07 = cos_CD * v_s_C;
+    const Scalar t08 = omega_C_BCG * slide_C_y;
+    const Scalar t09 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t10 = cos_GF * t09 + sin_GF * v_s_G;
+    const Scalar t11 = GF_x + BG_x + slide_G_x;
+    const Scalar t12 = omega_G_BCG * t11;
+    const Scalar t13 = sin_GF * t09 - cos_GF * v_s_G;
+    const Scalar t14 = GF_y + BG_y + slide_G_y;
+    const Scalar t15 = omega_G_BCG * t14;
+    p(0, 0) = -omega_B * (Scalar(2) * t03 + omega_B * slide_B_x);
+    p(0, 1) = omega_B * (Scalar(2) * t04 - omega_B * slide_B_y);
+    p(2, 0) = -omega_B * (Scalar(2) * t03 + omega_B * (slide_B_x + slide_C_x) + Scalar(2) * t05
+        + Scalar(2) * t06) - omega_C_BCG * (Scalar(2) * t05 + t06);
+    p(2, 1) = omega_B * (Scalar(2) * t04 + Scalar(2) * t07 - omega_B * (slide_B_y + slide_C_y)
+        - Scalar(2) * t08) + omega_C_BCG * (Scalar(2) * t07 - t08);
+    p(3, 0) = -omega_G_BCG * (Scalar(2) * t10 + t12) - omega_B * (Scalar(2) * t03 + Scalar(2) * t10
+        + Scalar(2) * t12 + omega_B * (slide_B_x + t11));
+    p(3, 1) = omega_B * (Scalar(2) * t04 - Scalar(2) * t13 - Scalar(2) * t15 - omega_B * (slide_B_y
+        + t14)) - omega_G_BCG * (Scalar(2) * t13 + t15);
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

@@ -36,10 +36,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       44, 28, 0
 ///   velocity_rhs:         48, 34, 0
 ///   acceleration_rhs:     78, 50, 0
+///   jerk_rhs:             112, 70, 0
+///   curvature_rhs:        125, 84, 0
 ///   link_poses:           24, 16, 0
 ///   pose_jacobians:       16, 10, 0
 ///   link_velocities:      28, 22, 0
 ///   link_accelerations:   56, 38, 0
+///   pose_curvatures:      62, 34, 0
 ///   compatibility:        16, 8, 0
 struct Model21 {
   static constexpr const char* group = "tetrad";
@@ -453,6 +456,189 @@ struct Model21 {
         - Scalar(2) * cos_slide_F * v_s_F) - alpha_B * t13;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar a_s_B = q_second_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar a_s_G = q_second_rate(2);
+    const Scalar v_s_D = q_rate(3);
+    const Scalar a_s_D = q_second_rate(3);
+    const Scalar v_s_F = q_rate(4);
+    const Scalar a_s_F = q_second_rate(4);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2);
+    const Scalar j_x_E = u_third_rate(3);
+    const Scalar j_y_E = u_third_rate(4);
+    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
+    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
+    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t03 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t03;
+    const Scalar t04 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar sin_GF = t04;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
+    const Scalar ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = cos_EDF * q.s_D;
+    const Scalar slide_D_y = sin_EDF * q.s_D;
+    const Scalar BG_x = -t04 * d.h_G_BCG;
+    const Scalar BG_y = t03 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar EF_x = -(sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin) * d.h_F_EDF;
+    const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
+    const Scalar t05 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
+    const Scalar t06 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
+    const Scalar cos_slide_F = d.psi_G_BCG.cos * t05 - d.psi_G_BCG.sin * t06;
+    const Scalar sin_slide_F = d.psi_G_BCG.cos * t06 + d.psi_G_BCG.sin * t05;
+    const Scalar slide_F_x = q.s_F * cos_slide_F;
+    const Scalar slide_F_y = q.s_F * sin_slide_F;
+    const Scalar t07 = slide_B_y + slide_C_y - ED_y - slide_D_y;
+    const Scalar t08 = j_x_B - j_x_E;
+    const Scalar t09 = slide_B_x + slide_C_x - ED_x - slide_D_x;
+    const Scalar t10 = u.phi_B.sin * a_s_B;
+    const Scalar t11 = u.phi_B.cos * v_s_B;
+    const Scalar t12 = cos_EDF * v_s_D - t11 - cos_CD * v_s_C;
+    const Scalar t13 = u.phi_B.sin * v_s_B;
+    const Scalar t14 = sin_EDF * v_s_D - t13 - sin_CD * v_s_C;
+    const Scalar t15 = j_y_B - j_y_E;
+    const Scalar t16 = u.phi_B.cos * a_s_B;
+    const Scalar t17 = slide_B_y + BG_y + slide_G_y - EF_y - slide_F_y;
+    const Scalar t18 = sin_slide_F * v_s_F - t13 - sin_GF * v_s_G;
+    const Scalar t19 = slide_B_x + BG_x + slide_G_x - EF_x - slide_F_x;
+    const Scalar t20 = cos_slide_F * v_s_F - t11 - cos_GF * v_s_G;
+    rhs(0) = t07 * jerk_B + omega_B * (Scalar(3) * t09 * alpha_B + Scalar(3) * t10
+        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_EDF * a_s_D - omega_B * (t07 * omega_B
+        + Scalar(3) * t12)) - t08 - Scalar(3) * alpha_B * t14;
+    rhs(1) = Scalar(3) * alpha_B * t12 + omega_B * (Scalar(3) * t07 * alpha_B
+        + Scalar(3) * cos_EDF * a_s_D + omega_B * (omega_B * t09 - Scalar(3) * t14)
+        - Scalar(3) * t16 - Scalar(3) * cos_CD * a_s_C) - t09 * jerk_B - t15;
+    rhs(2) = jerk_B * t17 + omega_B * (Scalar(3) * t10 + Scalar(3) * alpha_B * t19
+        + Scalar(3) * sin_GF * a_s_G - Scalar(3) * sin_slide_F * a_s_F - omega_B * (omega_B * t17
+        + Scalar(3) * t20)) - t08 - Scalar(3) * alpha_B * t18;
+    rhs(3) = Scalar(3) * alpha_B * t20 - t15 - jerk_B * t19 - omega_B * (Scalar(3) * t16
+        + Scalar(3) * cos_GF * a_s_G - Scalar(3) * alpha_B * t17 - Scalar(3) * cos_slide_F * a_s_F
+        - omega_B * (omega_B * t19 - Scalar(3) * t18));
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar v_s_D = q_rate(3);
+    const Scalar v_s_F = q_rate(4);
+    const Scalar omega_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1);
+    const Scalar v_h_G_BCG = d_rate(2);
+    const Scalar v_h_D_EDF = d_rate(3);
+    const Scalar omega_F_EDF = d_rate(4);
+    const Scalar v_h_F_EDF = d_rate(5);
+    const Scalar omega_D_CD = d_rate(6);
+    const Scalar omega_F_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2);
+    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
+    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
+    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t03 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t03;
+    const Scalar t04 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar sin_GF = t04;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
+    const Scalar ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = cos_EDF * q.s_D;
+    const Scalar slide_D_y = sin_EDF * q.s_D;
+    const Scalar BG_x = -t04 * d.h_G_BCG;
+    const Scalar BG_y = t03 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar t05 = sin_EDF * d.psi_F_EDF.cos;
+    const Scalar t06 = cos_EDF * d.psi_F_EDF.sin;
+    const Scalar t07 = t05 + t06;
+    const Scalar EF_x = -t07 * d.h_F_EDF;
+    const Scalar t08 = cos_EDF * d.psi_F_EDF.cos;
+    const Scalar t09 = sin_EDF * d.psi_F_EDF.sin;
+    const Scalar t10 = t08 - t09;
+    const Scalar EF_y = d.h_F_EDF * t10;
+    const Scalar t11 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
+    const Scalar t12 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
+    const Scalar cos_slide_F = d.psi_G_BCG.cos * t11 - d.psi_G_BCG.sin * t12;
+    const Scalar sin_slide_F = d.psi_G_BCG.cos * t12 + d.psi_G_BCG.sin * t11;
+    const Scalar slide_F_x = q.s_F * cos_slide_F;
+    const Scalar slide_F_y = q.s_F * sin_slide_F;
+    const Scalar t13 = ED_x + slide_D_x;
+    const Scalar t14 = t13 * omega_D_CD;
+    const Scalar t15 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
+    const Scalar t16 = slide_C_x - t13;
+    const Scalar t17 = omega_C_BCG * t16;
+    const Scalar t18 = t15 + t14 - sin_CD * v_s_C;
+    const Scalar t19 = u.phi_B.sin * v_s_B;
+    const Scalar t20 = ED_y + slide_D_y;
+    const Scalar t21 = omega_D_CD * t20;
+    const Scalar t22 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
+    const Scalar t23 = slide_C_y - t20;
+    const Scalar t24 = omega_C_BCG * t23;
+    const Scalar t25 = t22 - t21 - cos_CD * v_s_C;
+    const Scalar t26 = u.phi_B.cos * v_s_B;
+    const Scalar t27 = sin_slide_F * v_s_F;
+    const Scalar t28 = slide_F_x * omega_F_GF;
+    const Scalar t29 = omega_D_CD + omega_F_EDF;
+    const Scalar t30 = omega_F_EDF * (Scalar(2) * omega_D_CD + omega_F_EDF)
+        + omega_D_CD * omega_D_CD + omega_C_BCG * (omega_C_BCG + Scalar(2) * t29);
+    const Scalar t31 = omega_C_BCG + t29;
+    const Scalar t32 = slide_F_x - BG_x - slide_G_x;
+    const Scalar t33 = omega_G_BCG * t32;
+    const Scalar t34 = sin_GF * v_s_G - t27 + cos_GF * v_h_G_BCG - t28;
+    const Scalar t35 = cos_slide_F * v_s_F;
+    const Scalar t36 = omega_F_GF * slide_F_y;
+    const Scalar t37 = slide_F_y - BG_y - slide_G_y;
+    const Scalar t38 = omega_G_BCG * t37;
+    const Scalar t39 = cos_GF * v_s_G - t35 + t36 - sin_GF * v_h_G_BCG;
+    rhs(0) = omega_C_BCG * (t17 - Scalar(2) * t18) + omega_B * (Scalar(2) * t19 + Scalar(2) * t17
+        + omega_B * (slide_B_x + t16) - Scalar(2) * t18) - omega_D_CD * (t14 + Scalar(2) * t15);
+    rhs(1) = omega_C_BCG * (t24 + Scalar(2) * t25) - omega_D_CD * (t21 - Scalar(2) * t22)
+        - omega_B * (Scalar(2) * t26 - Scalar(2) * t24 - omega_B * (slide_B_y + t23)
+        - Scalar(2) * t25);
+    rhs(2) = Scalar(2) * v_h_F_EDF * (t09 * t31 - t08 * t31) + omega_B * (Scalar(2) * t19
+        + omega_B * (slide_B_x - EF_x - t32) + Scalar(2) * t34 - Scalar(2) * t10 * v_h_F_EDF
+        - Scalar(2) * EF_x * t31 - Scalar(2) * t33) - omega_F_GF * (Scalar(2) * t27 + t28)
+        - EF_x * t30 - omega_G_BCG * (t33 - Scalar(2) * t34);
+    rhs(3) = omega_F_GF * (Scalar(2) * t35 - t36) - EF_y * t30 - Scalar(2) * v_h_F_EDF * (t05 * t31
+        + t06 * t31) - omega_G_BCG * (t38 + Scalar(2) * t39) - omega_B * (Scalar(2) * t26
+        + Scalar(2) * t07 * v_h_F_EDF + Scalar(2) * EF_y * t31 + Scalar(2) * t38 + Scalar(2) * t39
+        - omega_B * (slide_B_y - EF_y - t37));
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -660,6 +846,59 @@ struct Model21 {
     a(3, 1) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_GF * v_s_G - omega_B * t10)
         + alpha_B * t09 + sin_GF * a_s_G + t06;
     a(3, 2) = alpha_B;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar omega_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1);
+    const Scalar v_h_G_BCG = d_rate(2);
+    const Scalar omega_B = u_rate(2);
+    p.setZero();
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar t03 = u.phi_B.sin * v_s_B;
+    const Scalar t04 = u.phi_B.cos * v_s_B;
+    const Scalar t05 = sin_CD * v_s_C;
+    const Scalar t06 = slide_C_x * omega_C_BCG;
+    const Scalar t07 = cos_CD * v_s_C;
+    const Scalar t08 = omega_C_BCG * slide_C_y;
+    const Scalar t09 = BG_x + slide_G_x;
+    const Scalar t10 = t09 * omega_G_BCG;
+    const Scalar t11 = sin_GF * v_s_G + cos_GF * v_h_G_BCG;
+    const Scalar t12 = BG_y + slide_G_y;
+    const Scalar t13 = omega_G_BCG * t12;
+    const Scalar t14 = cos_GF * v_s_G - sin_GF * v_h_G_BCG;
+    p(0, 0) = -omega_B * (Scalar(2) * t03 + omega_B * slide_B_x);
+    p(0, 1) = omega_B * (Scalar(2) * t04 - omega_B * slide_B_y);
+    p(2, 0) = -omega_B * (Scalar(2) * t03 + omega_B * (slide_B_x + slide_C_x) + Scalar(2) * t05
+        + Scalar(2) * t06) - omega_C_BCG * (Scalar(2) * t05 + t06);
+    p(2, 1) = omega_B * (Scalar(2) * t04 + Scalar(2) * t07 - omega_B * (slide_B_y + slide_C_y)
+        - Scalar(2) * t08) + omega_C_BCG * (Scalar(2) * t07 - t08);
+    p(3, 0) = -omega_G_BCG * (t10 + Scalar(2) * t11) - omega_B * (Scalar(2) * t03 + Scalar(2) * t10
+        + Scalar(2) * t11 + omega_B * (slide_B_x + t09));
+    p(3, 1) = omega_B * (Scalar(2) * t04 + Scalar(2) * t14 - Scalar(2) * t13 - omega_B * (slide_B_y
+        + t12)) - omega_G_BCG * (t13 - Scalar(2) * t14);
   }
 
   /// (cos, sin) of each sum of angles that must vanish: assembled only at (1, 0).

@@ -35,10 +35,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       28, 21, 0
 ///   velocity_rhs:         36, 31, 0
 ///   acceleration_rhs:     72, 51, 0
+///   jerk_rhs:             128, 77, 0
+///   curvature_rhs:        94, 60, 0
 ///   link_poses:           24, 20, 0
 ///   pose_jacobians:       24, 16, 0
 ///   link_velocities:      40, 32, 0
 ///   link_accelerations:   76, 52, 0
+///   pose_curvatures:      84, 47, 0
 ///   position_polynomial:  30, 24, 0
 ///   second_equations:     30, 24, 0
 ///   complete:             20, 20, 0
@@ -421,6 +424,177 @@ struct Model22 {
         - omega_B * (Scalar(2) * t11 + Scalar(2) * cos_GF * v_s_G - omega_B * t15) - alpha_B * t14;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar a_s_B = q_second_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar a_s_G = q_second_rate(2);
+    const Scalar v_s_E = q_rate(3);
+    const Scalar a_s_E = q_second_rate(3);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2);
+    const Scalar j_x_E = u_third_rate(3);
+    const Scalar j_y_E = u_third_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar alpha_E = u_second_rate(5);
+    const Scalar jerk_E = u_third_rate(5);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar CD_x = sin_CD * d.h_C_CD;
+    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
+    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar EF_x = u.phi_E.sin * t03 + u.phi_E.cos * d.x_F_EDF;
+    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t03;
+    const Scalar t04 = slide_E_y + ED_y;
+    const Scalar t05 = u.phi_E.cos * v_s_E;
+    const Scalar t06 = slide_E_x + ED_x;
+    const Scalar t07 = u.phi_E.sin * a_s_E;
+    const Scalar t08 = slide_B_y + slide_C_y + CD_y;
+    const Scalar t09 = u.phi_B.sin * v_s_B;
+    const Scalar t10 = t09 + sin_CD * v_s_C;
+    const Scalar t11 = slide_B_x + slide_C_x + CD_x;
+    const Scalar t12 = u.phi_B.sin * a_s_B;
+    const Scalar t13 = u.phi_B.cos * v_s_B;
+    const Scalar t14 = t13 + cos_CD * v_s_C;
+    const Scalar t15 = u.phi_E.sin * v_s_E;
+    const Scalar t16 = alpha_E * t15 + Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
+    const Scalar t17 = u.phi_E.cos * a_s_E;
+    const Scalar t18 = u.phi_B.cos * a_s_B;
+    const Scalar t19 = t05 * alpha_E - Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
+    const Scalar t20 = slide_E_y + EF_y;
+    const Scalar t21 = slide_E_x + EF_x;
+    const Scalar t22 = slide_B_y + BG_y + slide_G_y + GF_y;
+    const Scalar t23 = t09 + sin_GF * v_s_G;
+    const Scalar t24 = slide_B_x + BG_x + slide_G_x + GF_x;
+    const Scalar t25 = t13 + cos_GF * v_s_G;
+    rhs(0) = omega_E * (omega_E * (t04 * omega_E - Scalar(3) * t05) - Scalar(3) * t06 * alpha_E
+        - Scalar(3) * t07) + t08 * jerk_B + Scalar(3) * alpha_B * t10
+        + omega_B * (Scalar(3) * t11 * alpha_B + Scalar(3) * t12 + Scalar(3) * sin_CD * a_s_C
+        - omega_B * (t08 * omega_B - Scalar(3) * t14)) - t04 * jerk_E - Scalar(3) * t16;
+    rhs(1) = t06 * jerk_E + omega_B * (Scalar(3) * t08 * alpha_B + omega_B * (Scalar(3) * t10
+        + omega_B * t11) - Scalar(3) * t18 - Scalar(3) * cos_CD * a_s_C) + Scalar(3) * t19
+        - omega_E * (omega_E * (omega_E * t06 + Scalar(3) * t15) + Scalar(3) * t04 * alpha_E
+        - Scalar(3) * t17) - t11 * jerk_B - Scalar(3) * t14 * alpha_B;
+    rhs(2) = jerk_B * t22 + Scalar(3) * alpha_B * t23 + omega_B * (Scalar(3) * t12
+        + Scalar(3) * alpha_B * t24 + Scalar(3) * sin_GF * a_s_G - omega_B * (omega_B * t22
+        - Scalar(3) * t25)) - omega_E * (Scalar(3) * t07 + omega_E * (Scalar(3) * t05
+        - omega_E * t20) + Scalar(3) * alpha_E * t21) - jerk_E * t20 - Scalar(3) * t16;
+    rhs(3) = omega_E * (Scalar(3) * t17 - omega_E * (Scalar(3) * t15 + omega_E * t21)
+        - Scalar(3) * alpha_E * t20) + jerk_E * t21 + Scalar(3) * t19 - jerk_B * t24
+        - Scalar(3) * alpha_B * t25 - omega_B * (Scalar(3) * t18 + Scalar(3) * cos_GF * a_s_G
+        - Scalar(3) * alpha_B * t22 - omega_B * (Scalar(3) * t23 + omega_B * t24));
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar v_s_E = q_rate(3);
+    const Scalar omega_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1);
+    const Scalar v_h_G_BCG = d_rate(2);
+    const Scalar v_h_E_EDF = d_rate(3);
+    const Scalar v_x_F_EDF = d_rate(4);
+    const Scalar v_y_F_EDF = d_rate(5);
+    const Scalar v_h_C_CD = d_rate(6);
+    const Scalar v_h_G_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2);
+    const Scalar omega_E = u_rate(5);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar CD_x = sin_CD * d.h_C_CD;
+    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
+    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar EF_x = u.phi_E.sin * t03 + u.phi_E.cos * d.x_F_EDF;
+    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t03;
+    const Scalar t04 = slide_C_x + CD_x;
+    const Scalar t05 = t04 * omega_C_BCG;
+    const Scalar t06 = sin_CD * v_s_C - cos_CD * v_h_C_CD;
+    const Scalar t07 = u.phi_B.sin * v_s_B;
+    const Scalar t08 = slide_C_y + CD_y;
+    const Scalar t09 = omega_C_BCG * t08;
+    const Scalar t10 = cos_CD * v_s_C + sin_CD * v_h_C_CD;
+    const Scalar t11 = u.phi_B.cos * v_s_B;
+    const Scalar t12 = v_h_E_EDF - v_y_F_EDF;
+    const Scalar t13 = v_s_E + v_x_F_EDF;
+    const Scalar t14 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t15 = cos_GF * t14 + sin_GF * v_s_G;
+    const Scalar t16 = GF_x + BG_x + slide_G_x;
+    const Scalar t17 = omega_G_BCG * t16;
+    const Scalar t18 = sin_GF * t14 - cos_GF * v_s_G;
+    const Scalar t19 = GF_y + BG_y + slide_G_y;
+    const Scalar t20 = omega_G_BCG * t19;
+    rhs(0) = omega_C_BCG * (t05 + Scalar(2) * t06) + omega_B * (Scalar(2) * t05 + Scalar(2) * t07
+        + Scalar(2) * t06 + omega_B * (slide_B_x + t04)) - omega_E * ((slide_E_x + ED_x) * omega_E
+        + Scalar(2) * u.phi_E.sin * v_s_E - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
+    rhs(1) = omega_C_BCG * (t09 - Scalar(2) * t10) + omega_B * (Scalar(2) * t09
+        + omega_B * (slide_B_y + t08) - Scalar(2) * t11 - Scalar(2) * t10)
+        - omega_E * (omega_E * (slide_E_y + ED_y) - Scalar(2) * u.phi_E.cos * v_s_E
+        - Scalar(2) * u.phi_E.sin * v_h_E_EDF);
+    rhs(2) = omega_E * (Scalar(2) * u.phi_E.cos * t12 - Scalar(2) * u.phi_E.sin * t13
+        - omega_E * (slide_E_x + EF_x)) + omega_G_BCG * (Scalar(2) * t15 + t17)
+        + omega_B * (Scalar(2) * t07 + Scalar(2) * t15 + Scalar(2) * t17 + omega_B * (slide_B_x
+        + t16));
+    rhs(3) = omega_E * (Scalar(2) * u.phi_E.cos * t13 + Scalar(2) * u.phi_E.sin * t12
+        - omega_E * (slide_E_y + EF_y)) + omega_G_BCG * (Scalar(2) * t18 + t20)
+        - omega_B * (Scalar(2) * t11 - Scalar(2) * t18 - Scalar(2) * t20 - omega_B * (slide_B_y
+        + t19));
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -676,6 +850,79 @@ struct Model22 {
     a(3, 1) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_GF * v_s_G - omega_B * t12)
         + alpha_B * t11 + sin_GF * a_s_G + t06;
     a(3, 2) = alpha_B;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar v_s_E = q_rate(3);
+    const Scalar omega_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1);
+    const Scalar v_h_G_BCG = d_rate(2);
+    const Scalar v_h_E_EDF = d_rate(3);
+    const Scalar v_h_C_CD = d_rate(6);
+    const Scalar v_h_G_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2);
+    const Scalar omega_E = u_rate(5);
+    p.setZero();
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar CD_x = sin_CD * d.h_C_CD;
+    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
+    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar t03 = u.phi_B.sin * v_s_B;
+    const Scalar t04 = u.phi_B.cos * v_s_B;
+    const Scalar t05 = slide_C_x + CD_x;
+    const Scalar t06 = t05 * omega_C_BCG;
+    const Scalar t07 = sin_CD * v_s_C - cos_CD * v_h_C_CD;
+    const Scalar t08 = slide_C_y + CD_y;
+    const Scalar t09 = omega_C_BCG * t08;
+    const Scalar t10 = cos_CD * v_s_C + sin_CD * v_h_C_CD;
+    const Scalar t11 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t12 = cos_GF * t11 + sin_GF * v_s_G;
+    const Scalar t13 = GF_x + BG_x + slide_G_x;
+    const Scalar t14 = omega_G_BCG * t13;
+    const Scalar t15 = sin_GF * t11 - cos_GF * v_s_G;
+    const Scalar t16 = GF_y + BG_y + slide_G_y;
+    const Scalar t17 = omega_G_BCG * t16;
+    p(0, 0) = -omega_B * (Scalar(2) * t03 + omega_B * slide_B_x);
+    p(0, 1) = omega_B * (Scalar(2) * t04 - omega_B * slide_B_y);
+    p(1, 0) = -omega_E * ((slide_E_x + ED_x) * omega_E + Scalar(2) * u.phi_E.sin * v_s_E
+        - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
+    p(1, 1) = -omega_E * (omega_E * (slide_E_y + ED_y) - Scalar(2) * u.phi_E.cos * v_s_E
+        - Scalar(2) * u.phi_E.sin * v_h_E_EDF);
+    p(2, 0) = -omega_C_BCG * (t06 + Scalar(2) * t07) - omega_B * (Scalar(2) * t03 + Scalar(2) * t06
+        + Scalar(2) * t07 + omega_B * (slide_B_x + t05));
+    p(2, 1) = omega_B * (Scalar(2) * t04 + Scalar(2) * t10 - Scalar(2) * t09 - omega_B * (slide_B_y
+        + t08)) - omega_C_BCG * (t09 - Scalar(2) * t10);
+    p(3, 0) = -omega_G_BCG * (Scalar(2) * t12 + t14) - omega_B * (Scalar(2) * t03 + Scalar(2) * t12
+        + Scalar(2) * t14 + omega_B * (slide_B_x + t13));
+    p(3, 1) = omega_B * (Scalar(2) * t04 - Scalar(2) * t15 - Scalar(2) * t17 - omega_B * (slide_B_y
+        + t16)) - omega_G_BCG * (Scalar(2) * t15 + t17);
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

@@ -35,10 +35,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       38, 26, 0
 ///   velocity_rhs:         46, 36, 0
 ///   acceleration_rhs:     86, 58, 0
+///   jerk_rhs:             144, 86, 0
+///   curvature_rhs:        127, 79, 0
 ///   link_poses:           22, 18, 0
 ///   pose_jacobians:       22, 14, 0
 ///   link_velocities:      38, 30, 0
 ///   link_accelerations:   74, 50, 0
+///   pose_curvatures:      80, 43, 0
 ///   compatibility:        16, 8, 0
 struct Model23 {
   static constexpr const char* group = "tetrad";
@@ -463,6 +466,204 @@ struct Model23 {
         - omega_B * (Scalar(2) * t14 + Scalar(2) * cos_GF * v_s_G - omega_B * t18) - alpha_B * t17;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar a_s_B = q_second_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar a_s_G = q_second_rate(2);
+    const Scalar v_s_E = q_rate(3);
+    const Scalar a_s_E = q_second_rate(3);
+    const Scalar v_s_D = q_rate(4);
+    const Scalar a_s_D = q_second_rate(4);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2);
+    const Scalar j_x_E = u_third_rate(3);
+    const Scalar j_y_E = u_third_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar alpha_E = u_second_rate(5);
+    const Scalar jerk_E = u_third_rate(5);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar t03 = u.phi_E.sin * d.h_E_EDF;
+    const Scalar ED_x = t03 - (u.phi_E.sin * d.psi_D_EDF.cos
+        + u.phi_E.cos * d.psi_D_EDF.sin) * d.h_D_EDF;
+    const Scalar t04 = u.phi_E.cos * d.h_E_EDF;
+    const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
+        - t04;
+    const Scalar t05 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t06 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t05 - d.psi_C_BCG.sin * t06;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t06 + d.psi_C_BCG.sin * t05;
+    const Scalar slide_D_x = q.s_D * cos_slide_D;
+    const Scalar slide_D_y = q.s_D * sin_slide_D;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar EF_x = t03;
+    const Scalar EF_y = -t04;
+    const Scalar t07 = slide_E_y + ED_y;
+    const Scalar t08 = u.phi_E.cos * v_s_E;
+    const Scalar t09 = slide_E_x + ED_x;
+    const Scalar t10 = u.phi_E.sin * a_s_E;
+    const Scalar t11 = slide_B_y + slide_C_y - slide_D_y;
+    const Scalar t12 = slide_B_x + slide_C_x - slide_D_x;
+    const Scalar t13 = u.phi_B.sin * a_s_B;
+    const Scalar t14 = u.phi_B.cos * v_s_B;
+    const Scalar t15 = cos_slide_D * v_s_D - t14 - cos_CD * v_s_C;
+    const Scalar t16 = u.phi_B.sin * v_s_B;
+    const Scalar t17 = sin_slide_D * v_s_D - t16 - sin_CD * v_s_C;
+    const Scalar t18 = u.phi_E.sin * v_s_E;
+    const Scalar t19 = alpha_E * t18 + Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
+    const Scalar t20 = u.phi_E.cos * a_s_E;
+    const Scalar t21 = u.phi_B.cos * a_s_B;
+    const Scalar t22 = t08 * alpha_E - Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
+    const Scalar t23 = slide_E_y + EF_y;
+    const Scalar t24 = slide_E_x + EF_x;
+    const Scalar t25 = slide_B_y + BG_y + slide_G_y + GF_y;
+    const Scalar t26 = t16 + sin_GF * v_s_G;
+    const Scalar t27 = slide_B_x + BG_x + slide_G_x + GF_x;
+    const Scalar t28 = t14 + cos_GF * v_s_G;
+    rhs(0) = omega_E * (omega_E * (t07 * omega_E - Scalar(3) * t08) - Scalar(3) * t09 * alpha_E
+        - Scalar(3) * t10) + t11 * jerk_B + omega_B * (Scalar(3) * t12 * alpha_B + Scalar(3) * t13
+        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_slide_D * a_s_D - omega_B * (t11 * omega_B
+        + Scalar(3) * t15)) - t07 * jerk_E - Scalar(3) * alpha_B * t17 - Scalar(3) * t19;
+    rhs(1) = t09 * jerk_E + Scalar(3) * alpha_B * t15 + omega_B * (Scalar(3) * t11 * alpha_B
+        + Scalar(3) * cos_slide_D * a_s_D + omega_B * (omega_B * t12 - Scalar(3) * t17)
+        - Scalar(3) * t21 - Scalar(3) * cos_CD * a_s_C) + Scalar(3) * t22
+        - omega_E * (omega_E * (omega_E * t09 + Scalar(3) * t18) + Scalar(3) * t07 * alpha_E
+        - Scalar(3) * t20) - t12 * jerk_B;
+    rhs(2) = jerk_B * t25 + Scalar(3) * alpha_B * t26 + omega_B * (Scalar(3) * t13
+        + Scalar(3) * alpha_B * t27 + Scalar(3) * sin_GF * a_s_G - omega_B * (omega_B * t25
+        - Scalar(3) * t28)) - omega_E * (Scalar(3) * t10 + omega_E * (Scalar(3) * t08
+        - omega_E * t23) + Scalar(3) * alpha_E * t24) - jerk_E * t23 - Scalar(3) * t19;
+    rhs(3) = omega_E * (Scalar(3) * t20 - omega_E * (Scalar(3) * t18 + omega_E * t24)
+        - Scalar(3) * alpha_E * t23) + jerk_E * t24 + Scalar(3) * t22 - jerk_B * t27
+        - Scalar(3) * alpha_B * t28 - omega_B * (Scalar(3) * t21 + Scalar(3) * cos_GF * a_s_G
+        - Scalar(3) * alpha_B * t25 - omega_B * (Scalar(3) * t26 + omega_B * t27));
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar v_s_E = q_rate(3);
+    const Scalar v_s_D = q_rate(4);
+    const Scalar omega_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1);
+    const Scalar v_h_G_BCG = d_rate(2);
+    const Scalar v_h_E_EDF = d_rate(3);
+    const Scalar omega_D_EDF = d_rate(4);
+    const Scalar v_h_D_EDF = d_rate(5);
+    const Scalar omega_D_CD = d_rate(6);
+    const Scalar v_h_G_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2);
+    const Scalar omega_E = u_rate(5);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar t03 = u.phi_E.sin * d.h_E_EDF;
+    const Scalar ED_x = t03 - (u.phi_E.sin * d.psi_D_EDF.cos
+        + u.phi_E.cos * d.psi_D_EDF.sin) * d.h_D_EDF;
+    const Scalar t04 = u.phi_E.cos * d.h_E_EDF;
+    const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
+        - t04;
+    const Scalar t05 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t06 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t05 - d.psi_C_BCG.sin * t06;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t06 + d.psi_C_BCG.sin * t05;
+    const Scalar slide_D_x = q.s_D * cos_slide_D;
+    const Scalar slide_D_y = q.s_D * sin_slide_D;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar EF_x = t03;
+    const Scalar EF_y = -t04;
+    const Scalar t07 = sin_slide_D * v_s_D;
+    const Scalar t08 = slide_D_x * omega_D_CD;
+    const Scalar t09 = d.h_D_EDF * omega_D_EDF;
+    const Scalar t10 = d.psi_D_EDF.cos * v_h_D_EDF - v_h_E_EDF - d.psi_D_EDF.sin * t09;
+    const Scalar t11 = d.psi_D_EDF.sin * v_h_D_EDF + d.psi_D_EDF.cos * t09 - v_s_E;
+    const Scalar t12 = Scalar(2) * u.phi_E.cos * v_h_D_EDF - u.phi_E.sin * t09;
+    const Scalar t13 = Scalar(2) * u.phi_E.sin * v_h_D_EDF + u.phi_E.cos * t09;
+    const Scalar t14 = slide_C_x - slide_D_x;
+    const Scalar t15 = t14 * omega_C_BCG;
+    const Scalar t16 = t08 + t07 - sin_CD * v_s_C;
+    const Scalar t17 = u.phi_B.sin * v_s_B;
+    const Scalar t18 = cos_slide_D * v_s_D;
+    const Scalar t19 = omega_D_CD * slide_D_y;
+    const Scalar t20 = slide_C_y - slide_D_y;
+    const Scalar t21 = omega_C_BCG * t20;
+    const Scalar t22 = t19 + cos_CD * v_s_C - t18;
+    const Scalar t23 = u.phi_B.cos * v_s_B;
+    const Scalar t24 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t25 = cos_GF * t24 + sin_GF * v_s_G;
+    const Scalar t26 = GF_x + BG_x + slide_G_x;
+    const Scalar t27 = omega_G_BCG * t26;
+    const Scalar t28 = sin_GF * t24 - cos_GF * v_s_G;
+    const Scalar t29 = GF_y + BG_y + slide_G_y;
+    const Scalar t30 = omega_G_BCG * t29;
+    rhs(0) = omega_C_BCG * (t15 - Scalar(2) * t16) + omega_B * (Scalar(2) * t15 + Scalar(2) * t17
+        + omega_B * (slide_B_x + t14) - Scalar(2) * t16) - omega_D_CD * (Scalar(2) * t07 + t08)
+        - omega_E * ((slide_E_x + ED_x) * omega_E + Scalar(2) * u.phi_E.cos * t10
+        - Scalar(2) * u.phi_E.sin * t11) - omega_D_EDF * (d.psi_D_EDF.cos * t12
+        - d.psi_D_EDF.sin * t13);
+    rhs(1) = omega_D_CD * (Scalar(2) * t18 - t19) + omega_C_BCG * (t21 - Scalar(2) * t22)
+        + omega_B * (Scalar(2) * t21 + omega_B * (slide_B_y + t20) - Scalar(2) * t23
+        - Scalar(2) * t22) - omega_E * (omega_E * (slide_E_y + ED_y) + Scalar(2) * u.phi_E.cos * t11
+        + Scalar(2) * u.phi_E.sin * t10) - omega_D_EDF * (d.psi_D_EDF.cos * t13
+        + d.psi_D_EDF.sin * t12);
+    rhs(2) = omega_G_BCG * (Scalar(2) * t25 + t27) + omega_B * (Scalar(2) * t17 + Scalar(2) * t25
+        + Scalar(2) * t27 + omega_B * (slide_B_x + t26)) - omega_E * (omega_E * (slide_E_x + EF_x)
+        + Scalar(2) * u.phi_E.sin * v_s_E - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
+    rhs(3) = omega_G_BCG * (Scalar(2) * t28 + t30) - omega_E * (omega_E * (slide_E_y + EF_y)
+        - Scalar(2) * u.phi_E.cos * v_s_E - Scalar(2) * u.phi_E.sin * v_h_E_EDF)
+        - omega_B * (Scalar(2) * t23 - Scalar(2) * t28 - Scalar(2) * t30 - omega_B * (slide_B_y
+        + t29));
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -706,6 +907,74 @@ struct Model23 {
     a(3, 1) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_GF * v_s_G - omega_B * t12)
         + alpha_B * t11 + sin_GF * a_s_G + t06;
     a(3, 2) = alpha_B;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar v_s_E = q_rate(3);
+    const Scalar omega_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1);
+    const Scalar v_h_G_BCG = d_rate(2);
+    const Scalar v_h_E_EDF = d_rate(3);
+    const Scalar v_h_G_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2);
+    const Scalar omega_E = u_rate(5);
+    p.setZero();
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar EF_x = u.phi_E.sin * d.h_E_EDF;
+    const Scalar EF_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar t03 = u.phi_B.sin * v_s_B;
+    const Scalar t04 = u.phi_B.cos * v_s_B;
+    const Scalar t05 = sin_CD * v_s_C;
+    const Scalar t06 = slide_C_x * omega_C_BCG;
+    const Scalar t07 = cos_CD * v_s_C;
+    const Scalar t08 = omega_C_BCG * slide_C_y;
+    const Scalar t09 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t10 = cos_GF * t09 + sin_GF * v_s_G;
+    const Scalar t11 = GF_x + BG_x + slide_G_x;
+    const Scalar t12 = omega_G_BCG * t11;
+    const Scalar t13 = sin_GF * t09 - cos_GF * v_s_G;
+    const Scalar t14 = GF_y + BG_y + slide_G_y;
+    const Scalar t15 = omega_G_BCG * t14;
+    p(0, 0) = -omega_B * (Scalar(2) * t03 + omega_B * slide_B_x);
+    p(0, 1) = omega_B * (Scalar(2) * t04 - omega_B * slide_B_y);
+    p(1, 0) = -omega_E * ((slide_E_x + EF_x) * omega_E + Scalar(2) * u.phi_E.sin * v_s_E
+        - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
+    p(1, 1) = -omega_E * (omega_E * (slide_E_y + EF_y) - Scalar(2) * u.phi_E.cos * v_s_E
+        - Scalar(2) * u.phi_E.sin * v_h_E_EDF);
+    p(2, 0) = -omega_B * (Scalar(2) * t03 + omega_B * (slide_B_x + slide_C_x) + Scalar(2) * t05
+        + Scalar(2) * t06) - omega_C_BCG * (Scalar(2) * t05 + t06);
+    p(2, 1) = omega_B * (Scalar(2) * t04 + Scalar(2) * t07 - omega_B * (slide_B_y + slide_C_y)
+        - Scalar(2) * t08) + omega_C_BCG * (Scalar(2) * t07 - t08);
+    p(3, 0) = -omega_G_BCG * (Scalar(2) * t10 + t12) - omega_B * (Scalar(2) * t03 + Scalar(2) * t10
+        + Scalar(2) * t12 + omega_B * (slide_B_x + t11));
+    p(3, 1) = omega_B * (Scalar(2) * t04 - Scalar(2) * t13 - Scalar(2) * t15 - omega_B * (slide_B_y
+        + t14)) - omega_G_BCG * (Scalar(2) * t13 + t15);
   }
 
   /// (cos, sin) of each sum of angles that must vanish: assembled only at (1, 0).

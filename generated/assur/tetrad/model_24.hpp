@@ -39,10 +39,13 @@ namespace assur::tetrad {
 ///   input_jacobian:       44, 26, 0
 ///   velocity_rhs:         52, 36, 0
 ///   acceleration_rhs:     96, 60, 0
+///   jerk_rhs:             156, 90, 0
+///   curvature_rhs:        131, 81, 0
 ///   link_poses:           18, 14, 0
 ///   pose_jacobians:       18, 10, 0
 ///   link_velocities:      34, 26, 0
 ///   link_accelerations:   70, 46, 0
+///   pose_curvatures:      72, 36, 0
 ///   compatibility:        28, 14, 0
 struct Model24 {
   static constexpr const char* group = "tetrad";
@@ -475,6 +478,208 @@ struct Model24 {
         - Scalar(2) * cos_slide_F * v_s_F) - alpha_B * t15 - t14;
   }
 
+  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
+  /// inputs up to the third.
+  template <typename Scalar>
+  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar a_s_B = q_second_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar a_s_G = q_second_rate(2);
+    const Scalar v_s_E = q_rate(3);
+    const Scalar a_s_E = q_second_rate(3);
+    const Scalar v_s_D = q_rate(4);
+    const Scalar a_s_D = q_second_rate(4);
+    const Scalar v_s_F = q_rate(5);
+    const Scalar a_s_F = q_second_rate(5);
+    const Scalar j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2);
+    const Scalar j_x_E = u_third_rate(3);
+    const Scalar j_y_E = u_third_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar alpha_E = u_second_rate(5);
+    const Scalar jerk_E = u_third_rate(5);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar t03 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t04 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar slide_D_x = q.s_D * cos_slide_D;
+    const Scalar slide_D_y = q.s_D * sin_slide_D;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar EF_x = -(u.phi_E.sin * d.psi_F_EDF.cos
+        + u.phi_E.cos * d.psi_F_EDF.sin) * d.h_F_EDF;
+    const Scalar EF_y = d.h_F_EDF * (u.phi_E.cos * d.psi_F_EDF.cos - u.phi_E.sin * d.psi_F_EDF.sin);
+    const Scalar t05 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
+    const Scalar t06 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
+    const Scalar cos_slide_F = d.psi_G_BCG.cos * t05 - d.psi_G_BCG.sin * t06;
+    const Scalar sin_slide_F = d.psi_G_BCG.cos * t06 + d.psi_G_BCG.sin * t05;
+    const Scalar slide_F_x = q.s_F * cos_slide_F;
+    const Scalar slide_F_y = q.s_F * sin_slide_F;
+    const Scalar t07 = u.phi_E.cos * v_s_E;
+    const Scalar t08 = u.phi_E.sin * a_s_E;
+    const Scalar t09 = slide_B_y + slide_C_y - slide_D_y;
+    const Scalar t10 = slide_B_x + slide_C_x - slide_D_x;
+    const Scalar t11 = u.phi_B.sin * a_s_B;
+    const Scalar t12 = u.phi_B.cos * v_s_B;
+    const Scalar t13 = cos_slide_D * v_s_D - t12 - cos_CD * v_s_C;
+    const Scalar t14 = u.phi_B.sin * v_s_B;
+    const Scalar t15 = sin_slide_D * v_s_D - t14 - sin_CD * v_s_C;
+    const Scalar t16 = u.phi_E.sin * v_s_E;
+    const Scalar t17 = alpha_E * t16 + Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
+    const Scalar t18 = u.phi_E.cos * a_s_E;
+    const Scalar t19 = u.phi_B.cos * a_s_B;
+    const Scalar t20 = t07 * alpha_E - Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
+    const Scalar t21 = slide_E_y + EF_y;
+    const Scalar t22 = slide_E_x + EF_x;
+    const Scalar t23 = slide_B_y + BG_y + slide_G_y - slide_F_y;
+    const Scalar t24 = sin_slide_F * v_s_F - t14 - sin_GF * v_s_G;
+    const Scalar t25 = slide_B_x + BG_x + slide_G_x - slide_F_x;
+    const Scalar t26 = cos_slide_F * v_s_F - t12 - cos_GF * v_s_G;
+    rhs(0) = t09 * jerk_B + omega_B * (Scalar(3) * t10 * alpha_B + Scalar(3) * t11
+        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_slide_D * a_s_D - omega_B * (t09 * omega_B
+        + Scalar(3) * t13)) - omega_E * (omega_E * (Scalar(3) * t07 - omega_E * slide_E_y)
+        + Scalar(3) * t08 + Scalar(3) * alpha_E * slide_E_x) - slide_E_y * jerk_E
+        - Scalar(3) * alpha_B * t15 - Scalar(3) * t17;
+    rhs(1) = slide_E_x * jerk_E + Scalar(3) * alpha_B * t13 + omega_B * (Scalar(3) * t09 * alpha_B
+        + Scalar(3) * cos_slide_D * a_s_D + omega_B * (omega_B * t10 - Scalar(3) * t15)
+        - Scalar(3) * t19 - Scalar(3) * cos_CD * a_s_C) + Scalar(3) * t20
+        - omega_E * (omega_E * (Scalar(3) * t16 + omega_E * slide_E_x)
+        + Scalar(3) * slide_E_y * alpha_E - Scalar(3) * t18) - t10 * jerk_B;
+    rhs(2) = jerk_B * t23 + omega_B * (Scalar(3) * t11 + Scalar(3) * alpha_B * t25
+        + Scalar(3) * sin_GF * a_s_G - Scalar(3) * sin_slide_F * a_s_F - omega_B * (omega_B * t23
+        + Scalar(3) * t26)) - omega_E * (Scalar(3) * t08 + omega_E * (Scalar(3) * t07
+        - omega_E * t21) + Scalar(3) * alpha_E * t22) - jerk_E * t21 - Scalar(3) * alpha_B * t24
+        - Scalar(3) * t17;
+    rhs(3) = omega_E * (Scalar(3) * t18 - omega_E * (Scalar(3) * t16 + omega_E * t22)
+        - Scalar(3) * alpha_E * t21) + jerk_E * t22 + Scalar(3) * alpha_B * t26 + Scalar(3) * t20
+        - jerk_B * t25 - omega_B * (Scalar(3) * t19 + Scalar(3) * cos_GF * a_s_G
+        - Scalar(3) * alpha_B * t23 - Scalar(3) * cos_slide_F * a_s_F - omega_B * (omega_B * t25
+        - Scalar(3) * t24));
+  }
+
+  /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
+  /// du/dt are constant: second derivatives along a line in (d, u).
+  template <typename Scalar>
+  static void curvature_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, equation_count>& rhs) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar v_s_E = q_rate(3);
+    const Scalar v_s_D = q_rate(4);
+    const Scalar v_s_F = q_rate(5);
+    const Scalar omega_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1);
+    const Scalar v_h_G_BCG = d_rate(2);
+    const Scalar omega_F_EDF = d_rate(4);
+    const Scalar v_h_F_EDF = d_rate(5);
+    const Scalar omega_D_CD = d_rate(6);
+    const Scalar omega_F_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2);
+    const Scalar omega_E = u_rate(5);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar t03 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t04 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar slide_D_x = q.s_D * cos_slide_D;
+    const Scalar slide_D_y = q.s_D * sin_slide_D;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar t05 = u.phi_E.sin * d.psi_F_EDF.cos;
+    const Scalar t06 = t05 + u.phi_E.cos * d.psi_F_EDF.sin;
+    const Scalar EF_x = -t06 * d.h_F_EDF;
+    const Scalar t07 = u.phi_E.cos * d.psi_F_EDF.cos;
+    const Scalar t08 = t07 - u.phi_E.sin * d.psi_F_EDF.sin;
+    const Scalar EF_y = d.h_F_EDF * t08;
+    const Scalar t09 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
+    const Scalar t10 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
+    const Scalar cos_slide_F = d.psi_G_BCG.cos * t09 - d.psi_G_BCG.sin * t10;
+    const Scalar sin_slide_F = d.psi_G_BCG.cos * t10 + d.psi_G_BCG.sin * t09;
+    const Scalar slide_F_x = q.s_F * cos_slide_F;
+    const Scalar slide_F_y = q.s_F * sin_slide_F;
+    const Scalar t11 = sin_slide_D * v_s_D;
+    const Scalar t12 = slide_D_x * omega_D_CD;
+    const Scalar t13 = slide_C_x - slide_D_x;
+    const Scalar t14 = t13 * omega_C_BCG;
+    const Scalar t15 = t12 + t11 - sin_CD * v_s_C;
+    const Scalar t16 = u.phi_B.sin * v_s_B;
+    const Scalar t17 = cos_slide_D * v_s_D;
+    const Scalar t18 = omega_D_CD * slide_D_y;
+    const Scalar t19 = slide_C_y - slide_D_y;
+    const Scalar t20 = omega_C_BCG * t19;
+    const Scalar t21 = t18 + cos_CD * v_s_C - t17;
+    const Scalar t22 = u.phi_B.cos * v_s_B;
+    const Scalar t23 = EF_x * omega_F_EDF;
+    const Scalar t24 = sin_slide_F * v_s_F;
+    const Scalar t25 = slide_F_x * omega_F_GF;
+    const Scalar t26 = v_s_E - d.psi_F_EDF.sin * v_h_F_EDF;
+    const Scalar t27 = slide_F_x - BG_x - slide_G_x;
+    const Scalar t28 = omega_G_BCG * t27;
+    const Scalar t29 = sin_GF * v_s_G - t24 + cos_GF * v_h_G_BCG - t25;
+    const Scalar t30 = omega_F_EDF * EF_y;
+    const Scalar t31 = cos_slide_F * v_s_F;
+    const Scalar t32 = omega_F_GF * slide_F_y;
+    const Scalar t33 = slide_F_y - BG_y - slide_G_y;
+    const Scalar t34 = omega_G_BCG * t33;
+    const Scalar t35 = cos_GF * v_s_G - t31 + t32 - sin_GF * v_h_G_BCG;
+    rhs(0) = omega_C_BCG * (t14 - Scalar(2) * t15) + omega_B * (Scalar(2) * t14 + Scalar(2) * t16
+        + omega_B * (slide_B_x + t13) - Scalar(2) * t15) - omega_D_CD * (Scalar(2) * t11 + t12)
+        - omega_E * (Scalar(2) * u.phi_E.sin * v_s_E + omega_E * slide_E_x);
+    rhs(1) = omega_D_CD * (Scalar(2) * t17 - t18) + omega_E * (Scalar(2) * u.phi_E.cos * v_s_E
+        - omega_E * slide_E_y) + omega_C_BCG * (t20 - Scalar(2) * t21) + omega_B * (Scalar(2) * t20
+        + omega_B * (slide_B_y + t19) - Scalar(2) * t22 - Scalar(2) * t21);
+    rhs(2) = omega_B * (Scalar(2) * t16 + omega_B * (slide_B_x - t27) + Scalar(2) * t29
+        - Scalar(2) * t28) - omega_F_EDF * (t23 + Scalar(2) * t08 * v_h_F_EDF)
+        - omega_F_GF * (Scalar(2) * t24 + t25) - omega_E * (Scalar(2) * u.phi_E.sin * t26
+        + omega_E * (slide_E_x + EF_x) + Scalar(2) * t23 + Scalar(2) * t07 * v_h_F_EDF)
+        - omega_G_BCG * (t28 - Scalar(2) * t29);
+    rhs(3) = omega_F_GF * (Scalar(2) * t31 - t32) + omega_E * (Scalar(2) * u.phi_E.cos * t26
+        - omega_E * (slide_E_y + EF_y) - Scalar(2) * t30 - Scalar(2) * t05 * v_h_F_EDF)
+        - omega_F_EDF * (t30 + Scalar(2) * t06 * v_h_F_EDF) - omega_G_BCG * (t34 + Scalar(2) * t35)
+        - omega_B * (Scalar(2) * t22 + Scalar(2) * t34 + Scalar(2) * t35 - omega_B * (slide_B_y
+        - t33));
+  }
+
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -696,6 +901,65 @@ struct Model24 {
     a(3, 1) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_GF * v_s_G - omega_B * t10)
         + alpha_B * t09 + sin_GF * a_s_G + t06;
     a(3, 2) = alpha_B;
+  }
+
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// what second rates add goes by the pose Jacobians.
+  template <typename Scalar>
+  static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
+      const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
+      Matrix<Scalar, link_count, 3>& p) {
+    const Scalar v_s_B = q_rate(0);
+    const Scalar v_s_C = q_rate(1);
+    const Scalar v_s_G = q_rate(2);
+    const Scalar v_s_E = q_rate(3);
+    const Scalar omega_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1);
+    const Scalar v_h_G_BCG = d_rate(2);
+    const Scalar omega_B = u_rate(2);
+    const Scalar omega_E = u_rate(5);
+    p.setZero();
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
+    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar t03 = u.phi_B.sin * v_s_B;
+    const Scalar t04 = u.phi_B.cos * v_s_B;
+    const Scalar t05 = sin_CD * v_s_C;
+    const Scalar t06 = slide_C_x * omega_C_BCG;
+    const Scalar t07 = cos_CD * v_s_C;
+    const Scalar t08 = omega_C_BCG * slide_C_y;
+    const Scalar t09 = BG_x + slide_G_x;
+    const Scalar t10 = t09 * omega_G_BCG;
+    const Scalar t11 = sin_GF * v_s_G + cos_GF * v_h_G_BCG;
+    const Scalar t12 = BG_y + slide_G_y;
+    const Scalar t13 = omega_G_BCG * t12;
+    const Scalar t14 = cos_GF * v_s_G - sin_GF * v_h_G_BCG;
+    p(0, 0) = -omega_B * (Scalar(2) * t03 + omega_B * slide_B_x);
+    p(0, 1) = omega_B * (Scalar(2) * t04 - omega_B * slide_B_y);
+    p(1, 0) = -omega_E * (Scalar(2) * u.phi_E.sin * v_s_E + omega_E * slide_E_x);
+    p(1, 1) = omega_E * (Scalar(2) * u.phi_E.cos * v_s_E - omega_E * slide_E_y);
+    p(2, 0) = -omega_B * (Scalar(2) * t03 + omega_B * (slide_B_x + slide_C_x) + Scalar(2) * t05
+        + Scalar(2) * t06) - omega_C_BCG * (Scalar(2) * t05 + t06);
+    p(2, 1) = omega_B * (Scalar(2) * t04 + Scalar(2) * t07 - omega_B * (slide_B_y + slide_C_y)
+        - Scalar(2) * t08) + omega_C_BCG * (Scalar(2) * t07 - t08);
+    p(3, 0) = -omega_G_BCG * (t10 + Scalar(2) * t11) - omega_B * (Scalar(2) * t03 + Scalar(2) * t10
+        + Scalar(2) * t11 + omega_B * (slide_B_x + t09));
+    p(3, 1) = omega_B * (Scalar(2) * t04 + Scalar(2) * t14 - Scalar(2) * t13 - omega_B * (slide_B_y
+        + t12)) - omega_G_BCG * (t13 - Scalar(2) * t14);
   }
 
   /// (cos, sin) of each sum of angles that must vanish: assembled only at (1, 0).
