@@ -9,6 +9,7 @@
 #include "emission/cpp_text.hpp"
 #include "emission/emit.hpp"
 #include "emission/model_functions.hpp"
+#include "emission/solution_functions.hpp"
 #include "emission/templates.hpp"
 #include "error.hpp"
 
@@ -72,6 +73,7 @@ class ModelSpelling {
       const Variable& variable = variables[index];
       const std::string member = argument + "." + variable.name;
       members_[variable.value.get_name()] = member;
+      members_[variable.size.get_name()] = "abs(" + member + ")";
       members_[variable.cosine.get_name()] = member + ".cos";
       members_[variable.sine.get_name()] = member + ".sin";
       const std::string place = "(" + std::to_string(index) + ")";
@@ -128,13 +130,20 @@ mustache::data function_view(const ModelFunction& function, const Program& progr
   const auto spell = [&](const std::string& symbol) { return spelling.spell(symbol); };
   std::vector<std::string> body;
   std::set<std::string> used;
+  bool sizes = false;
   for (const std::string& symbol : program.reads()) {
     const std::string alias = spelling.taken_out(symbol);
     const std::string source = alias.empty() ? spell(symbol) : alias.substr(alias.find('=') + 2);
-    used.insert(source.substr(0, source.find_first_of(".(")));
+    const bool size = source.starts_with("abs(");
+    const std::size_t start = size ? source.find('(') + 1 : 0;
+    used.insert(source.substr(start, source.find_first_of(".(", start) - start));
+    sizes = sizes || size;
     if (!alias.empty()) {
       body.push_back(alias);
     }
+  }
+  if (sizes) {
+    body.insert(body.begin(), "using std::abs;");
   }
   for (const Parameter& output : function.outputs) {
     if (mostly_zero(function, output)) {
@@ -157,7 +166,7 @@ mustache::data function_view(const ModelFunction& function, const Program& progr
                              joined(function.outputs, ", ", output_text));
   view.set("body", line_list(body, "    "));
   const OperationCount count = program.count();
-  view.set("padded_name", function.name + ":" + std::string(20 - function.name.size(), ' '));
+  view.set("padded_name", function.name + ":" + std::string(26 - function.name.size(), ' '));
   view.set("multiplications", std::to_string(count.multiplications));
   view.set("additions", std::to_string(count.additions));
   view.set("divisions", std::to_string(count.divisions));
@@ -204,6 +213,14 @@ mustache::data kind_list(const Model& model) {
     entry.set("role_list",
               joined(member.role, ", ", [](int joint) { return std::to_string(joint); }));
     list << entry;
+  }
+  return list;
+}
+
+mustache::data pivot_list(const StructuredJacobian& jacobian) {
+  mustache::data list{mustache::data::type::list};
+  for (const Pivot& pivot : jacobian.pivots()) {
+    list << mustache::data{"meaning", pivot.degeneracy};
   }
   return list;
 }
@@ -291,6 +308,14 @@ EmittedFile emit_model(const Model& model) {
   view.set("frames", link_list(equations));
   view.set("has_positions", mobility.rigid);
   if (mobility.rigid) {
+    const StructuredJacobian structured(equations);
+    for (const NamingFunction& naming : solution_functions(structured)) {
+      add_functions({naming.function}, naming.vocabulary);
+    }
+    view.set("pivots", pivot_list(structured));
+    view.set("pivot_count", std::to_string(structured.pivots().size()));
+    view.set("core_pivot_count", std::to_string(structured.core_pivot_count()));
+    view.set("determinant_sign", std::to_string(structured.sign()));
     Elimination elimination = eliminate(equations);
     const std::vector<ModelFunction> list = position_functions(equations, elimination);
     add_functions(list, elimination.vocabulary);

@@ -241,6 +241,7 @@ SymbolOrder symbol_order(const ClosureEquations& equations, const Vocabulary& vo
         order.declare(variable.sine);
       } else {
         order.declare(variable.value);
+        order.declare(variable.size);
       }
     }
   }

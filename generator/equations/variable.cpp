@@ -9,6 +9,7 @@ Variable::Variable(std::string name_in, Quantity quantity_in, std::string meanin
       quantity(quantity_in),
       meaning(std::move(meaning_in)),
       value(name),
+      size("size_" + name),
       cosine("cos_" + name),
       sine("sin_" + name),
       rate(is_angle() ? "omega" + name.substr(name.find('_')) : "v_" + name),
@@ -62,6 +63,15 @@ Vector2 AngleSum::direction() const {
 int AngleSum::factor(const Variable& angle) const {
   const auto entry = terms_.find(angle.name);
   return entry == terms_.end() ? 0 : entry->second.factor;
+}
+
+std::vector<std::pair<const Variable*, int>> AngleSum::terms() const {
+  std::vector<std::pair<const Variable*, int>> list;
+  list.reserve(terms_.size());
+  for (const auto& [name, entry] : terms_) {
+    list.emplace_back(entry.angle, entry.factor);
+  }
+  return list;
 }
 
 std::string AngleSum::text() const {

@@ -5,6 +5,8 @@
 
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace assur::generator {
 
@@ -29,6 +31,7 @@ struct Variable {
   Quantity quantity;    ///< a length in the user's unit, or an angle in radians
   std::string meaning;  ///< one phrase for people
   GiNaC::symbol value;  ///< for a length
+  GiNaC::symbol size;   ///< |value|, for bounds
   GiNaC::symbol cosine, sine;  ///< for an angle
   GiNaC::symbol rate;          ///< first time derivative: `omega_BCG`, `v_s_C`
   GiNaC::symbol second_rate;   ///< second time derivative: `alpha_BCG`, `a_s_C`
@@ -52,6 +55,8 @@ class AngleSum {
   [[nodiscard]] Vector2 direction() const;
   /// The factor of one angle: d(sum)/d(angle).
   [[nodiscard]] int factor(const Variable& angle) const;
+  /// The angles with their factors, by name.
+  [[nodiscard]] std::vector<std::pair<const Variable*, int>> terms() const;
   /// `theta_BCG + psi_G_BCG`; `0` if empty.
   [[nodiscard]] std::string text() const;
 

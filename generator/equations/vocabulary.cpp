@@ -31,6 +31,11 @@ Vector2 Vocabulary::name(const std::string& name, const Vector2& definition,
           this->name(name + "_y", definition.y, meaning + ", y")};
 }
 
+void Vocabulary::define(const GiNaC::symbol& symbol, const GiNaC::ex& definition,
+                        const std::string& meaning) {
+  quantities_.push_back({symbol, definition, symbol, meaning});
+}
+
 GiNaC::ex Vocabulary::name_reciprocal(const std::string& name, const GiNaC::ex& denominator,
                                       const std::string& degeneracy) {
   if (GiNaC::is_a<GiNaC::numeric>(denominator)) {

@@ -29,6 +29,9 @@ class Vocabulary {
   /// Names both components `<name>_x` and `<name>_y` of a vector.
   Vector2 name(const std::string& name, const Vector2& definition, const std::string& meaning);
 
+  /// Gives a quantity a symbol of the caller's. It is not taken apart again: `expand` keeps it.
+  void define(const GiNaC::symbol& symbol, const GiNaC::ex& definition, const std::string& meaning);
+
   /// Names one over a denominator; `degeneracy` says what its vanishing means. A plain number is
   /// inverted as it is.
   GiNaC::ex name_reciprocal(const std::string& name, const GiNaC::ex& denominator,

@@ -29,22 +29,28 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             16, 18, 0
-///   jacobian:             16, 4, 0
-///   dimension_jacobian:   0, 0, 0
-///   input_jacobian:       0, 0, 0
-///   velocity_rhs:         0, 2, 0
-///   acceleration_rhs:     32, 18, 0
-///   jerk_rhs:             68, 30, 0
-///   curvature_rhs:        72, 28, 0
-///   link_poses:           6, 6, 0
-///   pose_jacobians:       6, 2, 0
-///   link_velocities:      10, 6, 0
-///   link_accelerations:   15, 10, 0
-///   pose_curvatures:      26, 8, 0
-///   position_polynomial:  102, 77, 0
-///   second_equations:     34, 24, 0
-///   complete:             16, 14, 2
+///   residual:                   16, 18, 0
+///   jacobian:                   16, 4, 0
+///   dimension_jacobian:         0, 0, 0
+///   input_jacobian:             0, 0, 0
+///   velocity_rhs:               0, 2, 0
+///   acceleration_rhs:           32, 18, 0
+///   jerk_rhs:                   68, 30, 0
+///   curvature_rhs:              72, 28, 0
+///   link_poses:                 6, 6, 0
+///   pose_jacobians:             6, 2, 0
+///   link_velocities:            10, 6, 0
+///   link_accelerations:         15, 10, 0
+///   pose_curvatures:            26, 8, 0
+///   degeneracies:               26, 18, 0
+///   inverse_jacobian:           72, 21, 1
+///   sensitivities:              102, 35, 1
+///   velocity:                   56, 25, 1
+///   motion:                     90, 47, 1
+///   sensitivities_and_motion:   142, 63, 1
+///   position_polynomial:        102, 77, 0
+///   second_equations:           34, 24, 0
+///   complete:                   16, 14, 2
 struct Model01 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 1;
@@ -61,6 +67,16 @@ struct Model01 {
   static constexpr std::size_t polynomial_degree = 3;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = 1;  ///< of the reduced equations; -1: none
+  static constexpr int pivot_count = 3;
+  static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
+  static constexpr int determinant_sign = -1;  ///< det J = sign * the pivots' product
+
+  /// What the vanishing of each pivot of the structured elimination means.
+  static constexpr std::array<const char*, pivot_count> pivots = { {
+      "a dead centre: theta_BCG, theta_EDF free to first order",
+      "GF = 0: theta_GF free to first order",
+      "CD = 0: theta_CD free to first order",
+  } };
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -559,6 +575,529 @@ struct Model01 {
         + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + omega_BCG * BG_x);
     p(3, 1) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_x_G_BCG
         - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - omega_BCG * BG_y);
+  }
+
+  /// What the structured elimination divides by, p, the core's determinant first; the size
+  /// of each that a well-shaped group would have; and the size of the determinant's terms.
+  /// det J = -p(0) * p(1) * p(2).
+  template <typename Scalar>
+  static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,
+      Vector<Scalar, pivot_count>& size, Scalar& terms) {
+    using std::abs;
+    const Scalar sin_BCG_minus_CD = q.theta_BCG.sin * q.theta_CD.cos
+        - q.theta_BCG.cos * q.theta_CD.sin;
+    const Scalar sin_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.sin
+        - q.theta_CD.sin * q.theta_EDF.cos;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar BCG_across_CD = d.BC * sin_BCG_minus_CD;
+    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
+    const Scalar t01 = abs(d.x_F_EDF) + abs(d.y_F_EDF);
+    const Scalar t02 = abs(d.x_G_BCG) + abs(d.y_G_BCG);
+    const Scalar t03 = abs(d.GF) + t01 + t02;
+    p(0) = determinant;
+    p(1) = d.GF;
+    p(2) = d.CD;
+    size(0) = Scalar(2) * (abs(d.BC) * t03 + abs(d.ED) * t03 + abs(d.CD) * t03);
+    size(1) = t03;
+    size(2) = abs(d.BC) + abs(d.ED) + abs(d.CD);
+    terms = abs(d.BC) * t01 + abs(d.ED) * t02;
+  }
+
+  /// The inverse of J, for right-hand sides of every sort.
+  template <typename Scalar>
+  static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
+    const Scalar cos_BCG_minus_CD = q.theta_BCG.cos * q.theta_CD.cos
+        + q.theta_BCG.sin * q.theta_CD.sin;
+    const Scalar sin_BCG_minus_CD = q.theta_CD.cos * q.theta_BCG.sin
+        - q.theta_BCG.cos * q.theta_CD.sin;
+    const Scalar cos_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.cos
+        + q.theta_CD.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.sin
+        - q.theta_CD.sin * q.theta_EDF.cos;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar BCG_along_CD = d.BC * cos_BCG_minus_CD;
+    const Scalar BCG_across_CD = d.BC * sin_BCG_minus_CD;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
+    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
+    const Scalar t01 = d.CD * d.GF;
+    const Scalar inverse = Scalar(1) / (determinant * t01);  // zero: a dead centre, or GF = 0, or
+                                                             //     CD = 0
+    const Scalar inverse_determinant = inverse * t01;
+    const Scalar t02 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t02;
+    const Scalar inverse_CD = d.GF * t02;
+    const Scalar BCG_per_along_CD = -EDF_across_GF * inverse_determinant;
+    const Scalar EDF_per_along_CD = BCG_across_GF * inverse_determinant;
+    const Scalar GF_per_along_CD = -(BCG_along_GF * BCG_per_along_CD
+        + EDF_along_GF * EDF_per_along_CD) * inverse_GF;
+    const Scalar CD_per_along_CD = -(BCG_per_along_CD * BCG_along_CD
+        + EDF_per_along_CD * EDF_along_CD) * inverse_CD;
+    const Scalar BCG_per_along_GF = EDF_across_CD * inverse_determinant;
+    const Scalar EDF_per_along_GF = -BCG_across_CD * inverse_determinant;
+    const Scalar GF_per_along_GF = -inverse_GF * (BCG_along_GF * BCG_per_along_GF
+        + EDF_along_GF * EDF_per_along_GF);
+    const Scalar CD_per_along_GF = -inverse_CD * (BCG_along_CD * BCG_per_along_GF
+        + EDF_along_CD * EDF_per_along_GF);
+    J_inverse(0, 0) = q.theta_CD.cos * BCG_per_along_CD;
+    J_inverse(0, 1) = q.theta_CD.sin * BCG_per_along_CD;
+    J_inverse(0, 2) = q.theta_GF.cos * BCG_per_along_GF;
+    J_inverse(0, 3) = q.theta_GF.sin * BCG_per_along_GF;
+    J_inverse(1, 0) = q.theta_CD.cos * EDF_per_along_CD;
+    J_inverse(1, 1) = q.theta_CD.sin * EDF_per_along_CD;
+    J_inverse(1, 2) = q.theta_GF.cos * EDF_per_along_GF;
+    J_inverse(1, 3) = q.theta_GF.sin * EDF_per_along_GF;
+    J_inverse(2, 0) = q.theta_CD.cos * CD_per_along_CD - q.theta_CD.sin * inverse_CD;
+    J_inverse(2, 1) = q.theta_CD.cos * inverse_CD + q.theta_CD.sin * CD_per_along_CD;
+    J_inverse(2, 2) = q.theta_GF.cos * CD_per_along_GF;
+    J_inverse(2, 3) = q.theta_GF.sin * CD_per_along_GF;
+    J_inverse(3, 0) = q.theta_CD.cos * GF_per_along_CD;
+    J_inverse(3, 1) = q.theta_CD.sin * GF_per_along_CD;
+    J_inverse(3, 2) = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
+    J_inverse(3, 3) = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+  }
+
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const Scalar cos_BCG_minus_CD = q.theta_BCG.cos * q.theta_CD.cos
+        + q.theta_BCG.sin * q.theta_CD.sin;
+    const Scalar sin_BCG_minus_CD = q.theta_CD.cos * q.theta_BCG.sin
+        - q.theta_BCG.cos * q.theta_CD.sin;
+    const Scalar cos_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.cos
+        + q.theta_CD.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.sin
+        - q.theta_CD.sin * q.theta_EDF.cos;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar BCG_along_CD = d.BC * cos_BCG_minus_CD;
+    const Scalar BCG_across_CD = d.BC * sin_BCG_minus_CD;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
+    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
+    const Scalar t01 = d.CD * d.GF;
+    const Scalar inverse = Scalar(1) / (determinant * t01);  // zero: a dead centre, or GF = 0, or
+                                                             //     CD = 0
+    const Scalar inverse_determinant = inverse * t01;
+    const Scalar t02 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t02;
+    const Scalar inverse_CD = d.GF * t02;
+    const Scalar BCG_per_along_CD = -EDF_across_GF * inverse_determinant;
+    const Scalar EDF_per_along_CD = BCG_across_GF * inverse_determinant;
+    const Scalar GF_per_along_CD = -(BCG_along_GF * BCG_per_along_CD
+        + EDF_along_GF * EDF_per_along_CD) * inverse_GF;
+    const Scalar CD_per_along_CD = -(BCG_per_along_CD * BCG_along_CD
+        + EDF_per_along_CD * EDF_along_CD) * inverse_CD;
+    const Scalar BCG_per_along_GF = EDF_across_CD * inverse_determinant;
+    const Scalar EDF_per_along_GF = -BCG_across_CD * inverse_determinant;
+    const Scalar GF_per_along_GF = -inverse_GF * (BCG_along_GF * BCG_per_along_GF
+        + EDF_along_GF * EDF_per_along_GF);
+    const Scalar CD_per_along_GF = -inverse_CD * (BCG_along_CD * BCG_per_along_GF
+        + EDF_along_CD * EDF_per_along_GF);
+    const Scalar t03 = q.theta_CD.cos * BCG_per_along_CD + q.theta_GF.cos * BCG_per_along_GF;
+    const Scalar t04 = q.theta_CD.sin * BCG_per_along_CD + q.theta_GF.sin * BCG_per_along_GF;
+    const Scalar t05 = q.theta_CD.cos * EDF_per_along_CD + q.theta_GF.cos * EDF_per_along_GF;
+    const Scalar t06 = q.theta_CD.sin * EDF_per_along_CD + q.theta_GF.sin * EDF_per_along_GF;
+    const Scalar t07 = q.theta_CD.cos * CD_per_along_CD + q.theta_GF.cos * CD_per_along_GF
+        - q.theta_CD.sin * inverse_CD;
+    const Scalar t08 = q.theta_CD.cos * inverse_CD + q.theta_CD.sin * CD_per_along_CD
+        + q.theta_GF.sin * CD_per_along_GF;
+    const Scalar t09 = q.theta_CD.cos * GF_per_along_CD + q.theta_GF.cos * GF_per_along_GF
+        - q.theta_GF.sin * inverse_GF;
+    const Scalar t10 = q.theta_CD.sin * GF_per_along_CD + q.theta_GF.cos * inverse_GF
+        + q.theta_GF.sin * GF_per_along_GF;
+    S_d(0, 0) = -cos_BCG_minus_CD * BCG_per_along_CD;
+    S_d(0, 1) = -cos_BCG_minus_GF * BCG_per_along_GF;
+    S_d(0, 2) = sin_BCG_minus_GF * BCG_per_along_GF;
+    S_d(0, 3) = cos_EDF_minus_CD * BCG_per_along_CD;
+    S_d(0, 4) = cos_EDF_minus_GF * BCG_per_along_GF;
+    S_d(0, 5) = -sin_EDF_minus_GF * BCG_per_along_GF;
+    S_d(0, 6) = -BCG_per_along_CD;
+    S_d(0, 7) = -BCG_per_along_GF;
+    S_d(1, 0) = -cos_BCG_minus_CD * EDF_per_along_CD;
+    S_d(1, 1) = -cos_BCG_minus_GF * EDF_per_along_GF;
+    S_d(1, 2) = sin_BCG_minus_GF * EDF_per_along_GF;
+    S_d(1, 3) = cos_EDF_minus_CD * EDF_per_along_CD;
+    S_d(1, 4) = cos_EDF_minus_GF * EDF_per_along_GF;
+    S_d(1, 5) = -sin_EDF_minus_GF * EDF_per_along_GF;
+    S_d(1, 6) = -EDF_per_along_CD;
+    S_d(1, 7) = -EDF_per_along_GF;
+    S_d(2, 0) = -cos_BCG_minus_CD * CD_per_along_CD - sin_BCG_minus_CD * inverse_CD;
+    S_d(2, 1) = -cos_BCG_minus_GF * CD_per_along_GF;
+    S_d(2, 2) = sin_BCG_minus_GF * CD_per_along_GF;
+    S_d(2, 3) = cos_EDF_minus_CD * CD_per_along_CD + sin_EDF_minus_CD * inverse_CD;
+    S_d(2, 4) = cos_EDF_minus_GF * CD_per_along_GF;
+    S_d(2, 5) = -sin_EDF_minus_GF * CD_per_along_GF;
+    S_d(2, 6) = -CD_per_along_CD;
+    S_d(2, 7) = -CD_per_along_GF;
+    S_d(3, 0) = -cos_BCG_minus_CD * GF_per_along_CD;
+    S_d(3, 1) = -cos_BCG_minus_GF * GF_per_along_GF - sin_BCG_minus_GF * inverse_GF;
+    S_d(3, 2) = sin_BCG_minus_GF * GF_per_along_GF - cos_BCG_minus_GF * inverse_GF;
+    S_d(3, 3) = cos_EDF_minus_CD * GF_per_along_CD;
+    S_d(3, 4) = cos_EDF_minus_GF * GF_per_along_GF + sin_EDF_minus_GF * inverse_GF;
+    S_d(3, 5) = cos_EDF_minus_GF * inverse_GF - sin_EDF_minus_GF * GF_per_along_GF;
+    S_d(3, 6) = -GF_per_along_CD;
+    S_d(3, 7) = -GF_per_along_GF;
+    S_u(0, 0) = -t03;
+    S_u(0, 1) = -t04;
+    S_u(0, 2) = t03;
+    S_u(0, 3) = t04;
+    S_u(1, 0) = -t05;
+    S_u(1, 1) = -t06;
+    S_u(1, 2) = t05;
+    S_u(1, 3) = t06;
+    S_u(2, 0) = -t07;
+    S_u(2, 1) = -t08;
+    S_u(2, 2) = t07;
+    S_u(2, 3) = t08;
+    S_u(3, 0) = -t09;
+    S_u(3, 1) = -t10;
+    S_u(3, 2) = t09;
+    S_u(3, 3) = t10;
+  }
+
+  /// dq/dt for the rates du/dt of the inputs.
+  template <typename Scalar>
+  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, unknown_count>& q_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    const Scalar cos_BCG_minus_CD = q.theta_BCG.cos * q.theta_CD.cos
+        + q.theta_BCG.sin * q.theta_CD.sin;
+    const Scalar sin_BCG_minus_CD = q.theta_CD.cos * q.theta_BCG.sin
+        - q.theta_BCG.cos * q.theta_CD.sin;
+    const Scalar cos_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.cos
+        + q.theta_CD.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.sin
+        - q.theta_CD.sin * q.theta_EDF.cos;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar BCG_along_CD = d.BC * cos_BCG_minus_CD;
+    const Scalar BCG_across_CD = d.BC * sin_BCG_minus_CD;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
+    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
+    const Scalar t01 = d.CD * d.GF;
+    const Scalar inverse = Scalar(1) / (determinant * t01);  // zero: a dead centre, or GF = 0, or
+                                                             //     CD = 0
+    const Scalar inverse_determinant = inverse * t01;
+    const Scalar t02 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t02;
+    const Scalar inverse_CD = d.GF * t02;
+    const Scalar t03 = v_x_B - v_x_E;
+    const Scalar t04 = v_y_B - v_y_E;
+    const Scalar velocity_along_CD = -q.theta_CD.cos * t03 - q.theta_CD.sin * t04;
+    const Scalar velocity_across_CD = q.theta_CD.sin * t03 - q.theta_CD.cos * t04;
+    const Scalar velocity_along_GF = -q.theta_GF.cos * t03 - q.theta_GF.sin * t04;
+    const Scalar velocity_across_GF = q.theta_GF.sin * t03 - q.theta_GF.cos * t04;
+    const Scalar omega_BCG = (EDF_across_CD * velocity_along_GF
+        - EDF_across_GF * velocity_along_CD) * inverse_determinant;
+    const Scalar omega_EDF = -inverse_determinant * (BCG_across_CD * velocity_along_GF
+        - BCG_across_GF * velocity_along_CD);
+    const Scalar omega_GF = -(omega_BCG * BCG_along_GF + omega_EDF * EDF_along_GF
+        - velocity_across_GF) * inverse_GF;
+    const Scalar omega_CD = -(omega_BCG * BCG_along_CD + omega_EDF * EDF_along_CD
+        - velocity_across_CD) * inverse_CD;
+    q_rate(0) = omega_BCG;
+    q_rate(1) = omega_EDF;
+    q_rate(2) = omega_CD;
+    q_rate(3) = omega_GF;
+  }
+
+  /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
+  template <typename Scalar>
+  static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    const Scalar a_y_E = u_second_rate(3);
+    const Scalar cos_BCG_minus_CD = q.theta_BCG.cos * q.theta_CD.cos
+        + q.theta_BCG.sin * q.theta_CD.sin;
+    const Scalar sin_BCG_minus_CD = q.theta_CD.cos * q.theta_BCG.sin
+        - q.theta_BCG.cos * q.theta_CD.sin;
+    const Scalar cos_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.cos
+        + q.theta_CD.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.sin
+        - q.theta_CD.sin * q.theta_EDF.cos;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar BCG_along_CD = d.BC * cos_BCG_minus_CD;
+    const Scalar BCG_across_CD = d.BC * sin_BCG_minus_CD;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
+    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
+    const Scalar t01 = d.CD * d.GF;
+    const Scalar inverse = Scalar(1) / (determinant * t01);  // zero: a dead centre, or GF = 0, or
+                                                             //     CD = 0
+    const Scalar inverse_determinant = inverse * t01;
+    const Scalar t02 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t02;
+    const Scalar inverse_CD = d.GF * t02;
+    const Scalar t03 = v_x_B - v_x_E;
+    const Scalar t04 = v_y_B - v_y_E;
+    const Scalar velocity_along_CD = -q.theta_CD.cos * t03 - q.theta_CD.sin * t04;
+    const Scalar velocity_across_CD = q.theta_CD.sin * t03 - q.theta_CD.cos * t04;
+    const Scalar velocity_along_GF = -q.theta_GF.cos * t03 - q.theta_GF.sin * t04;
+    const Scalar velocity_across_GF = q.theta_GF.sin * t03 - q.theta_GF.cos * t04;
+    const Scalar omega_BCG = (EDF_across_CD * velocity_along_GF
+        - EDF_across_GF * velocity_along_CD) * inverse_determinant;
+    const Scalar omega_EDF = -inverse_determinant * (BCG_across_CD * velocity_along_GF
+        - BCG_across_GF * velocity_along_CD);
+    const Scalar omega_GF = -(omega_BCG * BCG_along_GF + omega_EDF * EDF_along_GF
+        - velocity_across_GF) * inverse_GF;
+    const Scalar omega_CD = -(omega_BCG * BCG_along_CD + omega_EDF * EDF_along_CD
+        - velocity_across_CD) * inverse_CD;
+    const Scalar t05 = a_x_B - a_x_E;
+    const Scalar t06 = a_y_B - a_y_E;
+    const Scalar t07 = omega_BCG * omega_BCG;
+    const Scalar t08 = omega_EDF * omega_EDF;
+    const Scalar acceleration_along_CD = d.CD * omega_CD * omega_CD + BCG_along_CD * t07
+        + EDF_along_CD * t08 - q.theta_CD.cos * t05 - q.theta_CD.sin * t06;
+    const Scalar acceleration_across_CD = q.theta_CD.sin * t05 + BCG_across_CD * t07
+        + EDF_across_CD * t08 - q.theta_CD.cos * t06;
+    const Scalar acceleration_along_GF = d.GF * omega_GF * omega_GF + BCG_along_GF * t07
+        + EDF_along_GF * t08 - q.theta_GF.cos * t05 - q.theta_GF.sin * t06;
+    const Scalar acceleration_across_GF = q.theta_GF.sin * t05 + BCG_across_GF * t07
+        + EDF_across_GF * t08 - q.theta_GF.cos * t06;
+    const Scalar alpha_BCG = inverse_determinant * (EDF_across_CD * acceleration_along_GF
+        - EDF_across_GF * acceleration_along_CD);
+    const Scalar alpha_EDF = -inverse_determinant * (BCG_across_CD * acceleration_along_GF
+        - BCG_across_GF * acceleration_along_CD);
+    const Scalar alpha_GF = -inverse_GF * (BCG_along_GF * alpha_BCG + EDF_along_GF * alpha_EDF
+        - acceleration_across_GF);
+    const Scalar alpha_CD = -inverse_CD * (BCG_along_CD * alpha_BCG + EDF_along_CD * alpha_EDF
+        - acceleration_across_CD);
+    q_rate(0) = omega_BCG;
+    q_rate(1) = omega_EDF;
+    q_rate(2) = omega_CD;
+    q_rate(3) = omega_GF;
+    q_second_rate(0) = alpha_BCG;
+    q_second_rate(1) = alpha_EDF;
+    q_second_rate(2) = alpha_CD;
+    q_second_rate(3) = alpha_GF;
+  }
+
+  /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
+  template <typename Scalar>
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    const Scalar a_y_E = u_second_rate(3);
+    const Scalar cos_BCG_minus_CD = q.theta_BCG.cos * q.theta_CD.cos
+        + q.theta_BCG.sin * q.theta_CD.sin;
+    const Scalar sin_BCG_minus_CD = q.theta_CD.cos * q.theta_BCG.sin
+        - q.theta_BCG.cos * q.theta_CD.sin;
+    const Scalar cos_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.cos
+        + q.theta_CD.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.sin
+        - q.theta_CD.sin * q.theta_EDF.cos;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar BCG_along_CD = d.BC * cos_BCG_minus_CD;
+    const Scalar BCG_across_CD = d.BC * sin_BCG_minus_CD;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
+    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
+    const Scalar t01 = d.CD * d.GF;
+    const Scalar inverse = Scalar(1) / (determinant * t01);  // zero: a dead centre, or GF = 0, or
+                                                             //     CD = 0
+    const Scalar inverse_determinant = inverse * t01;
+    const Scalar t02 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t02;
+    const Scalar inverse_CD = d.GF * t02;
+    const Scalar BCG_per_along_CD = -EDF_across_GF * inverse_determinant;
+    const Scalar EDF_per_along_CD = BCG_across_GF * inverse_determinant;
+    const Scalar GF_per_along_CD = -(BCG_along_GF * BCG_per_along_CD
+        + EDF_along_GF * EDF_per_along_CD) * inverse_GF;
+    const Scalar CD_per_along_CD = -(BCG_per_along_CD * BCG_along_CD
+        + EDF_per_along_CD * EDF_along_CD) * inverse_CD;
+    const Scalar BCG_per_along_GF = EDF_across_CD * inverse_determinant;
+    const Scalar EDF_per_along_GF = -BCG_across_CD * inverse_determinant;
+    const Scalar GF_per_along_GF = -inverse_GF * (BCG_along_GF * BCG_per_along_GF
+        + EDF_along_GF * EDF_per_along_GF);
+    const Scalar CD_per_along_GF = -inverse_CD * (BCG_along_CD * BCG_per_along_GF
+        + EDF_along_CD * EDF_per_along_GF);
+    const Scalar t03 = q.theta_CD.cos * BCG_per_along_CD + q.theta_GF.cos * BCG_per_along_GF;
+    const Scalar BCG_per_x_B = -t03;
+    const Scalar t04 = q.theta_CD.cos * EDF_per_along_CD + q.theta_GF.cos * EDF_per_along_GF;
+    const Scalar EDF_per_x_B = -t04;
+    const Scalar t05 = q.theta_CD.cos * CD_per_along_CD + q.theta_GF.cos * CD_per_along_GF
+        - q.theta_CD.sin * inverse_CD;
+    const Scalar CD_per_x_B = -t05;
+    const Scalar t06 = q.theta_CD.cos * GF_per_along_CD + q.theta_GF.cos * GF_per_along_GF
+        - q.theta_GF.sin * inverse_GF;
+    const Scalar GF_per_x_B = -t06;
+    const Scalar t07 = q.theta_CD.sin * BCG_per_along_CD + q.theta_GF.sin * BCG_per_along_GF;
+    const Scalar BCG_per_y_B = -t07;
+    const Scalar t08 = q.theta_CD.sin * EDF_per_along_CD + q.theta_GF.sin * EDF_per_along_GF;
+    const Scalar EDF_per_y_B = -t08;
+    const Scalar t09 = q.theta_CD.cos * inverse_CD + q.theta_CD.sin * CD_per_along_CD
+        + q.theta_GF.sin * CD_per_along_GF;
+    const Scalar CD_per_y_B = -t09;
+    const Scalar t10 = q.theta_CD.sin * GF_per_along_CD + q.theta_GF.cos * inverse_GF
+        + q.theta_GF.sin * GF_per_along_GF;
+    const Scalar GF_per_y_B = -t10;
+    const Scalar t11 = v_x_B - v_x_E;
+    const Scalar t12 = v_y_B - v_y_E;
+    const Scalar omega_BCG = t11 * BCG_per_x_B + t12 * BCG_per_y_B;
+    const Scalar omega_EDF = t11 * EDF_per_x_B + t12 * EDF_per_y_B;
+    const Scalar omega_CD = t11 * CD_per_x_B + t12 * CD_per_y_B;
+    const Scalar omega_GF = t11 * GF_per_x_B + t12 * GF_per_y_B;
+    const Scalar t13 = omega_BCG * omega_BCG;
+    const Scalar t14 = omega_EDF * omega_EDF;
+    const Scalar centripetal_along_CD = d.CD * omega_CD * omega_CD + BCG_along_CD * t13
+        + EDF_along_CD * t14;
+    const Scalar centripetal_across_CD = BCG_across_CD * t13 + EDF_across_CD * t14;
+    const Scalar centripetal_along_GF = d.GF * omega_GF * omega_GF + BCG_along_GF * t13
+        + EDF_along_GF * t14;
+    const Scalar centripetal_across_GF = BCG_across_GF * t13 + EDF_across_GF * t14;
+    const Scalar t15 = a_x_B - a_x_E;
+    const Scalar t16 = a_y_B - a_y_E;
+    S_d(0, 0) = -cos_BCG_minus_CD * BCG_per_along_CD;
+    S_d(0, 1) = -cos_BCG_minus_GF * BCG_per_along_GF;
+    S_d(0, 2) = sin_BCG_minus_GF * BCG_per_along_GF;
+    S_d(0, 3) = cos_EDF_minus_CD * BCG_per_along_CD;
+    S_d(0, 4) = cos_EDF_minus_GF * BCG_per_along_GF;
+    S_d(0, 5) = -sin_EDF_minus_GF * BCG_per_along_GF;
+    S_d(0, 6) = -BCG_per_along_CD;
+    S_d(0, 7) = -BCG_per_along_GF;
+    S_d(1, 0) = -cos_BCG_minus_CD * EDF_per_along_CD;
+    S_d(1, 1) = -cos_BCG_minus_GF * EDF_per_along_GF;
+    S_d(1, 2) = sin_BCG_minus_GF * EDF_per_along_GF;
+    S_d(1, 3) = cos_EDF_minus_CD * EDF_per_along_CD;
+    S_d(1, 4) = cos_EDF_minus_GF * EDF_per_along_GF;
+    S_d(1, 5) = -sin_EDF_minus_GF * EDF_per_along_GF;
+    S_d(1, 6) = -EDF_per_along_CD;
+    S_d(1, 7) = -EDF_per_along_GF;
+    S_d(2, 0) = -cos_BCG_minus_CD * CD_per_along_CD - sin_BCG_minus_CD * inverse_CD;
+    S_d(2, 1) = -cos_BCG_minus_GF * CD_per_along_GF;
+    S_d(2, 2) = sin_BCG_minus_GF * CD_per_along_GF;
+    S_d(2, 3) = cos_EDF_minus_CD * CD_per_along_CD + sin_EDF_minus_CD * inverse_CD;
+    S_d(2, 4) = cos_EDF_minus_GF * CD_per_along_GF;
+    S_d(2, 5) = -sin_EDF_minus_GF * CD_per_along_GF;
+    S_d(2, 6) = -CD_per_along_CD;
+    S_d(2, 7) = -CD_per_along_GF;
+    S_d(3, 0) = -cos_BCG_minus_CD * GF_per_along_CD;
+    S_d(3, 1) = -cos_BCG_minus_GF * GF_per_along_GF - sin_BCG_minus_GF * inverse_GF;
+    S_d(3, 2) = sin_BCG_minus_GF * GF_per_along_GF - cos_BCG_minus_GF * inverse_GF;
+    S_d(3, 3) = cos_EDF_minus_CD * GF_per_along_CD;
+    S_d(3, 4) = cos_EDF_minus_GF * GF_per_along_GF + sin_EDF_minus_GF * inverse_GF;
+    S_d(3, 5) = cos_EDF_minus_GF * inverse_GF - sin_EDF_minus_GF * GF_per_along_GF;
+    S_d(3, 6) = -GF_per_along_CD;
+    S_d(3, 7) = -GF_per_along_GF;
+    S_u(0, 0) = -t03;
+    S_u(0, 1) = -t07;
+    S_u(0, 2) = t03;
+    S_u(0, 3) = t07;
+    S_u(1, 0) = -t04;
+    S_u(1, 1) = -t08;
+    S_u(1, 2) = t04;
+    S_u(1, 3) = t08;
+    S_u(2, 0) = -t05;
+    S_u(2, 1) = -t09;
+    S_u(2, 2) = t05;
+    S_u(2, 3) = t09;
+    S_u(3, 0) = -t06;
+    S_u(3, 1) = -t10;
+    S_u(3, 2) = t06;
+    S_u(3, 3) = t10;
+    q_rate(0) = omega_BCG;
+    q_rate(1) = omega_EDF;
+    q_rate(2) = omega_CD;
+    q_rate(3) = omega_GF;
+    q_second_rate(0) = BCG_per_x_B * t15 + BCG_per_y_B * t16
+        + BCG_per_along_CD * centripetal_along_CD + BCG_per_along_GF * centripetal_along_GF;
+    q_second_rate(1) = EDF_per_x_B * t15 + EDF_per_y_B * t16
+        + EDF_per_along_CD * centripetal_along_CD + EDF_per_along_GF * centripetal_along_GF;
+    q_second_rate(2) = CD_per_x_B * t15 + CD_per_y_B * t16 + inverse_CD * centripetal_across_CD
+        + CD_per_along_CD * centripetal_along_CD + CD_per_along_GF * centripetal_along_GF;
+    q_second_rate(3) = GF_per_x_B * t15 + GF_per_y_B * t16 + inverse_GF * centripetal_across_GF
+        + GF_per_along_CD * centripetal_along_CD + GF_per_along_GF * centripetal_along_GF;
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

@@ -29,22 +29,28 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             18, 20, 0
-///   jacobian:             18, 8, 0
-///   dimension_jacobian:   0, 0, 0
-///   input_jacobian:       0, 0, 0
-///   velocity_rhs:         0, 2, 0
-///   acceleration_rhs:     37, 22, 0
-///   jerk_rhs:             75, 36, 0
-///   curvature_rhs:        70, 31, 0
-///   link_poses:           10, 10, 0
-///   pose_jacobians:       10, 6, 0
-///   link_velocities:      16, 12, 0
-///   link_accelerations:   27, 18, 0
-///   pose_curvatures:      34, 15, 0
-///   position_polynomial:  82, 63, 0
-///   second_equations:     29, 20, 0
-///   complete:             14, 13, 1
+///   residual:                   18, 20, 0
+///   jacobian:                   18, 8, 0
+///   dimension_jacobian:         0, 0, 0
+///   input_jacobian:             0, 0, 0
+///   velocity_rhs:               0, 2, 0
+///   acceleration_rhs:           37, 22, 0
+///   jerk_rhs:                   75, 36, 0
+///   curvature_rhs:              70, 31, 0
+///   link_poses:                 10, 10, 0
+///   pose_jacobians:             10, 6, 0
+///   link_velocities:            16, 12, 0
+///   link_accelerations:         27, 18, 0
+///   pose_curvatures:            34, 15, 0
+///   degeneracies:               25, 19, 0
+///   inverse_jacobian:           59, 20, 1
+///   sensitivities:              83, 33, 1
+///   velocity:                   46, 24, 1
+///   motion:                     78, 46, 1
+///   sensitivities_and_motion:   122, 61, 1
+///   position_polynomial:        82, 63, 0
+///   second_equations:           29, 20, 0
+///   complete:                   14, 13, 1
 struct Model02 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 2;
@@ -61,6 +67,15 @@ struct Model02 {
   static constexpr std::size_t polynomial_degree = 3;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = 1;  ///< of the reduced equations; -1: none
+  static constexpr int pivot_count = 2;
+  static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
+  static constexpr int determinant_sign = -1;  ///< det J = sign * the pivots' product
+
+  /// What the vanishing of each pivot of the structured elimination means.
+  static constexpr std::array<const char*, pivot_count> pivots = { {
+      "a dead centre: theta_BCG, theta_EDF free to first order",
+      "GF = 0: theta_GF free to first order",
+  } };
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -611,6 +626,484 @@ struct Model02 {
         + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + omega_BCG * BG_x);
     p(3, 1) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_x_G_BCG
         - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - omega_BCG * BG_y);
+  }
+
+  /// What the structured elimination divides by, p, the core's determinant first; the size
+  /// of each that a well-shaped group would have; and the size of the determinant's terms.
+  /// det J = -p(0) * p(1).
+  template <typename Scalar>
+  static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,
+      Vector<Scalar, pivot_count>& size, Scalar& terms) {
+    using std::abs;
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
+    const Scalar t01 = abs(d.x_G_BCG) + abs(d.y_G_BCG);
+    const Scalar t02 = abs(d.x_F_EDF) + abs(d.y_F_EDF) + abs(d.GF) + t01;
+    const Scalar t03 = abs(q.s_C) + abs(d.h_C_BCG) + abs(d.h_C_CD);
+    p(0) = determinant;
+    p(1) = d.GF;
+    size(0) = Scalar(2) * (abs(q.s_C) * t02 + abs(d.h_C_BCG) * t02 + abs(d.ED) * t02
+        + abs(d.h_C_CD) * t02);
+    size(1) = t02;
+    terms = abs(d.x_F_EDF) * t03 + abs(d.y_F_EDF) * t03 + abs(d.ED) * t01;
+  }
+
+  /// The inverse of J, for right-hand sides of every sort.
+  template <typename Scalar>
+  static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
+        - q.theta_EDF.cos * q.theta_BCG.sin;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
+    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
+    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar inverse_determinant = d.GF * inverse;
+    const Scalar inverse_GF = determinant * inverse;
+    const Scalar BCG_per_across_slide_C = -EDF_across_GF * inverse_determinant;
+    const Scalar EDF_per_across_slide_C = BCG_across_GF * inverse_determinant;
+    const Scalar s_C_per_across_slide_C = BCG_across_slide_C * BCG_per_across_slide_C
+        + EDF_across_slide_C * EDF_per_across_slide_C;
+    const Scalar GF_per_across_slide_C = -(BCG_per_across_slide_C * BCG_along_GF
+        + EDF_per_across_slide_C * EDF_along_GF) * inverse_GF;
+    const Scalar BCG_per_along_GF = -EDF_along_slide_C * inverse_determinant;
+    const Scalar EDF_per_along_GF = q.s_C * inverse_determinant;
+    const Scalar s_C_per_along_GF = BCG_across_slide_C * BCG_per_along_GF
+        + EDF_across_slide_C * EDF_per_along_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * (BCG_along_GF * BCG_per_along_GF
+        + EDF_along_GF * EDF_per_along_GF);
+    J_inverse(0, 0) = -q.theta_BCG.sin * BCG_per_across_slide_C;
+    J_inverse(0, 1) = q.theta_BCG.cos * BCG_per_across_slide_C;
+    J_inverse(0, 2) = q.theta_GF.cos * BCG_per_along_GF;
+    J_inverse(0, 3) = q.theta_GF.sin * BCG_per_along_GF;
+    J_inverse(1, 0) = -q.theta_BCG.sin * EDF_per_across_slide_C;
+    J_inverse(1, 1) = q.theta_BCG.cos * EDF_per_across_slide_C;
+    J_inverse(1, 2) = q.theta_GF.cos * EDF_per_along_GF;
+    J_inverse(1, 3) = q.theta_GF.sin * EDF_per_along_GF;
+    J_inverse(2, 0) = -q.theta_BCG.sin * GF_per_across_slide_C;
+    J_inverse(2, 1) = q.theta_BCG.cos * GF_per_across_slide_C;
+    J_inverse(2, 2) = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
+    J_inverse(2, 3) = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    J_inverse(3, 0) = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C;
+    J_inverse(3, 1) = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C;
+    J_inverse(3, 2) = q.theta_GF.cos * s_C_per_along_GF;
+    J_inverse(3, 3) = q.theta_GF.sin * s_C_per_along_GF;
+  }
+
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
+        - q.theta_EDF.cos * q.theta_BCG.sin;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
+    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
+    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar inverse_determinant = d.GF * inverse;
+    const Scalar inverse_GF = determinant * inverse;
+    const Scalar BCG_per_across_slide_C = -EDF_across_GF * inverse_determinant;
+    const Scalar EDF_per_across_slide_C = BCG_across_GF * inverse_determinant;
+    const Scalar s_C_per_across_slide_C = BCG_across_slide_C * BCG_per_across_slide_C
+        + EDF_across_slide_C * EDF_per_across_slide_C;
+    const Scalar GF_per_across_slide_C = -(BCG_per_across_slide_C * BCG_along_GF
+        + EDF_per_across_slide_C * EDF_along_GF) * inverse_GF;
+    const Scalar BCG_per_along_GF = -EDF_along_slide_C * inverse_determinant;
+    const Scalar EDF_per_along_GF = q.s_C * inverse_determinant;
+    const Scalar s_C_per_along_GF = BCG_across_slide_C * BCG_per_along_GF
+        + EDF_across_slide_C * EDF_per_along_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * (BCG_along_GF * BCG_per_along_GF
+        + EDF_along_GF * EDF_per_along_GF);
+    const Scalar t01 = q.theta_BCG.sin * BCG_per_across_slide_C - q.theta_GF.cos * BCG_per_along_GF;
+    const Scalar t02 = q.theta_BCG.cos * BCG_per_across_slide_C + q.theta_GF.sin * BCG_per_along_GF;
+    const Scalar t03 = q.theta_BCG.sin * EDF_per_across_slide_C - q.theta_GF.cos * EDF_per_along_GF;
+    const Scalar t04 = q.theta_BCG.cos * EDF_per_across_slide_C + q.theta_GF.sin * EDF_per_along_GF;
+    const Scalar t05 = q.theta_BCG.sin * GF_per_across_slide_C + q.theta_GF.sin * inverse_GF
+        - q.theta_GF.cos * GF_per_along_GF;
+    const Scalar t06 = q.theta_BCG.cos * GF_per_across_slide_C + q.theta_GF.cos * inverse_GF
+        + q.theta_GF.sin * GF_per_along_GF;
+    const Scalar t07 = q.theta_BCG.cos + q.theta_GF.cos * s_C_per_along_GF
+        - q.theta_BCG.sin * s_C_per_across_slide_C;
+    const Scalar t08 = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C
+        + q.theta_GF.sin * s_C_per_along_GF;
+    S_d(0, 0) = -BCG_per_across_slide_C;
+    S_d(0, 1) = -cos_BCG_minus_GF * BCG_per_along_GF;
+    S_d(0, 2) = sin_BCG_minus_GF * BCG_per_along_GF;
+    S_d(0, 3) = sin_EDF_minus_BCG * BCG_per_across_slide_C;
+    S_d(0, 4) = cos_EDF_minus_GF * BCG_per_along_GF;
+    S_d(0, 5) = -sin_EDF_minus_GF * BCG_per_along_GF;
+    S_d(0, 6) = BCG_per_across_slide_C;
+    S_d(0, 7) = -BCG_per_along_GF;
+    S_d(1, 0) = -EDF_per_across_slide_C;
+    S_d(1, 1) = -cos_BCG_minus_GF * EDF_per_along_GF;
+    S_d(1, 2) = sin_BCG_minus_GF * EDF_per_along_GF;
+    S_d(1, 3) = sin_EDF_minus_BCG * EDF_per_across_slide_C;
+    S_d(1, 4) = cos_EDF_minus_GF * EDF_per_along_GF;
+    S_d(1, 5) = -sin_EDF_minus_GF * EDF_per_along_GF;
+    S_d(1, 6) = EDF_per_across_slide_C;
+    S_d(1, 7) = -EDF_per_along_GF;
+    S_d(2, 0) = -GF_per_across_slide_C;
+    S_d(2, 1) = -cos_BCG_minus_GF * GF_per_along_GF - sin_BCG_minus_GF * inverse_GF;
+    S_d(2, 2) = sin_BCG_minus_GF * GF_per_along_GF - cos_BCG_minus_GF * inverse_GF;
+    S_d(2, 3) = sin_EDF_minus_BCG * GF_per_across_slide_C;
+    S_d(2, 4) = cos_EDF_minus_GF * GF_per_along_GF + sin_EDF_minus_GF * inverse_GF;
+    S_d(2, 5) = cos_EDF_minus_GF * inverse_GF - sin_EDF_minus_GF * GF_per_along_GF;
+    S_d(2, 6) = GF_per_across_slide_C;
+    S_d(2, 7) = -GF_per_along_GF;
+    S_d(3, 0) = -s_C_per_across_slide_C;
+    S_d(3, 1) = -cos_BCG_minus_GF * s_C_per_along_GF;
+    S_d(3, 2) = sin_BCG_minus_GF * s_C_per_along_GF;
+    S_d(3, 3) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_C_per_across_slide_C;
+    S_d(3, 4) = cos_EDF_minus_GF * s_C_per_along_GF;
+    S_d(3, 5) = -sin_EDF_minus_GF * s_C_per_along_GF;
+    S_d(3, 6) = s_C_per_across_slide_C;
+    S_d(3, 7) = -s_C_per_along_GF;
+    S_u(0, 0) = t01;
+    S_u(0, 1) = -t02;
+    S_u(0, 2) = -t01;
+    S_u(0, 3) = t02;
+    S_u(1, 0) = t03;
+    S_u(1, 1) = -t04;
+    S_u(1, 2) = -t03;
+    S_u(1, 3) = t04;
+    S_u(2, 0) = t05;
+    S_u(2, 1) = -t06;
+    S_u(2, 2) = -t05;
+    S_u(2, 3) = t06;
+    S_u(3, 0) = -t07;
+    S_u(3, 1) = -t08;
+    S_u(3, 2) = t07;
+    S_u(3, 3) = t08;
+  }
+
+  /// dq/dt for the rates du/dt of the inputs.
+  template <typename Scalar>
+  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, unknown_count>& q_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
+        - q.theta_EDF.cos * q.theta_BCG.sin;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
+    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
+    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar inverse_determinant = d.GF * inverse;
+    const Scalar inverse_GF = determinant * inverse;
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
+    const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
+    const Scalar velocity_along_GF = -q.theta_GF.cos * t01 - q.theta_GF.sin * t02;
+    const Scalar velocity_across_GF = q.theta_GF.sin * t01 - q.theta_GF.cos * t02;
+    const Scalar omega_BCG = -(EDF_along_slide_C * velocity_along_GF
+        + EDF_across_GF * velocity_across_slide_C) * inverse_determinant;
+    const Scalar omega_EDF = inverse_determinant * (q.s_C * velocity_along_GF
+        + BCG_across_GF * velocity_across_slide_C);
+    const Scalar v_s_C = omega_BCG * BCG_across_slide_C + omega_EDF * EDF_across_slide_C
+        + velocity_along_slide_C;
+    const Scalar omega_GF = -(omega_BCG * BCG_along_GF + omega_EDF * EDF_along_GF
+        - velocity_across_GF) * inverse_GF;
+    q_rate(0) = omega_BCG;
+    q_rate(1) = omega_EDF;
+    q_rate(2) = omega_GF;
+    q_rate(3) = v_s_C;
+  }
+
+  /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
+  template <typename Scalar>
+  static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    const Scalar a_y_E = u_second_rate(3);
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
+        - q.theta_EDF.cos * q.theta_BCG.sin;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
+    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
+    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar inverse_determinant = d.GF * inverse;
+    const Scalar inverse_GF = determinant * inverse;
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
+    const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
+    const Scalar velocity_along_GF = -q.theta_GF.cos * t01 - q.theta_GF.sin * t02;
+    const Scalar velocity_across_GF = q.theta_GF.sin * t01 - q.theta_GF.cos * t02;
+    const Scalar omega_BCG = -(EDF_along_slide_C * velocity_along_GF
+        + EDF_across_GF * velocity_across_slide_C) * inverse_determinant;
+    const Scalar omega_EDF = inverse_determinant * (q.s_C * velocity_along_GF
+        + BCG_across_GF * velocity_across_slide_C);
+    const Scalar t03 = omega_BCG * BCG_across_slide_C;
+    const Scalar v_s_C = t03 + omega_EDF * EDF_across_slide_C + velocity_along_slide_C;
+    const Scalar omega_GF = -(omega_BCG * BCG_along_GF + omega_EDF * EDF_along_GF
+        - velocity_across_GF) * inverse_GF;
+    const Scalar t04 = a_x_B - a_x_E;
+    const Scalar t05 = a_y_B - a_y_E;
+    const Scalar t06 = omega_EDF * omega_EDF;
+    const Scalar t07 = omega_BCG * omega_BCG;
+    const Scalar acceleration_along_slide_C = EDF_along_slide_C * t06 + q.s_C * t07
+        - q.theta_BCG.cos * t04 - q.theta_BCG.sin * t05;
+    const Scalar acceleration_across_slide_C = q.theta_BCG.sin * t04 + omega_BCG * (t03
+        - Scalar(2) * v_s_C) + EDF_across_slide_C * t06 - q.theta_BCG.cos * t05;
+    const Scalar acceleration_along_GF = d.GF * omega_GF * omega_GF + EDF_along_GF * t06
+        + BCG_along_GF * t07 - q.theta_GF.cos * t04 - q.theta_GF.sin * t05;
+    const Scalar acceleration_across_GF = q.theta_GF.sin * t04 + EDF_across_GF * t06
+        + BCG_across_GF * t07 - q.theta_GF.cos * t05;
+    const Scalar alpha_BCG = -inverse_determinant * (EDF_along_slide_C * acceleration_along_GF
+        + EDF_across_GF * acceleration_across_slide_C);
+    const Scalar alpha_EDF = inverse_determinant * (q.s_C * acceleration_along_GF
+        + BCG_across_GF * acceleration_across_slide_C);
+    const Scalar a_s_C = BCG_across_slide_C * alpha_BCG + EDF_across_slide_C * alpha_EDF
+        + acceleration_along_slide_C;
+    const Scalar alpha_GF = -inverse_GF * (BCG_along_GF * alpha_BCG + EDF_along_GF * alpha_EDF
+        - acceleration_across_GF);
+    q_rate(0) = omega_BCG;
+    q_rate(1) = omega_EDF;
+    q_rate(2) = omega_GF;
+    q_rate(3) = v_s_C;
+    q_second_rate(0) = alpha_BCG;
+    q_second_rate(1) = alpha_EDF;
+    q_second_rate(2) = alpha_GF;
+    q_second_rate(3) = a_s_C;
+  }
+
+  /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
+  template <typename Scalar>
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    const Scalar a_y_E = u_second_rate(3);
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
+        - q.theta_EDF.cos * q.theta_BCG.sin;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
+    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
+    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar inverse_determinant = d.GF * inverse;
+    const Scalar inverse_GF = determinant * inverse;
+    const Scalar BCG_per_across_slide_C = -EDF_across_GF * inverse_determinant;
+    const Scalar EDF_per_across_slide_C = BCG_across_GF * inverse_determinant;
+    const Scalar s_C_per_across_slide_C = BCG_across_slide_C * BCG_per_across_slide_C
+        + EDF_across_slide_C * EDF_per_across_slide_C;
+    const Scalar GF_per_across_slide_C = -(BCG_per_across_slide_C * BCG_along_GF
+        + EDF_per_across_slide_C * EDF_along_GF) * inverse_GF;
+    const Scalar BCG_per_along_GF = -EDF_along_slide_C * inverse_determinant;
+    const Scalar EDF_per_along_GF = q.s_C * inverse_determinant;
+    const Scalar s_C_per_along_GF = BCG_across_slide_C * BCG_per_along_GF
+        + EDF_across_slide_C * EDF_per_along_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * (BCG_along_GF * BCG_per_along_GF
+        + EDF_along_GF * EDF_per_along_GF);
+    const Scalar t01 = q.theta_BCG.sin * BCG_per_across_slide_C - q.theta_GF.cos * BCG_per_along_GF;
+    const Scalar BCG_per_x_B = t01;
+    const Scalar t02 = q.theta_BCG.sin * EDF_per_across_slide_C - q.theta_GF.cos * EDF_per_along_GF;
+    const Scalar EDF_per_x_B = t02;
+    const Scalar t03 = q.theta_BCG.sin * GF_per_across_slide_C + q.theta_GF.sin * inverse_GF
+        - q.theta_GF.cos * GF_per_along_GF;
+    const Scalar GF_per_x_B = t03;
+    const Scalar t04 = q.theta_BCG.cos + q.theta_GF.cos * s_C_per_along_GF
+        - q.theta_BCG.sin * s_C_per_across_slide_C;
+    const Scalar s_C_per_x_B = -t04;
+    const Scalar t05 = q.theta_BCG.cos * BCG_per_across_slide_C + q.theta_GF.sin * BCG_per_along_GF;
+    const Scalar BCG_per_y_B = -t05;
+    const Scalar t06 = q.theta_BCG.cos * EDF_per_across_slide_C + q.theta_GF.sin * EDF_per_along_GF;
+    const Scalar EDF_per_y_B = -t06;
+    const Scalar t07 = q.theta_BCG.cos * GF_per_across_slide_C + q.theta_GF.cos * inverse_GF
+        + q.theta_GF.sin * GF_per_along_GF;
+    const Scalar GF_per_y_B = -t07;
+    const Scalar t08 = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C
+        + q.theta_GF.sin * s_C_per_along_GF;
+    const Scalar s_C_per_y_B = -t08;
+    const Scalar t09 = v_x_B - v_x_E;
+    const Scalar t10 = v_y_B - v_y_E;
+    const Scalar omega_BCG = t09 * BCG_per_x_B + t10 * BCG_per_y_B;
+    const Scalar omega_EDF = t09 * EDF_per_x_B + t10 * EDF_per_y_B;
+    const Scalar omega_GF = t09 * GF_per_x_B + t10 * GF_per_y_B;
+    const Scalar v_s_C = t09 * s_C_per_x_B + t10 * s_C_per_y_B;
+    const Scalar t11 = omega_EDF * omega_EDF;
+    const Scalar t12 = omega_BCG * omega_BCG;
+    const Scalar centripetal_along_slide_C = EDF_along_slide_C * t11 + q.s_C * t12;
+    const Scalar centripetal_across_slide_C = omega_BCG * (BCG_across_slide_C * omega_BCG
+        - Scalar(2) * v_s_C) + EDF_across_slide_C * t11;
+    const Scalar centripetal_along_GF = d.GF * omega_GF * omega_GF + EDF_along_GF * t11
+        + BCG_along_GF * t12;
+    const Scalar centripetal_across_GF = EDF_across_GF * t11 + BCG_across_GF * t12;
+    const Scalar t13 = a_x_B - a_x_E;
+    const Scalar t14 = a_y_B - a_y_E;
+    S_d(0, 0) = -BCG_per_across_slide_C;
+    S_d(0, 1) = -cos_BCG_minus_GF * BCG_per_along_GF;
+    S_d(0, 2) = sin_BCG_minus_GF * BCG_per_along_GF;
+    S_d(0, 3) = sin_EDF_minus_BCG * BCG_per_across_slide_C;
+    S_d(0, 4) = cos_EDF_minus_GF * BCG_per_along_GF;
+    S_d(0, 5) = -sin_EDF_minus_GF * BCG_per_along_GF;
+    S_d(0, 6) = BCG_per_across_slide_C;
+    S_d(0, 7) = -BCG_per_along_GF;
+    S_d(1, 0) = -EDF_per_across_slide_C;
+    S_d(1, 1) = -cos_BCG_minus_GF * EDF_per_along_GF;
+    S_d(1, 2) = sin_BCG_minus_GF * EDF_per_along_GF;
+    S_d(1, 3) = sin_EDF_minus_BCG * EDF_per_across_slide_C;
+    S_d(1, 4) = cos_EDF_minus_GF * EDF_per_along_GF;
+    S_d(1, 5) = -sin_EDF_minus_GF * EDF_per_along_GF;
+    S_d(1, 6) = EDF_per_across_slide_C;
+    S_d(1, 7) = -EDF_per_along_GF;
+    S_d(2, 0) = -GF_per_across_slide_C;
+    S_d(2, 1) = -cos_BCG_minus_GF * GF_per_along_GF - sin_BCG_minus_GF * inverse_GF;
+    S_d(2, 2) = sin_BCG_minus_GF * GF_per_along_GF - cos_BCG_minus_GF * inverse_GF;
+    S_d(2, 3) = sin_EDF_minus_BCG * GF_per_across_slide_C;
+    S_d(2, 4) = cos_EDF_minus_GF * GF_per_along_GF + sin_EDF_minus_GF * inverse_GF;
+    S_d(2, 5) = cos_EDF_minus_GF * inverse_GF - sin_EDF_minus_GF * GF_per_along_GF;
+    S_d(2, 6) = GF_per_across_slide_C;
+    S_d(2, 7) = -GF_per_along_GF;
+    S_d(3, 0) = -s_C_per_across_slide_C;
+    S_d(3, 1) = -cos_BCG_minus_GF * s_C_per_along_GF;
+    S_d(3, 2) = sin_BCG_minus_GF * s_C_per_along_GF;
+    S_d(3, 3) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_C_per_across_slide_C;
+    S_d(3, 4) = cos_EDF_minus_GF * s_C_per_along_GF;
+    S_d(3, 5) = -sin_EDF_minus_GF * s_C_per_along_GF;
+    S_d(3, 6) = s_C_per_across_slide_C;
+    S_d(3, 7) = -s_C_per_along_GF;
+    S_u(0, 0) = t01;
+    S_u(0, 1) = -t05;
+    S_u(0, 2) = -t01;
+    S_u(0, 3) = t05;
+    S_u(1, 0) = t02;
+    S_u(1, 1) = -t06;
+    S_u(1, 2) = -t02;
+    S_u(1, 3) = t06;
+    S_u(2, 0) = t03;
+    S_u(2, 1) = -t07;
+    S_u(2, 2) = -t03;
+    S_u(2, 3) = t07;
+    S_u(3, 0) = -t04;
+    S_u(3, 1) = -t08;
+    S_u(3, 2) = t04;
+    S_u(3, 3) = t08;
+    q_rate(0) = omega_BCG;
+    q_rate(1) = omega_EDF;
+    q_rate(2) = omega_GF;
+    q_rate(3) = v_s_C;
+    q_second_rate(0) = BCG_per_x_B * t13 + BCG_per_y_B * t14
+        + BCG_per_across_slide_C * centripetal_across_slide_C
+        + BCG_per_along_GF * centripetal_along_GF;
+    q_second_rate(1) = EDF_per_x_B * t13 + EDF_per_y_B * t14
+        + EDF_per_across_slide_C * centripetal_across_slide_C
+        + EDF_per_along_GF * centripetal_along_GF;
+    q_second_rate(2) = GF_per_x_B * t13 + GF_per_y_B * t14 + inverse_GF * centripetal_across_GF
+        + GF_per_across_slide_C * centripetal_across_slide_C
+        + GF_per_along_GF * centripetal_along_GF;
+    q_second_rate(3) = s_C_per_x_B * t13 + s_C_per_y_B * t14
+        + s_C_per_across_slide_C * centripetal_across_slide_C
+        + s_C_per_along_GF * centripetal_along_GF + centripetal_along_slide_C;
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

@@ -29,22 +29,28 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             20, 22, 0
-///   jacobian:             20, 12, 0
-///   dimension_jacobian:   0, 0, 0
-///   input_jacobian:       0, 0, 0
-///   velocity_rhs:         0, 2, 0
-///   acceleration_rhs:     42, 26, 0
-///   jerk_rhs:             82, 42, 0
-///   curvature_rhs:        68, 34, 0
-///   link_poses:           10, 10, 0
-///   pose_jacobians:       10, 6, 0
-///   link_velocities:      16, 12, 0
-///   link_accelerations:   27, 18, 0
-///   pose_curvatures:      34, 15, 0
-///   position_polynomial:  65, 54, 0
-///   second_equations:     16, 12, 0
-///   complete:             12, 12, 0
+///   residual:                   20, 22, 0
+///   jacobian:                   20, 12, 0
+///   dimension_jacobian:         0, 0, 0
+///   input_jacobian:             0, 0, 0
+///   velocity_rhs:               0, 2, 0
+///   acceleration_rhs:           42, 26, 0
+///   jerk_rhs:                   82, 42, 0
+///   curvature_rhs:              68, 34, 0
+///   link_poses:                 10, 10, 0
+///   pose_jacobians:             10, 6, 0
+///   link_velocities:            16, 12, 0
+///   link_accelerations:         27, 18, 0
+///   pose_curvatures:            34, 15, 0
+///   degeneracies:               21, 18, 0
+///   inverse_jacobian:           42, 17, 1
+///   sensitivities:              58, 29, 1
+///   velocity:                   32, 21, 1
+///   motion:                     62, 43, 1
+///   sensitivities_and_motion:   96, 57, 1
+///   position_polynomial:        65, 54, 0
+///   second_equations:           16, 12, 0
+///   complete:                   12, 12, 0
 struct Model03 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 3;
@@ -61,6 +67,14 @@ struct Model03 {
   static constexpr std::size_t polynomial_degree = 3;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = 1;  ///< of the reduced equations; -1: none
+  static constexpr int pivot_count = 1;
+  static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
+  static constexpr int determinant_sign = 1;  ///< det J = sign * the pivots' product
+
+  /// What the vanishing of each pivot of the structured elimination means.
+  static constexpr std::array<const char*, pivot_count> pivots = { {
+      "a dead centre: theta_BCG, theta_EDF free to first order",
+  } };
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -625,6 +639,434 @@ struct Model03 {
         + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + omega_BCG * BG_x);
     p(3, 1) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_x_G_BCG
         - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - omega_BCG * BG_y);
+  }
+
+  /// What the structured elimination divides by, p, the core's determinant first; the size
+  /// of each that a well-shaped group would have; and the size of the determinant's terms.
+  /// det J = p(0).
+  template <typename Scalar>
+  static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,
+      Vector<Scalar, pivot_count>& size, Scalar& terms) {
+    using std::abs;
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
+        - q.theta_EDF.cos * q.theta_BCG.sin;
+    const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_BCG - d.x_D_EDF * cos_EDF_minus_BCG;
+    const Scalar BCG_along_slide_F = cos_EDF_minus_BCG * d.x_G_BCG + sin_EDF_minus_BCG * d.y_G_BCG;
+    const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
+    const Scalar t01 = abs(d.h_F_GF) + abs(q.s_F) + abs(d.h_F_EDF);
+    const Scalar t02 = abs(d.x_G_BCG) + abs(d.y_G_BCG) + t01;
+    const Scalar t03 = abs(d.x_D_EDF) + abs(d.y_D_EDF);
+    p(0) = determinant;
+    size(0) = Scalar(2) * (abs(q.s_C) * t02 + abs(d.h_C_BCG) * t02 + abs(d.x_D_EDF) * t02
+        + abs(d.y_D_EDF) * t02 + abs(d.h_C_CD) * t02);
+    terms = abs(d.x_G_BCG) * t03 + abs(d.y_G_BCG) * t03 + abs(q.s_C) * t01 + abs(d.h_C_BCG) * t01
+        + abs(d.h_C_CD) * t01;
+  }
+
+  /// The inverse of J, for right-hand sides of every sort.
+  template <typename Scalar>
+  static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
+        - q.theta_EDF.cos * q.theta_BCG.sin;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_BCG - d.x_D_EDF * cos_EDF_minus_BCG;
+    const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_BCG
+        - cos_EDF_minus_BCG * d.y_D_EDF;
+    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
+    const Scalar BCG_along_slide_F = cos_EDF_minus_BCG * d.x_G_BCG + sin_EDF_minus_BCG * d.y_G_BCG;
+    const Scalar BCG_across_slide_F = cos_EDF_minus_BCG * d.y_G_BCG - sin_EDF_minus_BCG * d.x_G_BCG;
+    const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar BCG_per_across_slide_C = -q.s_F * inverse;
+    const Scalar EDF_per_across_slide_C = -BCG_along_slide_F * inverse;
+    const Scalar s_F_per_across_slide_C = -EDF_across_slide_F * EDF_per_across_slide_C
+        - BCG_across_slide_F * BCG_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = BCG_per_across_slide_C * BCG_across_slide_C
+        + EDF_per_across_slide_C * EDF_across_slide_C;
+    const Scalar BCG_per_across_slide_F = -EDF_along_slide_C * inverse;
+    const Scalar EDF_per_across_slide_F = q.s_C * inverse;
+    const Scalar s_F_per_across_slide_F = -EDF_across_slide_F * EDF_per_across_slide_F
+        - BCG_across_slide_F * BCG_per_across_slide_F;
+    const Scalar s_C_per_across_slide_F = BCG_across_slide_C * BCG_per_across_slide_F
+        + EDF_across_slide_C * EDF_per_across_slide_F;
+    J_inverse(0, 0) = -q.theta_BCG.sin * BCG_per_across_slide_C;
+    J_inverse(0, 1) = q.theta_BCG.cos * BCG_per_across_slide_C;
+    J_inverse(0, 2) = -q.theta_EDF.sin * BCG_per_across_slide_F;
+    J_inverse(0, 3) = q.theta_EDF.cos * BCG_per_across_slide_F;
+    J_inverse(1, 0) = -q.theta_BCG.sin * EDF_per_across_slide_C;
+    J_inverse(1, 1) = q.theta_BCG.cos * EDF_per_across_slide_C;
+    J_inverse(1, 2) = -q.theta_EDF.sin * EDF_per_across_slide_F;
+    J_inverse(1, 3) = q.theta_EDF.cos * EDF_per_across_slide_F;
+    J_inverse(2, 0) = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C;
+    J_inverse(2, 1) = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C;
+    J_inverse(2, 2) = -q.theta_EDF.sin * s_C_per_across_slide_F;
+    J_inverse(2, 3) = q.theta_EDF.cos * s_C_per_across_slide_F;
+    J_inverse(3, 0) = -q.theta_BCG.sin * s_F_per_across_slide_C;
+    J_inverse(3, 1) = q.theta_BCG.cos * s_F_per_across_slide_C;
+    J_inverse(3, 2) = -q.theta_EDF.cos - q.theta_EDF.sin * s_F_per_across_slide_F;
+    J_inverse(3, 3) = q.theta_EDF.cos * s_F_per_across_slide_F - q.theta_EDF.sin;
+  }
+
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
+        - q.theta_EDF.cos * q.theta_BCG.sin;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_BCG - d.x_D_EDF * cos_EDF_minus_BCG;
+    const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_BCG
+        - cos_EDF_minus_BCG * d.y_D_EDF;
+    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
+    const Scalar BCG_along_slide_F = cos_EDF_minus_BCG * d.x_G_BCG + sin_EDF_minus_BCG * d.y_G_BCG;
+    const Scalar BCG_across_slide_F = cos_EDF_minus_BCG * d.y_G_BCG - sin_EDF_minus_BCG * d.x_G_BCG;
+    const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar BCG_per_across_slide_C = -q.s_F * inverse;
+    const Scalar EDF_per_across_slide_C = -BCG_along_slide_F * inverse;
+    const Scalar s_F_per_across_slide_C = -EDF_across_slide_F * EDF_per_across_slide_C
+        - BCG_across_slide_F * BCG_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = BCG_per_across_slide_C * BCG_across_slide_C
+        + EDF_per_across_slide_C * EDF_across_slide_C;
+    const Scalar BCG_per_across_slide_F = -EDF_along_slide_C * inverse;
+    const Scalar EDF_per_across_slide_F = q.s_C * inverse;
+    const Scalar s_F_per_across_slide_F = -EDF_across_slide_F * EDF_per_across_slide_F
+        - BCG_across_slide_F * BCG_per_across_slide_F;
+    const Scalar s_C_per_across_slide_F = BCG_across_slide_C * BCG_per_across_slide_F
+        + EDF_across_slide_C * EDF_per_across_slide_F;
+    const Scalar t01 = q.theta_BCG.sin * BCG_per_across_slide_C
+        + q.theta_EDF.sin * BCG_per_across_slide_F;
+    const Scalar t02 = q.theta_BCG.cos * BCG_per_across_slide_C
+        + q.theta_EDF.cos * BCG_per_across_slide_F;
+    const Scalar t03 = q.theta_BCG.sin * EDF_per_across_slide_C
+        + q.theta_EDF.sin * EDF_per_across_slide_F;
+    const Scalar t04 = q.theta_BCG.cos * EDF_per_across_slide_C
+        + q.theta_EDF.cos * EDF_per_across_slide_F;
+    const Scalar t05 = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C
+        - q.theta_EDF.sin * s_C_per_across_slide_F;
+    const Scalar t06 = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C
+        + q.theta_EDF.cos * s_C_per_across_slide_F;
+    const Scalar t07 = q.theta_EDF.cos + q.theta_BCG.sin * s_F_per_across_slide_C
+        + q.theta_EDF.sin * s_F_per_across_slide_F;
+    const Scalar t08 = q.theta_EDF.sin - q.theta_BCG.cos * s_F_per_across_slide_C
+        - q.theta_EDF.cos * s_F_per_across_slide_F;
+    S_d(0, 0) = -BCG_per_across_slide_C;
+    S_d(0, 1) = sin_EDF_minus_BCG * BCG_per_across_slide_F;
+    S_d(0, 2) = -cos_EDF_minus_BCG * BCG_per_across_slide_F;
+    S_d(0, 3) = sin_EDF_minus_BCG * BCG_per_across_slide_C;
+    S_d(0, 4) = cos_EDF_minus_BCG * BCG_per_across_slide_C;
+    S_d(0, 5) = BCG_per_across_slide_F;
+    S_d(0, 6) = BCG_per_across_slide_C;
+    S_d(0, 7) = -BCG_per_across_slide_F;
+    S_d(1, 0) = -EDF_per_across_slide_C;
+    S_d(1, 1) = sin_EDF_minus_BCG * EDF_per_across_slide_F;
+    S_d(1, 2) = -cos_EDF_minus_BCG * EDF_per_across_slide_F;
+    S_d(1, 3) = sin_EDF_minus_BCG * EDF_per_across_slide_C;
+    S_d(1, 4) = cos_EDF_minus_BCG * EDF_per_across_slide_C;
+    S_d(1, 5) = EDF_per_across_slide_F;
+    S_d(1, 6) = EDF_per_across_slide_C;
+    S_d(1, 7) = -EDF_per_across_slide_F;
+    S_d(2, 0) = -s_C_per_across_slide_C;
+    S_d(2, 1) = sin_EDF_minus_BCG * s_C_per_across_slide_F;
+    S_d(2, 2) = -cos_EDF_minus_BCG * s_C_per_across_slide_F;
+    S_d(2, 3) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_C_per_across_slide_C;
+    S_d(2, 4) = cos_EDF_minus_BCG * s_C_per_across_slide_C - sin_EDF_minus_BCG;
+    S_d(2, 5) = s_C_per_across_slide_F;
+    S_d(2, 6) = s_C_per_across_slide_C;
+    S_d(2, 7) = -s_C_per_across_slide_F;
+    S_d(3, 0) = -s_F_per_across_slide_C;
+    S_d(3, 1) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_F_per_across_slide_F;
+    S_d(3, 2) = sin_EDF_minus_BCG - cos_EDF_minus_BCG * s_F_per_across_slide_F;
+    S_d(3, 3) = sin_EDF_minus_BCG * s_F_per_across_slide_C;
+    S_d(3, 4) = cos_EDF_minus_BCG * s_F_per_across_slide_C;
+    S_d(3, 5) = s_F_per_across_slide_F;
+    S_d(3, 6) = s_F_per_across_slide_C;
+    S_d(3, 7) = -s_F_per_across_slide_F;
+    S_u(0, 0) = t01;
+    S_u(0, 1) = -t02;
+    S_u(0, 2) = -t01;
+    S_u(0, 3) = t02;
+    S_u(1, 0) = t03;
+    S_u(1, 1) = -t04;
+    S_u(1, 2) = -t03;
+    S_u(1, 3) = t04;
+    S_u(2, 0) = -t05;
+    S_u(2, 1) = -t06;
+    S_u(2, 2) = t05;
+    S_u(2, 3) = t06;
+    S_u(3, 0) = t07;
+    S_u(3, 1) = t08;
+    S_u(3, 2) = -t07;
+    S_u(3, 3) = -t08;
+  }
+
+  /// dq/dt for the rates du/dt of the inputs.
+  template <typename Scalar>
+  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, unknown_count>& q_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
+        - q.theta_EDF.cos * q.theta_BCG.sin;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_BCG - d.x_D_EDF * cos_EDF_minus_BCG;
+    const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_BCG
+        - cos_EDF_minus_BCG * d.y_D_EDF;
+    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
+    const Scalar BCG_along_slide_F = cos_EDF_minus_BCG * d.x_G_BCG + sin_EDF_minus_BCG * d.y_G_BCG;
+    const Scalar BCG_across_slide_F = cos_EDF_minus_BCG * d.y_G_BCG - sin_EDF_minus_BCG * d.x_G_BCG;
+    const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
+    const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
+    const Scalar velocity_along_slide_F = -q.theta_EDF.cos * t01 - q.theta_EDF.sin * t02;
+    const Scalar velocity_across_slide_F = q.theta_EDF.sin * t01 - q.theta_EDF.cos * t02;
+    const Scalar omega_BCG = -(q.s_F * velocity_across_slide_C
+        + EDF_along_slide_C * velocity_across_slide_F) * inverse;
+    const Scalar omega_EDF = inverse * (q.s_C * velocity_across_slide_F
+        - BCG_along_slide_F * velocity_across_slide_C);
+    const Scalar v_s_F = -omega_BCG * BCG_across_slide_F - omega_EDF * EDF_across_slide_F
+        - velocity_along_slide_F;
+    const Scalar v_s_C = omega_BCG * BCG_across_slide_C + omega_EDF * EDF_across_slide_C
+        + velocity_along_slide_C;
+    q_rate(0) = omega_BCG;
+    q_rate(1) = omega_EDF;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_F;
+  }
+
+  /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
+  template <typename Scalar>
+  static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    const Scalar a_y_E = u_second_rate(3);
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
+        - q.theta_EDF.cos * q.theta_BCG.sin;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_BCG - d.x_D_EDF * cos_EDF_minus_BCG;
+    const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_BCG
+        - cos_EDF_minus_BCG * d.y_D_EDF;
+    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
+    const Scalar BCG_along_slide_F = cos_EDF_minus_BCG * d.x_G_BCG + sin_EDF_minus_BCG * d.y_G_BCG;
+    const Scalar BCG_across_slide_F = cos_EDF_minus_BCG * d.y_G_BCG - sin_EDF_minus_BCG * d.x_G_BCG;
+    const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
+    const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
+    const Scalar velocity_along_slide_F = -q.theta_EDF.cos * t01 - q.theta_EDF.sin * t02;
+    const Scalar velocity_across_slide_F = q.theta_EDF.sin * t01 - q.theta_EDF.cos * t02;
+    const Scalar omega_BCG = -(q.s_F * velocity_across_slide_C
+        + EDF_along_slide_C * velocity_across_slide_F) * inverse;
+    const Scalar omega_EDF = inverse * (q.s_C * velocity_across_slide_F
+        - BCG_along_slide_F * velocity_across_slide_C);
+    const Scalar t03 = omega_EDF * EDF_across_slide_F;
+    const Scalar v_s_F = -omega_BCG * BCG_across_slide_F - t03 - velocity_along_slide_F;
+    const Scalar t04 = omega_BCG * BCG_across_slide_C;
+    const Scalar v_s_C = t04 + omega_EDF * EDF_across_slide_C + velocity_along_slide_C;
+    const Scalar t05 = a_x_B - a_x_E;
+    const Scalar t06 = a_y_B - a_y_E;
+    const Scalar t07 = omega_BCG * omega_BCG;
+    const Scalar t08 = omega_EDF * omega_EDF;
+    const Scalar acceleration_along_slide_C = q.s_C * t07 + EDF_along_slide_C * t08
+        - q.theta_BCG.cos * t05 - q.theta_BCG.sin * t06;
+    const Scalar acceleration_across_slide_C = q.theta_BCG.sin * t05 + omega_BCG * (t04
+        - Scalar(2) * v_s_C) + EDF_across_slide_C * t08 - q.theta_BCG.cos * t06;
+    const Scalar acceleration_along_slide_F = BCG_along_slide_F * t07 - q.theta_EDF.cos * t05
+        - q.theta_EDF.sin * t06 - q.s_F * t08;
+    const Scalar acceleration_across_slide_F = q.theta_EDF.sin * t05 + omega_EDF * (t03
+        + Scalar(2) * v_s_F) + BCG_across_slide_F * t07 - q.theta_EDF.cos * t06;
+    const Scalar alpha_BCG = -inverse * (q.s_F * acceleration_across_slide_C
+        + EDF_along_slide_C * acceleration_across_slide_F);
+    const Scalar alpha_EDF = inverse * (q.s_C * acceleration_across_slide_F
+        - BCG_along_slide_F * acceleration_across_slide_C);
+    const Scalar a_s_F = -BCG_across_slide_F * alpha_BCG - EDF_across_slide_F * alpha_EDF
+        - acceleration_along_slide_F;
+    const Scalar a_s_C = BCG_across_slide_C * alpha_BCG + EDF_across_slide_C * alpha_EDF
+        + acceleration_along_slide_C;
+    q_rate(0) = omega_BCG;
+    q_rate(1) = omega_EDF;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_F;
+    q_second_rate(0) = alpha_BCG;
+    q_second_rate(1) = alpha_EDF;
+    q_second_rate(2) = a_s_C;
+    q_second_rate(3) = a_s_F;
+  }
+
+  /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
+  template <typename Scalar>
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    const Scalar a_y_E = u_second_rate(3);
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
+        - q.theta_EDF.cos * q.theta_BCG.sin;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_BCG - d.x_D_EDF * cos_EDF_minus_BCG;
+    const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_BCG
+        - cos_EDF_minus_BCG * d.y_D_EDF;
+    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
+    const Scalar BCG_along_slide_F = cos_EDF_minus_BCG * d.x_G_BCG + sin_EDF_minus_BCG * d.y_G_BCG;
+    const Scalar BCG_across_slide_F = cos_EDF_minus_BCG * d.y_G_BCG - sin_EDF_minus_BCG * d.x_G_BCG;
+    const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar BCG_per_across_slide_C = -q.s_F * inverse;
+    const Scalar EDF_per_across_slide_C = -BCG_along_slide_F * inverse;
+    const Scalar s_F_per_across_slide_C = -EDF_across_slide_F * EDF_per_across_slide_C
+        - BCG_across_slide_F * BCG_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = BCG_per_across_slide_C * BCG_across_slide_C
+        + EDF_per_across_slide_C * EDF_across_slide_C;
+    const Scalar BCG_per_across_slide_F = -EDF_along_slide_C * inverse;
+    const Scalar EDF_per_across_slide_F = q.s_C * inverse;
+    const Scalar s_F_per_across_slide_F = -EDF_across_slide_F * EDF_per_across_slide_F
+        - BCG_across_slide_F * BCG_per_across_slide_F;
+    const Scalar s_C_per_across_slide_F = BCG_across_slide_C * BCG_per_across_slide_F
+        + EDF_across_slide_C * EDF_per_across_slide_F;
+    const Scalar t01 = q.theta_BCG.sin * BCG_per_across_slide_C
+        + q.theta_EDF.sin * BCG_per_across_slide_F;
+    const Scalar BCG_per_x_B = t01;
+    const Scalar t02 = q.theta_BCG.sin * EDF_per_across_slide_C
+        + q.theta_EDF.sin * EDF_per_across_slide_F;
+    const Scalar EDF_per_x_B = t02;
+    const Scalar t03 = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C
+        - q.theta_EDF.sin * s_C_per_across_slide_F;
+    const Scalar s_C_per_x_B = -t03;
+    const Scalar t04 = q.theta_EDF.cos + q.theta_BCG.sin * s_F_per_across_slide_C
+        + q.theta_EDF.sin * s_F_per_across_slide_F;
+    const Scalar s_F_per_x_B = t04;
+    const Scalar t05 = q.theta_BCG.cos * BCG_per_across_slide_C
+        + q.theta_EDF.cos * BCG_per_across_slide_F;
+    const Scalar BCG_per_y_B = -t05;
+    const Scalar t06 = q.theta_BCG.cos * EDF_per_across_slide_C
+        + q.theta_EDF.cos * EDF_per_across_slide_F;
+    const Scalar EDF_per_y_B = -t06;
+    const Scalar t07 = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C
+        + q.theta_EDF.cos * s_C_per_across_slide_F;
+    const Scalar s_C_per_y_B = -t07;
+    const Scalar t08 = q.theta_EDF.sin - q.theta_BCG.cos * s_F_per_across_slide_C
+        - q.theta_EDF.cos * s_F_per_across_slide_F;
+    const Scalar s_F_per_y_B = t08;
+    const Scalar t09 = v_x_B - v_x_E;
+    const Scalar t10 = v_y_B - v_y_E;
+    const Scalar omega_BCG = t09 * BCG_per_x_B + t10 * BCG_per_y_B;
+    const Scalar omega_EDF = t09 * EDF_per_x_B + t10 * EDF_per_y_B;
+    const Scalar v_s_C = t09 * s_C_per_x_B + t10 * s_C_per_y_B;
+    const Scalar v_s_F = t09 * s_F_per_x_B + t10 * s_F_per_y_B;
+    const Scalar t11 = omega_BCG * omega_BCG;
+    const Scalar t12 = omega_EDF * omega_EDF;
+    const Scalar centripetal_along_slide_C = q.s_C * t11 + EDF_along_slide_C * t12;
+    const Scalar centripetal_across_slide_C = omega_BCG * (BCG_across_slide_C * omega_BCG
+        - Scalar(2) * v_s_C) + EDF_across_slide_C * t12;
+    const Scalar centripetal_along_slide_F = BCG_along_slide_F * t11 - q.s_F * t12;
+    const Scalar centripetal_across_slide_F = omega_EDF * (EDF_across_slide_F * omega_EDF
+        + Scalar(2) * v_s_F) + BCG_across_slide_F * t11;
+    const Scalar t13 = a_x_B - a_x_E;
+    const Scalar t14 = a_y_B - a_y_E;
+    S_d(0, 0) = -BCG_per_across_slide_C;
+    S_d(0, 1) = sin_EDF_minus_BCG * BCG_per_across_slide_F;
+    S_d(0, 2) = -cos_EDF_minus_BCG * BCG_per_across_slide_F;
+    S_d(0, 3) = sin_EDF_minus_BCG * BCG_per_across_slide_C;
+    S_d(0, 4) = cos_EDF_minus_BCG * BCG_per_across_slide_C;
+    S_d(0, 5) = BCG_per_across_slide_F;
+    S_d(0, 6) = BCG_per_across_slide_C;
+    S_d(0, 7) = -BCG_per_across_slide_F;
+    S_d(1, 0) = -EDF_per_across_slide_C;
+    S_d(1, 1) = sin_EDF_minus_BCG * EDF_per_across_slide_F;
+    S_d(1, 2) = -cos_EDF_minus_BCG * EDF_per_across_slide_F;
+    S_d(1, 3) = sin_EDF_minus_BCG * EDF_per_across_slide_C;
+    S_d(1, 4) = cos_EDF_minus_BCG * EDF_per_across_slide_C;
+    S_d(1, 5) = EDF_per_across_slide_F;
+    S_d(1, 6) = EDF_per_across_slide_C;
+    S_d(1, 7) = -EDF_per_across_slide_F;
+    S_d(2, 0) = -s_C_per_across_slide_C;
+    S_d(2, 1) = sin_EDF_minus_BCG * s_C_per_across_slide_F;
+    S_d(2, 2) = -cos_EDF_minus_BCG * s_C_per_across_slide_F;
+    S_d(2, 3) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_C_per_across_slide_C;
+    S_d(2, 4) = cos_EDF_minus_BCG * s_C_per_across_slide_C - sin_EDF_minus_BCG;
+    S_d(2, 5) = s_C_per_across_slide_F;
+    S_d(2, 6) = s_C_per_across_slide_C;
+    S_d(2, 7) = -s_C_per_across_slide_F;
+    S_d(3, 0) = -s_F_per_across_slide_C;
+    S_d(3, 1) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_F_per_across_slide_F;
+    S_d(3, 2) = sin_EDF_minus_BCG - cos_EDF_minus_BCG * s_F_per_across_slide_F;
+    S_d(3, 3) = sin_EDF_minus_BCG * s_F_per_across_slide_C;
+    S_d(3, 4) = cos_EDF_minus_BCG * s_F_per_across_slide_C;
+    S_d(3, 5) = s_F_per_across_slide_F;
+    S_d(3, 6) = s_F_per_across_slide_C;
+    S_d(3, 7) = -s_F_per_across_slide_F;
+    S_u(0, 0) = t01;
+    S_u(0, 1) = -t05;
+    S_u(0, 2) = -t01;
+    S_u(0, 3) = t05;
+    S_u(1, 0) = t02;
+    S_u(1, 1) = -t06;
+    S_u(1, 2) = -t02;
+    S_u(1, 3) = t06;
+    S_u(2, 0) = -t03;
+    S_u(2, 1) = -t07;
+    S_u(2, 2) = t03;
+    S_u(2, 3) = t07;
+    S_u(3, 0) = t04;
+    S_u(3, 1) = t08;
+    S_u(3, 2) = -t04;
+    S_u(3, 3) = -t08;
+    q_rate(0) = omega_BCG;
+    q_rate(1) = omega_EDF;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_F;
+    q_second_rate(0) = BCG_per_x_B * t13 + BCG_per_y_B * t14
+        + BCG_per_across_slide_C * centripetal_across_slide_C
+        + BCG_per_across_slide_F * centripetal_across_slide_F;
+    q_second_rate(1) = EDF_per_x_B * t13 + EDF_per_y_B * t14
+        + EDF_per_across_slide_C * centripetal_across_slide_C
+        + EDF_per_across_slide_F * centripetal_across_slide_F;
+    q_second_rate(2) = s_C_per_x_B * t13 + s_C_per_y_B * t14
+        + s_C_per_across_slide_C * centripetal_across_slide_C
+        + s_C_per_across_slide_F * centripetal_across_slide_F + centripetal_along_slide_C;
+    q_second_rate(3) = s_F_per_x_B * t13 + s_F_per_y_B * t14
+        + s_F_per_across_slide_C * centripetal_across_slide_C
+        + s_F_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_F;
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

@@ -28,21 +28,27 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             22, 22, 0
-///   jacobian:             22, 14, 0
-///   dimension_jacobian:   12, 6, 0
-///   input_jacobian:       0, 0, 0
-///   velocity_rhs:         0, 2, 0
-///   acceleration_rhs:     40, 26, 0
-///   jerk_rhs:             68, 38, 0
-///   curvature_rhs:        82, 46, 0
-///   link_poses:           12, 10, 0
-///   pose_jacobians:       8, 4, 0
-///   link_velocities:      14, 10, 0
-///   link_accelerations:   25, 16, 0
-///   pose_curvatures:      32, 12, 0
-///   position_polynomial:  19, 16, 0
-///   complete:             19, 16, 2
+///   residual:                   22, 22, 0
+///   jacobian:                   22, 14, 0
+///   dimension_jacobian:         12, 6, 0
+///   input_jacobian:             0, 0, 0
+///   velocity_rhs:               0, 2, 0
+///   acceleration_rhs:           40, 26, 0
+///   jerk_rhs:                   68, 38, 0
+///   curvature_rhs:              82, 46, 0
+///   link_poses:                 12, 10, 0
+///   pose_jacobians:             8, 4, 0
+///   link_velocities:            14, 10, 0
+///   link_accelerations:         25, 16, 0
+///   pose_curvatures:            32, 12, 0
+///   degeneracies:               16, 13, 0
+///   inverse_jacobian:           51, 21, 1
+///   sensitivities:              81, 35, 1
+///   velocity:                   45, 26, 1
+///   motion:                     71, 44, 1
+///   sensitivities_and_motion:   118, 59, 1
+///   position_polynomial:        19, 16, 0
+///   complete:                   19, 16, 2
 struct Model04 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 4;
@@ -59,6 +65,16 @@ struct Model04 {
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = -1;  ///< of the reduced equations; -1: none
+  static constexpr int pivot_count = 3;
+  static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
+  static constexpr int determinant_sign = 1;  ///< det J = sign * the pivots' product
+
+  /// What the vanishing of each pivot of the structured elimination means.
+  static constexpr std::array<const char*, pivot_count> pivots = { {
+      "a dead centre: theta_BCG free to first order",
+      "sin(psi_D_CD) = 0: s_D free to first order",
+      "GF = 0: theta_GF free to first order",
+  } };
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -617,6 +633,470 @@ struct Model04 {
         + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + omega_BCG * BG_x);
     p(3, 1) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_x_G_BCG
         - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - omega_BCG * BG_y);
+  }
+
+  /// What the structured elimination divides by, p, the core's determinant first; the size
+  /// of each that a well-shaped group would have; and the size of the determinant's terms.
+  /// det J = p(0) * p(1) * p(2).
+  template <typename Scalar>
+  static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,
+      Vector<Scalar, pivot_count>& size, Scalar& terms) {
+    using std::abs;
+    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * cos_EDF
+        + q.theta_GF.sin * sin_EDF;
+    const Scalar sin_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * sin_EDF
+        - q.theta_GF.sin * cos_EDF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF
+        - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
+    const Scalar t01 = abs(d.x_G_BCG) + abs(d.y_G_BCG) + abs(d.x_F_EDF) + abs(d.y_F_EDF);
+    const Scalar t02 = abs(d.GF) + t01;
+    p(0) = -BCG_across_GF;
+    p(1) = -d.psi_D_CD.sin;
+    p(2) = d.GF;
+    size(0) = t02;
+    size(1) = Scalar(1);
+    size(2) = t02;
+    terms = t01;
+  }
+
+  /// The inverse of J, for right-hand sides of every sort.
+  template <typename Scalar>
+  static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
+    J_inverse.setZero();
+    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * cos_EDF
+        + q.theta_GF.sin * sin_EDF;
+    const Scalar sin_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * sin_EDF
+        - q.theta_GF.sin * cos_EDF;
+    const Scalar BCG_along_slide_C = q.s_C + d.psi_D_CD.sin * d.h_D_EDF - d.psi_D_CD.cos * q.s_D;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.psi_D_CD.sin * q.s_D
+        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF
+        + d.y_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF
+        - d.x_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG
+        - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - cos_psi_D_CD_plus_BCG_minus_GF * d.y_F_EDF;
+    const Scalar t01 = d.psi_D_CD.sin * d.GF;
+    const Scalar inverse = Scalar(1) / (BCG_across_GF * t01);  // zero: a dead centre, or
+                                                               //     sin(psi_D_CD) = 0, or GF = 0
+    const Scalar inverse_BCG_across_GF = -inverse * t01;
+    const Scalar t02 = BCG_across_GF * inverse;
+    const Scalar inverse_sin_psi_D_CD = -d.GF * t02;
+    const Scalar inverse_GF = d.psi_D_CD.sin * t02;
+    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_D_per_along_GF = -inverse_sin_psi_D_CD * BCG_along_slide_C *
+        inverse_BCG_across_GF;
+    const Scalar s_C_per_along_GF = d.psi_D_CD.cos * s_D_per_along_GF
+        + inverse_BCG_across_GF * BCG_across_slide_C;
+    const Scalar GF_per_along_GF = -inverse_BCG_across_GF * BCG_along_GF * inverse_GF;
+    J_inverse(0, 2) = q.theta_GF.cos * inverse_BCG_across_GF;
+    J_inverse(0, 3) = q.theta_GF.sin * inverse_BCG_across_GF;
+    J_inverse(1, 2) = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
+    J_inverse(1, 3) = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    J_inverse(2, 0) = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C;
+    J_inverse(2, 1) = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C;
+    J_inverse(2, 2) = q.theta_GF.cos * s_C_per_along_GF;
+    J_inverse(2, 3) = q.theta_GF.sin * s_C_per_along_GF;
+    J_inverse(3, 0) = -q.theta_BCG.sin * inverse_sin_psi_D_CD;
+    J_inverse(3, 1) = q.theta_BCG.cos * inverse_sin_psi_D_CD;
+    J_inverse(3, 2) = q.theta_GF.cos * s_D_per_along_GF;
+    J_inverse(3, 3) = q.theta_GF.sin * s_D_per_along_GF;
+  }
+
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    S_d.setZero();
+    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * cos_EDF
+        + q.theta_GF.sin * sin_EDF;
+    const Scalar sin_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * sin_EDF
+        - q.theta_GF.sin * cos_EDF;
+    const Scalar t01 = d.psi_D_CD.cos * q.s_D - d.psi_D_CD.sin * d.h_D_EDF;
+    const Scalar BCG_along_slide_C = q.s_C - t01;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.psi_D_CD.sin * q.s_D
+        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF
+        + d.y_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF
+        - d.x_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
+    const Scalar t02 = d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF
+        + cos_psi_D_CD_plus_BCG_minus_GF * d.y_F_EDF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG - t02;
+    const Scalar t03 = d.psi_D_CD.sin * d.GF;
+    const Scalar inverse = Scalar(1) / (BCG_across_GF * t03);  // zero: a dead centre, or
+                                                               //     sin(psi_D_CD) = 0, or GF = 0
+    const Scalar inverse_BCG_across_GF = -inverse * t03;
+    const Scalar t04 = BCG_across_GF * inverse;
+    const Scalar inverse_sin_psi_D_CD = -d.GF * t04;
+    const Scalar inverse_GF = d.psi_D_CD.sin * t04;
+    const Scalar t05 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_C_per_across_slide_C = t05;
+    const Scalar s_D_per_along_GF = -inverse_sin_psi_D_CD * BCG_along_slide_C *
+        inverse_BCG_across_GF;
+    const Scalar s_C_per_along_GF = d.psi_D_CD.cos * s_D_per_along_GF
+        + inverse_BCG_across_GF * BCG_across_slide_C;
+    const Scalar GF_per_along_GF = -inverse_BCG_across_GF * BCG_along_GF * inverse_GF;
+    const Scalar t06 = cos_psi_D_CD_plus_BCG_minus_GF * GF_per_along_GF
+        + sin_psi_D_CD_plus_BCG_minus_GF * inverse_GF;
+    const Scalar t07 = cos_psi_D_CD_plus_BCG_minus_GF * inverse_GF
+        - sin_psi_D_CD_plus_BCG_minus_GF * GF_per_along_GF;
+    const Scalar t08 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t09 = q.theta_GF.cos * inverse_BCG_across_GF;
+    const Scalar t10 = q.theta_GF.sin * inverse_BCG_across_GF;
+    const Scalar t11 = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
+    const Scalar t12 = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    const Scalar t13 = q.theta_BCG.cos + q.theta_GF.cos * s_C_per_along_GF
+        - q.theta_BCG.sin * s_C_per_across_slide_C;
+    const Scalar t14 = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C
+        + q.theta_GF.sin * s_C_per_along_GF;
+    const Scalar t15 = q.theta_BCG.sin * inverse_sin_psi_D_CD - q.theta_GF.cos * s_D_per_along_GF;
+    const Scalar t16 = q.theta_BCG.cos * inverse_sin_psi_D_CD + q.theta_GF.sin * s_D_per_along_GF;
+    S_d(0, 1) = -cos_BCG_minus_GF * inverse_BCG_across_GF;
+    S_d(0, 2) = sin_BCG_minus_GF * inverse_BCG_across_GF;
+    S_d(0, 4) = cos_psi_D_CD_plus_BCG_minus_GF * inverse_BCG_across_GF;
+    S_d(0, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * inverse_BCG_across_GF;
+    S_d(0, 6) = -inverse_BCG_across_GF * t02;
+    S_d(0, 7) = -inverse_BCG_across_GF;
+    S_d(1, 1) = -cos_BCG_minus_GF * GF_per_along_GF - sin_BCG_minus_GF * inverse_GF;
+    S_d(1, 2) = sin_BCG_minus_GF * GF_per_along_GF - cos_BCG_minus_GF * inverse_GF;
+    S_d(1, 4) = t06;
+    S_d(1, 5) = t07;
+    S_d(1, 6) = d.x_F_EDF * t07 - d.y_F_EDF * t06;
+    S_d(1, 7) = -GF_per_along_GF;
+    S_d(2, 0) = -s_C_per_across_slide_C;
+    S_d(2, 1) = -cos_BCG_minus_GF * s_C_per_along_GF;
+    S_d(2, 2) = sin_BCG_minus_GF * s_C_per_along_GF;
+    S_d(2, 3) = -t08;
+    S_d(2, 4) = cos_psi_D_CD_plus_BCG_minus_GF * s_C_per_along_GF;
+    S_d(2, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * s_C_per_along_GF;
+    S_d(2, 6) = -q.s_D * t08 - d.h_D_EDF * (d.psi_D_CD.cos
+        + d.psi_D_CD.sin * s_C_per_across_slide_C) - t02 * s_C_per_along_GF;
+    S_d(2, 7) = -s_C_per_along_GF;
+    S_d(3, 0) = -inverse_sin_psi_D_CD;
+    S_d(3, 1) = -cos_BCG_minus_GF * s_D_per_along_GF;
+    S_d(3, 2) = sin_BCG_minus_GF * s_D_per_along_GF;
+    S_d(3, 3) = t05;
+    S_d(3, 4) = cos_psi_D_CD_plus_BCG_minus_GF * s_D_per_along_GF;
+    S_d(3, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * s_D_per_along_GF;
+    S_d(3, 6) = inverse_sin_psi_D_CD * t01 - s_D_per_along_GF * t02;
+    S_d(3, 7) = -s_D_per_along_GF;
+    S_u(0, 0) = -t09;
+    S_u(0, 1) = -t10;
+    S_u(0, 2) = t09;
+    S_u(0, 3) = t10;
+    S_u(1, 0) = -t11;
+    S_u(1, 1) = -t12;
+    S_u(1, 2) = t11;
+    S_u(1, 3) = t12;
+    S_u(2, 0) = -t13;
+    S_u(2, 1) = -t14;
+    S_u(2, 2) = t13;
+    S_u(2, 3) = t14;
+    S_u(3, 0) = t15;
+    S_u(3, 1) = -t16;
+    S_u(3, 2) = -t15;
+    S_u(3, 3) = t16;
+  }
+
+  /// dq/dt for the rates du/dt of the inputs.
+  template <typename Scalar>
+  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, unknown_count>& q_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * cos_EDF
+        + q.theta_GF.sin * sin_EDF;
+    const Scalar sin_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * sin_EDF
+        - q.theta_GF.sin * cos_EDF;
+    const Scalar BCG_along_slide_C = q.s_C + d.psi_D_CD.sin * d.h_D_EDF - d.psi_D_CD.cos * q.s_D;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.psi_D_CD.sin * q.s_D
+        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF
+        + d.y_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF
+        - d.x_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG
+        - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - cos_psi_D_CD_plus_BCG_minus_GF * d.y_F_EDF;
+    const Scalar t01 = d.psi_D_CD.sin * d.GF;
+    const Scalar inverse = Scalar(1) / (BCG_across_GF * t01);  // zero: a dead centre, or
+                                                               //     sin(psi_D_CD) = 0, or GF = 0
+    const Scalar inverse_BCG_across_GF = -inverse * t01;
+    const Scalar t02 = BCG_across_GF * inverse;
+    const Scalar inverse_sin_psi_D_CD = -d.GF * t02;
+    const Scalar inverse_GF = d.psi_D_CD.sin * t02;
+    const Scalar t03 = v_x_B - v_x_E;
+    const Scalar t04 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t03 - q.theta_BCG.sin * t04;
+    const Scalar velocity_across_slide_C = q.theta_BCG.sin * t03 - q.theta_BCG.cos * t04;
+    const Scalar velocity_along_GF = -q.theta_GF.cos * t03 - q.theta_GF.sin * t04;
+    const Scalar velocity_across_GF = q.theta_GF.sin * t03 - q.theta_GF.cos * t04;
+    const Scalar omega_BCG = inverse_BCG_across_GF * velocity_along_GF;
+    const Scalar v_s_D = -(omega_BCG * BCG_along_slide_C
+        - velocity_across_slide_C) * inverse_sin_psi_D_CD;
+    const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + omega_BCG * BCG_across_slide_C
+        + velocity_along_slide_C;
+    const Scalar omega_GF = -(omega_BCG * BCG_along_GF - velocity_across_GF) * inverse_GF;
+    q_rate(0) = omega_BCG;
+    q_rate(1) = omega_GF;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_D;
+  }
+
+  /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
+  template <typename Scalar>
+  static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    const Scalar a_y_E = u_second_rate(3);
+    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * cos_EDF
+        + q.theta_GF.sin * sin_EDF;
+    const Scalar sin_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * sin_EDF
+        - q.theta_GF.sin * cos_EDF;
+    const Scalar BCG_along_slide_C = q.s_C + d.psi_D_CD.sin * d.h_D_EDF - d.psi_D_CD.cos * q.s_D;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.psi_D_CD.sin * q.s_D
+        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF
+        + d.y_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF
+        - d.x_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG
+        - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - cos_psi_D_CD_plus_BCG_minus_GF * d.y_F_EDF;
+    const Scalar t01 = d.psi_D_CD.sin * d.GF;
+    const Scalar inverse = Scalar(1) / (BCG_across_GF * t01);  // zero: a dead centre, or
+                                                               //     sin(psi_D_CD) = 0, or GF = 0
+    const Scalar inverse_BCG_across_GF = -inverse * t01;
+    const Scalar t02 = BCG_across_GF * inverse;
+    const Scalar inverse_sin_psi_D_CD = -d.GF * t02;
+    const Scalar inverse_GF = d.psi_D_CD.sin * t02;
+    const Scalar t03 = v_x_B - v_x_E;
+    const Scalar t04 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t03 - q.theta_BCG.sin * t04;
+    const Scalar velocity_across_slide_C = q.theta_BCG.sin * t03 - q.theta_BCG.cos * t04;
+    const Scalar velocity_along_GF = -q.theta_GF.cos * t03 - q.theta_GF.sin * t04;
+    const Scalar velocity_across_GF = q.theta_GF.sin * t03 - q.theta_GF.cos * t04;
+    const Scalar omega_BCG = inverse_BCG_across_GF * velocity_along_GF;
+    const Scalar t05 = omega_BCG * BCG_along_slide_C;
+    const Scalar v_s_D = -(t05 - velocity_across_slide_C) * inverse_sin_psi_D_CD;
+    const Scalar t06 = d.psi_D_CD.cos * v_s_D;
+    const Scalar t07 = omega_BCG * BCG_across_slide_C;
+    const Scalar v_s_C = t06 + t07 + velocity_along_slide_C;
+    const Scalar omega_GF = -(omega_BCG * BCG_along_GF - velocity_across_GF) * inverse_GF;
+    const Scalar t08 = a_x_B - a_x_E;
+    const Scalar t09 = a_y_B - a_y_E;
+    const Scalar acceleration_along_slide_C = omega_BCG * (t05 - Scalar(2) * d.psi_D_CD.sin * v_s_D)
+        - q.theta_BCG.cos * t08 - q.theta_BCG.sin * t09;
+    const Scalar acceleration_across_slide_C = omega_BCG * (Scalar(2) * t06 + t07
+        - Scalar(2) * v_s_C) + q.theta_BCG.sin * t08 - q.theta_BCG.cos * t09;
+    const Scalar t10 = omega_BCG * omega_BCG;
+    const Scalar acceleration_along_GF = d.GF * omega_GF * omega_GF + BCG_along_GF * t10
+        - q.theta_GF.cos * t08 - q.theta_GF.sin * t09;
+    const Scalar acceleration_across_GF = q.theta_GF.sin * t08 + BCG_across_GF * t10
+        - q.theta_GF.cos * t09;
+    const Scalar alpha_BCG = inverse_BCG_across_GF * acceleration_along_GF;
+    const Scalar a_s_D = -inverse_sin_psi_D_CD * (BCG_along_slide_C * alpha_BCG
+        - acceleration_across_slide_C);
+    const Scalar a_s_C = d.psi_D_CD.cos * a_s_D + BCG_across_slide_C * alpha_BCG
+        + acceleration_along_slide_C;
+    const Scalar alpha_GF = -inverse_GF * (BCG_along_GF * alpha_BCG - acceleration_across_GF);
+    q_rate(0) = omega_BCG;
+    q_rate(1) = omega_GF;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_D;
+    q_second_rate(0) = alpha_BCG;
+    q_second_rate(1) = alpha_GF;
+    q_second_rate(2) = a_s_C;
+    q_second_rate(3) = a_s_D;
+  }
+
+  /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
+  template <typename Scalar>
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    const Scalar a_y_E = u_second_rate(3);
+    S_d.setZero();
+    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * cos_EDF
+        + q.theta_GF.sin * sin_EDF;
+    const Scalar sin_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * sin_EDF
+        - q.theta_GF.sin * cos_EDF;
+    const Scalar t01 = d.psi_D_CD.cos * q.s_D - d.psi_D_CD.sin * d.h_D_EDF;
+    const Scalar BCG_along_slide_C = q.s_C - t01;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.psi_D_CD.sin * q.s_D
+        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF
+        + d.y_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF
+        - d.x_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
+    const Scalar t02 = d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF
+        + cos_psi_D_CD_plus_BCG_minus_GF * d.y_F_EDF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG - t02;
+    const Scalar t03 = d.psi_D_CD.sin * d.GF;
+    const Scalar inverse = Scalar(1) / (BCG_across_GF * t03);  // zero: a dead centre, or
+                                                               //     sin(psi_D_CD) = 0, or GF = 0
+    const Scalar inverse_BCG_across_GF = -inverse * t03;
+    const Scalar t04 = BCG_across_GF * inverse;
+    const Scalar inverse_sin_psi_D_CD = -d.GF * t04;
+    const Scalar inverse_GF = d.psi_D_CD.sin * t04;
+    const Scalar t05 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_C_per_across_slide_C = t05;
+    const Scalar s_D_per_along_GF = -inverse_sin_psi_D_CD * BCG_along_slide_C *
+        inverse_BCG_across_GF;
+    const Scalar s_C_per_along_GF = d.psi_D_CD.cos * s_D_per_along_GF
+        + inverse_BCG_across_GF * BCG_across_slide_C;
+    const Scalar GF_per_along_GF = -inverse_BCG_across_GF * BCG_along_GF * inverse_GF;
+    const Scalar t06 = q.theta_GF.cos * inverse_BCG_across_GF;
+    const Scalar BCG_per_x_B = -t06;
+    const Scalar t07 = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
+    const Scalar GF_per_x_B = -t07;
+    const Scalar t08 = q.theta_BCG.cos + q.theta_GF.cos * s_C_per_along_GF
+        - q.theta_BCG.sin * s_C_per_across_slide_C;
+    const Scalar s_C_per_x_B = -t08;
+    const Scalar t09 = q.theta_BCG.sin * inverse_sin_psi_D_CD - q.theta_GF.cos * s_D_per_along_GF;
+    const Scalar s_D_per_x_B = t09;
+    const Scalar t10 = q.theta_GF.sin * inverse_BCG_across_GF;
+    const Scalar BCG_per_y_B = -t10;
+    const Scalar t11 = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    const Scalar GF_per_y_B = -t11;
+    const Scalar t12 = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C
+        + q.theta_GF.sin * s_C_per_along_GF;
+    const Scalar s_C_per_y_B = -t12;
+    const Scalar t13 = q.theta_BCG.cos * inverse_sin_psi_D_CD + q.theta_GF.sin * s_D_per_along_GF;
+    const Scalar s_D_per_y_B = -t13;
+    const Scalar t14 = v_x_B - v_x_E;
+    const Scalar t15 = v_y_B - v_y_E;
+    const Scalar omega_BCG = t14 * BCG_per_x_B + t15 * BCG_per_y_B;
+    const Scalar omega_GF = t14 * GF_per_x_B + t15 * GF_per_y_B;
+    const Scalar v_s_C = t14 * s_C_per_x_B + t15 * s_C_per_y_B;
+    const Scalar v_s_D = t14 * s_D_per_x_B + t15 * s_D_per_y_B;
+    const Scalar centripetal_along_slide_C = -omega_BCG * (Scalar(2) * d.psi_D_CD.sin * v_s_D
+        - BCG_along_slide_C * omega_BCG);
+    const Scalar centripetal_across_slide_C = omega_BCG * (Scalar(2) * d.psi_D_CD.cos * v_s_D
+        + BCG_across_slide_C * omega_BCG - Scalar(2) * v_s_C);
+    const Scalar t16 = omega_BCG * omega_BCG;
+    const Scalar centripetal_along_GF = d.GF * omega_GF * omega_GF + BCG_along_GF * t16;
+    const Scalar centripetal_across_GF = BCG_across_GF * t16;
+    const Scalar t17 = cos_psi_D_CD_plus_BCG_minus_GF * GF_per_along_GF
+        + sin_psi_D_CD_plus_BCG_minus_GF * inverse_GF;
+    const Scalar t18 = cos_psi_D_CD_plus_BCG_minus_GF * inverse_GF
+        - sin_psi_D_CD_plus_BCG_minus_GF * GF_per_along_GF;
+    const Scalar t19 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t20 = a_x_B - a_x_E;
+    const Scalar t21 = a_y_B - a_y_E;
+    S_d(0, 1) = -cos_BCG_minus_GF * inverse_BCG_across_GF;
+    S_d(0, 2) = sin_BCG_minus_GF * inverse_BCG_across_GF;
+    S_d(0, 4) = cos_psi_D_CD_plus_BCG_minus_GF * inverse_BCG_across_GF;
+    S_d(0, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * inverse_BCG_across_GF;
+    S_d(0, 6) = -inverse_BCG_across_GF * t02;
+    S_d(0, 7) = -inverse_BCG_across_GF;
+    S_d(1, 1) = -cos_BCG_minus_GF * GF_per_along_GF - sin_BCG_minus_GF * inverse_GF;
+    S_d(1, 2) = sin_BCG_minus_GF * GF_per_along_GF - cos_BCG_minus_GF * inverse_GF;
+    S_d(1, 4) = t17;
+    S_d(1, 5) = t18;
+    S_d(1, 6) = d.x_F_EDF * t18 - d.y_F_EDF * t17;
+    S_d(1, 7) = -GF_per_along_GF;
+    S_d(2, 0) = -s_C_per_across_slide_C;
+    S_d(2, 1) = -cos_BCG_minus_GF * s_C_per_along_GF;
+    S_d(2, 2) = sin_BCG_minus_GF * s_C_per_along_GF;
+    S_d(2, 3) = -t19;
+    S_d(2, 4) = cos_psi_D_CD_plus_BCG_minus_GF * s_C_per_along_GF;
+    S_d(2, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * s_C_per_along_GF;
+    S_d(2, 6) = -q.s_D * t19 - d.h_D_EDF * (d.psi_D_CD.cos
+        + d.psi_D_CD.sin * s_C_per_across_slide_C) - s_C_per_along_GF * t02;
+    S_d(2, 7) = -s_C_per_along_GF;
+    S_d(3, 0) = -inverse_sin_psi_D_CD;
+    S_d(3, 1) = -cos_BCG_minus_GF * s_D_per_along_GF;
+    S_d(3, 2) = sin_BCG_minus_GF * s_D_per_along_GF;
+    S_d(3, 3) = t05;
+    S_d(3, 4) = cos_psi_D_CD_plus_BCG_minus_GF * s_D_per_along_GF;
+    S_d(3, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * s_D_per_along_GF;
+    S_d(3, 6) = inverse_sin_psi_D_CD * t01 - s_D_per_along_GF * t02;
+    S_d(3, 7) = -s_D_per_along_GF;
+    S_u(0, 0) = -t06;
+    S_u(0, 1) = -t10;
+    S_u(0, 2) = t06;
+    S_u(0, 3) = t10;
+    S_u(1, 0) = -t07;
+    S_u(1, 1) = -t11;
+    S_u(1, 2) = t07;
+    S_u(1, 3) = t11;
+    S_u(2, 0) = -t08;
+    S_u(2, 1) = -t12;
+    S_u(2, 2) = t08;
+    S_u(2, 3) = t12;
+    S_u(3, 0) = t09;
+    S_u(3, 1) = -t13;
+    S_u(3, 2) = -t09;
+    S_u(3, 3) = t13;
+    q_rate(0) = omega_BCG;
+    q_rate(1) = omega_GF;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_D;
+    q_second_rate(0) = BCG_per_x_B * t20 + BCG_per_y_B * t21
+        + inverse_BCG_across_GF * centripetal_along_GF;
+    q_second_rate(1) = GF_per_x_B * t20 + GF_per_y_B * t21 + inverse_GF * centripetal_across_GF
+        + GF_per_along_GF * centripetal_along_GF;
+    q_second_rate(2) = s_C_per_x_B * t20 + s_C_per_y_B * t21
+        + s_C_per_across_slide_C * centripetal_across_slide_C
+        + s_C_per_along_GF * centripetal_along_GF + centripetal_along_slide_C;
+    q_second_rate(3) = s_D_per_x_B * t20 + s_D_per_y_B * t21
+        + inverse_sin_psi_D_CD * centripetal_across_slide_C
+        + s_D_per_along_GF * centripetal_along_GF;
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

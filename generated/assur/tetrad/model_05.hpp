@@ -29,22 +29,28 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             22, 22, 0
-///   jacobian:             22, 12, 0
-///   dimension_jacobian:   10, 6, 0
-///   input_jacobian:       0, 0, 0
-///   velocity_rhs:         0, 2, 0
-///   acceleration_rhs:     43, 26, 0
-///   jerk_rhs:             83, 42, 0
-///   curvature_rhs:        72, 38, 0
-///   link_poses:           16, 14, 0
-///   pose_jacobians:       16, 10, 0
-///   link_velocities:      24, 18, 0
-///   link_accelerations:   40, 26, 0
-///   pose_curvatures:      46, 26, 0
-///   position_polynomial:  37, 29, 0
-///   second_equations:     24, 14, 0
-///   complete:             14, 12, 0
+///   residual:                   22, 22, 0
+///   jacobian:                   22, 12, 0
+///   dimension_jacobian:         10, 6, 0
+///   input_jacobian:             0, 0, 0
+///   velocity_rhs:               0, 2, 0
+///   acceleration_rhs:           43, 26, 0
+///   jerk_rhs:                   83, 42, 0
+///   curvature_rhs:              72, 38, 0
+///   link_poses:                 16, 14, 0
+///   pose_jacobians:             16, 10, 0
+///   link_velocities:            24, 18, 0
+///   link_accelerations:         40, 26, 0
+///   pose_curvatures:            46, 26, 0
+///   degeneracies:               23, 18, 0
+///   inverse_jacobian:           48, 19, 1
+///   sensitivities:              64, 31, 1
+///   velocity:                   38, 23, 1
+///   motion:                     68, 45, 1
+///   sensitivities_and_motion:   102, 59, 1
+///   position_polynomial:        37, 29, 0
+///   second_equations:           24, 14, 0
+///   complete:                   14, 12, 0
 struct Model05 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 5;
@@ -61,6 +67,14 @@ struct Model05 {
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = 1;  ///< of the reduced equations; -1: none
+  static constexpr int pivot_count = 1;
+  static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
+  static constexpr int determinant_sign = -1;  ///< det J = sign * the pivots' product
+
+  /// What the vanishing of each pivot of the structured elimination means.
+  static constexpr std::array<const char*, pivot_count> pivots = { {
+      "a dead centre: theta_BCG, theta_EDF free to first order",
+  } };
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -716,6 +730,471 @@ struct Model05 {
         - omega_G_BCG * (t05 + Scalar(2) * t07);
     p(3, 1) = -omega_BCG * (omega_BCG * t08 + Scalar(2) * t09 + Scalar(2) * t10)
         - omega_G_BCG * (t09 + Scalar(2) * t10);
+  }
+
+  /// What the structured elimination divides by, p, the core's determinant first; the size
+  /// of each that a well-shaped group would have; and the size of the determinant's terms.
+  /// det J = -p(0).
+  template <typename Scalar>
+  static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,
+      Vector<Scalar, pivot_count>& size, Scalar& terms) {
+    using std::abs;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar cos_EDF_minus_psi_G_BCG_minus_BCG = q.theta_EDF.cos * cos_GF
+        + q.theta_EDF.sin * sin_GF;
+    const Scalar sin_EDF_minus_psi_G_BCG_minus_BCG = q.theta_EDF.sin * cos_GF
+        - q.theta_EDF.cos * sin_GF;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
+    const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
+        - d.x_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
+    const Scalar determinant = q.s_C * EDF_along_slide_G - q.s_G * EDF_along_slide_C;
+    const Scalar t01 = abs(d.h_G_GF) + abs(q.s_G) + abs(d.h_G_BCG);
+    const Scalar t02 = abs(d.x_F_EDF) + abs(d.y_F_EDF) + t01;
+    const Scalar t03 = abs(q.s_C) + abs(d.h_C_BCG) + abs(d.h_C_CD);
+    p(0) = determinant;
+    size(0) = Scalar(2) * (abs(q.s_C) * t02 + abs(d.h_C_BCG) * t02 + abs(d.ED) * t02
+        + abs(d.h_C_CD) * t02);
+    terms = abs(d.x_F_EDF) * t03 + abs(d.y_F_EDF) * t03 + abs(d.ED) * t01;
+  }
+
+  /// The inverse of J, for right-hand sides of every sort.
+  template <typename Scalar>
+  static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
+        - q.theta_BCG.sin * q.theta_EDF.cos;
+    const Scalar cos_EDF_minus_psi_G_BCG_minus_BCG = q.theta_EDF.cos * cos_GF
+        + q.theta_EDF.sin * sin_GF;
+    const Scalar sin_EDF_minus_psi_G_BCG_minus_BCG = q.theta_EDF.sin * cos_GF
+        - q.theta_EDF.cos * sin_GF;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
+    const Scalar BCG_across_slide_G = d.h_G_BCG - d.h_G_GF;
+    const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
+        - d.x_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
+    const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
+        - cos_EDF_minus_psi_G_BCG_minus_BCG * d.y_F_EDF;
+    const Scalar determinant = q.s_C * EDF_along_slide_G - q.s_G * EDF_along_slide_C;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar BCG_per_across_slide_C = EDF_along_slide_G * inverse;
+    const Scalar EDF_per_across_slide_C = -q.s_G * inverse;
+    const Scalar s_G_per_across_slide_C = BCG_across_slide_G * BCG_per_across_slide_C
+        + EDF_across_slide_G * EDF_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = BCG_per_across_slide_C * BCG_across_slide_C
+        + EDF_per_across_slide_C * EDF_across_slide_C;
+    const Scalar BCG_per_across_slide_G = -EDF_along_slide_C * inverse;
+    const Scalar EDF_per_across_slide_G = q.s_C * inverse;
+    const Scalar s_G_per_across_slide_G = BCG_across_slide_G * BCG_per_across_slide_G
+        + EDF_across_slide_G * EDF_per_across_slide_G;
+    const Scalar s_C_per_across_slide_G = BCG_across_slide_C * BCG_per_across_slide_G
+        + EDF_across_slide_C * EDF_per_across_slide_G;
+    J_inverse(0, 0) = -q.theta_BCG.sin * BCG_per_across_slide_C;
+    J_inverse(0, 1) = q.theta_BCG.cos * BCG_per_across_slide_C;
+    J_inverse(0, 2) = -sin_GF * BCG_per_across_slide_G;
+    J_inverse(0, 3) = cos_GF * BCG_per_across_slide_G;
+    J_inverse(1, 0) = -q.theta_BCG.sin * EDF_per_across_slide_C;
+    J_inverse(1, 1) = q.theta_BCG.cos * EDF_per_across_slide_C;
+    J_inverse(1, 2) = -sin_GF * EDF_per_across_slide_G;
+    J_inverse(1, 3) = cos_GF * EDF_per_across_slide_G;
+    J_inverse(2, 0) = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C;
+    J_inverse(2, 1) = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C;
+    J_inverse(2, 2) = -sin_GF * s_C_per_across_slide_G;
+    J_inverse(2, 3) = cos_GF * s_C_per_across_slide_G;
+    J_inverse(3, 0) = -q.theta_BCG.sin * s_G_per_across_slide_C;
+    J_inverse(3, 1) = q.theta_BCG.cos * s_G_per_across_slide_C;
+    J_inverse(3, 2) = cos_GF - sin_GF * s_G_per_across_slide_G;
+    J_inverse(3, 3) = sin_GF + cos_GF * s_G_per_across_slide_G;
+  }
+
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
+        - q.theta_BCG.sin * q.theta_EDF.cos;
+    const Scalar cos_EDF_minus_psi_G_BCG_minus_BCG = q.theta_EDF.cos * cos_GF
+        + q.theta_EDF.sin * sin_GF;
+    const Scalar sin_EDF_minus_psi_G_BCG_minus_BCG = q.theta_EDF.sin * cos_GF
+        - q.theta_EDF.cos * sin_GF;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
+    const Scalar t01 = d.h_G_BCG - d.h_G_GF;
+    const Scalar BCG_across_slide_G = t01;
+    const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
+        - d.x_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
+    const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
+        - cos_EDF_minus_psi_G_BCG_minus_BCG * d.y_F_EDF;
+    const Scalar determinant = q.s_C * EDF_along_slide_G - q.s_G * EDF_along_slide_C;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar BCG_per_across_slide_C = EDF_along_slide_G * inverse;
+    const Scalar EDF_per_across_slide_C = -q.s_G * inverse;
+    const Scalar s_G_per_across_slide_C = BCG_across_slide_G * BCG_per_across_slide_C
+        + EDF_across_slide_G * EDF_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = BCG_per_across_slide_C * BCG_across_slide_C
+        + EDF_per_across_slide_C * EDF_across_slide_C;
+    const Scalar BCG_per_across_slide_G = -EDF_along_slide_C * inverse;
+    const Scalar EDF_per_across_slide_G = q.s_C * inverse;
+    const Scalar s_G_per_across_slide_G = BCG_across_slide_G * BCG_per_across_slide_G
+        + EDF_across_slide_G * EDF_per_across_slide_G;
+    const Scalar s_C_per_across_slide_G = BCG_across_slide_C * BCG_per_across_slide_G
+        + EDF_across_slide_C * EDF_per_across_slide_G;
+    const Scalar t02 = q.theta_BCG.sin * BCG_per_across_slide_C + sin_GF * BCG_per_across_slide_G;
+    const Scalar t03 = q.theta_BCG.cos * BCG_per_across_slide_C + cos_GF * BCG_per_across_slide_G;
+    const Scalar t04 = q.theta_BCG.sin * EDF_per_across_slide_C + sin_GF * EDF_per_across_slide_G;
+    const Scalar t05 = q.theta_BCG.cos * EDF_per_across_slide_C + cos_GF * EDF_per_across_slide_G;
+    const Scalar t06 = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C
+        - sin_GF * s_C_per_across_slide_G;
+    const Scalar t07 = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C
+        + cos_GF * s_C_per_across_slide_G;
+    const Scalar t08 = cos_GF - q.theta_BCG.sin * s_G_per_across_slide_C
+        - sin_GF * s_G_per_across_slide_G;
+    const Scalar t09 = sin_GF + q.theta_BCG.cos * s_G_per_across_slide_C
+        + cos_GF * s_G_per_across_slide_G;
+    S_d(0, 0) = -BCG_per_across_slide_C;
+    S_d(0, 1) = -q.s_G * BCG_per_across_slide_G;
+    S_d(0, 2) = -BCG_per_across_slide_G;
+    S_d(0, 3) = sin_EDF_minus_BCG * BCG_per_across_slide_C;
+    S_d(0, 4) = sin_EDF_minus_psi_G_BCG_minus_BCG * BCG_per_across_slide_G;
+    S_d(0, 5) = cos_EDF_minus_psi_G_BCG_minus_BCG * BCG_per_across_slide_G;
+    S_d(0, 6) = BCG_per_across_slide_C;
+    S_d(0, 7) = BCG_per_across_slide_G;
+    S_d(1, 0) = -EDF_per_across_slide_C;
+    S_d(1, 1) = -q.s_G * EDF_per_across_slide_G;
+    S_d(1, 2) = -EDF_per_across_slide_G;
+    S_d(1, 3) = sin_EDF_minus_BCG * EDF_per_across_slide_C;
+    S_d(1, 4) = sin_EDF_minus_psi_G_BCG_minus_BCG * EDF_per_across_slide_G;
+    S_d(1, 5) = cos_EDF_minus_psi_G_BCG_minus_BCG * EDF_per_across_slide_G;
+    S_d(1, 6) = EDF_per_across_slide_C;
+    S_d(1, 7) = EDF_per_across_slide_G;
+    S_d(2, 0) = -s_C_per_across_slide_C;
+    S_d(2, 1) = -q.s_G * s_C_per_across_slide_G;
+    S_d(2, 2) = -s_C_per_across_slide_G;
+    S_d(2, 3) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_C_per_across_slide_C;
+    S_d(2, 4) = sin_EDF_minus_psi_G_BCG_minus_BCG * s_C_per_across_slide_G;
+    S_d(2, 5) = cos_EDF_minus_psi_G_BCG_minus_BCG * s_C_per_across_slide_G;
+    S_d(2, 6) = s_C_per_across_slide_C;
+    S_d(2, 7) = s_C_per_across_slide_G;
+    S_d(3, 0) = -s_G_per_across_slide_C;
+    S_d(3, 1) = t01 - q.s_G * s_G_per_across_slide_G;
+    S_d(3, 2) = -s_G_per_across_slide_G;
+    S_d(3, 3) = sin_EDF_minus_BCG * s_G_per_across_slide_C;
+    S_d(3, 4) = cos_EDF_minus_psi_G_BCG_minus_BCG
+        + sin_EDF_minus_psi_G_BCG_minus_BCG * s_G_per_across_slide_G;
+    S_d(3, 5) = cos_EDF_minus_psi_G_BCG_minus_BCG * s_G_per_across_slide_G
+        - sin_EDF_minus_psi_G_BCG_minus_BCG;
+    S_d(3, 6) = s_G_per_across_slide_C;
+    S_d(3, 7) = s_G_per_across_slide_G;
+    S_u(0, 0) = t02;
+    S_u(0, 1) = -t03;
+    S_u(0, 2) = -t02;
+    S_u(0, 3) = t03;
+    S_u(1, 0) = t04;
+    S_u(1, 1) = -t05;
+    S_u(1, 2) = -t04;
+    S_u(1, 3) = t05;
+    S_u(2, 0) = -t06;
+    S_u(2, 1) = -t07;
+    S_u(2, 2) = t06;
+    S_u(2, 3) = t07;
+    S_u(3, 0) = -t08;
+    S_u(3, 1) = -t09;
+    S_u(3, 2) = t08;
+    S_u(3, 3) = t09;
+  }
+
+  /// dq/dt for the rates du/dt of the inputs.
+  template <typename Scalar>
+  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, unknown_count>& q_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
+        - q.theta_BCG.sin * q.theta_EDF.cos;
+    const Scalar cos_EDF_minus_psi_G_BCG_minus_BCG = q.theta_EDF.cos * cos_GF
+        + q.theta_EDF.sin * sin_GF;
+    const Scalar sin_EDF_minus_psi_G_BCG_minus_BCG = q.theta_EDF.sin * cos_GF
+        - q.theta_EDF.cos * sin_GF;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
+    const Scalar BCG_across_slide_G = d.h_G_BCG - d.h_G_GF;
+    const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
+        - d.x_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
+    const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
+        - cos_EDF_minus_psi_G_BCG_minus_BCG * d.y_F_EDF;
+    const Scalar determinant = q.s_C * EDF_along_slide_G - q.s_G * EDF_along_slide_C;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
+    const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
+    const Scalar velocity_along_slide_G = -cos_GF * t01 - sin_GF * t02;
+    const Scalar velocity_across_slide_G = sin_GF * t01 - cos_GF * t02;
+    const Scalar omega_BCG = -(EDF_along_slide_C * velocity_across_slide_G
+        - EDF_along_slide_G * velocity_across_slide_C) * inverse;
+    const Scalar omega_EDF = inverse * (q.s_C * velocity_across_slide_G
+        - q.s_G * velocity_across_slide_C);
+    const Scalar v_s_G = omega_BCG * BCG_across_slide_G + omega_EDF * EDF_across_slide_G
+        + velocity_along_slide_G;
+    const Scalar v_s_C = omega_BCG * BCG_across_slide_C + omega_EDF * EDF_across_slide_C
+        + velocity_along_slide_C;
+    q_rate(0) = omega_BCG;
+    q_rate(1) = omega_EDF;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_G;
+  }
+
+  /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
+  template <typename Scalar>
+  static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    const Scalar a_y_E = u_second_rate(3);
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
+        - q.theta_BCG.sin * q.theta_EDF.cos;
+    const Scalar cos_EDF_minus_psi_G_BCG_minus_BCG = q.theta_EDF.cos * cos_GF
+        + q.theta_EDF.sin * sin_GF;
+    const Scalar sin_EDF_minus_psi_G_BCG_minus_BCG = q.theta_EDF.sin * cos_GF
+        - q.theta_EDF.cos * sin_GF;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
+    const Scalar BCG_across_slide_G = d.h_G_BCG - d.h_G_GF;
+    const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
+        - d.x_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
+    const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
+        - cos_EDF_minus_psi_G_BCG_minus_BCG * d.y_F_EDF;
+    const Scalar determinant = q.s_C * EDF_along_slide_G - q.s_G * EDF_along_slide_C;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
+    const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
+    const Scalar velocity_along_slide_G = -cos_GF * t01 - sin_GF * t02;
+    const Scalar velocity_across_slide_G = sin_GF * t01 - cos_GF * t02;
+    const Scalar omega_BCG = -(EDF_along_slide_C * velocity_across_slide_G
+        - EDF_along_slide_G * velocity_across_slide_C) * inverse;
+    const Scalar omega_EDF = inverse * (q.s_C * velocity_across_slide_G
+        - q.s_G * velocity_across_slide_C);
+    const Scalar t03 = omega_BCG * BCG_across_slide_G;
+    const Scalar v_s_G = t03 + omega_EDF * EDF_across_slide_G + velocity_along_slide_G;
+    const Scalar t04 = omega_BCG * BCG_across_slide_C;
+    const Scalar v_s_C = t04 + omega_EDF * EDF_across_slide_C + velocity_along_slide_C;
+    const Scalar t05 = a_x_B - a_x_E;
+    const Scalar t06 = a_y_B - a_y_E;
+    const Scalar t07 = omega_EDF * omega_EDF;
+    const Scalar t08 = omega_BCG * omega_BCG;
+    const Scalar acceleration_along_slide_C = EDF_along_slide_C * t07 + q.s_C * t08
+        - q.theta_BCG.cos * t05 - q.theta_BCG.sin * t06;
+    const Scalar acceleration_across_slide_C = q.theta_BCG.sin * t05 + omega_BCG * (t04
+        - Scalar(2) * v_s_C) + EDF_across_slide_C * t07 - q.theta_BCG.cos * t06;
+    const Scalar acceleration_along_slide_G = EDF_along_slide_G * t07 + q.s_G * t08 - cos_GF * t05
+        - sin_GF * t06;
+    const Scalar acceleration_across_slide_G = omega_BCG * (t03 - Scalar(2) * v_s_G) + sin_GF * t05
+        + EDF_across_slide_G * t07 - cos_GF * t06;
+    const Scalar alpha_BCG = -inverse * (EDF_along_slide_C * acceleration_across_slide_G
+        - EDF_along_slide_G * acceleration_across_slide_C);
+    const Scalar alpha_EDF = inverse * (q.s_C * acceleration_across_slide_G
+        - q.s_G * acceleration_across_slide_C);
+    const Scalar a_s_G = BCG_across_slide_G * alpha_BCG + EDF_across_slide_G * alpha_EDF
+        + acceleration_along_slide_G;
+    const Scalar a_s_C = BCG_across_slide_C * alpha_BCG + EDF_across_slide_C * alpha_EDF
+        + acceleration_along_slide_C;
+    q_rate(0) = omega_BCG;
+    q_rate(1) = omega_EDF;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_G;
+    q_second_rate(0) = alpha_BCG;
+    q_second_rate(1) = alpha_EDF;
+    q_second_rate(2) = a_s_C;
+    q_second_rate(3) = a_s_G;
+  }
+
+  /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
+  template <typename Scalar>
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    const Scalar a_y_E = u_second_rate(3);
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
+        - q.theta_BCG.sin * q.theta_EDF.cos;
+    const Scalar cos_EDF_minus_psi_G_BCG_minus_BCG = q.theta_EDF.cos * cos_GF
+        + q.theta_EDF.sin * sin_GF;
+    const Scalar sin_EDF_minus_psi_G_BCG_minus_BCG = q.theta_EDF.sin * cos_GF
+        - q.theta_EDF.cos * sin_GF;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
+    const Scalar t01 = d.h_G_BCG - d.h_G_GF;
+    const Scalar BCG_across_slide_G = t01;
+    const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
+        - d.x_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
+    const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
+        - cos_EDF_minus_psi_G_BCG_minus_BCG * d.y_F_EDF;
+    const Scalar determinant = q.s_C * EDF_along_slide_G - q.s_G * EDF_along_slide_C;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar BCG_per_across_slide_C = EDF_along_slide_G * inverse;
+    const Scalar EDF_per_across_slide_C = -q.s_G * inverse;
+    const Scalar s_G_per_across_slide_C = BCG_across_slide_G * BCG_per_across_slide_C
+        + EDF_across_slide_G * EDF_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = BCG_per_across_slide_C * BCG_across_slide_C
+        + EDF_per_across_slide_C * EDF_across_slide_C;
+    const Scalar BCG_per_across_slide_G = -EDF_along_slide_C * inverse;
+    const Scalar EDF_per_across_slide_G = q.s_C * inverse;
+    const Scalar s_G_per_across_slide_G = BCG_across_slide_G * BCG_per_across_slide_G
+        + EDF_across_slide_G * EDF_per_across_slide_G;
+    const Scalar s_C_per_across_slide_G = BCG_across_slide_C * BCG_per_across_slide_G
+        + EDF_across_slide_C * EDF_per_across_slide_G;
+    const Scalar t02 = q.theta_BCG.sin * BCG_per_across_slide_C + sin_GF * BCG_per_across_slide_G;
+    const Scalar BCG_per_x_B = t02;
+    const Scalar t03 = q.theta_BCG.sin * EDF_per_across_slide_C + sin_GF * EDF_per_across_slide_G;
+    const Scalar EDF_per_x_B = t03;
+    const Scalar t04 = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C
+        - sin_GF * s_C_per_across_slide_G;
+    const Scalar s_C_per_x_B = -t04;
+    const Scalar t05 = cos_GF - q.theta_BCG.sin * s_G_per_across_slide_C
+        - sin_GF * s_G_per_across_slide_G;
+    const Scalar s_G_per_x_B = -t05;
+    const Scalar t06 = q.theta_BCG.cos * BCG_per_across_slide_C + cos_GF * BCG_per_across_slide_G;
+    const Scalar BCG_per_y_B = -t06;
+    const Scalar t07 = q.theta_BCG.cos * EDF_per_across_slide_C + cos_GF * EDF_per_across_slide_G;
+    const Scalar EDF_per_y_B = -t07;
+    const Scalar t08 = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C
+        + cos_GF * s_C_per_across_slide_G;
+    const Scalar s_C_per_y_B = -t08;
+    const Scalar t09 = sin_GF + q.theta_BCG.cos * s_G_per_across_slide_C
+        + cos_GF * s_G_per_across_slide_G;
+    const Scalar s_G_per_y_B = -t09;
+    const Scalar t10 = v_x_B - v_x_E;
+    const Scalar t11 = v_y_B - v_y_E;
+    const Scalar omega_BCG = t10 * BCG_per_x_B + t11 * BCG_per_y_B;
+    const Scalar omega_EDF = t10 * EDF_per_x_B + t11 * EDF_per_y_B;
+    const Scalar v_s_C = t10 * s_C_per_x_B + t11 * s_C_per_y_B;
+    const Scalar v_s_G = t10 * s_G_per_x_B + t11 * s_G_per_y_B;
+    const Scalar t12 = omega_EDF * omega_EDF;
+    const Scalar t13 = omega_BCG * omega_BCG;
+    const Scalar centripetal_along_slide_C = EDF_along_slide_C * t12 + q.s_C * t13;
+    const Scalar centripetal_across_slide_C = omega_BCG * (BCG_across_slide_C * omega_BCG
+        - Scalar(2) * v_s_C) + EDF_across_slide_C * t12;
+    const Scalar centripetal_along_slide_G = EDF_along_slide_G * t12 + q.s_G * t13;
+    const Scalar centripetal_across_slide_G = omega_BCG * (BCG_across_slide_G * omega_BCG
+        - Scalar(2) * v_s_G) + EDF_across_slide_G * t12;
+    const Scalar t14 = a_x_B - a_x_E;
+    const Scalar t15 = a_y_B - a_y_E;
+    S_d(0, 0) = -BCG_per_across_slide_C;
+    S_d(0, 1) = -q.s_G * BCG_per_across_slide_G;
+    S_d(0, 2) = -BCG_per_across_slide_G;
+    S_d(0, 3) = sin_EDF_minus_BCG * BCG_per_across_slide_C;
+    S_d(0, 4) = sin_EDF_minus_psi_G_BCG_minus_BCG * BCG_per_across_slide_G;
+    S_d(0, 5) = cos_EDF_minus_psi_G_BCG_minus_BCG * BCG_per_across_slide_G;
+    S_d(0, 6) = BCG_per_across_slide_C;
+    S_d(0, 7) = BCG_per_across_slide_G;
+    S_d(1, 0) = -EDF_per_across_slide_C;
+    S_d(1, 1) = -q.s_G * EDF_per_across_slide_G;
+    S_d(1, 2) = -EDF_per_across_slide_G;
+    S_d(1, 3) = sin_EDF_minus_BCG * EDF_per_across_slide_C;
+    S_d(1, 4) = sin_EDF_minus_psi_G_BCG_minus_BCG * EDF_per_across_slide_G;
+    S_d(1, 5) = cos_EDF_minus_psi_G_BCG_minus_BCG * EDF_per_across_slide_G;
+    S_d(1, 6) = EDF_per_across_slide_C;
+    S_d(1, 7) = EDF_per_across_slide_G;
+    S_d(2, 0) = -s_C_per_across_slide_C;
+    S_d(2, 1) = -q.s_G * s_C_per_across_slide_G;
+    S_d(2, 2) = -s_C_per_across_slide_G;
+    S_d(2, 3) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_C_per_across_slide_C;
+    S_d(2, 4) = sin_EDF_minus_psi_G_BCG_minus_BCG * s_C_per_across_slide_G;
+    S_d(2, 5) = cos_EDF_minus_psi_G_BCG_minus_BCG * s_C_per_across_slide_G;
+    S_d(2, 6) = s_C_per_across_slide_C;
+    S_d(2, 7) = s_C_per_across_slide_G;
+    S_d(3, 0) = -s_G_per_across_slide_C;
+    S_d(3, 1) = t01 - q.s_G * s_G_per_across_slide_G;
+    S_d(3, 2) = -s_G_per_across_slide_G;
+    S_d(3, 3) = sin_EDF_minus_BCG * s_G_per_across_slide_C;
+    S_d(3, 4) = cos_EDF_minus_psi_G_BCG_minus_BCG
+        + sin_EDF_minus_psi_G_BCG_minus_BCG * s_G_per_across_slide_G;
+    S_d(3, 5) = cos_EDF_minus_psi_G_BCG_minus_BCG * s_G_per_across_slide_G
+        - sin_EDF_minus_psi_G_BCG_minus_BCG;
+    S_d(3, 6) = s_G_per_across_slide_C;
+    S_d(3, 7) = s_G_per_across_slide_G;
+    S_u(0, 0) = t02;
+    S_u(0, 1) = -t06;
+    S_u(0, 2) = -t02;
+    S_u(0, 3) = t06;
+    S_u(1, 0) = t03;
+    S_u(1, 1) = -t07;
+    S_u(1, 2) = -t03;
+    S_u(1, 3) = t07;
+    S_u(2, 0) = -t04;
+    S_u(2, 1) = -t08;
+    S_u(2, 2) = t04;
+    S_u(2, 3) = t08;
+    S_u(3, 0) = -t05;
+    S_u(3, 1) = -t09;
+    S_u(3, 2) = t05;
+    S_u(3, 3) = t09;
+    q_rate(0) = omega_BCG;
+    q_rate(1) = omega_EDF;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_G;
+    q_second_rate(0) = BCG_per_x_B * t14 + BCG_per_y_B * t15
+        + BCG_per_across_slide_C * centripetal_across_slide_C
+        + BCG_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(1) = EDF_per_x_B * t14 + EDF_per_y_B * t15
+        + EDF_per_across_slide_C * centripetal_across_slide_C
+        + EDF_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(2) = s_C_per_x_B * t14 + s_C_per_y_B * t15
+        + s_C_per_across_slide_C * centripetal_across_slide_C
+        + s_C_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_C;
+    q_second_rate(3) = s_G_per_x_B * t14 + s_G_per_y_B * t15
+        + s_G_per_across_slide_C * centripetal_across_slide_C
+        + s_G_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_G;
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

@@ -28,21 +28,27 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             26, 24, 0
-///   jacobian:             26, 18, 0
-///   dimension_jacobian:   22, 12, 0
-///   input_jacobian:       0, 0, 0
-///   velocity_rhs:         0, 2, 0
-///   acceleration_rhs:     46, 30, 0
-///   jerk_rhs:             76, 44, 0
-///   curvature_rhs:        84, 53, 0
-///   link_poses:           18, 14, 0
-///   pose_jacobians:       14, 8, 0
-///   link_velocities:      22, 16, 0
-///   link_accelerations:   38, 24, 0
-///   pose_curvatures:      44, 23, 0
-///   position_polynomial:  12, 9, 0
-///   complete:             15, 13, 1
+///   residual:                   26, 24, 0
+///   jacobian:                   26, 18, 0
+///   dimension_jacobian:         22, 12, 0
+///   input_jacobian:             0, 0, 0
+///   velocity_rhs:               0, 2, 0
+///   acceleration_rhs:           46, 30, 0
+///   jerk_rhs:                   76, 44, 0
+///   curvature_rhs:              84, 53, 0
+///   link_poses:                 18, 14, 0
+///   pose_jacobians:             14, 8, 0
+///   link_velocities:            22, 16, 0
+///   link_accelerations:         38, 24, 0
+///   pose_curvatures:            44, 23, 0
+///   degeneracies:               6, 8, 0
+///   inverse_jacobian:           37, 18, 1
+///   sensitivities:              59, 31, 1
+///   velocity:                   33, 23, 1
+///   motion:                     57, 41, 1
+///   sensitivities_and_motion:   95, 55, 1
+///   position_polynomial:        12, 9, 0
+///   complete:                   15, 13, 1
 struct Model06 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 6;
@@ -59,6 +65,15 @@ struct Model06 {
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = -1;  ///< of the reduced equations; -1: none
+  static constexpr int pivot_count = 2;
+  static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
+  static constexpr int determinant_sign = 1;  ///< det J = sign * the pivots' product
+
+  /// What the vanishing of each pivot of the structured elimination means.
+  static constexpr std::array<const char*, pivot_count> pivots = { {
+      "a dead centre: theta_BCG free to first order",
+      "sin(psi_D_CD) = 0: s_D free to first order",
+  } };
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -725,6 +740,434 @@ struct Model06 {
         - omega_G_BCG * (t04 + Scalar(2) * t06);
     p(3, 1) = -omega_BCG * (omega_BCG * t07 + Scalar(2) * t08 + Scalar(2) * t09)
         - omega_G_BCG * (t08 + Scalar(2) * t09);
+  }
+
+  /// What the structured elimination divides by, p, the core's determinant first; the size
+  /// of each that a well-shaped group would have; and the size of the determinant's terms.
+  /// det J = p(0) * p(1).
+  template <typename Scalar>
+  static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,
+      Vector<Scalar, pivot_count>& size, Scalar& terms) {
+    using std::abs;
+    const Scalar cos_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.cos
+        + d.psi_G_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.sin
+        - d.psi_D_CD.cos * d.psi_G_BCG.sin;
+    const Scalar BCG_along_slide_G = q.s_G + d.y_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
+        - d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
+    const Scalar t01 = abs(q.s_G) + abs(d.h_G_BCG) + abs(d.x_F_EDF) + abs(d.y_F_EDF)
+        + abs(d.h_G_GF);
+    p(0) = BCG_along_slide_G;
+    p(1) = -d.psi_D_CD.sin;
+    size(0) = t01;
+    size(1) = Scalar(1);
+    terms = t01;
+  }
+
+  /// The inverse of J, for right-hand sides of every sort.
+  template <typename Scalar>
+  static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
+    J_inverse.setZero();
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar cos_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.cos
+        + d.psi_G_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.sin
+        - d.psi_G_BCG.sin * d.psi_D_CD.cos;
+    const Scalar BCG_along_slide_C = q.s_C + d.psi_D_CD.sin * d.h_D_EDF - d.psi_D_CD.cos * q.s_D;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.psi_D_CD.sin * q.s_D
+        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar BCG_along_slide_G = q.s_G + d.y_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
+        - d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
+    const Scalar BCG_across_slide_G = d.h_G_BCG - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
+        - cos_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF - d.h_G_GF;
+    const Scalar inverse = Scalar(1) / (-d.psi_D_CD.sin * BCG_along_slide_G);  // zero: a dead
+                                                                               //     centre, or
+                                                                               //     sin(psi_D_CD)
+                                                                               //     = 0
+    const Scalar inverse_BCG_along_slide_G = -d.psi_D_CD.sin * inverse;
+    const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
+    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_D_per_across_slide_G = -inverse_sin_psi_D_CD * BCG_along_slide_C *
+        inverse_BCG_along_slide_G;
+    const Scalar s_G_per_across_slide_G = inverse_BCG_along_slide_G * BCG_across_slide_G;
+    const Scalar s_C_per_across_slide_G = d.psi_D_CD.cos * s_D_per_across_slide_G
+        + inverse_BCG_along_slide_G * BCG_across_slide_C;
+    J_inverse(0, 2) = -inverse_BCG_along_slide_G * sin_GF;
+    J_inverse(0, 3) = inverse_BCG_along_slide_G * cos_GF;
+    J_inverse(1, 0) = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C;
+    J_inverse(1, 1) = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C;
+    J_inverse(1, 2) = -sin_GF * s_C_per_across_slide_G;
+    J_inverse(1, 3) = cos_GF * s_C_per_across_slide_G;
+    J_inverse(2, 2) = cos_GF - sin_GF * s_G_per_across_slide_G;
+    J_inverse(2, 3) = sin_GF + cos_GF * s_G_per_across_slide_G;
+    J_inverse(3, 0) = -q.theta_BCG.sin * inverse_sin_psi_D_CD;
+    J_inverse(3, 1) = q.theta_BCG.cos * inverse_sin_psi_D_CD;
+    J_inverse(3, 2) = -s_D_per_across_slide_G * sin_GF;
+    J_inverse(3, 3) = s_D_per_across_slide_G * cos_GF;
+  }
+
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    S_d.setZero();
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar cos_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.cos
+        + d.psi_G_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.sin
+        - d.psi_G_BCG.sin * d.psi_D_CD.cos;
+    const Scalar t01 = d.psi_D_CD.cos * q.s_D - d.psi_D_CD.sin * d.h_D_EDF;
+    const Scalar BCG_along_slide_C = q.s_C - t01;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.psi_D_CD.sin * q.s_D
+        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar t02 = d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG
+        - d.y_F_EDF * sin_psi_D_CD_minus_psi_G_BCG;
+    const Scalar BCG_along_slide_G = q.s_G - t02;
+    const Scalar t03 = d.h_G_BCG - d.h_G_GF;
+    const Scalar BCG_across_slide_G = t03 - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
+        - cos_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF;
+    const Scalar inverse = Scalar(1) / (-d.psi_D_CD.sin * BCG_along_slide_G);  // zero: a dead
+                                                                               //     centre, or
+                                                                               //     sin(psi_D_CD)
+                                                                               //     = 0
+    const Scalar inverse_BCG_along_slide_G = -d.psi_D_CD.sin * inverse;
+    const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
+    const Scalar t04 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_C_per_across_slide_C = t04;
+    const Scalar s_D_per_across_slide_G = -inverse_sin_psi_D_CD * BCG_along_slide_C *
+        inverse_BCG_along_slide_G;
+    const Scalar s_G_per_across_slide_G = inverse_BCG_along_slide_G * BCG_across_slide_G;
+    const Scalar s_C_per_across_slide_G = d.psi_D_CD.cos * s_D_per_across_slide_G
+        + inverse_BCG_along_slide_G * BCG_across_slide_C;
+    const Scalar t05 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t06 = cos_psi_D_CD_minus_psi_G_BCG
+        + sin_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
+    const Scalar t07 = sin_psi_D_CD_minus_psi_G_BCG
+        - cos_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
+    const Scalar t08 = inverse_BCG_along_slide_G * sin_GF;
+    const Scalar t09 = inverse_BCG_along_slide_G * cos_GF;
+    const Scalar t10 = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C
+        - s_C_per_across_slide_G * sin_GF;
+    const Scalar t11 = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C
+        + s_C_per_across_slide_G * cos_GF;
+    const Scalar t12 = cos_GF - s_G_per_across_slide_G * sin_GF;
+    const Scalar t13 = sin_GF + s_G_per_across_slide_G * cos_GF;
+    const Scalar t14 = q.theta_BCG.sin * inverse_sin_psi_D_CD + s_D_per_across_slide_G * sin_GF;
+    const Scalar t15 = q.theta_BCG.cos * inverse_sin_psi_D_CD + s_D_per_across_slide_G * cos_GF;
+    S_d(0, 1) = -q.s_G * inverse_BCG_along_slide_G;
+    S_d(0, 2) = -inverse_BCG_along_slide_G;
+    S_d(0, 4) = sin_psi_D_CD_minus_psi_G_BCG * inverse_BCG_along_slide_G;
+    S_d(0, 5) = cos_psi_D_CD_minus_psi_G_BCG * inverse_BCG_along_slide_G;
+    S_d(0, 6) = inverse_BCG_along_slide_G * t02;
+    S_d(0, 7) = inverse_BCG_along_slide_G;
+    S_d(1, 0) = -s_C_per_across_slide_C;
+    S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
+    S_d(1, 2) = -s_C_per_across_slide_G;
+    S_d(1, 3) = -t05;
+    S_d(1, 4) = sin_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
+    S_d(1, 5) = cos_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
+    S_d(1, 6) = t02 * s_C_per_across_slide_G - q.s_D * t05 - d.h_D_EDF * (d.psi_D_CD.cos
+        + d.psi_D_CD.sin * s_C_per_across_slide_C);
+    S_d(1, 7) = s_C_per_across_slide_G;
+    S_d(2, 1) = t03 - q.s_G * s_G_per_across_slide_G;
+    S_d(2, 2) = -s_G_per_across_slide_G;
+    S_d(2, 4) = t06;
+    S_d(2, 5) = -t07;
+    S_d(2, 6) = -d.x_F_EDF * t07 - d.y_F_EDF * t06;
+    S_d(2, 7) = s_G_per_across_slide_G;
+    S_d(3, 0) = -inverse_sin_psi_D_CD;
+    S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
+    S_d(3, 2) = -s_D_per_across_slide_G;
+    S_d(3, 3) = t04;
+    S_d(3, 4) = sin_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
+    S_d(3, 5) = cos_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
+    S_d(3, 6) = inverse_sin_psi_D_CD * t01 + s_D_per_across_slide_G * t02;
+    S_d(3, 7) = s_D_per_across_slide_G;
+    S_u(0, 0) = t08;
+    S_u(0, 1) = -t09;
+    S_u(0, 2) = -t08;
+    S_u(0, 3) = t09;
+    S_u(1, 0) = -t10;
+    S_u(1, 1) = -t11;
+    S_u(1, 2) = t10;
+    S_u(1, 3) = t11;
+    S_u(2, 0) = -t12;
+    S_u(2, 1) = -t13;
+    S_u(2, 2) = t12;
+    S_u(2, 3) = t13;
+    S_u(3, 0) = t14;
+    S_u(3, 1) = -t15;
+    S_u(3, 2) = -t14;
+    S_u(3, 3) = t15;
+  }
+
+  /// dq/dt for the rates du/dt of the inputs.
+  template <typename Scalar>
+  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, unknown_count>& q_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar cos_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.cos
+        + d.psi_G_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.sin
+        - d.psi_G_BCG.sin * d.psi_D_CD.cos;
+    const Scalar BCG_along_slide_C = q.s_C + d.psi_D_CD.sin * d.h_D_EDF - d.psi_D_CD.cos * q.s_D;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.psi_D_CD.sin * q.s_D
+        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar BCG_along_slide_G = q.s_G + d.y_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
+        - d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
+    const Scalar BCG_across_slide_G = d.h_G_BCG - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
+        - cos_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF - d.h_G_GF;
+    const Scalar inverse = Scalar(1) / (-d.psi_D_CD.sin * BCG_along_slide_G);  // zero: a dead
+                                                                               //     centre, or
+                                                                               //     sin(psi_D_CD)
+                                                                               //     = 0
+    const Scalar inverse_BCG_along_slide_G = -d.psi_D_CD.sin * inverse;
+    const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
+    const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
+    const Scalar velocity_along_slide_G = -t01 * cos_GF - t02 * sin_GF;
+    const Scalar velocity_across_slide_G = t01 * sin_GF - t02 * cos_GF;
+    const Scalar omega_BCG = inverse_BCG_along_slide_G * velocity_across_slide_G;
+    const Scalar v_s_D = -(omega_BCG * BCG_along_slide_C
+        - velocity_across_slide_C) * inverse_sin_psi_D_CD;
+    const Scalar v_s_G = omega_BCG * BCG_across_slide_G + velocity_along_slide_G;
+    const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + omega_BCG * BCG_across_slide_C
+        + velocity_along_slide_C;
+    q_rate(0) = omega_BCG;
+    q_rate(1) = v_s_C;
+    q_rate(2) = v_s_G;
+    q_rate(3) = v_s_D;
+  }
+
+  /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
+  template <typename Scalar>
+  static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    const Scalar a_y_E = u_second_rate(3);
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar cos_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.cos
+        + d.psi_G_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.sin
+        - d.psi_G_BCG.sin * d.psi_D_CD.cos;
+    const Scalar BCG_along_slide_C = q.s_C + d.psi_D_CD.sin * d.h_D_EDF - d.psi_D_CD.cos * q.s_D;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.psi_D_CD.sin * q.s_D
+        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar BCG_along_slide_G = q.s_G + d.y_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
+        - d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
+    const Scalar BCG_across_slide_G = d.h_G_BCG - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
+        - cos_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF - d.h_G_GF;
+    const Scalar inverse = Scalar(1) / (-d.psi_D_CD.sin * BCG_along_slide_G);  // zero: a dead
+                                                                               //     centre, or
+                                                                               //     sin(psi_D_CD)
+                                                                               //     = 0
+    const Scalar inverse_BCG_along_slide_G = -d.psi_D_CD.sin * inverse;
+    const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
+    const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
+    const Scalar velocity_along_slide_G = -t01 * cos_GF - t02 * sin_GF;
+    const Scalar velocity_across_slide_G = t01 * sin_GF - t02 * cos_GF;
+    const Scalar omega_BCG = inverse_BCG_along_slide_G * velocity_across_slide_G;
+    const Scalar t03 = omega_BCG * BCG_along_slide_C;
+    const Scalar v_s_D = -(t03 - velocity_across_slide_C) * inverse_sin_psi_D_CD;
+    const Scalar t04 = omega_BCG * BCG_across_slide_G;
+    const Scalar v_s_G = t04 + velocity_along_slide_G;
+    const Scalar t05 = d.psi_D_CD.cos * v_s_D;
+    const Scalar t06 = omega_BCG * BCG_across_slide_C;
+    const Scalar v_s_C = t05 + t06 + velocity_along_slide_C;
+    const Scalar t07 = a_x_B - a_x_E;
+    const Scalar t08 = a_y_B - a_y_E;
+    const Scalar acceleration_along_slide_C = omega_BCG * (t03 - Scalar(2) * d.psi_D_CD.sin * v_s_D)
+        - q.theta_BCG.cos * t07 - q.theta_BCG.sin * t08;
+    const Scalar acceleration_across_slide_C = omega_BCG * (Scalar(2) * t05 + t06
+        - Scalar(2) * v_s_C) + q.theta_BCG.sin * t07 - q.theta_BCG.cos * t08;
+    const Scalar acceleration_along_slide_G = BCG_along_slide_G * omega_BCG * omega_BCG
+        - cos_GF * t07 - sin_GF * t08;
+    const Scalar acceleration_across_slide_G = omega_BCG * (t04 - Scalar(2) * v_s_G) + sin_GF * t07
+        - cos_GF * t08;
+    const Scalar alpha_BCG = inverse_BCG_along_slide_G * acceleration_across_slide_G;
+    const Scalar a_s_D = -inverse_sin_psi_D_CD * (BCG_along_slide_C * alpha_BCG
+        - acceleration_across_slide_C);
+    const Scalar a_s_G = BCG_across_slide_G * alpha_BCG + acceleration_along_slide_G;
+    const Scalar a_s_C = d.psi_D_CD.cos * a_s_D + BCG_across_slide_C * alpha_BCG
+        + acceleration_along_slide_C;
+    q_rate(0) = omega_BCG;
+    q_rate(1) = v_s_C;
+    q_rate(2) = v_s_G;
+    q_rate(3) = v_s_D;
+    q_second_rate(0) = alpha_BCG;
+    q_second_rate(1) = a_s_C;
+    q_second_rate(2) = a_s_G;
+    q_second_rate(3) = a_s_D;
+  }
+
+  /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
+  template <typename Scalar>
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    const Scalar a_y_E = u_second_rate(3);
+    S_d.setZero();
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar cos_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.cos
+        + d.psi_G_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.sin
+        - d.psi_G_BCG.sin * d.psi_D_CD.cos;
+    const Scalar t01 = d.psi_D_CD.cos * q.s_D - d.psi_D_CD.sin * d.h_D_EDF;
+    const Scalar BCG_along_slide_C = q.s_C - t01;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.psi_D_CD.sin * q.s_D
+        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar t02 = d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG
+        - d.y_F_EDF * sin_psi_D_CD_minus_psi_G_BCG;
+    const Scalar BCG_along_slide_G = q.s_G - t02;
+    const Scalar t03 = d.h_G_BCG - d.h_G_GF;
+    const Scalar BCG_across_slide_G = t03 - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
+        - cos_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF;
+    const Scalar inverse = Scalar(1) / (-d.psi_D_CD.sin * BCG_along_slide_G);  // zero: a dead
+                                                                               //     centre, or
+                                                                               //     sin(psi_D_CD)
+                                                                               //     = 0
+    const Scalar inverse_BCG_along_slide_G = -d.psi_D_CD.sin * inverse;
+    const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
+    const Scalar t04 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_C_per_across_slide_C = t04;
+    const Scalar s_D_per_across_slide_G = -inverse_sin_psi_D_CD * BCG_along_slide_C *
+        inverse_BCG_along_slide_G;
+    const Scalar s_G_per_across_slide_G = inverse_BCG_along_slide_G * BCG_across_slide_G;
+    const Scalar s_C_per_across_slide_G = d.psi_D_CD.cos * s_D_per_across_slide_G
+        + inverse_BCG_along_slide_G * BCG_across_slide_C;
+    const Scalar t05 = inverse_BCG_along_slide_G * sin_GF;
+    const Scalar BCG_per_x_B = t05;
+    const Scalar t06 = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C
+        - sin_GF * s_C_per_across_slide_G;
+    const Scalar s_C_per_x_B = -t06;
+    const Scalar t07 = cos_GF - sin_GF * s_G_per_across_slide_G;
+    const Scalar s_G_per_x_B = -t07;
+    const Scalar t08 = q.theta_BCG.sin * inverse_sin_psi_D_CD + s_D_per_across_slide_G * sin_GF;
+    const Scalar s_D_per_x_B = t08;
+    const Scalar t09 = inverse_BCG_along_slide_G * cos_GF;
+    const Scalar BCG_per_y_B = -t09;
+    const Scalar t10 = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C
+        + s_C_per_across_slide_G * cos_GF;
+    const Scalar s_C_per_y_B = -t10;
+    const Scalar t11 = sin_GF + cos_GF * s_G_per_across_slide_G;
+    const Scalar s_G_per_y_B = -t11;
+    const Scalar t12 = q.theta_BCG.cos * inverse_sin_psi_D_CD + s_D_per_across_slide_G * cos_GF;
+    const Scalar s_D_per_y_B = -t12;
+    const Scalar t13 = v_x_B - v_x_E;
+    const Scalar t14 = v_y_B - v_y_E;
+    const Scalar omega_BCG = t13 * BCG_per_x_B + t14 * BCG_per_y_B;
+    const Scalar v_s_C = t13 * s_C_per_x_B + t14 * s_C_per_y_B;
+    const Scalar v_s_G = t13 * s_G_per_x_B + t14 * s_G_per_y_B;
+    const Scalar v_s_D = t13 * s_D_per_x_B + t14 * s_D_per_y_B;
+    const Scalar centripetal_along_slide_C = -omega_BCG * (Scalar(2) * d.psi_D_CD.sin * v_s_D
+        - BCG_along_slide_C * omega_BCG);
+    const Scalar centripetal_across_slide_C = omega_BCG * (Scalar(2) * d.psi_D_CD.cos * v_s_D
+        + BCG_across_slide_C * omega_BCG - Scalar(2) * v_s_C);
+    const Scalar centripetal_along_slide_G = BCG_along_slide_G * omega_BCG * omega_BCG;
+    const Scalar centripetal_across_slide_G = omega_BCG * (BCG_across_slide_G * omega_BCG
+        - Scalar(2) * v_s_G);
+    const Scalar t15 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t16 = cos_psi_D_CD_minus_psi_G_BCG
+        + sin_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
+    const Scalar t17 = sin_psi_D_CD_minus_psi_G_BCG
+        - cos_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
+    const Scalar t18 = a_x_B - a_x_E;
+    const Scalar t19 = a_y_B - a_y_E;
+    S_d(0, 1) = -q.s_G * inverse_BCG_along_slide_G;
+    S_d(0, 2) = -inverse_BCG_along_slide_G;
+    S_d(0, 4) = sin_psi_D_CD_minus_psi_G_BCG * inverse_BCG_along_slide_G;
+    S_d(0, 5) = cos_psi_D_CD_minus_psi_G_BCG * inverse_BCG_along_slide_G;
+    S_d(0, 6) = inverse_BCG_along_slide_G * t02;
+    S_d(0, 7) = inverse_BCG_along_slide_G;
+    S_d(1, 0) = -s_C_per_across_slide_C;
+    S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
+    S_d(1, 2) = -s_C_per_across_slide_G;
+    S_d(1, 3) = -t15;
+    S_d(1, 4) = sin_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
+    S_d(1, 5) = cos_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
+    S_d(1, 6) = s_C_per_across_slide_G * t02 - q.s_D * t15 - d.h_D_EDF * (d.psi_D_CD.cos
+        + d.psi_D_CD.sin * s_C_per_across_slide_C);
+    S_d(1, 7) = s_C_per_across_slide_G;
+    S_d(2, 1) = t03 - q.s_G * s_G_per_across_slide_G;
+    S_d(2, 2) = -s_G_per_across_slide_G;
+    S_d(2, 4) = t16;
+    S_d(2, 5) = -t17;
+    S_d(2, 6) = -d.x_F_EDF * t17 - d.y_F_EDF * t16;
+    S_d(2, 7) = s_G_per_across_slide_G;
+    S_d(3, 0) = -inverse_sin_psi_D_CD;
+    S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
+    S_d(3, 2) = -s_D_per_across_slide_G;
+    S_d(3, 3) = t04;
+    S_d(3, 4) = sin_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
+    S_d(3, 5) = cos_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
+    S_d(3, 6) = inverse_sin_psi_D_CD * t01 + s_D_per_across_slide_G * t02;
+    S_d(3, 7) = s_D_per_across_slide_G;
+    S_u(0, 0) = t05;
+    S_u(0, 1) = -t09;
+    S_u(0, 2) = -t05;
+    S_u(0, 3) = t09;
+    S_u(1, 0) = -t06;
+    S_u(1, 1) = -t10;
+    S_u(1, 2) = t06;
+    S_u(1, 3) = t10;
+    S_u(2, 0) = -t07;
+    S_u(2, 1) = -t11;
+    S_u(2, 2) = t07;
+    S_u(2, 3) = t11;
+    S_u(3, 0) = t08;
+    S_u(3, 1) = -t12;
+    S_u(3, 2) = -t08;
+    S_u(3, 3) = t12;
+    q_rate(0) = omega_BCG;
+    q_rate(1) = v_s_C;
+    q_rate(2) = v_s_G;
+    q_rate(3) = v_s_D;
+    q_second_rate(0) = BCG_per_x_B * t18 + BCG_per_y_B * t19
+        + inverse_BCG_along_slide_G * centripetal_across_slide_G;
+    q_second_rate(1) = s_C_per_x_B * t18 + s_C_per_y_B * t19
+        + s_C_per_across_slide_C * centripetal_across_slide_C
+        + s_C_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_C;
+    q_second_rate(2) = s_G_per_x_B * t18 + s_G_per_y_B * t19
+        + s_G_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_G;
+    q_second_rate(3) = s_D_per_x_B * t18 + s_D_per_y_B * t19
+        + inverse_sin_psi_D_CD * centripetal_across_slide_C
+        + s_D_per_across_slide_G * centripetal_across_slide_G;
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

@@ -28,20 +28,20 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             36, 28, 0
-///   jacobian:             36, 22, 0
-///   dimension_jacobian:   32, 16, 0
-///   input_jacobian:       0, 0, 0
-///   velocity_rhs:         0, 2, 0
-///   acceleration_rhs:     60, 36, 0
-///   jerk_rhs:             92, 52, 0
-///   curvature_rhs:        109, 68, 0
-///   link_poses:           16, 12, 0
-///   pose_jacobians:       12, 6, 0
-///   link_velocities:      20, 14, 0
-///   link_accelerations:   36, 22, 0
-///   pose_curvatures:      42, 20, 0
-///   compatibility:        12, 6, 0
+///   residual:                   36, 28, 0
+///   jacobian:                   36, 22, 0
+///   dimension_jacobian:         32, 16, 0
+///   input_jacobian:             0, 0, 0
+///   velocity_rhs:               0, 2, 0
+///   acceleration_rhs:           60, 36, 0
+///   jerk_rhs:                   92, 52, 0
+///   curvature_rhs:              109, 68, 0
+///   link_poses:                 16, 12, 0
+///   pose_jacobians:             12, 6, 0
+///   link_velocities:            20, 14, 0
+///   link_accelerations:         36, 22, 0
+///   pose_curvatures:            42, 20, 0
+///   compatibility:              12, 6, 0
 struct Model07 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 7;

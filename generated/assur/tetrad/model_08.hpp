@@ -29,22 +29,28 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             18, 21, 0
-///   jacobian:             10, 2, 0
-///   dimension_jacobian:   0, 0, 0
-///   input_jacobian:       8, 7, 0
-///   velocity_rhs:         12, 13, 0
-///   acceleration_rhs:     47, 31, 0
-///   jerk_rhs:             97, 49, 0
-///   curvature_rhs:        78, 37, 0
-///   link_poses:           8, 9, 0
-///   pose_jacobians:       8, 7, 0
-///   link_velocities:      14, 13, 0
-///   link_accelerations:   28, 21, 0
-///   pose_curvatures:      32, 17, 0
-///   position_polynomial:  89, 71, 0
-///   second_equations:     50, 39, 0
-///   complete:             18, 18, 2
+///   residual:                   18, 21, 0
+///   jacobian:                   10, 2, 0
+///   dimension_jacobian:         0, 0, 0
+///   input_jacobian:             8, 7, 0
+///   velocity_rhs:               12, 13, 0
+///   acceleration_rhs:           47, 31, 0
+///   jerk_rhs:                   97, 49, 0
+///   curvature_rhs:              78, 37, 0
+///   link_poses:                 8, 9, 0
+///   pose_jacobians:             8, 7, 0
+///   link_velocities:            14, 13, 0
+///   link_accelerations:         28, 21, 0
+///   pose_curvatures:            32, 17, 0
+///   degeneracies:               16, 18, 0
+///   inverse_jacobian:           66, 19, 1
+///   sensitivities:              112, 49, 1
+///   velocity:                   62, 33, 1
+///   motion:                     105, 63, 1
+///   sensitivities_and_motion:   171, 89, 1
+///   position_polynomial:        89, 71, 0
+///   second_equations:           50, 39, 0
+///   complete:                   18, 18, 2
 struct Model08 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 8;
@@ -61,6 +67,16 @@ struct Model08 {
   static constexpr std::size_t polynomial_degree = 3;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = 3;  ///< of the reduced equations; -1: none
+  static constexpr int pivot_count = 3;
+  static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
+  static constexpr int determinant_sign = -1;  ///< det J = sign * the pivots' product
+
+  /// What the vanishing of each pivot of the structured elimination means.
+  static constexpr std::array<const char*, pivot_count> pivots = { {
+      "a dead centre: theta_EDF, s_B free to first order",
+      "GF = 0: theta_GF free to first order",
+      "CD = 0: theta_CD free to first order",
+  } };
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -672,6 +688,559 @@ struct Model08 {
         - omega_B * (slide_B_x + BG_x));
     p(3, 1) = omega_B * (Scalar(2) * u.phi_B.cos * t05 + Scalar(2) * u.phi_B.sin * t04
         - omega_B * (slide_B_y + BG_y));
+  }
+
+  /// What the structured elimination divides by, p, the core's determinant first; the size
+  /// of each that a well-shaped group would have; and the size of the determinant's terms.
+  /// det J = -p(0) * p(1) * p(2).
+  template <typename Scalar>
+  static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,
+      Vector<Scalar, pivot_count>& size, Scalar& terms) {
+    using std::abs;
+    const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
+    const Scalar sin_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.sin
+        - q.theta_CD.sin * q.theta_EDF.cos;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = cos_phi_B_minus_CD * EDF_across_GF
+        - cos_phi_B_minus_GF * EDF_across_CD;
+    const Scalar t01 = abs(q.s_B) + abs(d.h_B_BCG);
+    const Scalar t02 = abs(d.ED) + abs(d.CD);
+    const Scalar t03 = abs(d.x_F_EDF) + abs(d.y_F_EDF);
+    const Scalar t04 = abs(d.x_G_BCG) + abs(d.y_G_BCG) + abs(d.GF) + t03;
+    p(0) = determinant;
+    p(1) = d.GF;
+    p(2) = d.CD;
+    size(0) = Scalar(2) * t01 + t02 + t04;
+    size(1) = t01 + t04;
+    size(2) = t01 + t02;
+    terms = abs(d.ED) + t03;
+  }
+
+  /// The inverse of J, for right-hand sides of every sort.
+  template <typename Scalar>
+  static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
+    const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.sin - u.phi_B.cos * q.theta_CD.sin;
+    const Scalar cos_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.cos
+        + q.theta_CD.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.sin
+        - q.theta_CD.sin * q.theta_EDF.cos;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
+    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = cos_phi_B_minus_CD * EDF_across_GF
+        - cos_phi_B_minus_GF * EDF_across_CD;
+    const Scalar t01 = d.CD * d.GF;
+    const Scalar inverse = Scalar(1) / (determinant * t01);  // zero: a dead centre, or GF = 0, or
+                                                             //     CD = 0
+    const Scalar inverse_determinant = inverse * t01;
+    const Scalar t02 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t02;
+    const Scalar inverse_CD = d.GF * t02;
+    const Scalar EDF_per_along_CD = cos_phi_B_minus_GF * inverse_determinant;
+    const Scalar s_B_per_along_CD = EDF_across_GF * inverse_determinant;
+    const Scalar GF_per_along_CD = -(sin_phi_B_minus_GF * s_B_per_along_CD
+        + EDF_along_GF * EDF_per_along_CD) * inverse_GF;
+    const Scalar CD_per_along_CD = -(s_B_per_along_CD * sin_phi_B_minus_CD
+        + EDF_per_along_CD * EDF_along_CD) * inverse_CD;
+    const Scalar EDF_per_along_GF = -cos_phi_B_minus_CD * inverse_determinant;
+    const Scalar s_B_per_along_GF = -EDF_across_CD * inverse_determinant;
+    const Scalar GF_per_along_GF = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_GF
+        + EDF_along_GF * EDF_per_along_GF);
+    const Scalar CD_per_along_GF = -inverse_CD * (sin_phi_B_minus_CD * s_B_per_along_GF
+        + EDF_along_CD * EDF_per_along_GF);
+    J_inverse(0, 0) = q.theta_CD.cos * EDF_per_along_CD;
+    J_inverse(0, 1) = q.theta_CD.sin * EDF_per_along_CD;
+    J_inverse(0, 2) = q.theta_GF.cos * EDF_per_along_GF;
+    J_inverse(0, 3) = q.theta_GF.sin * EDF_per_along_GF;
+    J_inverse(1, 0) = q.theta_CD.cos * CD_per_along_CD - q.theta_CD.sin * inverse_CD;
+    J_inverse(1, 1) = q.theta_CD.cos * inverse_CD + q.theta_CD.sin * CD_per_along_CD;
+    J_inverse(1, 2) = q.theta_GF.cos * CD_per_along_GF;
+    J_inverse(1, 3) = q.theta_GF.sin * CD_per_along_GF;
+    J_inverse(2, 0) = q.theta_CD.cos * GF_per_along_CD;
+    J_inverse(2, 1) = q.theta_CD.sin * GF_per_along_CD;
+    J_inverse(2, 2) = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
+    J_inverse(2, 3) = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    J_inverse(3, 0) = q.theta_CD.cos * s_B_per_along_CD;
+    J_inverse(3, 1) = q.theta_CD.sin * s_B_per_along_CD;
+    J_inverse(3, 2) = q.theta_GF.cos * s_B_per_along_GF;
+    J_inverse(3, 3) = q.theta_GF.sin * s_B_per_along_GF;
+  }
+
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.sin - u.phi_B.cos * q.theta_CD.sin;
+    const Scalar cos_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.cos
+        + q.theta_CD.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.sin
+        - q.theta_CD.sin * q.theta_EDF.cos;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
+    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - cos_phi_B_minus_CD * d.h_B_BCG;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
+    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = cos_phi_B_minus_CD * EDF_across_GF
+        - cos_phi_B_minus_GF * EDF_across_CD;
+    const Scalar t03 = d.CD * d.GF;
+    const Scalar inverse = Scalar(1) / (determinant * t03);  // zero: a dead centre, or GF = 0, or
+                                                             //     CD = 0
+    const Scalar inverse_determinant = inverse * t03;
+    const Scalar t04 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t04;
+    const Scalar inverse_CD = d.GF * t04;
+    const Scalar EDF_per_along_CD = cos_phi_B_minus_GF * inverse_determinant;
+    const Scalar s_B_per_along_CD = EDF_across_GF * inverse_determinant;
+    const Scalar GF_per_along_CD = -(sin_phi_B_minus_GF * s_B_per_along_CD
+        + EDF_along_GF * EDF_per_along_CD) * inverse_GF;
+    const Scalar t05 = sin_phi_B_minus_CD * s_B_per_along_CD;
+    const Scalar CD_per_along_CD = -(t05 + EDF_per_along_CD * EDF_along_CD) * inverse_CD;
+    const Scalar EDF_per_along_GF = -cos_phi_B_minus_CD * inverse_determinant;
+    const Scalar s_B_per_along_GF = -EDF_across_CD * inverse_determinant;
+    const Scalar t06 = sin_phi_B_minus_GF * s_B_per_along_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * (t06 + EDF_along_GF * EDF_per_along_GF);
+    const Scalar CD_per_along_GF = -inverse_CD * (sin_phi_B_minus_CD * s_B_per_along_GF
+        + EDF_along_CD * EDF_per_along_GF);
+    const Scalar t07 = sin_phi_B_minus_GF * EDF_per_along_GF;
+    const Scalar t08 = sin_phi_B_minus_GF * CD_per_along_GF;
+    const Scalar t09 = cos_phi_B_minus_GF * inverse_GF - sin_phi_B_minus_GF * GF_per_along_GF;
+    const Scalar t10 = q.theta_CD.cos * EDF_per_along_CD + q.theta_GF.cos * EDF_per_along_GF;
+    const Scalar t11 = q.theta_CD.sin * EDF_per_along_CD + q.theta_GF.sin * EDF_per_along_GF;
+    const Scalar t12 = q.theta_CD.cos * CD_per_along_CD + q.theta_GF.cos * CD_per_along_GF
+        - q.theta_CD.sin * inverse_CD;
+    const Scalar t13 = q.theta_CD.cos * inverse_CD + q.theta_CD.sin * CD_per_along_CD
+        + q.theta_GF.sin * CD_per_along_GF;
+    const Scalar t14 = q.theta_CD.cos * GF_per_along_CD + q.theta_GF.cos * GF_per_along_GF
+        - q.theta_GF.sin * inverse_GF;
+    const Scalar t15 = q.theta_CD.sin * GF_per_along_CD + q.theta_GF.cos * inverse_GF
+        + q.theta_GF.sin * GF_per_along_GF;
+    const Scalar t16 = q.theta_CD.cos * s_B_per_along_CD + q.theta_GF.cos * s_B_per_along_GF;
+    const Scalar t17 = q.theta_CD.sin * s_B_per_along_CD + q.theta_GF.sin * s_B_per_along_GF;
+    S_d(0, 0) = -sin_phi_B_minus_CD * EDF_per_along_CD - t07;
+    S_d(0, 1) = -cos_phi_B_minus_GF * EDF_per_along_GF;
+    S_d(0, 2) = t07;
+    S_d(0, 3) = cos_EDF_minus_CD * EDF_per_along_CD;
+    S_d(0, 4) = cos_EDF_minus_GF * EDF_per_along_GF;
+    S_d(0, 5) = -sin_EDF_minus_GF * EDF_per_along_GF;
+    S_d(0, 6) = -EDF_per_along_CD;
+    S_d(0, 7) = -EDF_per_along_GF;
+    S_d(1, 0) = cos_phi_B_minus_CD * inverse_CD - sin_phi_B_minus_CD * CD_per_along_CD - t08;
+    S_d(1, 1) = -cos_phi_B_minus_GF * CD_per_along_GF;
+    S_d(1, 2) = t08;
+    S_d(1, 3) = cos_EDF_minus_CD * CD_per_along_CD + sin_EDF_minus_CD * inverse_CD;
+    S_d(1, 4) = cos_EDF_minus_GF * CD_per_along_GF;
+    S_d(1, 5) = -sin_EDF_minus_GF * CD_per_along_GF;
+    S_d(1, 6) = -CD_per_along_CD;
+    S_d(1, 7) = -CD_per_along_GF;
+    S_d(2, 0) = t09 - sin_phi_B_minus_CD * GF_per_along_CD;
+    S_d(2, 1) = -cos_phi_B_minus_GF * GF_per_along_GF - sin_phi_B_minus_GF * inverse_GF;
+    S_d(2, 2) = -t09;
+    S_d(2, 3) = cos_EDF_minus_CD * GF_per_along_CD;
+    S_d(2, 4) = cos_EDF_minus_GF * GF_per_along_GF + sin_EDF_minus_GF * inverse_GF;
+    S_d(2, 5) = cos_EDF_minus_GF * inverse_GF - sin_EDF_minus_GF * GF_per_along_GF;
+    S_d(2, 6) = -GF_per_along_CD;
+    S_d(2, 7) = -GF_per_along_GF;
+    S_d(3, 0) = -t05 - t06;
+    S_d(3, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;
+    S_d(3, 2) = t06;
+    S_d(3, 3) = cos_EDF_minus_CD * s_B_per_along_CD;
+    S_d(3, 4) = cos_EDF_minus_GF * s_B_per_along_GF;
+    S_d(3, 5) = -sin_EDF_minus_GF * s_B_per_along_GF;
+    S_d(3, 6) = -s_B_per_along_CD;
+    S_d(3, 7) = -s_B_per_along_GF;
+    S_u(0, 0) = -t10;
+    S_u(0, 1) = -t11;
+    S_u(0, 2) = EDF_per_along_CD * phi_B_across_CD + EDF_per_along_GF * phi_B_across_GF;
+    S_u(0, 3) = t10;
+    S_u(0, 4) = t11;
+    S_u(1, 0) = -t12;
+    S_u(1, 1) = -t13;
+    S_u(1, 2) = CD_per_along_CD * phi_B_across_CD + CD_per_along_GF * phi_B_across_GF
+        - inverse_CD * phi_B_along_CD;
+    S_u(1, 3) = t12;
+    S_u(1, 4) = t13;
+    S_u(2, 0) = -t14;
+    S_u(2, 1) = -t15;
+    S_u(2, 2) = GF_per_along_CD * phi_B_across_CD + GF_per_along_GF * phi_B_across_GF
+        - inverse_GF * phi_B_along_GF;
+    S_u(2, 3) = t14;
+    S_u(2, 4) = t15;
+    S_u(3, 0) = -t16;
+    S_u(3, 1) = -t17;
+    S_u(3, 2) = s_B_per_along_CD * phi_B_across_CD + s_B_per_along_GF * phi_B_across_GF;
+    S_u(3, 3) = t16;
+    S_u(3, 4) = t17;
+  }
+
+  /// dq/dt for the rates du/dt of the inputs.
+  template <typename Scalar>
+  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, unknown_count>& q_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.sin - u.phi_B.cos * q.theta_CD.sin;
+    const Scalar cos_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.cos
+        + q.theta_CD.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.sin
+        - q.theta_CD.sin * q.theta_EDF.cos;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
+    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - cos_phi_B_minus_CD * d.h_B_BCG;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
+    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = cos_phi_B_minus_CD * EDF_across_GF
+        - cos_phi_B_minus_GF * EDF_across_CD;
+    const Scalar t03 = d.CD * d.GF;
+    const Scalar inverse = Scalar(1) / (determinant * t03);  // zero: a dead centre, or GF = 0, or
+                                                             //     CD = 0
+    const Scalar inverse_determinant = inverse * t03;
+    const Scalar t04 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t04;
+    const Scalar inverse_CD = d.GF * t04;
+    const Scalar t05 = v_x_B - v_x_E;
+    const Scalar t06 = v_y_B - v_y_E;
+    const Scalar velocity_along_CD = omega_B * phi_B_across_CD - q.theta_CD.cos * t05
+        - q.theta_CD.sin * t06;
+    const Scalar velocity_across_CD = q.theta_CD.sin * t05 - q.theta_CD.cos * t06
+        - omega_B * phi_B_along_CD;
+    const Scalar velocity_along_GF = omega_B * phi_B_across_GF - q.theta_GF.cos * t05
+        - q.theta_GF.sin * t06;
+    const Scalar velocity_across_GF = q.theta_GF.sin * t05 - q.theta_GF.cos * t06
+        - omega_B * phi_B_along_GF;
+    const Scalar omega_EDF = -(cos_phi_B_minus_CD * velocity_along_GF
+        - cos_phi_B_minus_GF * velocity_along_CD) * inverse_determinant;
+    const Scalar v_s_B = -inverse_determinant * (EDF_across_CD * velocity_along_GF
+        - EDF_across_GF * velocity_along_CD);
+    const Scalar omega_GF = -(omega_EDF * EDF_along_GF + sin_phi_B_minus_GF * v_s_B
+        - velocity_across_GF) * inverse_GF;
+    const Scalar omega_CD = -(omega_EDF * EDF_along_CD + sin_phi_B_minus_CD * v_s_B
+        - velocity_across_CD) * inverse_CD;
+    q_rate(0) = omega_EDF;
+    q_rate(1) = omega_CD;
+    q_rate(2) = omega_GF;
+    q_rate(3) = v_s_B;
+  }
+
+  /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
+  template <typename Scalar>
+  static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.sin - u.phi_B.cos * q.theta_CD.sin;
+    const Scalar cos_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.cos
+        + q.theta_CD.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.sin
+        - q.theta_CD.sin * q.theta_EDF.cos;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
+    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - cos_phi_B_minus_CD * d.h_B_BCG;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
+    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = cos_phi_B_minus_CD * EDF_across_GF
+        - cos_phi_B_minus_GF * EDF_across_CD;
+    const Scalar t03 = d.CD * d.GF;
+    const Scalar inverse = Scalar(1) / (determinant * t03);  // zero: a dead centre, or GF = 0, or
+                                                             //     CD = 0
+    const Scalar inverse_determinant = inverse * t03;
+    const Scalar t04 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t04;
+    const Scalar inverse_CD = d.GF * t04;
+    const Scalar t05 = v_x_B - v_x_E;
+    const Scalar t06 = v_y_B - v_y_E;
+    const Scalar t07 = omega_B * phi_B_across_CD;
+    const Scalar velocity_along_CD = t07 - q.theta_CD.cos * t05 - q.theta_CD.sin * t06;
+    const Scalar t08 = omega_B * phi_B_along_CD;
+    const Scalar velocity_across_CD = q.theta_CD.sin * t05 - q.theta_CD.cos * t06 - t08;
+    const Scalar t09 = omega_B * phi_B_across_GF;
+    const Scalar velocity_along_GF = t09 - q.theta_GF.cos * t05 - q.theta_GF.sin * t06;
+    const Scalar t10 = omega_B * phi_B_along_GF;
+    const Scalar velocity_across_GF = q.theta_GF.sin * t05 - q.theta_GF.cos * t06 - t10;
+    const Scalar omega_EDF = -(cos_phi_B_minus_CD * velocity_along_GF
+        - cos_phi_B_minus_GF * velocity_along_CD) * inverse_determinant;
+    const Scalar v_s_B = -inverse_determinant * (EDF_across_CD * velocity_along_GF
+        - EDF_across_GF * velocity_along_CD);
+    const Scalar t11 = sin_phi_B_minus_GF * v_s_B;
+    const Scalar omega_GF = -(omega_EDF * EDF_along_GF + t11 - velocity_across_GF) * inverse_GF;
+    const Scalar t12 = sin_phi_B_minus_CD * v_s_B;
+    const Scalar omega_CD = -(omega_EDF * EDF_along_CD + t12 - velocity_across_CD) * inverse_CD;
+    const Scalar t13 = a_x_B - a_x_E;
+    const Scalar t14 = a_y_B - a_y_E;
+    const Scalar t15 = omega_EDF * omega_EDF;
+    const Scalar acceleration_along_CD = omega_B * (t08 + Scalar(2) * t12)
+        + d.CD * omega_CD * omega_CD + phi_B_across_CD * alpha_B + EDF_along_CD * t15
+        - q.theta_CD.cos * t13 - q.theta_CD.sin * t14;
+    const Scalar acceleration_across_CD = q.theta_CD.sin * t13 + omega_B * (t07
+        - Scalar(2) * cos_phi_B_minus_CD * v_s_B) + EDF_across_CD * t15 - q.theta_CD.cos * t14
+        - phi_B_along_CD * alpha_B;
+    const Scalar acceleration_along_GF = omega_B * (t10 + Scalar(2) * t11)
+        + d.GF * omega_GF * omega_GF + phi_B_across_GF * alpha_B + EDF_along_GF * t15
+        - q.theta_GF.cos * t13 - q.theta_GF.sin * t14;
+    const Scalar acceleration_across_GF = q.theta_GF.sin * t13 + omega_B * (t09
+        - Scalar(2) * cos_phi_B_minus_GF * v_s_B) + EDF_across_GF * t15 - q.theta_GF.cos * t14
+        - phi_B_along_GF * alpha_B;
+    const Scalar alpha_EDF = -inverse_determinant * (cos_phi_B_minus_CD * acceleration_along_GF
+        - cos_phi_B_minus_GF * acceleration_along_CD);
+    const Scalar a_s_B = -inverse_determinant * (EDF_across_CD * acceleration_along_GF
+        - EDF_across_GF * acceleration_along_CD);
+    const Scalar alpha_GF = -inverse_GF * (EDF_along_GF * alpha_EDF + sin_phi_B_minus_GF * a_s_B
+        - acceleration_across_GF);
+    const Scalar alpha_CD = -inverse_CD * (EDF_along_CD * alpha_EDF + sin_phi_B_minus_CD * a_s_B
+        - acceleration_across_CD);
+    q_rate(0) = omega_EDF;
+    q_rate(1) = omega_CD;
+    q_rate(2) = omega_GF;
+    q_rate(3) = v_s_B;
+    q_second_rate(0) = alpha_EDF;
+    q_second_rate(1) = alpha_CD;
+    q_second_rate(2) = alpha_GF;
+    q_second_rate(3) = a_s_B;
+  }
+
+  /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
+  template <typename Scalar>
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.sin - u.phi_B.cos * q.theta_CD.sin;
+    const Scalar cos_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.cos
+        + q.theta_CD.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.sin
+        - q.theta_CD.sin * q.theta_EDF.cos;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
+    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - cos_phi_B_minus_CD * d.h_B_BCG;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
+    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = cos_phi_B_minus_CD * EDF_across_GF
+        - cos_phi_B_minus_GF * EDF_across_CD;
+    const Scalar t03 = d.CD * d.GF;
+    const Scalar inverse = Scalar(1) / (determinant * t03);  // zero: a dead centre, or GF = 0, or
+                                                             //     CD = 0
+    const Scalar inverse_determinant = inverse * t03;
+    const Scalar t04 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t04;
+    const Scalar inverse_CD = d.GF * t04;
+    const Scalar EDF_per_along_CD = cos_phi_B_minus_GF * inverse_determinant;
+    const Scalar s_B_per_along_CD = EDF_across_GF * inverse_determinant;
+    const Scalar GF_per_along_CD = -(sin_phi_B_minus_GF * s_B_per_along_CD
+        + EDF_along_GF * EDF_per_along_CD) * inverse_GF;
+    const Scalar t05 = sin_phi_B_minus_CD * s_B_per_along_CD;
+    const Scalar CD_per_along_CD = -(t05 + EDF_per_along_CD * EDF_along_CD) * inverse_CD;
+    const Scalar EDF_per_along_GF = -cos_phi_B_minus_CD * inverse_determinant;
+    const Scalar s_B_per_along_GF = -EDF_across_CD * inverse_determinant;
+    const Scalar t06 = sin_phi_B_minus_GF * s_B_per_along_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * (t06 + EDF_along_GF * EDF_per_along_GF);
+    const Scalar CD_per_along_GF = -inverse_CD * (sin_phi_B_minus_CD * s_B_per_along_GF
+        + EDF_along_CD * EDF_per_along_GF);
+    const Scalar t07 = q.theta_CD.cos * EDF_per_along_CD + q.theta_GF.cos * EDF_per_along_GF;
+    const Scalar EDF_per_x_B = -t07;
+    const Scalar t08 = q.theta_CD.cos * CD_per_along_CD + q.theta_GF.cos * CD_per_along_GF
+        - q.theta_CD.sin * inverse_CD;
+    const Scalar CD_per_x_B = -t08;
+    const Scalar t09 = q.theta_CD.cos * GF_per_along_CD + q.theta_GF.cos * GF_per_along_GF
+        - q.theta_GF.sin * inverse_GF;
+    const Scalar GF_per_x_B = -t09;
+    const Scalar t10 = q.theta_CD.cos * s_B_per_along_CD + q.theta_GF.cos * s_B_per_along_GF;
+    const Scalar s_B_per_x_B = -t10;
+    const Scalar t11 = q.theta_CD.sin * EDF_per_along_CD + q.theta_GF.sin * EDF_per_along_GF;
+    const Scalar EDF_per_y_B = -t11;
+    const Scalar t12 = q.theta_CD.cos * inverse_CD + q.theta_CD.sin * CD_per_along_CD
+        + q.theta_GF.sin * CD_per_along_GF;
+    const Scalar CD_per_y_B = -t12;
+    const Scalar t13 = q.theta_CD.sin * GF_per_along_CD + q.theta_GF.cos * inverse_GF
+        + q.theta_GF.sin * GF_per_along_GF;
+    const Scalar GF_per_y_B = -t13;
+    const Scalar t14 = q.theta_CD.sin * s_B_per_along_CD + q.theta_GF.sin * s_B_per_along_GF;
+    const Scalar s_B_per_y_B = -t14;
+    const Scalar t15 = EDF_per_along_CD * phi_B_across_CD + EDF_per_along_GF * phi_B_across_GF;
+    const Scalar EDF_per_phi_B = t15;
+    const Scalar t16 = inverse_CD * phi_B_along_CD - CD_per_along_CD * phi_B_across_CD
+        - CD_per_along_GF * phi_B_across_GF;
+    const Scalar CD_per_phi_B = -t16;
+    const Scalar t17 = GF_per_along_CD * phi_B_across_CD + GF_per_along_GF * phi_B_across_GF
+        - inverse_GF * phi_B_along_GF;
+    const Scalar GF_per_phi_B = t17;
+    const Scalar t18 = s_B_per_along_CD * phi_B_across_CD + s_B_per_along_GF * phi_B_across_GF;
+    const Scalar s_B_per_phi_B = t18;
+    const Scalar t19 = v_x_B - v_x_E;
+    const Scalar t20 = v_y_B - v_y_E;
+    const Scalar omega_EDF = t19 * EDF_per_x_B + t20 * EDF_per_y_B + omega_B * EDF_per_phi_B;
+    const Scalar omega_CD = t19 * CD_per_x_B + t20 * CD_per_y_B + omega_B * CD_per_phi_B;
+    const Scalar omega_GF = t19 * GF_per_x_B + t20 * GF_per_y_B + omega_B * GF_per_phi_B;
+    const Scalar v_s_B = t19 * s_B_per_x_B + t20 * s_B_per_y_B + omega_B * s_B_per_phi_B;
+    const Scalar t21 = omega_EDF * omega_EDF;
+    const Scalar centripetal_along_CD = omega_B * (Scalar(2) * sin_phi_B_minus_CD * v_s_B
+        + phi_B_along_CD * omega_B) + d.CD * omega_CD * omega_CD + EDF_along_CD * t21;
+    const Scalar centripetal_across_CD = EDF_across_CD * t21
+        - omega_B * (Scalar(2) * cos_phi_B_minus_CD * v_s_B - phi_B_across_CD * omega_B);
+    const Scalar centripetal_along_GF = omega_B * (Scalar(2) * sin_phi_B_minus_GF * v_s_B
+        + phi_B_along_GF * omega_B) + d.GF * omega_GF * omega_GF + EDF_along_GF * t21;
+    const Scalar centripetal_across_GF = EDF_across_GF * t21
+        - omega_B * (Scalar(2) * cos_phi_B_minus_GF * v_s_B - phi_B_across_GF * omega_B);
+    const Scalar t22 = sin_phi_B_minus_GF * EDF_per_along_GF;
+    const Scalar t23 = sin_phi_B_minus_GF * CD_per_along_GF;
+    const Scalar t24 = cos_phi_B_minus_GF * inverse_GF - sin_phi_B_minus_GF * GF_per_along_GF;
+    const Scalar t25 = a_x_B - a_x_E;
+    const Scalar t26 = a_y_B - a_y_E;
+    S_d(0, 0) = -sin_phi_B_minus_CD * EDF_per_along_CD - t22;
+    S_d(0, 1) = -cos_phi_B_minus_GF * EDF_per_along_GF;
+    S_d(0, 2) = t22;
+    S_d(0, 3) = cos_EDF_minus_CD * EDF_per_along_CD;
+    S_d(0, 4) = cos_EDF_minus_GF * EDF_per_along_GF;
+    S_d(0, 5) = -sin_EDF_minus_GF * EDF_per_along_GF;
+    S_d(0, 6) = -EDF_per_along_CD;
+    S_d(0, 7) = -EDF_per_along_GF;
+    S_d(1, 0) = cos_phi_B_minus_CD * inverse_CD - sin_phi_B_minus_CD * CD_per_along_CD - t23;
+    S_d(1, 1) = -cos_phi_B_minus_GF * CD_per_along_GF;
+    S_d(1, 2) = t23;
+    S_d(1, 3) = cos_EDF_minus_CD * CD_per_along_CD + sin_EDF_minus_CD * inverse_CD;
+    S_d(1, 4) = cos_EDF_minus_GF * CD_per_along_GF;
+    S_d(1, 5) = -sin_EDF_minus_GF * CD_per_along_GF;
+    S_d(1, 6) = -CD_per_along_CD;
+    S_d(1, 7) = -CD_per_along_GF;
+    S_d(2, 0) = t24 - sin_phi_B_minus_CD * GF_per_along_CD;
+    S_d(2, 1) = -cos_phi_B_minus_GF * GF_per_along_GF - sin_phi_B_minus_GF * inverse_GF;
+    S_d(2, 2) = -t24;
+    S_d(2, 3) = cos_EDF_minus_CD * GF_per_along_CD;
+    S_d(2, 4) = cos_EDF_minus_GF * GF_per_along_GF + sin_EDF_minus_GF * inverse_GF;
+    S_d(2, 5) = cos_EDF_minus_GF * inverse_GF - sin_EDF_minus_GF * GF_per_along_GF;
+    S_d(2, 6) = -GF_per_along_CD;
+    S_d(2, 7) = -GF_per_along_GF;
+    S_d(3, 0) = -t05 - t06;
+    S_d(3, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;
+    S_d(3, 2) = t06;
+    S_d(3, 3) = cos_EDF_minus_CD * s_B_per_along_CD;
+    S_d(3, 4) = cos_EDF_minus_GF * s_B_per_along_GF;
+    S_d(3, 5) = -sin_EDF_minus_GF * s_B_per_along_GF;
+    S_d(3, 6) = -s_B_per_along_CD;
+    S_d(3, 7) = -s_B_per_along_GF;
+    S_u(0, 0) = -t07;
+    S_u(0, 1) = -t11;
+    S_u(0, 2) = t15;
+    S_u(0, 3) = t07;
+    S_u(0, 4) = t11;
+    S_u(1, 0) = -t08;
+    S_u(1, 1) = -t12;
+    S_u(1, 2) = -t16;
+    S_u(1, 3) = t08;
+    S_u(1, 4) = t12;
+    S_u(2, 0) = -t09;
+    S_u(2, 1) = -t13;
+    S_u(2, 2) = t17;
+    S_u(2, 3) = t09;
+    S_u(2, 4) = t13;
+    S_u(3, 0) = -t10;
+    S_u(3, 1) = -t14;
+    S_u(3, 2) = t18;
+    S_u(3, 3) = t10;
+    S_u(3, 4) = t14;
+    q_rate(0) = omega_EDF;
+    q_rate(1) = omega_CD;
+    q_rate(2) = omega_GF;
+    q_rate(3) = v_s_B;
+    q_second_rate(0) = EDF_per_x_B * t25 + EDF_per_y_B * t26 + EDF_per_phi_B * alpha_B
+        + EDF_per_along_CD * centripetal_along_CD + EDF_per_along_GF * centripetal_along_GF;
+    q_second_rate(1) = CD_per_x_B * t25 + CD_per_y_B * t26 + CD_per_phi_B * alpha_B
+        + inverse_CD * centripetal_across_CD + CD_per_along_CD * centripetal_along_CD
+        + CD_per_along_GF * centripetal_along_GF;
+    q_second_rate(2) = GF_per_x_B * t25 + GF_per_y_B * t26 + GF_per_phi_B * alpha_B
+        + inverse_GF * centripetal_across_GF + GF_per_along_CD * centripetal_along_CD
+        + GF_per_along_GF * centripetal_along_GF;
+    q_second_rate(3) = s_B_per_x_B * t25 + s_B_per_y_B * t26 + s_B_per_phi_B * alpha_B
+        + s_B_per_along_CD * centripetal_along_CD + s_B_per_along_GF * centripetal_along_GF;
   }
 
   /// The final polynomial T in theta_EDF, free of all other unknowns:

@@ -29,22 +29,28 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             20, 23, 0
-///   jacobian:             12, 6, 0
-///   dimension_jacobian:   0, 0, 0
-///   input_jacobian:       8, 7, 0
-///   velocity_rhs:         12, 13, 0
-///   acceleration_rhs:     52, 35, 0
-///   jerk_rhs:             104, 55, 0
-///   curvature_rhs:        76, 40, 0
-///   link_poses:           8, 9, 0
-///   pose_jacobians:       8, 7, 0
-///   link_velocities:      14, 13, 0
-///   link_accelerations:   28, 21, 0
-///   pose_curvatures:      32, 17, 0
-///   position_polynomial:  81, 60, 0
-///   second_equations:     44, 36, 0
-///   complete:             16, 17, 1
+///   residual:                   20, 23, 0
+///   jacobian:                   12, 6, 0
+///   dimension_jacobian:         0, 0, 0
+///   input_jacobian:             8, 7, 0
+///   velocity_rhs:               12, 13, 0
+///   acceleration_rhs:           52, 35, 0
+///   jerk_rhs:                   104, 55, 0
+///   curvature_rhs:              76, 40, 0
+///   link_poses:                 8, 9, 0
+///   pose_jacobians:             8, 7, 0
+///   link_velocities:            14, 13, 0
+///   link_accelerations:         28, 21, 0
+///   pose_curvatures:            32, 17, 0
+///   degeneracies:               13, 17, 0
+///   inverse_jacobian:           53, 18, 1
+///   sensitivities:              92, 47, 1
+///   velocity:                   52, 32, 1
+///   motion:                     93, 62, 1
+///   sensitivities_and_motion:   150, 87, 1
+///   position_polynomial:        81, 60, 0
+///   second_equations:           44, 36, 0
+///   complete:                   16, 17, 1
 struct Model09 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 9;
@@ -61,6 +67,15 @@ struct Model09 {
   static constexpr std::size_t polynomial_degree = 3;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = 2;  ///< of the reduced equations; -1: none
+  static constexpr int pivot_count = 2;
+  static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
+  static constexpr int determinant_sign = -1;  ///< det J = sign * the pivots' product
+
+  /// What the vanishing of each pivot of the structured elimination means.
+  static constexpr std::array<const char*, pivot_count> pivots = { {
+      "a dead centre: theta_EDF, s_B free to first order",
+      "GF = 0: theta_GF free to first order",
+  } };
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -690,6 +705,528 @@ struct Model09 {
         - omega_B * (slide_B_x + BG_x));
     p(3, 1) = omega_B * (Scalar(2) * u.phi_B.cos * t05 + Scalar(2) * u.phi_B.sin * t04
         - omega_B * (slide_B_y + BG_y));
+  }
+
+  /// What the structured elimination divides by, p, the core's determinant first; the size
+  /// of each that a well-shaped group would have; and the size of the determinant's terms.
+  /// det J = -p(0) * p(1).
+  template <typename Scalar>
+  static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,
+      Vector<Scalar, pivot_count>& size, Scalar& terms) {
+    using std::abs;
+    const Scalar sin_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.sin
+        - q.theta_EDF.sin * u.phi_B.cos;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = sin_phi_B_minus_EDF * EDF_across_GF - q.s_D * cos_phi_B_minus_GF;
+    const Scalar t01 = abs(q.s_B) + abs(d.h_B_BCG);
+    const Scalar t02 = abs(d.x_F_EDF) + abs(d.y_F_EDF);
+    const Scalar t03 = abs(q.s_D) + abs(d.h_D_EDF) + abs(d.h_D_CD) + t02;
+    const Scalar t04 = abs(d.GF) + abs(d.x_G_BCG) + abs(d.y_G_BCG);
+    p(0) = determinant;
+    p(1) = d.GF;
+    size(0) = Scalar(2) * t01 + t03 + t04;
+    size(1) = t02 + t01 + t04;
+    terms = t03;
+  }
+
+  /// The inverse of J, for right-hand sides of every sort.
+  template <typename Scalar>
+  static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
+    const Scalar cos_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.cos
+        + q.theta_EDF.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.sin
+        - u.phi_B.cos * q.theta_EDF.sin;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = sin_phi_B_minus_EDF * EDF_across_GF - q.s_D * cos_phi_B_minus_GF;
+    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar inverse_determinant = d.GF * inverse;
+    const Scalar inverse_GF = determinant * inverse;
+    const Scalar EDF_per_across_slide_D = cos_phi_B_minus_GF * inverse_determinant;
+    const Scalar s_B_per_across_slide_D = EDF_across_GF * inverse_determinant;
+    const Scalar s_D_per_across_slide_D = cos_phi_B_minus_EDF * s_B_per_across_slide_D
+        - EDF_across_slide_D * EDF_per_across_slide_D;
+    const Scalar GF_per_across_slide_D = -(s_B_per_across_slide_D * sin_phi_B_minus_GF
+        + EDF_per_across_slide_D * EDF_along_GF) * inverse_GF;
+    const Scalar EDF_per_along_GF = -sin_phi_B_minus_EDF * inverse_determinant;
+    const Scalar s_B_per_along_GF = -q.s_D * inverse_determinant;
+    const Scalar s_D_per_along_GF = cos_phi_B_minus_EDF * s_B_per_along_GF
+        - EDF_across_slide_D * EDF_per_along_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_GF
+        + EDF_along_GF * EDF_per_along_GF);
+    J_inverse(0, 0) = -q.theta_EDF.sin * EDF_per_across_slide_D;
+    J_inverse(0, 1) = q.theta_EDF.cos * EDF_per_across_slide_D;
+    J_inverse(0, 2) = q.theta_GF.cos * EDF_per_along_GF;
+    J_inverse(0, 3) = q.theta_GF.sin * EDF_per_along_GF;
+    J_inverse(1, 0) = -q.theta_EDF.sin * GF_per_across_slide_D;
+    J_inverse(1, 1) = q.theta_EDF.cos * GF_per_across_slide_D;
+    J_inverse(1, 2) = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
+    J_inverse(1, 3) = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    J_inverse(2, 0) = -q.theta_EDF.sin * s_B_per_across_slide_D;
+    J_inverse(2, 1) = q.theta_EDF.cos * s_B_per_across_slide_D;
+    J_inverse(2, 2) = q.theta_GF.cos * s_B_per_along_GF;
+    J_inverse(2, 3) = q.theta_GF.sin * s_B_per_along_GF;
+    J_inverse(3, 0) = -q.theta_EDF.cos - q.theta_EDF.sin * s_D_per_across_slide_D;
+    J_inverse(3, 1) = q.theta_EDF.cos * s_D_per_across_slide_D - q.theta_EDF.sin;
+    J_inverse(3, 2) = q.theta_GF.cos * s_D_per_along_GF;
+    J_inverse(3, 3) = q.theta_GF.sin * s_D_per_along_GF;
+  }
+
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const Scalar cos_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.cos
+        + q.theta_EDF.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.sin
+        - u.phi_B.cos * q.theta_EDF.sin;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_slide_D = q.s_B * cos_phi_B_minus_EDF
+        + d.h_B_BCG * sin_phi_B_minus_EDF;
+    const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
+        - cos_phi_B_minus_EDF * d.h_B_BCG;
+    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
+    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = sin_phi_B_minus_EDF * EDF_across_GF - cos_phi_B_minus_GF * q.s_D;
+    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar inverse_determinant = d.GF * inverse;
+    const Scalar inverse_GF = determinant * inverse;
+    const Scalar EDF_per_across_slide_D = cos_phi_B_minus_GF * inverse_determinant;
+    const Scalar s_B_per_across_slide_D = EDF_across_GF * inverse_determinant;
+    const Scalar t03 = cos_phi_B_minus_EDF * s_B_per_across_slide_D;
+    const Scalar s_D_per_across_slide_D = t03 - EDF_across_slide_D * EDF_per_across_slide_D;
+    const Scalar GF_per_across_slide_D = -(sin_phi_B_minus_GF * s_B_per_across_slide_D
+        + EDF_per_across_slide_D * EDF_along_GF) * inverse_GF;
+    const Scalar EDF_per_along_GF = -sin_phi_B_minus_EDF * inverse_determinant;
+    const Scalar s_B_per_along_GF = -q.s_D * inverse_determinant;
+    const Scalar s_D_per_along_GF = cos_phi_B_minus_EDF * s_B_per_along_GF
+        - EDF_across_slide_D * EDF_per_along_GF;
+    const Scalar t04 = sin_phi_B_minus_GF * s_B_per_along_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * (t04 + EDF_along_GF * EDF_per_along_GF);
+    const Scalar t05 = sin_phi_B_minus_GF * EDF_per_along_GF;
+    const Scalar t06 = cos_phi_B_minus_GF * inverse_GF - sin_phi_B_minus_GF * GF_per_along_GF;
+    const Scalar t07 = sin_phi_B_minus_GF * s_D_per_along_GF;
+    const Scalar t08 = q.theta_EDF.sin * EDF_per_across_slide_D - q.theta_GF.cos * EDF_per_along_GF;
+    const Scalar t09 = q.theta_EDF.cos * EDF_per_across_slide_D + q.theta_GF.sin * EDF_per_along_GF;
+    const Scalar t10 = q.theta_EDF.sin * GF_per_across_slide_D + q.theta_GF.sin * inverse_GF
+        - q.theta_GF.cos * GF_per_along_GF;
+    const Scalar t11 = q.theta_EDF.cos * GF_per_across_slide_D + q.theta_GF.cos * inverse_GF
+        + q.theta_GF.sin * GF_per_along_GF;
+    const Scalar t12 = q.theta_EDF.sin * s_B_per_across_slide_D - q.theta_GF.cos * s_B_per_along_GF;
+    const Scalar t13 = q.theta_EDF.cos * s_B_per_across_slide_D + q.theta_GF.sin * s_B_per_along_GF;
+    const Scalar t14 = q.theta_EDF.cos + q.theta_EDF.sin * s_D_per_across_slide_D
+        - q.theta_GF.cos * s_D_per_along_GF;
+    const Scalar t15 = q.theta_EDF.sin - q.theta_EDF.cos * s_D_per_across_slide_D
+        - q.theta_GF.sin * s_D_per_along_GF;
+    S_d(0, 0) = cos_phi_B_minus_EDF * EDF_per_across_slide_D - t05;
+    S_d(0, 1) = -cos_phi_B_minus_GF * EDF_per_along_GF;
+    S_d(0, 2) = t05;
+    S_d(0, 3) = EDF_per_across_slide_D;
+    S_d(0, 4) = cos_EDF_minus_GF * EDF_per_along_GF;
+    S_d(0, 5) = -sin_EDF_minus_GF * EDF_per_along_GF;
+    S_d(0, 6) = -EDF_per_across_slide_D;
+    S_d(0, 7) = -EDF_per_along_GF;
+    S_d(1, 0) = cos_phi_B_minus_EDF * GF_per_across_slide_D + t06;
+    S_d(1, 1) = -cos_phi_B_minus_GF * GF_per_along_GF - sin_phi_B_minus_GF * inverse_GF;
+    S_d(1, 2) = -t06;
+    S_d(1, 3) = GF_per_across_slide_D;
+    S_d(1, 4) = cos_EDF_minus_GF * GF_per_along_GF + sin_EDF_minus_GF * inverse_GF;
+    S_d(1, 5) = cos_EDF_minus_GF * inverse_GF - sin_EDF_minus_GF * GF_per_along_GF;
+    S_d(1, 6) = -GF_per_across_slide_D;
+    S_d(1, 7) = -GF_per_along_GF;
+    S_d(2, 0) = t03 - t04;
+    S_d(2, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;
+    S_d(2, 2) = t04;
+    S_d(2, 3) = s_B_per_across_slide_D;
+    S_d(2, 4) = cos_EDF_minus_GF * s_B_per_along_GF;
+    S_d(2, 5) = -sin_EDF_minus_GF * s_B_per_along_GF;
+    S_d(2, 6) = -s_B_per_across_slide_D;
+    S_d(2, 7) = -s_B_per_along_GF;
+    S_d(3, 0) = sin_phi_B_minus_EDF + cos_phi_B_minus_EDF * s_D_per_across_slide_D - t07;
+    S_d(3, 1) = -cos_phi_B_minus_GF * s_D_per_along_GF;
+    S_d(3, 2) = t07;
+    S_d(3, 3) = s_D_per_across_slide_D;
+    S_d(3, 4) = cos_EDF_minus_GF * s_D_per_along_GF;
+    S_d(3, 5) = -sin_EDF_minus_GF * s_D_per_along_GF;
+    S_d(3, 6) = -s_D_per_across_slide_D;
+    S_d(3, 7) = -s_D_per_along_GF;
+    S_u(0, 0) = t08;
+    S_u(0, 1) = -t09;
+    S_u(0, 2) = EDF_per_along_GF * phi_B_across_GF - EDF_per_across_slide_D * phi_B_along_slide_D;
+    S_u(0, 3) = -t08;
+    S_u(0, 4) = t09;
+    S_u(1, 0) = t10;
+    S_u(1, 1) = -t11;
+    S_u(1, 2) = GF_per_along_GF * phi_B_across_GF - GF_per_across_slide_D * phi_B_along_slide_D
+        - inverse_GF * phi_B_along_GF;
+    S_u(1, 3) = -t10;
+    S_u(1, 4) = t11;
+    S_u(2, 0) = t12;
+    S_u(2, 1) = -t13;
+    S_u(2, 2) = s_B_per_along_GF * phi_B_across_GF - s_B_per_across_slide_D * phi_B_along_slide_D;
+    S_u(2, 3) = -t12;
+    S_u(2, 4) = t13;
+    S_u(3, 0) = t14;
+    S_u(3, 1) = t15;
+    S_u(3, 2) = s_D_per_along_GF * phi_B_across_GF - s_D_per_across_slide_D * phi_B_along_slide_D
+        - phi_B_across_slide_D;
+    S_u(3, 3) = -t14;
+    S_u(3, 4) = -t15;
+  }
+
+  /// dq/dt for the rates du/dt of the inputs.
+  template <typename Scalar>
+  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, unknown_count>& q_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar cos_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.cos
+        + q.theta_EDF.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.sin
+        - u.phi_B.cos * q.theta_EDF.sin;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_slide_D = q.s_B * cos_phi_B_minus_EDF
+        + d.h_B_BCG * sin_phi_B_minus_EDF;
+    const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
+        - cos_phi_B_minus_EDF * d.h_B_BCG;
+    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
+    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = sin_phi_B_minus_EDF * EDF_across_GF - cos_phi_B_minus_GF * q.s_D;
+    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar inverse_determinant = d.GF * inverse;
+    const Scalar inverse_GF = determinant * inverse;
+    const Scalar t03 = v_x_B - v_x_E;
+    const Scalar t04 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_D = omega_B * phi_B_across_slide_D - q.theta_EDF.cos * t03
+        - q.theta_EDF.sin * t04;
+    const Scalar velocity_across_slide_D = q.theta_EDF.sin * t03 - q.theta_EDF.cos * t04
+        - omega_B * phi_B_along_slide_D;
+    const Scalar velocity_along_GF = omega_B * phi_B_across_GF - q.theta_GF.cos * t03
+        - q.theta_GF.sin * t04;
+    const Scalar velocity_across_GF = q.theta_GF.sin * t03 - q.theta_GF.cos * t04
+        - omega_B * phi_B_along_GF;
+    const Scalar omega_EDF = -(sin_phi_B_minus_EDF * velocity_along_GF
+        - cos_phi_B_minus_GF * velocity_across_slide_D) * inverse_determinant;
+    const Scalar v_s_B = -inverse_determinant * (q.s_D * velocity_along_GF
+        - EDF_across_GF * velocity_across_slide_D);
+    const Scalar v_s_D = cos_phi_B_minus_EDF * v_s_B - omega_EDF * EDF_across_slide_D
+        - velocity_along_slide_D;
+    const Scalar omega_GF = -(omega_EDF * EDF_along_GF + sin_phi_B_minus_GF * v_s_B
+        - velocity_across_GF) * inverse_GF;
+    q_rate(0) = omega_EDF;
+    q_rate(1) = omega_GF;
+    q_rate(2) = v_s_B;
+    q_rate(3) = v_s_D;
+  }
+
+  /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
+  template <typename Scalar>
+  static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar cos_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.cos
+        + q.theta_EDF.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.sin
+        - u.phi_B.cos * q.theta_EDF.sin;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_slide_D = q.s_B * cos_phi_B_minus_EDF
+        + d.h_B_BCG * sin_phi_B_minus_EDF;
+    const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
+        - cos_phi_B_minus_EDF * d.h_B_BCG;
+    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
+    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = sin_phi_B_minus_EDF * EDF_across_GF - cos_phi_B_minus_GF * q.s_D;
+    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar inverse_determinant = d.GF * inverse;
+    const Scalar inverse_GF = determinant * inverse;
+    const Scalar t03 = v_x_B - v_x_E;
+    const Scalar t04 = v_y_B - v_y_E;
+    const Scalar t05 = omega_B * phi_B_across_slide_D;
+    const Scalar velocity_along_slide_D = t05 - q.theta_EDF.cos * t03 - q.theta_EDF.sin * t04;
+    const Scalar t06 = omega_B * phi_B_along_slide_D;
+    const Scalar velocity_across_slide_D = q.theta_EDF.sin * t03 - q.theta_EDF.cos * t04 - t06;
+    const Scalar t07 = omega_B * phi_B_across_GF;
+    const Scalar velocity_along_GF = t07 - q.theta_GF.cos * t03 - q.theta_GF.sin * t04;
+    const Scalar t08 = omega_B * phi_B_along_GF;
+    const Scalar velocity_across_GF = q.theta_GF.sin * t03 - q.theta_GF.cos * t04 - t08;
+    const Scalar omega_EDF = -(sin_phi_B_minus_EDF * velocity_along_GF
+        - cos_phi_B_minus_GF * velocity_across_slide_D) * inverse_determinant;
+    const Scalar v_s_B = -inverse_determinant * (q.s_D * velocity_along_GF
+        - EDF_across_GF * velocity_across_slide_D);
+    const Scalar t09 = omega_EDF * EDF_across_slide_D;
+    const Scalar t10 = cos_phi_B_minus_EDF * v_s_B;
+    const Scalar v_s_D = t10 - t09 - velocity_along_slide_D;
+    const Scalar t11 = sin_phi_B_minus_GF * v_s_B;
+    const Scalar omega_GF = -(omega_EDF * EDF_along_GF + t11 - velocity_across_GF) * inverse_GF;
+    const Scalar t12 = a_x_B - a_x_E;
+    const Scalar t13 = a_y_B - a_y_E;
+    const Scalar t14 = omega_EDF * omega_EDF;
+    const Scalar acceleration_along_slide_D = omega_B * (t06
+        + Scalar(2) * sin_phi_B_minus_EDF * v_s_B) + phi_B_across_slide_D * alpha_B
+        - q.theta_EDF.cos * t12 - q.theta_EDF.sin * t13 - q.s_D * t14;
+    const Scalar acceleration_across_slide_D = q.theta_EDF.sin * t12 + omega_EDF * (t09
+        + Scalar(2) * v_s_D) + omega_B * (t05 - Scalar(2) * t10) - q.theta_EDF.cos * t13
+        - phi_B_along_slide_D * alpha_B;
+    const Scalar acceleration_along_GF = omega_B * (t08 + Scalar(2) * t11)
+        + d.GF * omega_GF * omega_GF + phi_B_across_GF * alpha_B + EDF_along_GF * t14
+        - q.theta_GF.cos * t12 - q.theta_GF.sin * t13;
+    const Scalar acceleration_across_GF = q.theta_GF.sin * t12 + omega_B * (t07
+        - Scalar(2) * cos_phi_B_minus_GF * v_s_B) + EDF_across_GF * t14 - q.theta_GF.cos * t13
+        - phi_B_along_GF * alpha_B;
+    const Scalar alpha_EDF = -inverse_determinant * (sin_phi_B_minus_EDF * acceleration_along_GF
+        - cos_phi_B_minus_GF * acceleration_across_slide_D);
+    const Scalar a_s_B = -inverse_determinant * (q.s_D * acceleration_along_GF
+        - EDF_across_GF * acceleration_across_slide_D);
+    const Scalar a_s_D = cos_phi_B_minus_EDF * a_s_B - EDF_across_slide_D * alpha_EDF
+        - acceleration_along_slide_D;
+    const Scalar alpha_GF = -inverse_GF * (EDF_along_GF * alpha_EDF + sin_phi_B_minus_GF * a_s_B
+        - acceleration_across_GF);
+    q_rate(0) = omega_EDF;
+    q_rate(1) = omega_GF;
+    q_rate(2) = v_s_B;
+    q_rate(3) = v_s_D;
+    q_second_rate(0) = alpha_EDF;
+    q_second_rate(1) = alpha_GF;
+    q_second_rate(2) = a_s_B;
+    q_second_rate(3) = a_s_D;
+  }
+
+  /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
+  template <typename Scalar>
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar cos_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.cos
+        + q.theta_EDF.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.sin
+        - u.phi_B.cos * q.theta_EDF.sin;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_slide_D = q.s_B * cos_phi_B_minus_EDF
+        + d.h_B_BCG * sin_phi_B_minus_EDF;
+    const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
+        - cos_phi_B_minus_EDF * d.h_B_BCG;
+    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
+    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = sin_phi_B_minus_EDF * EDF_across_GF - cos_phi_B_minus_GF * q.s_D;
+    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar inverse_determinant = d.GF * inverse;
+    const Scalar inverse_GF = determinant * inverse;
+    const Scalar EDF_per_across_slide_D = cos_phi_B_minus_GF * inverse_determinant;
+    const Scalar s_B_per_across_slide_D = EDF_across_GF * inverse_determinant;
+    const Scalar t03 = cos_phi_B_minus_EDF * s_B_per_across_slide_D;
+    const Scalar s_D_per_across_slide_D = t03 - EDF_across_slide_D * EDF_per_across_slide_D;
+    const Scalar GF_per_across_slide_D = -(sin_phi_B_minus_GF * s_B_per_across_slide_D
+        + EDF_per_across_slide_D * EDF_along_GF) * inverse_GF;
+    const Scalar EDF_per_along_GF = -sin_phi_B_minus_EDF * inverse_determinant;
+    const Scalar s_B_per_along_GF = -q.s_D * inverse_determinant;
+    const Scalar s_D_per_along_GF = cos_phi_B_minus_EDF * s_B_per_along_GF
+        - EDF_across_slide_D * EDF_per_along_GF;
+    const Scalar t04 = sin_phi_B_minus_GF * s_B_per_along_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * (t04 + EDF_along_GF * EDF_per_along_GF);
+    const Scalar t05 = q.theta_EDF.sin * EDF_per_across_slide_D - q.theta_GF.cos * EDF_per_along_GF;
+    const Scalar EDF_per_x_B = t05;
+    const Scalar t06 = q.theta_EDF.sin * GF_per_across_slide_D + q.theta_GF.sin * inverse_GF
+        - q.theta_GF.cos * GF_per_along_GF;
+    const Scalar GF_per_x_B = t06;
+    const Scalar t07 = q.theta_EDF.sin * s_B_per_across_slide_D - q.theta_GF.cos * s_B_per_along_GF;
+    const Scalar s_B_per_x_B = t07;
+    const Scalar t08 = q.theta_EDF.cos + q.theta_EDF.sin * s_D_per_across_slide_D
+        - q.theta_GF.cos * s_D_per_along_GF;
+    const Scalar s_D_per_x_B = t08;
+    const Scalar t09 = q.theta_EDF.cos * EDF_per_across_slide_D + q.theta_GF.sin * EDF_per_along_GF;
+    const Scalar EDF_per_y_B = -t09;
+    const Scalar t10 = q.theta_EDF.cos * GF_per_across_slide_D + q.theta_GF.cos * inverse_GF
+        + q.theta_GF.sin * GF_per_along_GF;
+    const Scalar GF_per_y_B = -t10;
+    const Scalar t11 = q.theta_EDF.cos * s_B_per_across_slide_D + q.theta_GF.sin * s_B_per_along_GF;
+    const Scalar s_B_per_y_B = -t11;
+    const Scalar t12 = q.theta_EDF.sin - q.theta_EDF.cos * s_D_per_across_slide_D
+        - q.theta_GF.sin * s_D_per_along_GF;
+    const Scalar s_D_per_y_B = t12;
+    const Scalar t13 = EDF_per_across_slide_D * phi_B_along_slide_D
+        - EDF_per_along_GF * phi_B_across_GF;
+    const Scalar EDF_per_phi_B = -t13;
+    const Scalar t14 = GF_per_across_slide_D * phi_B_along_slide_D + inverse_GF * phi_B_along_GF
+        - GF_per_along_GF * phi_B_across_GF;
+    const Scalar GF_per_phi_B = -t14;
+    const Scalar t15 = s_B_per_across_slide_D * phi_B_along_slide_D
+        - s_B_per_along_GF * phi_B_across_GF;
+    const Scalar s_B_per_phi_B = -t15;
+    const Scalar t16 = s_D_per_across_slide_D * phi_B_along_slide_D + phi_B_across_slide_D
+        - s_D_per_along_GF * phi_B_across_GF;
+    const Scalar s_D_per_phi_B = -t16;
+    const Scalar t17 = v_x_B - v_x_E;
+    const Scalar t18 = v_y_B - v_y_E;
+    const Scalar omega_EDF = t17 * EDF_per_x_B + t18 * EDF_per_y_B + omega_B * EDF_per_phi_B;
+    const Scalar omega_GF = t17 * GF_per_x_B + t18 * GF_per_y_B + omega_B * GF_per_phi_B;
+    const Scalar v_s_B = t17 * s_B_per_x_B + t18 * s_B_per_y_B + omega_B * s_B_per_phi_B;
+    const Scalar v_s_D = t17 * s_D_per_x_B + t18 * s_D_per_y_B + omega_B * s_D_per_phi_B;
+    const Scalar t19 = omega_EDF * omega_EDF;
+    const Scalar centripetal_along_slide_D = omega_B * (Scalar(2) * sin_phi_B_minus_EDF * v_s_B
+        + phi_B_along_slide_D * omega_B) - q.s_D * t19;
+    const Scalar centripetal_across_slide_D = omega_EDF * (EDF_across_slide_D * omega_EDF
+        + Scalar(2) * v_s_D) - omega_B * (Scalar(2) * cos_phi_B_minus_EDF * v_s_B
+        - phi_B_across_slide_D * omega_B);
+    const Scalar centripetal_along_GF = omega_B * (Scalar(2) * sin_phi_B_minus_GF * v_s_B
+        + phi_B_along_GF * omega_B) + d.GF * omega_GF * omega_GF + EDF_along_GF * t19;
+    const Scalar centripetal_across_GF = EDF_across_GF * t19
+        - omega_B * (Scalar(2) * cos_phi_B_minus_GF * v_s_B - phi_B_across_GF * omega_B);
+    const Scalar t20 = sin_phi_B_minus_GF * EDF_per_along_GF;
+    const Scalar t21 = cos_phi_B_minus_GF * inverse_GF - sin_phi_B_minus_GF * GF_per_along_GF;
+    const Scalar t22 = sin_phi_B_minus_GF * s_D_per_along_GF;
+    const Scalar t23 = a_x_B - a_x_E;
+    const Scalar t24 = a_y_B - a_y_E;
+    S_d(0, 0) = cos_phi_B_minus_EDF * EDF_per_across_slide_D - t20;
+    S_d(0, 1) = -cos_phi_B_minus_GF * EDF_per_along_GF;
+    S_d(0, 2) = t20;
+    S_d(0, 3) = EDF_per_across_slide_D;
+    S_d(0, 4) = cos_EDF_minus_GF * EDF_per_along_GF;
+    S_d(0, 5) = -sin_EDF_minus_GF * EDF_per_along_GF;
+    S_d(0, 6) = -EDF_per_across_slide_D;
+    S_d(0, 7) = -EDF_per_along_GF;
+    S_d(1, 0) = cos_phi_B_minus_EDF * GF_per_across_slide_D + t21;
+    S_d(1, 1) = -cos_phi_B_minus_GF * GF_per_along_GF - sin_phi_B_minus_GF * inverse_GF;
+    S_d(1, 2) = -t21;
+    S_d(1, 3) = GF_per_across_slide_D;
+    S_d(1, 4) = cos_EDF_minus_GF * GF_per_along_GF + sin_EDF_minus_GF * inverse_GF;
+    S_d(1, 5) = cos_EDF_minus_GF * inverse_GF - sin_EDF_minus_GF * GF_per_along_GF;
+    S_d(1, 6) = -GF_per_across_slide_D;
+    S_d(1, 7) = -GF_per_along_GF;
+    S_d(2, 0) = t03 - t04;
+    S_d(2, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;
+    S_d(2, 2) = t04;
+    S_d(2, 3) = s_B_per_across_slide_D;
+    S_d(2, 4) = cos_EDF_minus_GF * s_B_per_along_GF;
+    S_d(2, 5) = -sin_EDF_minus_GF * s_B_per_along_GF;
+    S_d(2, 6) = -s_B_per_across_slide_D;
+    S_d(2, 7) = -s_B_per_along_GF;
+    S_d(3, 0) = sin_phi_B_minus_EDF + cos_phi_B_minus_EDF * s_D_per_across_slide_D - t22;
+    S_d(3, 1) = -cos_phi_B_minus_GF * s_D_per_along_GF;
+    S_d(3, 2) = t22;
+    S_d(3, 3) = s_D_per_across_slide_D;
+    S_d(3, 4) = cos_EDF_minus_GF * s_D_per_along_GF;
+    S_d(3, 5) = -sin_EDF_minus_GF * s_D_per_along_GF;
+    S_d(3, 6) = -s_D_per_across_slide_D;
+    S_d(3, 7) = -s_D_per_along_GF;
+    S_u(0, 0) = t05;
+    S_u(0, 1) = -t09;
+    S_u(0, 2) = -t13;
+    S_u(0, 3) = -t05;
+    S_u(0, 4) = t09;
+    S_u(1, 0) = t06;
+    S_u(1, 1) = -t10;
+    S_u(1, 2) = -t14;
+    S_u(1, 3) = -t06;
+    S_u(1, 4) = t10;
+    S_u(2, 0) = t07;
+    S_u(2, 1) = -t11;
+    S_u(2, 2) = -t15;
+    S_u(2, 3) = -t07;
+    S_u(2, 4) = t11;
+    S_u(3, 0) = t08;
+    S_u(3, 1) = t12;
+    S_u(3, 2) = -t16;
+    S_u(3, 3) = -t08;
+    S_u(3, 4) = -t12;
+    q_rate(0) = omega_EDF;
+    q_rate(1) = omega_GF;
+    q_rate(2) = v_s_B;
+    q_rate(3) = v_s_D;
+    q_second_rate(0) = EDF_per_x_B * t23 + EDF_per_y_B * t24 + EDF_per_phi_B * alpha_B
+        + EDF_per_across_slide_D * centripetal_across_slide_D
+        + EDF_per_along_GF * centripetal_along_GF;
+    q_second_rate(1) = GF_per_x_B * t23 + GF_per_y_B * t24 + GF_per_phi_B * alpha_B
+        + inverse_GF * centripetal_across_GF + GF_per_across_slide_D * centripetal_across_slide_D
+        + GF_per_along_GF * centripetal_along_GF;
+    q_second_rate(2) = s_B_per_x_B * t23 + s_B_per_y_B * t24 + s_B_per_phi_B * alpha_B
+        + s_B_per_across_slide_D * centripetal_across_slide_D
+        + s_B_per_along_GF * centripetal_along_GF;
+    q_second_rate(3) = s_D_per_x_B * t23 + s_D_per_y_B * t24 + s_D_per_phi_B * alpha_B
+        + s_D_per_across_slide_D * centripetal_across_slide_D
+        + s_D_per_along_GF * centripetal_along_GF - centripetal_along_slide_D;
   }
 
   /// The final polynomial T in theta_EDF, free of all other unknowns:

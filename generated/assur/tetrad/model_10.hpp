@@ -29,22 +29,28 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             24, 25, 0
-///   jacobian:             16, 10, 0
-///   dimension_jacobian:   10, 6, 0
-///   input_jacobian:       8, 7, 0
-///   velocity_rhs:         12, 13, 0
-///   acceleration_rhs:     58, 39, 0
-///   jerk_rhs:             112, 61, 0
-///   curvature_rhs:        78, 47, 0
-///   link_poses:           12, 11, 0
-///   pose_jacobians:       8, 7, 0
-///   link_velocities:      14, 13, 0
-///   link_accelerations:   28, 21, 0
-///   pose_curvatures:      32, 17, 0
-///   position_polynomial:  31, 24, 0
-///   second_equations:     26, 21, 0
-///   complete:             16, 16, 0
+///   residual:                   24, 25, 0
+///   jacobian:                   16, 10, 0
+///   dimension_jacobian:         10, 6, 0
+///   input_jacobian:             8, 7, 0
+///   velocity_rhs:               12, 13, 0
+///   acceleration_rhs:           58, 39, 0
+///   jerk_rhs:                   112, 61, 0
+///   curvature_rhs:              78, 47, 0
+///   link_poses:                 12, 11, 0
+///   pose_jacobians:             8, 7, 0
+///   link_velocities:            14, 13, 0
+///   link_accelerations:         28, 21, 0
+///   pose_curvatures:            32, 17, 0
+///   degeneracies:               12, 14, 0
+///   inverse_jacobian:           42, 17, 1
+///   sensitivities:              72, 45, 1
+///   velocity:                   44, 31, 1
+///   motion:                     83, 61, 1
+///   sensitivities_and_motion:   129, 85, 1
+///   position_polynomial:        31, 24, 0
+///   second_equations:           26, 21, 0
+///   complete:                   16, 16, 0
 struct Model10 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 10;
@@ -61,6 +67,14 @@ struct Model10 {
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = 1;  ///< of the reduced equations; -1: none
+  static constexpr int pivot_count = 1;
+  static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
+  static constexpr int determinant_sign = -1;  ///< det J = sign * the pivots' product
+
+  /// What the vanishing of each pivot of the structured elimination means.
+  static constexpr std::array<const char*, pivot_count> pivots = { {
+      "a dead centre: theta_EDF, s_B free to first order",
+  } };
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -735,6 +749,521 @@ struct Model10 {
         - omega_B * (slide_B_x + BG_x));
     p(3, 1) = omega_B * (Scalar(2) * u.phi_B.cos * t05 + Scalar(2) * u.phi_B.sin * t04
         - omega_B * (slide_B_y + BG_y));
+  }
+
+  /// What the structured elimination divides by, p, the core's determinant first; the size
+  /// of each that a well-shaped group would have; and the size of the determinant's terms.
+  /// det J = -p(0).
+  template <typename Scalar>
+  static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,
+      Vector<Scalar, pivot_count>& size, Scalar& terms) {
+    using std::abs;
+    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
+    const Scalar sin_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.sin
+        - q.theta_EDF.sin * u.phi_B.cos;
+    const Scalar sin_phi_B_minus_psi_F_EDF_minus_EDF = u.phi_B.sin * cos_GF - u.phi_B.cos * sin_GF;
+    const Scalar determinant = q.s_F * sin_phi_B_minus_EDF
+        - q.s_D * sin_phi_B_minus_psi_F_EDF_minus_EDF;
+    const Scalar t01 = abs(d.h_D_CD) + abs(d.h_F_GF) + abs(q.s_D) + abs(q.s_F) + abs(d.h_D_EDF)
+        + abs(d.h_F_EDF);
+    p(0) = determinant;
+    size(0) = Scalar(2) * abs(q.s_B) + Scalar(2) * abs(d.h_B_BCG) + abs(d.x_G_BCG) + abs(d.y_G_BCG)
+        + t01;
+    terms = t01;
+  }
+
+  /// The inverse of J, for right-hand sides of every sort.
+  template <typename Scalar>
+  static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
+    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
+    const Scalar cos_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.cos
+        + q.theta_EDF.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.sin
+        - q.theta_EDF.sin * u.phi_B.cos;
+    const Scalar cos_phi_B_minus_psi_F_EDF_minus_EDF = u.phi_B.cos * cos_GF + u.phi_B.sin * sin_GF;
+    const Scalar sin_phi_B_minus_psi_F_EDF_minus_EDF = u.phi_B.sin * cos_GF - u.phi_B.cos * sin_GF;
+    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
+    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
+    const Scalar determinant = q.s_F * sin_phi_B_minus_EDF
+        - q.s_D * sin_phi_B_minus_psi_F_EDF_minus_EDF;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar EDF_per_across_slide_D = sin_phi_B_minus_psi_F_EDF_minus_EDF * inverse;
+    const Scalar s_B_per_across_slide_D = q.s_F * inverse;
+    const Scalar s_F_per_across_slide_D = cos_phi_B_minus_psi_F_EDF_minus_EDF *
+        s_B_per_across_slide_D - EDF_across_slide_F * EDF_per_across_slide_D;
+    const Scalar s_D_per_across_slide_D = s_B_per_across_slide_D * cos_phi_B_minus_EDF
+        - EDF_per_across_slide_D * EDF_across_slide_D;
+    const Scalar EDF_per_across_slide_F = -sin_phi_B_minus_EDF * inverse;
+    const Scalar s_B_per_across_slide_F = -q.s_D * inverse;
+    const Scalar s_F_per_across_slide_F = cos_phi_B_minus_psi_F_EDF_minus_EDF *
+        s_B_per_across_slide_F - EDF_across_slide_F * EDF_per_across_slide_F;
+    const Scalar s_D_per_across_slide_F = cos_phi_B_minus_EDF * s_B_per_across_slide_F
+        - EDF_across_slide_D * EDF_per_across_slide_F;
+    J_inverse(0, 0) = -q.theta_EDF.sin * EDF_per_across_slide_D;
+    J_inverse(0, 1) = q.theta_EDF.cos * EDF_per_across_slide_D;
+    J_inverse(0, 2) = -sin_GF * EDF_per_across_slide_F;
+    J_inverse(0, 3) = cos_GF * EDF_per_across_slide_F;
+    J_inverse(1, 0) = -q.theta_EDF.sin * s_B_per_across_slide_D;
+    J_inverse(1, 1) = q.theta_EDF.cos * s_B_per_across_slide_D;
+    J_inverse(1, 2) = -sin_GF * s_B_per_across_slide_F;
+    J_inverse(1, 3) = cos_GF * s_B_per_across_slide_F;
+    J_inverse(2, 0) = -q.theta_EDF.cos - q.theta_EDF.sin * s_D_per_across_slide_D;
+    J_inverse(2, 1) = q.theta_EDF.cos * s_D_per_across_slide_D - q.theta_EDF.sin;
+    J_inverse(2, 2) = -sin_GF * s_D_per_across_slide_F;
+    J_inverse(2, 3) = cos_GF * s_D_per_across_slide_F;
+    J_inverse(3, 0) = -q.theta_EDF.sin * s_F_per_across_slide_D;
+    J_inverse(3, 1) = q.theta_EDF.cos * s_F_per_across_slide_D;
+    J_inverse(3, 2) = -cos_GF - sin_GF * s_F_per_across_slide_F;
+    J_inverse(3, 3) = cos_GF * s_F_per_across_slide_F - sin_GF;
+  }
+
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
+    const Scalar cos_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.cos
+        + q.theta_EDF.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.sin
+        - q.theta_EDF.sin * u.phi_B.cos;
+    const Scalar cos_phi_B_minus_psi_F_EDF_minus_EDF = u.phi_B.cos * cos_GF + u.phi_B.sin * sin_GF;
+    const Scalar sin_phi_B_minus_psi_F_EDF_minus_EDF = u.phi_B.sin * cos_GF - u.phi_B.cos * sin_GF;
+    const Scalar phi_B_along_slide_D = q.s_B * cos_phi_B_minus_EDF
+        + d.h_B_BCG * sin_phi_B_minus_EDF;
+    const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
+        - cos_phi_B_minus_EDF * d.h_B_BCG;
+    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
+    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar phi_B_along_slide_F = t01 * cos_phi_B_minus_psi_F_EDF_minus_EDF
+        + t02 * sin_phi_B_minus_psi_F_EDF_minus_EDF;
+    const Scalar phi_B_across_slide_F = t01 * sin_phi_B_minus_psi_F_EDF_minus_EDF
+        - cos_phi_B_minus_psi_F_EDF_minus_EDF * t02;
+    const Scalar t03 = d.h_F_EDF - d.h_F_GF;
+    const Scalar EDF_across_slide_F = -t03;
+    const Scalar determinant = sin_phi_B_minus_EDF * q.s_F
+        - sin_phi_B_minus_psi_F_EDF_minus_EDF * q.s_D;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar EDF_per_across_slide_D = sin_phi_B_minus_psi_F_EDF_minus_EDF * inverse;
+    const Scalar s_B_per_across_slide_D = q.s_F * inverse;
+    const Scalar s_F_per_across_slide_D = cos_phi_B_minus_psi_F_EDF_minus_EDF *
+        s_B_per_across_slide_D - EDF_across_slide_F * EDF_per_across_slide_D;
+    const Scalar t04 = cos_phi_B_minus_EDF * s_B_per_across_slide_D;
+    const Scalar s_D_per_across_slide_D = t04 - EDF_per_across_slide_D * EDF_across_slide_D;
+    const Scalar EDF_per_across_slide_F = -sin_phi_B_minus_EDF * inverse;
+    const Scalar s_B_per_across_slide_F = -q.s_D * inverse;
+    const Scalar t05 = cos_phi_B_minus_psi_F_EDF_minus_EDF * s_B_per_across_slide_F;
+    const Scalar s_F_per_across_slide_F = t05 - EDF_across_slide_F * EDF_per_across_slide_F;
+    const Scalar s_D_per_across_slide_F = cos_phi_B_minus_EDF * s_B_per_across_slide_F
+        - EDF_across_slide_D * EDF_per_across_slide_F;
+    const Scalar t06 = cos_phi_B_minus_psi_F_EDF_minus_EDF * EDF_per_across_slide_F;
+    const Scalar t07 = cos_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;
+    const Scalar t08 = sin_phi_B_minus_psi_F_EDF_minus_EDF
+        + cos_phi_B_minus_psi_F_EDF_minus_EDF * s_F_per_across_slide_F;
+    const Scalar t09 = q.theta_EDF.sin * EDF_per_across_slide_D + sin_GF * EDF_per_across_slide_F;
+    const Scalar t10 = q.theta_EDF.cos * EDF_per_across_slide_D + cos_GF * EDF_per_across_slide_F;
+    const Scalar t11 = q.theta_EDF.sin * s_B_per_across_slide_D + sin_GF * s_B_per_across_slide_F;
+    const Scalar t12 = q.theta_EDF.cos * s_B_per_across_slide_D + cos_GF * s_B_per_across_slide_F;
+    const Scalar t13 = q.theta_EDF.cos + q.theta_EDF.sin * s_D_per_across_slide_D
+        + sin_GF * s_D_per_across_slide_F;
+    const Scalar t14 = q.theta_EDF.sin - q.theta_EDF.cos * s_D_per_across_slide_D
+        - cos_GF * s_D_per_across_slide_F;
+    const Scalar t15 = cos_GF + q.theta_EDF.sin * s_F_per_across_slide_D
+        + sin_GF * s_F_per_across_slide_F;
+    const Scalar t16 = sin_GF - q.theta_EDF.cos * s_F_per_across_slide_D
+        - cos_GF * s_F_per_across_slide_F;
+    S_d(0, 0) = cos_phi_B_minus_EDF * EDF_per_across_slide_D + t06;
+    S_d(0, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * EDF_per_across_slide_F;
+    S_d(0, 2) = -t06;
+    S_d(0, 3) = EDF_per_across_slide_D;
+    S_d(0, 4) = q.s_F * EDF_per_across_slide_F;
+    S_d(0, 5) = EDF_per_across_slide_F;
+    S_d(0, 6) = -EDF_per_across_slide_D;
+    S_d(0, 7) = -EDF_per_across_slide_F;
+    S_d(1, 0) = t04 + t05;
+    S_d(1, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_B_per_across_slide_F;
+    S_d(1, 2) = -t05;
+    S_d(1, 3) = s_B_per_across_slide_D;
+    S_d(1, 4) = q.s_F * s_B_per_across_slide_F;
+    S_d(1, 5) = s_B_per_across_slide_F;
+    S_d(1, 6) = -s_B_per_across_slide_D;
+    S_d(1, 7) = -s_B_per_across_slide_F;
+    S_d(2, 0) = sin_phi_B_minus_EDF + cos_phi_B_minus_EDF * s_D_per_across_slide_D + t07;
+    S_d(2, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;
+    S_d(2, 2) = -t07;
+    S_d(2, 3) = s_D_per_across_slide_D;
+    S_d(2, 4) = q.s_F * s_D_per_across_slide_F;
+    S_d(2, 5) = s_D_per_across_slide_F;
+    S_d(2, 6) = -s_D_per_across_slide_D;
+    S_d(2, 7) = -s_D_per_across_slide_F;
+    S_d(3, 0) = cos_phi_B_minus_EDF * s_F_per_across_slide_D + t08;
+    S_d(3, 1) = cos_phi_B_minus_psi_F_EDF_minus_EDF
+        - sin_phi_B_minus_psi_F_EDF_minus_EDF * s_F_per_across_slide_F;
+    S_d(3, 2) = -t08;
+    S_d(3, 3) = s_F_per_across_slide_D;
+    S_d(3, 4) = t03 + q.s_F * s_F_per_across_slide_F;
+    S_d(3, 5) = s_F_per_across_slide_F;
+    S_d(3, 6) = -s_F_per_across_slide_D;
+    S_d(3, 7) = -s_F_per_across_slide_F;
+    S_u(0, 0) = t09;
+    S_u(0, 1) = -t10;
+    S_u(0, 2) = -EDF_per_across_slide_D * phi_B_along_slide_D
+        - EDF_per_across_slide_F * phi_B_along_slide_F;
+    S_u(0, 3) = -t09;
+    S_u(0, 4) = t10;
+    S_u(1, 0) = t11;
+    S_u(1, 1) = -t12;
+    S_u(1, 2) = -s_B_per_across_slide_D * phi_B_along_slide_D
+        - s_B_per_across_slide_F * phi_B_along_slide_F;
+    S_u(1, 3) = -t11;
+    S_u(1, 4) = t12;
+    S_u(2, 0) = t13;
+    S_u(2, 1) = t14;
+    S_u(2, 2) = -s_D_per_across_slide_D * phi_B_along_slide_D - phi_B_across_slide_D
+        - s_D_per_across_slide_F * phi_B_along_slide_F;
+    S_u(2, 3) = -t13;
+    S_u(2, 4) = -t14;
+    S_u(3, 0) = t15;
+    S_u(3, 1) = t16;
+    S_u(3, 2) = -s_F_per_across_slide_D * phi_B_along_slide_D
+        - s_F_per_across_slide_F * phi_B_along_slide_F - phi_B_across_slide_F;
+    S_u(3, 3) = -t15;
+    S_u(3, 4) = -t16;
+  }
+
+  /// dq/dt for the rates du/dt of the inputs.
+  template <typename Scalar>
+  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, unknown_count>& q_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
+    const Scalar cos_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.cos
+        + q.theta_EDF.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.sin
+        - q.theta_EDF.sin * u.phi_B.cos;
+    const Scalar cos_phi_B_minus_psi_F_EDF_minus_EDF = u.phi_B.cos * cos_GF + u.phi_B.sin * sin_GF;
+    const Scalar sin_phi_B_minus_psi_F_EDF_minus_EDF = u.phi_B.sin * cos_GF - u.phi_B.cos * sin_GF;
+    const Scalar phi_B_along_slide_D = q.s_B * cos_phi_B_minus_EDF
+        + d.h_B_BCG * sin_phi_B_minus_EDF;
+    const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
+        - cos_phi_B_minus_EDF * d.h_B_BCG;
+    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
+    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar phi_B_along_slide_F = t01 * cos_phi_B_minus_psi_F_EDF_minus_EDF
+        + t02 * sin_phi_B_minus_psi_F_EDF_minus_EDF;
+    const Scalar phi_B_across_slide_F = t01 * sin_phi_B_minus_psi_F_EDF_minus_EDF
+        - cos_phi_B_minus_psi_F_EDF_minus_EDF * t02;
+    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
+    const Scalar determinant = sin_phi_B_minus_EDF * q.s_F
+        - sin_phi_B_minus_psi_F_EDF_minus_EDF * q.s_D;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar t03 = v_x_B - v_x_E;
+    const Scalar t04 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_D = omega_B * phi_B_across_slide_D - q.theta_EDF.cos * t03
+        - q.theta_EDF.sin * t04;
+    const Scalar velocity_across_slide_D = q.theta_EDF.sin * t03 - q.theta_EDF.cos * t04
+        - omega_B * phi_B_along_slide_D;
+    const Scalar velocity_along_slide_F = omega_B * phi_B_across_slide_F - cos_GF * t03
+        - sin_GF * t04;
+    const Scalar velocity_across_slide_F = sin_GF * t03 - cos_GF * t04
+        - omega_B * phi_B_along_slide_F;
+    const Scalar omega_EDF = -(sin_phi_B_minus_EDF * velocity_across_slide_F
+        - sin_phi_B_minus_psi_F_EDF_minus_EDF * velocity_across_slide_D) * inverse;
+    const Scalar v_s_B = -inverse * (q.s_D * velocity_across_slide_F
+        - q.s_F * velocity_across_slide_D);
+    const Scalar v_s_F = cos_phi_B_minus_psi_F_EDF_minus_EDF * v_s_B
+        - omega_EDF * EDF_across_slide_F - velocity_along_slide_F;
+    const Scalar v_s_D = cos_phi_B_minus_EDF * v_s_B - omega_EDF * EDF_across_slide_D
+        - velocity_along_slide_D;
+    q_rate(0) = omega_EDF;
+    q_rate(1) = v_s_B;
+    q_rate(2) = v_s_D;
+    q_rate(3) = v_s_F;
+  }
+
+  /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
+  template <typename Scalar>
+  static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
+    const Scalar cos_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.cos
+        + q.theta_EDF.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.sin
+        - q.theta_EDF.sin * u.phi_B.cos;
+    const Scalar cos_phi_B_minus_psi_F_EDF_minus_EDF = u.phi_B.cos * cos_GF + u.phi_B.sin * sin_GF;
+    const Scalar sin_phi_B_minus_psi_F_EDF_minus_EDF = u.phi_B.sin * cos_GF - u.phi_B.cos * sin_GF;
+    const Scalar phi_B_along_slide_D = q.s_B * cos_phi_B_minus_EDF
+        + d.h_B_BCG * sin_phi_B_minus_EDF;
+    const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
+        - cos_phi_B_minus_EDF * d.h_B_BCG;
+    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
+    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar phi_B_along_slide_F = t01 * cos_phi_B_minus_psi_F_EDF_minus_EDF
+        + t02 * sin_phi_B_minus_psi_F_EDF_minus_EDF;
+    const Scalar phi_B_across_slide_F = t01 * sin_phi_B_minus_psi_F_EDF_minus_EDF
+        - cos_phi_B_minus_psi_F_EDF_minus_EDF * t02;
+    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
+    const Scalar determinant = sin_phi_B_minus_EDF * q.s_F
+        - sin_phi_B_minus_psi_F_EDF_minus_EDF * q.s_D;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar t03 = v_x_B - v_x_E;
+    const Scalar t04 = v_y_B - v_y_E;
+    const Scalar t05 = omega_B * phi_B_across_slide_D;
+    const Scalar velocity_along_slide_D = t05 - q.theta_EDF.cos * t03 - q.theta_EDF.sin * t04;
+    const Scalar t06 = omega_B * phi_B_along_slide_D;
+    const Scalar velocity_across_slide_D = q.theta_EDF.sin * t03 - q.theta_EDF.cos * t04 - t06;
+    const Scalar t07 = omega_B * phi_B_across_slide_F;
+    const Scalar velocity_along_slide_F = t07 - cos_GF * t03 - sin_GF * t04;
+    const Scalar t08 = omega_B * phi_B_along_slide_F;
+    const Scalar velocity_across_slide_F = sin_GF * t03 - cos_GF * t04 - t08;
+    const Scalar omega_EDF = -(sin_phi_B_minus_EDF * velocity_across_slide_F
+        - sin_phi_B_minus_psi_F_EDF_minus_EDF * velocity_across_slide_D) * inverse;
+    const Scalar v_s_B = -inverse * (q.s_D * velocity_across_slide_F
+        - q.s_F * velocity_across_slide_D);
+    const Scalar t09 = omega_EDF * EDF_across_slide_F;
+    const Scalar t10 = cos_phi_B_minus_psi_F_EDF_minus_EDF * v_s_B;
+    const Scalar v_s_F = t10 - t09 - velocity_along_slide_F;
+    const Scalar t11 = omega_EDF * EDF_across_slide_D;
+    const Scalar t12 = cos_phi_B_minus_EDF * v_s_B;
+    const Scalar v_s_D = t12 - t11 - velocity_along_slide_D;
+    const Scalar t13 = a_x_B - a_x_E;
+    const Scalar t14 = a_y_B - a_y_E;
+    const Scalar t15 = omega_EDF * omega_EDF;
+    const Scalar acceleration_along_slide_D = omega_B * (t06
+        + Scalar(2) * sin_phi_B_minus_EDF * v_s_B) + phi_B_across_slide_D * alpha_B
+        - q.theta_EDF.cos * t13 - q.theta_EDF.sin * t14 - q.s_D * t15;
+    const Scalar acceleration_across_slide_D = q.theta_EDF.sin * t13 + omega_EDF * (t11
+        + Scalar(2) * v_s_D) + omega_B * (t05 - Scalar(2) * t12) - q.theta_EDF.cos * t14
+        - phi_B_along_slide_D * alpha_B;
+    const Scalar acceleration_along_slide_F = omega_B * (t08
+        + Scalar(2) * sin_phi_B_minus_psi_F_EDF_minus_EDF * v_s_B) + phi_B_across_slide_F * alpha_B
+        - cos_GF * t13 - sin_GF * t14 - q.s_F * t15;
+    const Scalar acceleration_across_slide_F = omega_EDF * (t09 + Scalar(2) * v_s_F)
+        + omega_B * (t07 - Scalar(2) * t10) + sin_GF * t13 - cos_GF * t14
+        - phi_B_along_slide_F * alpha_B;
+    const Scalar alpha_EDF = -inverse * (sin_phi_B_minus_EDF * acceleration_across_slide_F
+        - sin_phi_B_minus_psi_F_EDF_minus_EDF * acceleration_across_slide_D);
+    const Scalar a_s_B = -inverse * (q.s_D * acceleration_across_slide_F
+        - q.s_F * acceleration_across_slide_D);
+    const Scalar a_s_F = cos_phi_B_minus_psi_F_EDF_minus_EDF * a_s_B
+        - EDF_across_slide_F * alpha_EDF - acceleration_along_slide_F;
+    const Scalar a_s_D = cos_phi_B_minus_EDF * a_s_B - EDF_across_slide_D * alpha_EDF
+        - acceleration_along_slide_D;
+    q_rate(0) = omega_EDF;
+    q_rate(1) = v_s_B;
+    q_rate(2) = v_s_D;
+    q_rate(3) = v_s_F;
+    q_second_rate(0) = alpha_EDF;
+    q_second_rate(1) = a_s_B;
+    q_second_rate(2) = a_s_D;
+    q_second_rate(3) = a_s_F;
+  }
+
+  /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
+  template <typename Scalar>
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
+    const Scalar cos_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.cos
+        + q.theta_EDF.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.sin
+        - q.theta_EDF.sin * u.phi_B.cos;
+    const Scalar cos_phi_B_minus_psi_F_EDF_minus_EDF = u.phi_B.cos * cos_GF + u.phi_B.sin * sin_GF;
+    const Scalar sin_phi_B_minus_psi_F_EDF_minus_EDF = u.phi_B.sin * cos_GF - u.phi_B.cos * sin_GF;
+    const Scalar phi_B_along_slide_D = q.s_B * cos_phi_B_minus_EDF
+        + d.h_B_BCG * sin_phi_B_minus_EDF;
+    const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
+        - cos_phi_B_minus_EDF * d.h_B_BCG;
+    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
+    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar phi_B_along_slide_F = t01 * cos_phi_B_minus_psi_F_EDF_minus_EDF
+        + t02 * sin_phi_B_minus_psi_F_EDF_minus_EDF;
+    const Scalar phi_B_across_slide_F = t01 * sin_phi_B_minus_psi_F_EDF_minus_EDF
+        - cos_phi_B_minus_psi_F_EDF_minus_EDF * t02;
+    const Scalar t03 = d.h_F_EDF - d.h_F_GF;
+    const Scalar EDF_across_slide_F = -t03;
+    const Scalar determinant = sin_phi_B_minus_EDF * q.s_F
+        - sin_phi_B_minus_psi_F_EDF_minus_EDF * q.s_D;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar EDF_per_across_slide_D = sin_phi_B_minus_psi_F_EDF_minus_EDF * inverse;
+    const Scalar s_B_per_across_slide_D = q.s_F * inverse;
+    const Scalar s_F_per_across_slide_D = cos_phi_B_minus_psi_F_EDF_minus_EDF *
+        s_B_per_across_slide_D - EDF_across_slide_F * EDF_per_across_slide_D;
+    const Scalar t04 = cos_phi_B_minus_EDF * s_B_per_across_slide_D;
+    const Scalar s_D_per_across_slide_D = t04 - EDF_per_across_slide_D * EDF_across_slide_D;
+    const Scalar EDF_per_across_slide_F = -sin_phi_B_minus_EDF * inverse;
+    const Scalar s_B_per_across_slide_F = -q.s_D * inverse;
+    const Scalar t05 = cos_phi_B_minus_psi_F_EDF_minus_EDF * s_B_per_across_slide_F;
+    const Scalar s_F_per_across_slide_F = t05 - EDF_across_slide_F * EDF_per_across_slide_F;
+    const Scalar s_D_per_across_slide_F = cos_phi_B_minus_EDF * s_B_per_across_slide_F
+        - EDF_across_slide_D * EDF_per_across_slide_F;
+    const Scalar t06 = q.theta_EDF.sin * EDF_per_across_slide_D + sin_GF * EDF_per_across_slide_F;
+    const Scalar EDF_per_x_B = t06;
+    const Scalar t07 = q.theta_EDF.sin * s_B_per_across_slide_D + sin_GF * s_B_per_across_slide_F;
+    const Scalar s_B_per_x_B = t07;
+    const Scalar t08 = q.theta_EDF.cos + q.theta_EDF.sin * s_D_per_across_slide_D
+        + sin_GF * s_D_per_across_slide_F;
+    const Scalar s_D_per_x_B = t08;
+    const Scalar t09 = cos_GF + q.theta_EDF.sin * s_F_per_across_slide_D
+        + sin_GF * s_F_per_across_slide_F;
+    const Scalar s_F_per_x_B = t09;
+    const Scalar t10 = q.theta_EDF.cos * EDF_per_across_slide_D + cos_GF * EDF_per_across_slide_F;
+    const Scalar EDF_per_y_B = -t10;
+    const Scalar t11 = q.theta_EDF.cos * s_B_per_across_slide_D + cos_GF * s_B_per_across_slide_F;
+    const Scalar s_B_per_y_B = -t11;
+    const Scalar t12 = q.theta_EDF.sin - q.theta_EDF.cos * s_D_per_across_slide_D
+        - cos_GF * s_D_per_across_slide_F;
+    const Scalar s_D_per_y_B = t12;
+    const Scalar t13 = sin_GF - q.theta_EDF.cos * s_F_per_across_slide_D
+        - cos_GF * s_F_per_across_slide_F;
+    const Scalar s_F_per_y_B = t13;
+    const Scalar t14 = EDF_per_across_slide_D * phi_B_along_slide_D
+        + EDF_per_across_slide_F * phi_B_along_slide_F;
+    const Scalar EDF_per_phi_B = -t14;
+    const Scalar t15 = s_B_per_across_slide_D * phi_B_along_slide_D
+        + s_B_per_across_slide_F * phi_B_along_slide_F;
+    const Scalar s_B_per_phi_B = -t15;
+    const Scalar t16 = s_D_per_across_slide_D * phi_B_along_slide_D + phi_B_across_slide_D
+        + s_D_per_across_slide_F * phi_B_along_slide_F;
+    const Scalar s_D_per_phi_B = -t16;
+    const Scalar t17 = s_F_per_across_slide_D * phi_B_along_slide_D
+        + s_F_per_across_slide_F * phi_B_along_slide_F + phi_B_across_slide_F;
+    const Scalar s_F_per_phi_B = -t17;
+    const Scalar t18 = v_x_B - v_x_E;
+    const Scalar t19 = v_y_B - v_y_E;
+    const Scalar omega_EDF = t18 * EDF_per_x_B + t19 * EDF_per_y_B + omega_B * EDF_per_phi_B;
+    const Scalar v_s_B = t18 * s_B_per_x_B + t19 * s_B_per_y_B + omega_B * s_B_per_phi_B;
+    const Scalar v_s_D = t18 * s_D_per_x_B + t19 * s_D_per_y_B + omega_B * s_D_per_phi_B;
+    const Scalar v_s_F = t18 * s_F_per_x_B + t19 * s_F_per_y_B + omega_B * s_F_per_phi_B;
+    const Scalar t20 = omega_EDF * omega_EDF;
+    const Scalar centripetal_along_slide_D = omega_B * (Scalar(2) * sin_phi_B_minus_EDF * v_s_B
+        + phi_B_along_slide_D * omega_B) - q.s_D * t20;
+    const Scalar centripetal_across_slide_D = omega_EDF * (EDF_across_slide_D * omega_EDF
+        + Scalar(2) * v_s_D) - omega_B * (Scalar(2) * cos_phi_B_minus_EDF * v_s_B
+        - phi_B_across_slide_D * omega_B);
+    const Scalar centripetal_along_slide_F = omega_B * (Scalar(2) *
+        sin_phi_B_minus_psi_F_EDF_minus_EDF * v_s_B + phi_B_along_slide_F * omega_B) - q.s_F * t20;
+    const Scalar centripetal_across_slide_F = omega_EDF * (EDF_across_slide_F * omega_EDF
+        + Scalar(2) * v_s_F) - omega_B * (Scalar(2) * cos_phi_B_minus_psi_F_EDF_minus_EDF * v_s_B
+        - phi_B_across_slide_F * omega_B);
+    const Scalar t21 = cos_phi_B_minus_psi_F_EDF_minus_EDF * EDF_per_across_slide_F;
+    const Scalar t22 = cos_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;
+    const Scalar t23 = sin_phi_B_minus_psi_F_EDF_minus_EDF
+        + cos_phi_B_minus_psi_F_EDF_minus_EDF * s_F_per_across_slide_F;
+    const Scalar t24 = a_x_B - a_x_E;
+    const Scalar t25 = a_y_B - a_y_E;
+    S_d(0, 0) = cos_phi_B_minus_EDF * EDF_per_across_slide_D + t21;
+    S_d(0, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * EDF_per_across_slide_F;
+    S_d(0, 2) = -t21;
+    S_d(0, 3) = EDF_per_across_slide_D;
+    S_d(0, 4) = q.s_F * EDF_per_across_slide_F;
+    S_d(0, 5) = EDF_per_across_slide_F;
+    S_d(0, 6) = -EDF_per_across_slide_D;
+    S_d(0, 7) = -EDF_per_across_slide_F;
+    S_d(1, 0) = t04 + t05;
+    S_d(1, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_B_per_across_slide_F;
+    S_d(1, 2) = -t05;
+    S_d(1, 3) = s_B_per_across_slide_D;
+    S_d(1, 4) = q.s_F * s_B_per_across_slide_F;
+    S_d(1, 5) = s_B_per_across_slide_F;
+    S_d(1, 6) = -s_B_per_across_slide_D;
+    S_d(1, 7) = -s_B_per_across_slide_F;
+    S_d(2, 0) = sin_phi_B_minus_EDF + cos_phi_B_minus_EDF * s_D_per_across_slide_D + t22;
+    S_d(2, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;
+    S_d(2, 2) = -t22;
+    S_d(2, 3) = s_D_per_across_slide_D;
+    S_d(2, 4) = q.s_F * s_D_per_across_slide_F;
+    S_d(2, 5) = s_D_per_across_slide_F;
+    S_d(2, 6) = -s_D_per_across_slide_D;
+    S_d(2, 7) = -s_D_per_across_slide_F;
+    S_d(3, 0) = cos_phi_B_minus_EDF * s_F_per_across_slide_D + t23;
+    S_d(3, 1) = cos_phi_B_minus_psi_F_EDF_minus_EDF
+        - sin_phi_B_minus_psi_F_EDF_minus_EDF * s_F_per_across_slide_F;
+    S_d(3, 2) = -t23;
+    S_d(3, 3) = s_F_per_across_slide_D;
+    S_d(3, 4) = t03 + q.s_F * s_F_per_across_slide_F;
+    S_d(3, 5) = s_F_per_across_slide_F;
+    S_d(3, 6) = -s_F_per_across_slide_D;
+    S_d(3, 7) = -s_F_per_across_slide_F;
+    S_u(0, 0) = t06;
+    S_u(0, 1) = -t10;
+    S_u(0, 2) = -t14;
+    S_u(0, 3) = -t06;
+    S_u(0, 4) = t10;
+    S_u(1, 0) = t07;
+    S_u(1, 1) = -t11;
+    S_u(1, 2) = -t15;
+    S_u(1, 3) = -t07;
+    S_u(1, 4) = t11;
+    S_u(2, 0) = t08;
+    S_u(2, 1) = t12;
+    S_u(2, 2) = -t16;
+    S_u(2, 3) = -t08;
+    S_u(2, 4) = -t12;
+    S_u(3, 0) = t09;
+    S_u(3, 1) = t13;
+    S_u(3, 2) = -t17;
+    S_u(3, 3) = -t09;
+    S_u(3, 4) = -t13;
+    q_rate(0) = omega_EDF;
+    q_rate(1) = v_s_B;
+    q_rate(2) = v_s_D;
+    q_rate(3) = v_s_F;
+    q_second_rate(0) = EDF_per_x_B * t24 + EDF_per_y_B * t25 + EDF_per_phi_B * alpha_B
+        + EDF_per_across_slide_D * centripetal_across_slide_D
+        + EDF_per_across_slide_F * centripetal_across_slide_F;
+    q_second_rate(1) = s_B_per_x_B * t24 + s_B_per_y_B * t25 + s_B_per_phi_B * alpha_B
+        + s_B_per_across_slide_D * centripetal_across_slide_D
+        + s_B_per_across_slide_F * centripetal_across_slide_F;
+    q_second_rate(2) = s_D_per_x_B * t24 + s_D_per_y_B * t25 + s_D_per_phi_B * alpha_B
+        + s_D_per_across_slide_D * centripetal_across_slide_D
+        + s_D_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_D;
+    q_second_rate(3) = s_F_per_x_B * t24 + s_F_per_y_B * t25 + s_F_per_phi_B * alpha_B
+        + s_F_per_across_slide_D * centripetal_across_slide_D
+        + s_F_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_F;
   }
 
   /// The final polynomial T in theta_EDF, free of all other unknowns:

@@ -29,22 +29,28 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             20, 24, 0
-///   jacobian:             4, 0, 0
-///   dimension_jacobian:   0, 0, 0
-///   input_jacobian:       16, 14, 0
-///   velocity_rhs:         24, 24, 0
-///   acceleration_rhs:     62, 44, 0
-///   jerk_rhs:             116, 68, 0
-///   curvature_rhs:        84, 46, 0
-///   link_poses:           12, 13, 0
-///   pose_jacobians:       12, 9, 0
-///   link_velocities:      22, 19, 0
-///   link_accelerations:   44, 31, 0
-///   pose_curvatures:      48, 23, 0
-///   position_polynomial:  77, 63, 0
-///   second_equations:     69, 55, 0
-///   complete:             20, 22, 2
+///   residual:                   20, 24, 0
+///   jacobian:                   4, 0, 0
+///   dimension_jacobian:         0, 0, 0
+///   input_jacobian:             16, 14, 0
+///   velocity_rhs:               24, 24, 0
+///   acceleration_rhs:           62, 44, 0
+///   jerk_rhs:                   116, 68, 0
+///   curvature_rhs:              84, 46, 0
+///   link_poses:                 12, 13, 0
+///   pose_jacobians:             12, 9, 0
+///   link_velocities:            22, 19, 0
+///   link_accelerations:         44, 31, 0
+///   pose_curvatures:            48, 23, 0
+///   degeneracies:               4, 11, 0
+///   inverse_jacobian:           66, 18, 1
+///   sensitivities:              128, 64, 1
+///   velocity:                   74, 42, 1
+///   motion:                     126, 80, 1
+///   sensitivities_and_motion:   206, 116, 1
+///   position_polynomial:        77, 63, 0
+///   second_equations:           69, 55, 0
+///   complete:                   20, 22, 2
 struct Model11 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 11;
@@ -61,6 +67,17 @@ struct Model11 {
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 2;    ///< of the final polynomial
   static constexpr int second_unknown = 3;  ///< of the reduced equations; -1: none
+  static constexpr int pivot_count = 4;
+  static constexpr int core_pivot_count = 2;  ///< the first of them: the core's
+  static constexpr int determinant_sign = -1;  ///< det J = sign * the pivots' product
+
+  /// What the vanishing of each pivot of the structured elimination means.
+  static constexpr std::array<const char*, pivot_count> pivots = { {
+      "sin(phi_B - phi_E) = 0: s_B, s_E free to first order",
+      "sin(theta_CD - theta_GF) = 0: s_B, s_E free to first order",
+      "GF = 0: theta_GF free to first order",
+      "CD = 0: theta_CD free to first order",
+  } };
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -768,6 +785,614 @@ struct Model11 {
         - omega_B * (slide_B_x + BG_x));
     p(3, 1) = omega_B * (Scalar(2) * u.phi_B.cos * t05 + Scalar(2) * u.phi_B.sin * t04
         - omega_B * (slide_B_y + BG_y));
+  }
+
+  /// What the structured elimination divides by, p, the core's determinant first; the size
+  /// of each that a well-shaped group would have; and the size of the determinant's terms.
+  /// det J = -p(0) * p(1) * p(2) * p(3).
+  template <typename Scalar>
+  static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,
+      Vector<Scalar, pivot_count>& size, Scalar& terms) {
+    using std::abs;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_CD_minus_GF = q.theta_CD.sin * q.theta_GF.cos
+        - q.theta_CD.cos * q.theta_GF.sin;
+    const Scalar t01 = abs(q.s_B) + abs(q.s_E) + abs(d.h_B_BCG) + abs(d.h_E_EDF);
+    p(0) = -sin_phi_B_minus_phi_E;
+    p(1) = sin_CD_minus_GF;
+    p(2) = d.GF;
+    p(3) = d.CD;
+    size(0) = Scalar(1);
+    size(1) = Scalar(1);
+    size(2) = abs(d.x_G_BCG) + abs(d.y_G_BCG) + abs(d.x_F_EDF) + abs(d.y_F_EDF) + abs(d.GF) + t01;
+    size(3) = abs(d.CD) + t01;
+    terms = Scalar(2);
+  }
+
+  /// The inverse of J, for right-hand sides of every sort.
+  template <typename Scalar>
+  static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
+    const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.sin - u.phi_B.cos * q.theta_CD.sin;
+    const Scalar cos_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.cos + q.theta_CD.sin * u.phi_E.sin;
+    const Scalar sin_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.sin - q.theta_CD.sin * u.phi_E.cos;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
+    const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_CD_minus_GF = q.theta_CD.sin * q.theta_GF.cos
+        - q.theta_CD.cos * q.theta_GF.sin;
+    const Scalar t01 = d.CD * d.GF;
+    const Scalar t02 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
+    const Scalar inverse = Scalar(1) / (-t01 * t02);  // zero: sin(phi_B - phi_E) = 0, or
+                                                      //     sin(theta_CD - theta_GF) = 0, or GF =
+                                                      //     0, or CD = 0
+    const Scalar t03 = inverse * t01;
+    const Scalar inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t03;
+    const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t03;
+    const Scalar t04 = inverse * t02;
+    const Scalar inverse_GF = -d.CD * t04;
+    const Scalar inverse_CD = -d.GF * t04;
+    const Scalar t05 = inverse_sin_phi_B_minus_phi_E * inverse_sin_CD_minus_GF;
+    const Scalar s_B_per_along_CD = -cos_phi_E_minus_GF * t05;
+    const Scalar s_E_per_along_CD = -cos_phi_B_minus_GF * t05;
+    const Scalar GF_per_along_CD = -(sin_phi_B_minus_GF * s_B_per_along_CD
+        - sin_phi_E_minus_GF * s_E_per_along_CD) * inverse_GF;
+    const Scalar CD_per_along_CD = -(s_B_per_along_CD * sin_phi_B_minus_CD
+        - s_E_per_along_CD * sin_phi_E_minus_CD) * inverse_CD;
+    const Scalar s_B_per_along_GF = cos_phi_E_minus_CD * t05;
+    const Scalar s_E_per_along_GF = cos_phi_B_minus_CD * t05;
+    const Scalar GF_per_along_GF = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_GF
+        - sin_phi_E_minus_GF * s_E_per_along_GF);
+    const Scalar CD_per_along_GF = -inverse_CD * (sin_phi_B_minus_CD * s_B_per_along_GF
+        - sin_phi_E_minus_CD * s_E_per_along_GF);
+    J_inverse(0, 0) = q.theta_CD.cos * CD_per_along_CD - q.theta_CD.sin * inverse_CD;
+    J_inverse(0, 1) = q.theta_CD.cos * inverse_CD + q.theta_CD.sin * CD_per_along_CD;
+    J_inverse(0, 2) = q.theta_GF.cos * CD_per_along_GF;
+    J_inverse(0, 3) = q.theta_GF.sin * CD_per_along_GF;
+    J_inverse(1, 0) = q.theta_CD.cos * GF_per_along_CD;
+    J_inverse(1, 1) = q.theta_CD.sin * GF_per_along_CD;
+    J_inverse(1, 2) = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
+    J_inverse(1, 3) = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    J_inverse(2, 0) = q.theta_CD.cos * s_B_per_along_CD;
+    J_inverse(2, 1) = q.theta_CD.sin * s_B_per_along_CD;
+    J_inverse(2, 2) = q.theta_GF.cos * s_B_per_along_GF;
+    J_inverse(2, 3) = q.theta_GF.sin * s_B_per_along_GF;
+    J_inverse(3, 0) = q.theta_CD.cos * s_E_per_along_CD;
+    J_inverse(3, 1) = q.theta_CD.sin * s_E_per_along_CD;
+    J_inverse(3, 2) = q.theta_GF.cos * s_E_per_along_GF;
+    J_inverse(3, 3) = q.theta_GF.sin * s_E_per_along_GF;
+  }
+
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.sin - u.phi_B.cos * q.theta_CD.sin;
+    const Scalar cos_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.cos + q.theta_CD.sin * u.phi_E.sin;
+    const Scalar sin_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.sin - q.theta_CD.sin * u.phi_E.cos;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
+    const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
+    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - cos_phi_B_minus_CD * d.h_B_BCG;
+    const Scalar phi_E_along_CD = -q.s_E * cos_phi_E_minus_CD - d.h_E_EDF * sin_phi_E_minus_CD;
+    const Scalar phi_E_across_CD = cos_phi_E_minus_CD * d.h_E_EDF - q.s_E * sin_phi_E_minus_CD;
+    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar t03 = q.s_E + d.x_F_EDF;
+    const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar phi_E_along_GF = -t03 * cos_phi_E_minus_GF - t04 * sin_phi_E_minus_GF;
+    const Scalar phi_E_across_GF = cos_phi_E_minus_GF * t04 - t03 * sin_phi_E_minus_GF;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_CD_minus_GF = q.theta_CD.sin * q.theta_GF.cos
+        - q.theta_CD.cos * q.theta_GF.sin;
+    const Scalar t05 = d.CD * d.GF;
+    const Scalar t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
+    const Scalar inverse = Scalar(1) / (-t05 * t06);  // zero: sin(phi_B - phi_E) = 0, or
+                                                      //     sin(theta_CD - theta_GF) = 0, or GF =
+                                                      //     0, or CD = 0
+    const Scalar t07 = inverse * t05;
+    const Scalar inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
+    const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07;
+    const Scalar t08 = inverse * t06;
+    const Scalar inverse_GF = -d.CD * t08;
+    const Scalar inverse_CD = -d.GF * t08;
+    const Scalar t09 = inverse_sin_phi_B_minus_phi_E * inverse_sin_CD_minus_GF;
+    const Scalar s_B_per_along_CD = -cos_phi_E_minus_GF * t09;
+    const Scalar s_E_per_along_CD = -cos_phi_B_minus_GF * t09;
+    const Scalar GF_per_along_CD = -(sin_phi_B_minus_GF * s_B_per_along_CD
+        - sin_phi_E_minus_GF * s_E_per_along_CD) * inverse_GF;
+    const Scalar t10 = sin_phi_B_minus_CD * s_B_per_along_CD;
+    const Scalar t11 = sin_phi_E_minus_CD * s_E_per_along_CD;
+    const Scalar CD_per_along_CD = -(t10 - t11) * inverse_CD;
+    const Scalar s_B_per_along_GF = cos_phi_E_minus_CD * t09;
+    const Scalar s_E_per_along_GF = cos_phi_B_minus_CD * t09;
+    const Scalar t12 = sin_phi_B_minus_GF * s_B_per_along_GF;
+    const Scalar t13 = sin_phi_E_minus_GF * s_E_per_along_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * (t12 - t13);
+    const Scalar CD_per_along_GF = -inverse_CD * (sin_phi_B_minus_CD * s_B_per_along_GF
+        - sin_phi_E_minus_CD * s_E_per_along_GF);
+    const Scalar t14 = sin_phi_B_minus_GF * CD_per_along_GF;
+    const Scalar t15 = sin_phi_E_minus_GF * CD_per_along_GF;
+    const Scalar t16 = cos_phi_B_minus_GF * inverse_GF - sin_phi_B_minus_GF * GF_per_along_GF;
+    const Scalar t17 = cos_phi_E_minus_GF * inverse_GF - sin_phi_E_minus_GF * GF_per_along_GF;
+    const Scalar t18 = sin_phi_E_minus_GF * s_B_per_along_GF;
+    const Scalar t19 = sin_phi_B_minus_GF * s_E_per_along_GF;
+    const Scalar t20 = q.theta_CD.cos * CD_per_along_CD + q.theta_GF.cos * CD_per_along_GF
+        - q.theta_CD.sin * inverse_CD;
+    const Scalar t21 = q.theta_CD.cos * inverse_CD + q.theta_CD.sin * CD_per_along_CD
+        + q.theta_GF.sin * CD_per_along_GF;
+    const Scalar t22 = q.theta_CD.cos * GF_per_along_CD + q.theta_GF.cos * GF_per_along_GF
+        - q.theta_GF.sin * inverse_GF;
+    const Scalar t23 = q.theta_CD.sin * GF_per_along_CD + q.theta_GF.cos * inverse_GF
+        + q.theta_GF.sin * GF_per_along_GF;
+    const Scalar t24 = q.theta_CD.cos * s_B_per_along_CD + q.theta_GF.cos * s_B_per_along_GF;
+    const Scalar t25 = q.theta_CD.sin * s_B_per_along_CD + q.theta_GF.sin * s_B_per_along_GF;
+    const Scalar t26 = q.theta_CD.cos * s_E_per_along_CD + q.theta_GF.cos * s_E_per_along_GF;
+    const Scalar t27 = q.theta_CD.sin * s_E_per_along_CD + q.theta_GF.sin * s_E_per_along_GF;
+    S_d(0, 0) = cos_phi_B_minus_CD * inverse_CD - sin_phi_B_minus_CD * CD_per_along_CD - t14;
+    S_d(0, 1) = -cos_phi_B_minus_GF * CD_per_along_GF;
+    S_d(0, 2) = t14;
+    S_d(0, 3) = sin_phi_E_minus_CD * CD_per_along_CD + t15 - cos_phi_E_minus_CD * inverse_CD;
+    S_d(0, 4) = cos_phi_E_minus_GF * CD_per_along_GF;
+    S_d(0, 5) = -t15;
+    S_d(0, 6) = -CD_per_along_CD;
+    S_d(0, 7) = -CD_per_along_GF;
+    S_d(1, 0) = t16 - sin_phi_B_minus_CD * GF_per_along_CD;
+    S_d(1, 1) = -cos_phi_B_minus_GF * GF_per_along_GF - sin_phi_B_minus_GF * inverse_GF;
+    S_d(1, 2) = -t16;
+    S_d(1, 3) = sin_phi_E_minus_CD * GF_per_along_CD - t17;
+    S_d(1, 4) = cos_phi_E_minus_GF * GF_per_along_GF + sin_phi_E_minus_GF * inverse_GF;
+    S_d(1, 5) = t17;
+    S_d(1, 6) = -GF_per_along_CD;
+    S_d(1, 7) = -GF_per_along_GF;
+    S_d(2, 0) = -t10 - t12;
+    S_d(2, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;
+    S_d(2, 2) = t12;
+    S_d(2, 3) = sin_phi_E_minus_CD * s_B_per_along_CD + t18;
+    S_d(2, 4) = cos_phi_E_minus_GF * s_B_per_along_GF;
+    S_d(2, 5) = -t18;
+    S_d(2, 6) = -s_B_per_along_CD;
+    S_d(2, 7) = -s_B_per_along_GF;
+    S_d(3, 0) = -sin_phi_B_minus_CD * s_E_per_along_CD - t19;
+    S_d(3, 1) = -cos_phi_B_minus_GF * s_E_per_along_GF;
+    S_d(3, 2) = t19;
+    S_d(3, 3) = t11 + t13;
+    S_d(3, 4) = cos_phi_E_minus_GF * s_E_per_along_GF;
+    S_d(3, 5) = -t13;
+    S_d(3, 6) = -s_E_per_along_CD;
+    S_d(3, 7) = -s_E_per_along_GF;
+    S_u(0, 0) = -t20;
+    S_u(0, 1) = -t21;
+    S_u(0, 2) = CD_per_along_CD * phi_B_across_CD + CD_per_along_GF * phi_B_across_GF
+        - inverse_CD * phi_B_along_CD;
+    S_u(0, 3) = t20;
+    S_u(0, 4) = t21;
+    S_u(0, 5) = CD_per_along_CD * phi_E_across_CD + CD_per_along_GF * phi_E_across_GF
+        - inverse_CD * phi_E_along_CD;
+    S_u(1, 0) = -t22;
+    S_u(1, 1) = -t23;
+    S_u(1, 2) = GF_per_along_CD * phi_B_across_CD + GF_per_along_GF * phi_B_across_GF
+        - inverse_GF * phi_B_along_GF;
+    S_u(1, 3) = t22;
+    S_u(1, 4) = t23;
+    S_u(1, 5) = GF_per_along_CD * phi_E_across_CD + GF_per_along_GF * phi_E_across_GF
+        - inverse_GF * phi_E_along_GF;
+    S_u(2, 0) = -t24;
+    S_u(2, 1) = -t25;
+    S_u(2, 2) = s_B_per_along_CD * phi_B_across_CD + s_B_per_along_GF * phi_B_across_GF;
+    S_u(2, 3) = t24;
+    S_u(2, 4) = t25;
+    S_u(2, 5) = s_B_per_along_CD * phi_E_across_CD + s_B_per_along_GF * phi_E_across_GF;
+    S_u(3, 0) = -t26;
+    S_u(3, 1) = -t27;
+    S_u(3, 2) = s_E_per_along_CD * phi_B_across_CD + s_E_per_along_GF * phi_B_across_GF;
+    S_u(3, 3) = t26;
+    S_u(3, 4) = t27;
+    S_u(3, 5) = s_E_per_along_CD * phi_E_across_CD + s_E_per_along_GF * phi_E_across_GF;
+  }
+
+  /// dq/dt for the rates du/dt of the inputs.
+  template <typename Scalar>
+  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, unknown_count>& q_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.sin - u.phi_B.cos * q.theta_CD.sin;
+    const Scalar cos_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.cos + q.theta_CD.sin * u.phi_E.sin;
+    const Scalar sin_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.sin - q.theta_CD.sin * u.phi_E.cos;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
+    const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
+    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - cos_phi_B_minus_CD * d.h_B_BCG;
+    const Scalar phi_E_along_CD = -q.s_E * cos_phi_E_minus_CD - d.h_E_EDF * sin_phi_E_minus_CD;
+    const Scalar phi_E_across_CD = cos_phi_E_minus_CD * d.h_E_EDF - q.s_E * sin_phi_E_minus_CD;
+    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar t03 = q.s_E + d.x_F_EDF;
+    const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar phi_E_along_GF = -t03 * cos_phi_E_minus_GF - t04 * sin_phi_E_minus_GF;
+    const Scalar phi_E_across_GF = cos_phi_E_minus_GF * t04 - t03 * sin_phi_E_minus_GF;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_CD_minus_GF = q.theta_CD.sin * q.theta_GF.cos
+        - q.theta_CD.cos * q.theta_GF.sin;
+    const Scalar t05 = d.CD * d.GF;
+    const Scalar t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
+    const Scalar inverse = Scalar(1) / (-t05 * t06);  // zero: sin(phi_B - phi_E) = 0, or
+                                                      //     sin(theta_CD - theta_GF) = 0, or GF =
+                                                      //     0, or CD = 0
+    const Scalar t07 = inverse * t05;
+    const Scalar inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
+    const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07;
+    const Scalar t08 = inverse * t06;
+    const Scalar inverse_GF = -d.CD * t08;
+    const Scalar inverse_CD = -d.GF * t08;
+    const Scalar t09 = v_x_B - v_x_E;
+    const Scalar t10 = v_y_B - v_y_E;
+    const Scalar velocity_along_CD = omega_B * phi_B_across_CD + omega_E * phi_E_across_CD
+        - q.theta_CD.cos * t09 - q.theta_CD.sin * t10;
+    const Scalar velocity_across_CD = q.theta_CD.sin * t09 - q.theta_CD.cos * t10
+        - omega_B * phi_B_along_CD - omega_E * phi_E_along_CD;
+    const Scalar velocity_along_GF = omega_B * phi_B_across_GF + omega_E * phi_E_across_GF
+        - q.theta_GF.cos * t09 - q.theta_GF.sin * t10;
+    const Scalar velocity_across_GF = q.theta_GF.sin * t09 - q.theta_GF.cos * t10
+        - omega_B * phi_B_along_GF - omega_E * phi_E_along_GF;
+    const Scalar t11 = inverse_sin_CD_minus_GF * inverse_sin_phi_B_minus_phi_E;
+    const Scalar v_s_B = (cos_phi_E_minus_CD * velocity_along_GF
+        - cos_phi_E_minus_GF * velocity_along_CD) * t11;
+    const Scalar v_s_E = (cos_phi_B_minus_CD * velocity_along_GF
+        - cos_phi_B_minus_GF * velocity_along_CD) * t11;
+    const Scalar omega_GF = -(sin_phi_B_minus_GF * v_s_B - sin_phi_E_minus_GF * v_s_E
+        - velocity_across_GF) * inverse_GF;
+    const Scalar omega_CD = -(sin_phi_B_minus_CD * v_s_B - sin_phi_E_minus_CD * v_s_E
+        - velocity_across_CD) * inverse_CD;
+    q_rate(0) = omega_CD;
+    q_rate(1) = omega_GF;
+    q_rate(2) = v_s_B;
+    q_rate(3) = v_s_E;
+  }
+
+  /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
+  template <typename Scalar>
+  static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar alpha_E = u_second_rate(5);
+    const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.sin - u.phi_B.cos * q.theta_CD.sin;
+    const Scalar cos_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.cos + q.theta_CD.sin * u.phi_E.sin;
+    const Scalar sin_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.sin - q.theta_CD.sin * u.phi_E.cos;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
+    const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
+    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - cos_phi_B_minus_CD * d.h_B_BCG;
+    const Scalar phi_E_along_CD = -q.s_E * cos_phi_E_minus_CD - d.h_E_EDF * sin_phi_E_minus_CD;
+    const Scalar phi_E_across_CD = cos_phi_E_minus_CD * d.h_E_EDF - q.s_E * sin_phi_E_minus_CD;
+    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar t03 = q.s_E + d.x_F_EDF;
+    const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar phi_E_along_GF = -t03 * cos_phi_E_minus_GF - t04 * sin_phi_E_minus_GF;
+    const Scalar phi_E_across_GF = cos_phi_E_minus_GF * t04 - t03 * sin_phi_E_minus_GF;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_CD_minus_GF = q.theta_CD.sin * q.theta_GF.cos
+        - q.theta_CD.cos * q.theta_GF.sin;
+    const Scalar t05 = d.CD * d.GF;
+    const Scalar t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
+    const Scalar inverse = Scalar(1) / (-t05 * t06);  // zero: sin(phi_B - phi_E) = 0, or
+                                                      //     sin(theta_CD - theta_GF) = 0, or GF =
+                                                      //     0, or CD = 0
+    const Scalar t07 = inverse * t05;
+    const Scalar inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
+    const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07;
+    const Scalar t08 = inverse * t06;
+    const Scalar inverse_GF = -d.CD * t08;
+    const Scalar inverse_CD = -d.GF * t08;
+    const Scalar t09 = v_x_B - v_x_E;
+    const Scalar t10 = v_y_B - v_y_E;
+    const Scalar t11 = omega_B * phi_B_across_CD;
+    const Scalar t12 = omega_E * phi_E_across_CD;
+    const Scalar velocity_along_CD = t11 + t12 - q.theta_CD.cos * t09 - q.theta_CD.sin * t10;
+    const Scalar t13 = omega_B * phi_B_along_CD;
+    const Scalar t14 = omega_E * phi_E_along_CD;
+    const Scalar velocity_across_CD = q.theta_CD.sin * t09 - q.theta_CD.cos * t10 - t13 - t14;
+    const Scalar t15 = omega_B * phi_B_across_GF;
+    const Scalar t16 = omega_E * phi_E_across_GF;
+    const Scalar velocity_along_GF = t15 + t16 - q.theta_GF.cos * t09 - q.theta_GF.sin * t10;
+    const Scalar t17 = omega_B * phi_B_along_GF;
+    const Scalar t18 = omega_E * phi_E_along_GF;
+    const Scalar velocity_across_GF = q.theta_GF.sin * t09 - q.theta_GF.cos * t10 - t17 - t18;
+    const Scalar t19 = inverse_sin_CD_minus_GF * inverse_sin_phi_B_minus_phi_E;
+    const Scalar v_s_B = (cos_phi_E_minus_CD * velocity_along_GF
+        - cos_phi_E_minus_GF * velocity_along_CD) * t19;
+    const Scalar v_s_E = (cos_phi_B_minus_CD * velocity_along_GF
+        - cos_phi_B_minus_GF * velocity_along_CD) * t19;
+    const Scalar t20 = sin_phi_B_minus_GF * v_s_B;
+    const Scalar t21 = sin_phi_E_minus_GF * v_s_E;
+    const Scalar omega_GF = -(t20 - t21 - velocity_across_GF) * inverse_GF;
+    const Scalar t22 = sin_phi_B_minus_CD * v_s_B;
+    const Scalar t23 = sin_phi_E_minus_CD * v_s_E;
+    const Scalar omega_CD = -(t22 - t23 - velocity_across_CD) * inverse_CD;
+    const Scalar t24 = a_x_B - a_x_E;
+    const Scalar t25 = a_y_B - a_y_E;
+    const Scalar acceleration_along_CD = omega_B * (t13 + Scalar(2) * t22) + omega_E * (t14
+        - Scalar(2) * t23) + d.CD * omega_CD * omega_CD + phi_B_across_CD * alpha_B
+        + phi_E_across_CD * alpha_E - q.theta_CD.cos * t24 - q.theta_CD.sin * t25;
+    const Scalar acceleration_across_CD = q.theta_CD.sin * t24 + omega_B * (t11
+        - Scalar(2) * cos_phi_B_minus_CD * v_s_B) + omega_E * (t12
+        + Scalar(2) * cos_phi_E_minus_CD * v_s_E) - q.theta_CD.cos * t25 - phi_B_along_CD * alpha_B
+        - phi_E_along_CD * alpha_E;
+    const Scalar acceleration_along_GF = omega_B * (t17 + Scalar(2) * t20) + omega_E * (t18
+        - Scalar(2) * t21) + d.GF * omega_GF * omega_GF + phi_B_across_GF * alpha_B
+        + phi_E_across_GF * alpha_E - q.theta_GF.cos * t24 - q.theta_GF.sin * t25;
+    const Scalar acceleration_across_GF = q.theta_GF.sin * t24 + omega_B * (t15
+        - Scalar(2) * cos_phi_B_minus_GF * v_s_B) + omega_E * (t16
+        + Scalar(2) * cos_phi_E_minus_GF * v_s_E) - q.theta_GF.cos * t25 - phi_B_along_GF * alpha_B
+        - phi_E_along_GF * alpha_E;
+    const Scalar a_s_B = (cos_phi_E_minus_CD * acceleration_along_GF
+        - cos_phi_E_minus_GF * acceleration_along_CD) * t19;
+    const Scalar a_s_E = (cos_phi_B_minus_CD * acceleration_along_GF
+        - cos_phi_B_minus_GF * acceleration_along_CD) * t19;
+    const Scalar alpha_GF = -inverse_GF * (sin_phi_B_minus_GF * a_s_B - sin_phi_E_minus_GF * a_s_E
+        - acceleration_across_GF);
+    const Scalar alpha_CD = -inverse_CD * (sin_phi_B_minus_CD * a_s_B - sin_phi_E_minus_CD * a_s_E
+        - acceleration_across_CD);
+    q_rate(0) = omega_CD;
+    q_rate(1) = omega_GF;
+    q_rate(2) = v_s_B;
+    q_rate(3) = v_s_E;
+    q_second_rate(0) = alpha_CD;
+    q_second_rate(1) = alpha_GF;
+    q_second_rate(2) = a_s_B;
+    q_second_rate(3) = a_s_E;
+  }
+
+  /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
+  template <typename Scalar>
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar alpha_E = u_second_rate(5);
+    const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.sin - u.phi_B.cos * q.theta_CD.sin;
+    const Scalar cos_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.cos + q.theta_CD.sin * u.phi_E.sin;
+    const Scalar sin_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.sin - q.theta_CD.sin * u.phi_E.cos;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
+    const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
+    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - cos_phi_B_minus_CD * d.h_B_BCG;
+    const Scalar phi_E_along_CD = -q.s_E * cos_phi_E_minus_CD - d.h_E_EDF * sin_phi_E_minus_CD;
+    const Scalar phi_E_across_CD = cos_phi_E_minus_CD * d.h_E_EDF - q.s_E * sin_phi_E_minus_CD;
+    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar t03 = q.s_E + d.x_F_EDF;
+    const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar phi_E_along_GF = -t03 * cos_phi_E_minus_GF - t04 * sin_phi_E_minus_GF;
+    const Scalar phi_E_across_GF = cos_phi_E_minus_GF * t04 - t03 * sin_phi_E_minus_GF;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_CD_minus_GF = q.theta_CD.sin * q.theta_GF.cos
+        - q.theta_CD.cos * q.theta_GF.sin;
+    const Scalar t05 = d.CD * d.GF;
+    const Scalar t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
+    const Scalar inverse = Scalar(1) / (-t05 * t06);  // zero: sin(phi_B - phi_E) = 0, or
+                                                      //     sin(theta_CD - theta_GF) = 0, or GF =
+                                                      //     0, or CD = 0
+    const Scalar t07 = inverse * t05;
+    const Scalar inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
+    const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07;
+    const Scalar t08 = inverse * t06;
+    const Scalar inverse_GF = -d.CD * t08;
+    const Scalar inverse_CD = -d.GF * t08;
+    const Scalar t09 = inverse_sin_phi_B_minus_phi_E * inverse_sin_CD_minus_GF;
+    const Scalar s_B_per_along_CD = -cos_phi_E_minus_GF * t09;
+    const Scalar s_E_per_along_CD = -cos_phi_B_minus_GF * t09;
+    const Scalar GF_per_along_CD = -(sin_phi_B_minus_GF * s_B_per_along_CD
+        - sin_phi_E_minus_GF * s_E_per_along_CD) * inverse_GF;
+    const Scalar t10 = sin_phi_B_minus_CD * s_B_per_along_CD;
+    const Scalar t11 = sin_phi_E_minus_CD * s_E_per_along_CD;
+    const Scalar CD_per_along_CD = -(t10 - t11) * inverse_CD;
+    const Scalar s_B_per_along_GF = cos_phi_E_minus_CD * t09;
+    const Scalar s_E_per_along_GF = cos_phi_B_minus_CD * t09;
+    const Scalar t12 = sin_phi_B_minus_GF * s_B_per_along_GF;
+    const Scalar t13 = sin_phi_E_minus_GF * s_E_per_along_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * (t12 - t13);
+    const Scalar CD_per_along_GF = -inverse_CD * (sin_phi_B_minus_CD * s_B_per_along_GF
+        - sin_phi_E_minus_CD * s_E_per_along_GF);
+    const Scalar t14 = q.theta_CD.cos * CD_per_along_CD + q.theta_GF.cos * CD_per_along_GF
+        - q.theta_CD.sin * inverse_CD;
+    const Scalar CD_per_x_B = -t14;
+    const Scalar t15 = q.theta_CD.cos * GF_per_along_CD + q.theta_GF.cos * GF_per_along_GF
+        - q.theta_GF.sin * inverse_GF;
+    const Scalar GF_per_x_B = -t15;
+    const Scalar t16 = q.theta_CD.cos * s_B_per_along_CD + q.theta_GF.cos * s_B_per_along_GF;
+    const Scalar s_B_per_x_B = -t16;
+    const Scalar t17 = q.theta_CD.cos * s_E_per_along_CD + q.theta_GF.cos * s_E_per_along_GF;
+    const Scalar s_E_per_x_B = -t17;
+    const Scalar t18 = q.theta_CD.cos * inverse_CD + q.theta_CD.sin * CD_per_along_CD
+        + q.theta_GF.sin * CD_per_along_GF;
+    const Scalar CD_per_y_B = -t18;
+    const Scalar t19 = q.theta_CD.sin * GF_per_along_CD + q.theta_GF.cos * inverse_GF
+        + q.theta_GF.sin * GF_per_along_GF;
+    const Scalar GF_per_y_B = -t19;
+    const Scalar t20 = q.theta_CD.sin * s_B_per_along_CD + q.theta_GF.sin * s_B_per_along_GF;
+    const Scalar s_B_per_y_B = -t20;
+    const Scalar t21 = q.theta_CD.sin * s_E_per_along_CD + q.theta_GF.sin * s_E_per_along_GF;
+    const Scalar s_E_per_y_B = -t21;
+    const Scalar t22 = inverse_CD * phi_B_along_CD - CD_per_along_CD * phi_B_across_CD
+        - CD_per_along_GF * phi_B_across_GF;
+    const Scalar CD_per_phi_B = -t22;
+    const Scalar t23 = GF_per_along_CD * phi_B_across_CD + GF_per_along_GF * phi_B_across_GF
+        - inverse_GF * phi_B_along_GF;
+    const Scalar GF_per_phi_B = t23;
+    const Scalar t24 = s_B_per_along_CD * phi_B_across_CD + s_B_per_along_GF * phi_B_across_GF;
+    const Scalar s_B_per_phi_B = t24;
+    const Scalar t25 = s_E_per_along_CD * phi_B_across_CD + s_E_per_along_GF * phi_B_across_GF;
+    const Scalar s_E_per_phi_B = t25;
+    const Scalar t26 = inverse_CD * phi_E_along_CD - CD_per_along_CD * phi_E_across_CD
+        - CD_per_along_GF * phi_E_across_GF;
+    const Scalar CD_per_phi_E = -t26;
+    const Scalar t27 = GF_per_along_CD * phi_E_across_CD + GF_per_along_GF * phi_E_across_GF
+        - inverse_GF * phi_E_along_GF;
+    const Scalar GF_per_phi_E = t27;
+    const Scalar t28 = s_B_per_along_CD * phi_E_across_CD + s_B_per_along_GF * phi_E_across_GF;
+    const Scalar s_B_per_phi_E = t28;
+    const Scalar t29 = s_E_per_along_CD * phi_E_across_CD + s_E_per_along_GF * phi_E_across_GF;
+    const Scalar s_E_per_phi_E = t29;
+    const Scalar t30 = v_x_B - v_x_E;
+    const Scalar t31 = v_y_B - v_y_E;
+    const Scalar omega_CD = t30 * CD_per_x_B + t31 * CD_per_y_B + omega_B * CD_per_phi_B
+        + omega_E * CD_per_phi_E;
+    const Scalar omega_GF = t30 * GF_per_x_B + t31 * GF_per_y_B + omega_B * GF_per_phi_B
+        + omega_E * GF_per_phi_E;
+    const Scalar v_s_B = t30 * s_B_per_x_B + t31 * s_B_per_y_B + omega_B * s_B_per_phi_B
+        + omega_E * s_B_per_phi_E;
+    const Scalar v_s_E = t30 * s_E_per_x_B + t31 * s_E_per_y_B + omega_B * s_E_per_phi_B
+        + omega_E * s_E_per_phi_E;
+    const Scalar centripetal_along_CD = omega_B * (Scalar(2) * sin_phi_B_minus_CD * v_s_B
+        + phi_B_along_CD * omega_B) + d.CD * omega_CD * omega_CD
+        - omega_E * (Scalar(2) * sin_phi_E_minus_CD * v_s_E - phi_E_along_CD * omega_E);
+    const Scalar centripetal_across_CD = omega_E * (Scalar(2) * cos_phi_E_minus_CD * v_s_E
+        + phi_E_across_CD * omega_E) - omega_B * (Scalar(2) * cos_phi_B_minus_CD * v_s_B
+        - phi_B_across_CD * omega_B);
+    const Scalar centripetal_along_GF = omega_B * (Scalar(2) * sin_phi_B_minus_GF * v_s_B
+        + phi_B_along_GF * omega_B) + d.GF * omega_GF * omega_GF
+        - omega_E * (Scalar(2) * sin_phi_E_minus_GF * v_s_E - phi_E_along_GF * omega_E);
+    const Scalar centripetal_across_GF = omega_E * (Scalar(2) * cos_phi_E_minus_GF * v_s_E
+        + phi_E_across_GF * omega_E) - omega_B * (Scalar(2) * cos_phi_B_minus_GF * v_s_B
+        - phi_B_across_GF * omega_B);
+    const Scalar t32 = sin_phi_B_minus_GF * CD_per_along_GF;
+    const Scalar t33 = sin_phi_E_minus_GF * CD_per_along_GF;
+    const Scalar t34 = cos_phi_B_minus_GF * inverse_GF - sin_phi_B_minus_GF * GF_per_along_GF;
+    const Scalar t35 = cos_phi_E_minus_GF * inverse_GF - sin_phi_E_minus_GF * GF_per_along_GF;
+    const Scalar t36 = sin_phi_E_minus_GF * s_B_per_along_GF;
+    const Scalar t37 = sin_phi_B_minus_GF * s_E_per_along_GF;
+    const Scalar t38 = a_x_B - a_x_E;
+    const Scalar t39 = a_y_B - a_y_E;
+    S_d(0, 0) = cos_phi_B_minus_CD * inverse_CD - sin_phi_B_minus_CD * CD_per_along_CD - t32;
+    S_d(0, 1) = -cos_phi_B_minus_GF * CD_per_along_GF;
+    S_d(0, 2) = t32;
+    S_d(0, 3) = sin_phi_E_minus_CD * CD_per_along_CD + t33 - cos_phi_E_minus_CD * inverse_CD;
+    S_d(0, 4) = cos_phi_E_minus_GF * CD_per_along_GF;
+    S_d(0, 5) = -t33;
+    S_d(0, 6) = -CD_per_along_CD;
+    S_d(0, 7) = -CD_per_along_GF;
+    S_d(1, 0) = t34 - sin_phi_B_minus_CD * GF_per_along_CD;
+    S_d(1, 1) = -cos_phi_B_minus_GF * GF_per_along_GF - sin_phi_B_minus_GF * inverse_GF;
+    S_d(1, 2) = -t34;
+    S_d(1, 3) = sin_phi_E_minus_CD * GF_per_along_CD - t35;
+    S_d(1, 4) = cos_phi_E_minus_GF * GF_per_along_GF + sin_phi_E_minus_GF * inverse_GF;
+    S_d(1, 5) = t35;
+    S_d(1, 6) = -GF_per_along_CD;
+    S_d(1, 7) = -GF_per_along_GF;
+    S_d(2, 0) = -t10 - t12;
+    S_d(2, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;
+    S_d(2, 2) = t12;
+    S_d(2, 3) = sin_phi_E_minus_CD * s_B_per_along_CD + t36;
+    S_d(2, 4) = cos_phi_E_minus_GF * s_B_per_along_GF;
+    S_d(2, 5) = -t36;
+    S_d(2, 6) = -s_B_per_along_CD;
+    S_d(2, 7) = -s_B_per_along_GF;
+    S_d(3, 0) = -sin_phi_B_minus_CD * s_E_per_along_CD - t37;
+    S_d(3, 1) = -cos_phi_B_minus_GF * s_E_per_along_GF;
+    S_d(3, 2) = t37;
+    S_d(3, 3) = t11 + t13;
+    S_d(3, 4) = cos_phi_E_minus_GF * s_E_per_along_GF;
+    S_d(3, 5) = -t13;
+    S_d(3, 6) = -s_E_per_along_CD;
+    S_d(3, 7) = -s_E_per_along_GF;
+    S_u(0, 0) = -t14;
+    S_u(0, 1) = -t18;
+    S_u(0, 2) = -t22;
+    S_u(0, 3) = t14;
+    S_u(0, 4) = t18;
+    S_u(0, 5) = -t26;
+    S_u(1, 0) = -t15;
+    S_u(1, 1) = -t19;
+    S_u(1, 2) = t23;
+    S_u(1, 3) = t15;
+    S_u(1, 4) = t19;
+    S_u(1, 5) = t27;
+    S_u(2, 0) = -t16;
+    S_u(2, 1) = -t20;
+    S_u(2, 2) = t24;
+    S_u(2, 3) = t16;
+    S_u(2, 4) = t20;
+    S_u(2, 5) = t28;
+    S_u(3, 0) = -t17;
+    S_u(3, 1) = -t21;
+    S_u(3, 2) = t25;
+    S_u(3, 3) = t17;
+    S_u(3, 4) = t21;
+    S_u(3, 5) = t29;
+    q_rate(0) = omega_CD;
+    q_rate(1) = omega_GF;
+    q_rate(2) = v_s_B;
+    q_rate(3) = v_s_E;
+    q_second_rate(0) = CD_per_x_B * t38 + CD_per_y_B * t39 + CD_per_phi_B * alpha_B
+        + CD_per_phi_E * alpha_E + inverse_CD * centripetal_across_CD
+        + CD_per_along_CD * centripetal_along_CD + CD_per_along_GF * centripetal_along_GF;
+    q_second_rate(1) = GF_per_x_B * t38 + GF_per_y_B * t39 + GF_per_phi_B * alpha_B
+        + GF_per_phi_E * alpha_E + inverse_GF * centripetal_across_GF
+        + GF_per_along_CD * centripetal_along_CD + GF_per_along_GF * centripetal_along_GF;
+    q_second_rate(2) = s_B_per_x_B * t38 + s_B_per_y_B * t39 + s_B_per_phi_B * alpha_B
+        + s_B_per_phi_E * alpha_E + s_B_per_along_CD * centripetal_along_CD
+        + s_B_per_along_GF * centripetal_along_GF;
+    q_second_rate(3) = s_E_per_x_B * t38 + s_E_per_y_B * t39 + s_E_per_phi_B * alpha_B
+        + s_E_per_phi_E * alpha_E + s_E_per_along_CD * centripetal_along_CD
+        + s_E_per_along_GF * centripetal_along_GF;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

@@ -29,22 +29,28 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             24, 26, 0
-///   jacobian:             14, 8, 0
-///   dimension_jacobian:   10, 6, 0
-///   input_jacobian:       14, 12, 0
-///   velocity_rhs:         18, 18, 0
-///   acceleration_rhs:     57, 40, 0
-///   jerk_rhs:             105, 62, 0
-///   curvature_rhs:        95, 59, 0
-///   link_poses:           14, 14, 0
-///   pose_jacobians:       14, 14, 0
-///   link_velocities:      22, 20, 0
-///   link_accelerations:   40, 30, 0
-///   pose_curvatures:      61, 40, 0
-///   position_polynomial:  31, 21, 0
-///   second_equations:     20, 18, 0
-///   complete:             16, 16, 0
+///   residual:                   24, 26, 0
+///   jacobian:                   14, 8, 0
+///   dimension_jacobian:         10, 6, 0
+///   input_jacobian:             14, 12, 0
+///   velocity_rhs:               18, 18, 0
+///   acceleration_rhs:           57, 40, 0
+///   jerk_rhs:                   105, 62, 0
+///   curvature_rhs:              95, 59, 0
+///   link_poses:                 14, 14, 0
+///   pose_jacobians:             14, 14, 0
+///   link_velocities:            22, 20, 0
+///   link_accelerations:         40, 30, 0
+///   pose_curvatures:            61, 40, 0
+///   degeneracies:               16, 16, 0
+///   inverse_jacobian:           46, 18, 1
+///   sensitivities:              80, 48, 1
+///   velocity:                   48, 33, 1
+///   motion:                     87, 63, 1
+///   sensitivities_and_motion:   136, 88, 1
+///   position_polynomial:        31, 21, 0
+///   second_equations:           20, 18, 0
+///   complete:                   16, 16, 0
 struct Model12 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 12;
@@ -61,6 +67,14 @@ struct Model12 {
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = 1;  ///< of the reduced equations; -1: none
+  static constexpr int pivot_count = 1;
+  static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
+  static constexpr int determinant_sign = 1;  ///< det J = sign * the pivots' product
+
+  /// What the vanishing of each pivot of the structured elimination means.
+  static constexpr std::array<const char*, pivot_count> pivots = { {
+      "a dead centre: theta_EDF, s_B free to first order",
+  } };
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -829,6 +843,532 @@ struct Model12 {
         + sin_CD) - Scalar(2) * t18 - Scalar(2) * sin_CD * v_h_C_CD);
     p(3, 0) = -t10;
     p(3, 1) = -t12;
+  }
+
+  /// What the structured elimination divides by, p, the core's determinant first; the size
+  /// of each that a well-shaped group would have; and the size of the determinant's terms.
+  /// det J = p(0).
+  template <typename Scalar>
+  static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,
+      Vector<Scalar, pivot_count>& size, Scalar& terms) {
+    using std::abs;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
+        + q.theta_EDF.sin * sin_CD;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
+        - q.theta_EDF.cos * sin_CD;
+    const Scalar sin_phi_B_minus_EDF = u.phi_B.sin * q.theta_EDF.cos
+        - u.phi_B.cos * q.theta_EDF.sin;
+    const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_phi_B_minus_psi_C_BCG
+        - d.x_D_EDF * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar determinant = sin_phi_B_minus_EDF * EDF_along_slide_C - d.psi_C_BCG.sin * q.s_F;
+    const Scalar t01 = abs(d.y_D_EDF) + abs(d.h_F_EDF) + abs(d.h_F_GF) + abs(q.s_F)
+        + abs(d.x_D_EDF);
+    p(0) = determinant;
+    size(0) = Scalar(2) * abs(q.s_B) + abs(q.s_C) + Scalar(2) * abs(d.h_B_BCG) + abs(d.h_C_BCG)
+        + abs(d.h_C_CD) + t01;
+    terms = t01;
+  }
+
+  /// The inverse of J, for right-hand sides of every sort.
+  template <typename Scalar>
+  static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
+        + q.theta_EDF.sin * sin_CD;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
+        - q.theta_EDF.cos * sin_CD;
+    const Scalar cos_phi_B_minus_EDF = u.phi_B.cos * q.theta_EDF.cos
+        + u.phi_B.sin * q.theta_EDF.sin;
+    const Scalar sin_phi_B_minus_EDF = u.phi_B.sin * q.theta_EDF.cos
+        - u.phi_B.cos * q.theta_EDF.sin;
+    const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_phi_B_minus_psi_C_BCG
+        - d.x_D_EDF * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_phi_B_minus_psi_C_BCG
+        - cos_EDF_minus_phi_B_minus_psi_C_BCG * d.y_D_EDF;
+    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
+    const Scalar determinant = sin_phi_B_minus_EDF * EDF_along_slide_C - d.psi_C_BCG.sin * q.s_F;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar EDF_per_across_slide_C = sin_phi_B_minus_EDF * inverse;
+    const Scalar s_B_per_across_slide_C = q.s_F * inverse;
+    const Scalar s_F_per_across_slide_C = cos_phi_B_minus_EDF * s_B_per_across_slide_C
+        - EDF_across_slide_F * EDF_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = EDF_per_across_slide_C * EDF_across_slide_C
+        - d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar EDF_per_across_slide_F = d.psi_C_BCG.sin * inverse;
+    const Scalar s_B_per_across_slide_F = EDF_along_slide_C * inverse;
+    const Scalar s_F_per_across_slide_F = cos_phi_B_minus_EDF * s_B_per_across_slide_F
+        - EDF_across_slide_F * EDF_per_across_slide_F;
+    const Scalar s_C_per_across_slide_F = EDF_across_slide_C * EDF_per_across_slide_F
+        - d.psi_C_BCG.cos * s_B_per_across_slide_F;
+    J_inverse(0, 0) = -sin_CD * EDF_per_across_slide_C;
+    J_inverse(0, 1) = cos_CD * EDF_per_across_slide_C;
+    J_inverse(0, 2) = -q.theta_EDF.sin * EDF_per_across_slide_F;
+    J_inverse(0, 3) = q.theta_EDF.cos * EDF_per_across_slide_F;
+    J_inverse(1, 0) = -sin_CD * s_B_per_across_slide_C;
+    J_inverse(1, 1) = cos_CD * s_B_per_across_slide_C;
+    J_inverse(1, 2) = -q.theta_EDF.sin * s_B_per_across_slide_F;
+    J_inverse(1, 3) = q.theta_EDF.cos * s_B_per_across_slide_F;
+    J_inverse(2, 0) = cos_CD - sin_CD * s_C_per_across_slide_C;
+    J_inverse(2, 1) = sin_CD + cos_CD * s_C_per_across_slide_C;
+    J_inverse(2, 2) = -q.theta_EDF.sin * s_C_per_across_slide_F;
+    J_inverse(2, 3) = q.theta_EDF.cos * s_C_per_across_slide_F;
+    J_inverse(3, 0) = -sin_CD * s_F_per_across_slide_C;
+    J_inverse(3, 1) = cos_CD * s_F_per_across_slide_C;
+    J_inverse(3, 2) = -q.theta_EDF.cos - q.theta_EDF.sin * s_F_per_across_slide_F;
+    J_inverse(3, 3) = q.theta_EDF.cos * s_F_per_across_slide_F - q.theta_EDF.sin;
+  }
+
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
+        + q.theta_EDF.sin * sin_CD;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
+        - q.theta_EDF.cos * sin_CD;
+    const Scalar cos_phi_B_minus_EDF = u.phi_B.cos * q.theta_EDF.cos
+        + u.phi_B.sin * q.theta_EDF.sin;
+    const Scalar sin_phi_B_minus_EDF = u.phi_B.sin * q.theta_EDF.cos
+        - u.phi_B.cos * q.theta_EDF.sin;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
+        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar t01 = d.h_C_BCG - d.h_C_CD;
+    const Scalar phi_B_across_slide_C = t01 - d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG;
+    const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_phi_B_minus_psi_C_BCG
+        - d.x_D_EDF * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_phi_B_minus_psi_C_BCG
+        - cos_EDF_minus_phi_B_minus_psi_C_BCG * d.y_D_EDF;
+    const Scalar phi_B_along_slide_F = q.s_B * cos_phi_B_minus_EDF
+        + d.h_B_BCG * sin_phi_B_minus_EDF;
+    const Scalar phi_B_across_slide_F = q.s_B * sin_phi_B_minus_EDF
+        - d.h_B_BCG * cos_phi_B_minus_EDF;
+    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
+    const Scalar determinant = sin_phi_B_minus_EDF * EDF_along_slide_C - d.psi_C_BCG.sin * q.s_F;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar EDF_per_across_slide_C = sin_phi_B_minus_EDF * inverse;
+    const Scalar s_B_per_across_slide_C = q.s_F * inverse;
+    const Scalar s_F_per_across_slide_C = cos_phi_B_minus_EDF * s_B_per_across_slide_C
+        - EDF_across_slide_F * EDF_per_across_slide_C;
+    const Scalar t02 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = EDF_per_across_slide_C * EDF_across_slide_C - t02;
+    const Scalar EDF_per_across_slide_F = d.psi_C_BCG.sin * inverse;
+    const Scalar s_B_per_across_slide_F = EDF_along_slide_C * inverse;
+    const Scalar t03 = cos_phi_B_minus_EDF * s_B_per_across_slide_F;
+    const Scalar s_F_per_across_slide_F = t03 - EDF_across_slide_F * EDF_per_across_slide_F;
+    const Scalar s_C_per_across_slide_F = EDF_across_slide_C * EDF_per_across_slide_F
+        - d.psi_C_BCG.cos * s_B_per_across_slide_F;
+    const Scalar t04 = q.theta_EDF.sin * EDF_per_across_slide_F + sin_CD * EDF_per_across_slide_C;
+    const Scalar t05 = q.theta_EDF.cos * EDF_per_across_slide_F + cos_CD * EDF_per_across_slide_C;
+    const Scalar t06 = q.theta_EDF.sin * s_B_per_across_slide_F + sin_CD * s_B_per_across_slide_C;
+    const Scalar t07 = q.theta_EDF.cos * s_B_per_across_slide_F + cos_CD * s_B_per_across_slide_C;
+    const Scalar t08 = cos_CD - q.theta_EDF.sin * s_C_per_across_slide_F
+        - sin_CD * s_C_per_across_slide_C;
+    const Scalar t09 = sin_CD + q.theta_EDF.cos * s_C_per_across_slide_F
+        + cos_CD * s_C_per_across_slide_C;
+    const Scalar t10 = q.theta_EDF.cos + q.theta_EDF.sin * s_F_per_across_slide_F
+        + sin_CD * s_F_per_across_slide_C;
+    const Scalar t11 = q.theta_EDF.sin - q.theta_EDF.cos * s_F_per_across_slide_F
+        - cos_CD * s_F_per_across_slide_C;
+    S_d(0, 0) = d.psi_C_BCG.cos * EDF_per_across_slide_C
+        + cos_phi_B_minus_EDF * EDF_per_across_slide_F;
+    S_d(0, 1) = -q.s_C * EDF_per_across_slide_C;
+    S_d(0, 2) = -EDF_per_across_slide_C;
+    S_d(0, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * EDF_per_across_slide_C;
+    S_d(0, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * EDF_per_across_slide_C;
+    S_d(0, 5) = EDF_per_across_slide_F;
+    S_d(0, 6) = EDF_per_across_slide_C;
+    S_d(0, 7) = -EDF_per_across_slide_F;
+    S_d(1, 0) = t02 + t03;
+    S_d(1, 1) = -q.s_C * s_B_per_across_slide_C;
+    S_d(1, 2) = -s_B_per_across_slide_C;
+    S_d(1, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
+    S_d(1, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
+    S_d(1, 5) = s_B_per_across_slide_F;
+    S_d(1, 6) = s_B_per_across_slide_C;
+    S_d(1, 7) = -s_B_per_across_slide_F;
+    S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
+        + cos_phi_B_minus_EDF * s_C_per_across_slide_F;
+    S_d(2, 1) = t01 - q.s_C * s_C_per_across_slide_C;
+    S_d(2, 2) = -s_C_per_across_slide_C;
+    S_d(2, 3) = cos_EDF_minus_phi_B_minus_psi_C_BCG
+        + sin_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
+    S_d(2, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C
+        - sin_EDF_minus_phi_B_minus_psi_C_BCG;
+    S_d(2, 5) = s_C_per_across_slide_F;
+    S_d(2, 6) = s_C_per_across_slide_C;
+    S_d(2, 7) = -s_C_per_across_slide_F;
+    S_d(3, 0) = sin_phi_B_minus_EDF + d.psi_C_BCG.cos * s_F_per_across_slide_C
+        + cos_phi_B_minus_EDF * s_F_per_across_slide_F;
+    S_d(3, 1) = -q.s_C * s_F_per_across_slide_C;
+    S_d(3, 2) = -s_F_per_across_slide_C;
+    S_d(3, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
+    S_d(3, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
+    S_d(3, 5) = s_F_per_across_slide_F;
+    S_d(3, 6) = s_F_per_across_slide_C;
+    S_d(3, 7) = -s_F_per_across_slide_F;
+    S_u(0, 0) = t04;
+    S_u(0, 1) = -t05;
+    S_u(0, 2) = -EDF_per_across_slide_C * phi_B_along_slide_C
+        - EDF_per_across_slide_F * phi_B_along_slide_F;
+    S_u(0, 3) = -t04;
+    S_u(0, 4) = t05;
+    S_u(1, 0) = t06;
+    S_u(1, 1) = -t07;
+    S_u(1, 2) = -s_B_per_across_slide_C * phi_B_along_slide_C
+        - s_B_per_across_slide_F * phi_B_along_slide_F;
+    S_u(1, 3) = -t06;
+    S_u(1, 4) = t07;
+    S_u(2, 0) = -t08;
+    S_u(2, 1) = -t09;
+    S_u(2, 2) = phi_B_across_slide_C - s_C_per_across_slide_C * phi_B_along_slide_C
+        - s_C_per_across_slide_F * phi_B_along_slide_F;
+    S_u(2, 3) = t08;
+    S_u(2, 4) = t09;
+    S_u(3, 0) = t10;
+    S_u(3, 1) = t11;
+    S_u(3, 2) = -s_F_per_across_slide_C * phi_B_along_slide_C
+        - s_F_per_across_slide_F * phi_B_along_slide_F - phi_B_across_slide_F;
+    S_u(3, 3) = -t10;
+    S_u(3, 4) = -t11;
+  }
+
+  /// dq/dt for the rates du/dt of the inputs.
+  template <typename Scalar>
+  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, unknown_count>& q_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
+        + q.theta_EDF.sin * sin_CD;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
+        - q.theta_EDF.cos * sin_CD;
+    const Scalar cos_phi_B_minus_EDF = u.phi_B.cos * q.theta_EDF.cos
+        + u.phi_B.sin * q.theta_EDF.sin;
+    const Scalar sin_phi_B_minus_EDF = u.phi_B.sin * q.theta_EDF.cos
+        - u.phi_B.cos * q.theta_EDF.sin;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
+        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B
+        - d.psi_C_BCG.cos * d.h_B_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_phi_B_minus_psi_C_BCG
+        - d.x_D_EDF * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_phi_B_minus_psi_C_BCG
+        - cos_EDF_minus_phi_B_minus_psi_C_BCG * d.y_D_EDF;
+    const Scalar phi_B_along_slide_F = q.s_B * cos_phi_B_minus_EDF
+        + d.h_B_BCG * sin_phi_B_minus_EDF;
+    const Scalar phi_B_across_slide_F = q.s_B * sin_phi_B_minus_EDF
+        - d.h_B_BCG * cos_phi_B_minus_EDF;
+    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
+    const Scalar determinant = sin_phi_B_minus_EDF * EDF_along_slide_C - d.psi_C_BCG.sin * q.s_F;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_C = omega_B * phi_B_across_slide_C - cos_CD * t01
+        - sin_CD * t02;
+    const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02
+        - omega_B * phi_B_along_slide_C;
+    const Scalar velocity_along_slide_F = omega_B * phi_B_across_slide_F - q.theta_EDF.cos * t01
+        - q.theta_EDF.sin * t02;
+    const Scalar velocity_across_slide_F = q.theta_EDF.sin * t01 - q.theta_EDF.cos * t02
+        - omega_B * phi_B_along_slide_F;
+    const Scalar omega_EDF = (d.psi_C_BCG.sin * velocity_across_slide_F
+        + sin_phi_B_minus_EDF * velocity_across_slide_C) * inverse;
+    const Scalar v_s_B = inverse * (q.s_F * velocity_across_slide_C
+        + EDF_along_slide_C * velocity_across_slide_F);
+    const Scalar v_s_F = cos_phi_B_minus_EDF * v_s_B - omega_EDF * EDF_across_slide_F
+        - velocity_along_slide_F;
+    const Scalar v_s_C = omega_EDF * EDF_across_slide_C + velocity_along_slide_C
+        - d.psi_C_BCG.cos * v_s_B;
+    q_rate(0) = omega_EDF;
+    q_rate(1) = v_s_B;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_F;
+  }
+
+  /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
+  template <typename Scalar>
+  static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
+        + q.theta_EDF.sin * sin_CD;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
+        - q.theta_EDF.cos * sin_CD;
+    const Scalar cos_phi_B_minus_EDF = u.phi_B.cos * q.theta_EDF.cos
+        + u.phi_B.sin * q.theta_EDF.sin;
+    const Scalar sin_phi_B_minus_EDF = u.phi_B.sin * q.theta_EDF.cos
+        - u.phi_B.cos * q.theta_EDF.sin;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
+        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B
+        - d.psi_C_BCG.cos * d.h_B_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_phi_B_minus_psi_C_BCG
+        - d.x_D_EDF * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_phi_B_minus_psi_C_BCG
+        - cos_EDF_minus_phi_B_minus_psi_C_BCG * d.y_D_EDF;
+    const Scalar phi_B_along_slide_F = q.s_B * cos_phi_B_minus_EDF
+        + d.h_B_BCG * sin_phi_B_minus_EDF;
+    const Scalar phi_B_across_slide_F = q.s_B * sin_phi_B_minus_EDF
+        - d.h_B_BCG * cos_phi_B_minus_EDF;
+    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
+    const Scalar determinant = sin_phi_B_minus_EDF * EDF_along_slide_C - d.psi_C_BCG.sin * q.s_F;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar t03 = omega_B * phi_B_across_slide_C;
+    const Scalar velocity_along_slide_C = t03 - cos_CD * t01 - sin_CD * t02;
+    const Scalar t04 = omega_B * phi_B_along_slide_C;
+    const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02 - t04;
+    const Scalar t05 = omega_B * phi_B_across_slide_F;
+    const Scalar velocity_along_slide_F = t05 - q.theta_EDF.cos * t01 - q.theta_EDF.sin * t02;
+    const Scalar t06 = omega_B * phi_B_along_slide_F;
+    const Scalar velocity_across_slide_F = q.theta_EDF.sin * t01 - q.theta_EDF.cos * t02 - t06;
+    const Scalar omega_EDF = (d.psi_C_BCG.sin * velocity_across_slide_F
+        + sin_phi_B_minus_EDF * velocity_across_slide_C) * inverse;
+    const Scalar v_s_B = inverse * (q.s_F * velocity_across_slide_C
+        + EDF_along_slide_C * velocity_across_slide_F);
+    const Scalar t07 = omega_EDF * EDF_across_slide_F;
+    const Scalar t08 = cos_phi_B_minus_EDF * v_s_B;
+    const Scalar v_s_F = t08 - t07 - velocity_along_slide_F;
+    const Scalar t09 = d.psi_C_BCG.cos * v_s_B;
+    const Scalar v_s_C = omega_EDF * EDF_across_slide_C + velocity_along_slide_C - t09;
+    const Scalar t10 = a_x_B - a_x_E;
+    const Scalar t11 = a_y_B - a_y_E;
+    const Scalar t12 = omega_EDF * omega_EDF;
+    const Scalar acceleration_along_slide_C = omega_B * (t04 - Scalar(2) * d.psi_C_BCG.sin * v_s_B)
+        + phi_B_across_slide_C * alpha_B + EDF_along_slide_C * t12 - cos_CD * t10 - sin_CD * t11;
+    const Scalar acceleration_across_slide_C = omega_B * (t03 - Scalar(2) * t09 - Scalar(2) * v_s_C)
+        + sin_CD * t10 + EDF_across_slide_C * t12 - cos_CD * t11 - phi_B_along_slide_C * alpha_B;
+    const Scalar acceleration_along_slide_F = omega_B * (t06
+        + Scalar(2) * sin_phi_B_minus_EDF * v_s_B) + phi_B_across_slide_F * alpha_B
+        - q.theta_EDF.cos * t10 - q.theta_EDF.sin * t11 - q.s_F * t12;
+    const Scalar acceleration_across_slide_F = q.theta_EDF.sin * t10 + omega_EDF * (t07
+        + Scalar(2) * v_s_F) + omega_B * (t05 - Scalar(2) * t08) - q.theta_EDF.cos * t11
+        - phi_B_along_slide_F * alpha_B;
+    const Scalar alpha_EDF = inverse * (d.psi_C_BCG.sin * acceleration_across_slide_F
+        + sin_phi_B_minus_EDF * acceleration_across_slide_C);
+    const Scalar a_s_B = inverse * (q.s_F * acceleration_across_slide_C
+        + EDF_along_slide_C * acceleration_across_slide_F);
+    const Scalar a_s_F = cos_phi_B_minus_EDF * a_s_B - EDF_across_slide_F * alpha_EDF
+        - acceleration_along_slide_F;
+    const Scalar a_s_C = EDF_across_slide_C * alpha_EDF + acceleration_along_slide_C
+        - d.psi_C_BCG.cos * a_s_B;
+    q_rate(0) = omega_EDF;
+    q_rate(1) = v_s_B;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_F;
+    q_second_rate(0) = alpha_EDF;
+    q_second_rate(1) = a_s_B;
+    q_second_rate(2) = a_s_C;
+    q_second_rate(3) = a_s_F;
+  }
+
+  /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
+  template <typename Scalar>
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
+        + q.theta_EDF.sin * sin_CD;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
+        - q.theta_EDF.cos * sin_CD;
+    const Scalar cos_phi_B_minus_EDF = u.phi_B.cos * q.theta_EDF.cos
+        + u.phi_B.sin * q.theta_EDF.sin;
+    const Scalar sin_phi_B_minus_EDF = u.phi_B.sin * q.theta_EDF.cos
+        - u.phi_B.cos * q.theta_EDF.sin;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
+        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar t01 = d.h_C_BCG - d.h_C_CD;
+    const Scalar phi_B_across_slide_C = t01 - d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG;
+    const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_phi_B_minus_psi_C_BCG
+        - d.x_D_EDF * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_phi_B_minus_psi_C_BCG
+        - cos_EDF_minus_phi_B_minus_psi_C_BCG * d.y_D_EDF;
+    const Scalar phi_B_along_slide_F = q.s_B * cos_phi_B_minus_EDF
+        + d.h_B_BCG * sin_phi_B_minus_EDF;
+    const Scalar phi_B_across_slide_F = q.s_B * sin_phi_B_minus_EDF
+        - d.h_B_BCG * cos_phi_B_minus_EDF;
+    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
+    const Scalar determinant = sin_phi_B_minus_EDF * EDF_along_slide_C - d.psi_C_BCG.sin * q.s_F;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar EDF_per_across_slide_C = sin_phi_B_minus_EDF * inverse;
+    const Scalar s_B_per_across_slide_C = q.s_F * inverse;
+    const Scalar s_F_per_across_slide_C = cos_phi_B_minus_EDF * s_B_per_across_slide_C
+        - EDF_across_slide_F * EDF_per_across_slide_C;
+    const Scalar t02 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = EDF_per_across_slide_C * EDF_across_slide_C - t02;
+    const Scalar EDF_per_across_slide_F = d.psi_C_BCG.sin * inverse;
+    const Scalar s_B_per_across_slide_F = EDF_along_slide_C * inverse;
+    const Scalar t03 = cos_phi_B_minus_EDF * s_B_per_across_slide_F;
+    const Scalar s_F_per_across_slide_F = t03 - EDF_across_slide_F * EDF_per_across_slide_F;
+    const Scalar s_C_per_across_slide_F = EDF_across_slide_C * EDF_per_across_slide_F
+        - d.psi_C_BCG.cos * s_B_per_across_slide_F;
+    const Scalar t04 = q.theta_EDF.sin * EDF_per_across_slide_F + sin_CD * EDF_per_across_slide_C;
+    const Scalar EDF_per_x_B = t04;
+    const Scalar t05 = q.theta_EDF.sin * s_B_per_across_slide_F + sin_CD * s_B_per_across_slide_C;
+    const Scalar s_B_per_x_B = t05;
+    const Scalar t06 = cos_CD - q.theta_EDF.sin * s_C_per_across_slide_F
+        - sin_CD * s_C_per_across_slide_C;
+    const Scalar s_C_per_x_B = -t06;
+    const Scalar t07 = q.theta_EDF.cos + q.theta_EDF.sin * s_F_per_across_slide_F
+        + sin_CD * s_F_per_across_slide_C;
+    const Scalar s_F_per_x_B = t07;
+    const Scalar t08 = q.theta_EDF.cos * EDF_per_across_slide_F + cos_CD * EDF_per_across_slide_C;
+    const Scalar EDF_per_y_B = -t08;
+    const Scalar t09 = q.theta_EDF.cos * s_B_per_across_slide_F + cos_CD * s_B_per_across_slide_C;
+    const Scalar s_B_per_y_B = -t09;
+    const Scalar t10 = sin_CD + q.theta_EDF.cos * s_C_per_across_slide_F
+        + cos_CD * s_C_per_across_slide_C;
+    const Scalar s_C_per_y_B = -t10;
+    const Scalar t11 = q.theta_EDF.sin - q.theta_EDF.cos * s_F_per_across_slide_F
+        - cos_CD * s_F_per_across_slide_C;
+    const Scalar s_F_per_y_B = t11;
+    const Scalar t12 = EDF_per_across_slide_C * phi_B_along_slide_C
+        + EDF_per_across_slide_F * phi_B_along_slide_F;
+    const Scalar EDF_per_phi_B = -t12;
+    const Scalar t13 = s_B_per_across_slide_C * phi_B_along_slide_C
+        + s_B_per_across_slide_F * phi_B_along_slide_F;
+    const Scalar s_B_per_phi_B = -t13;
+    const Scalar t14 = s_C_per_across_slide_C * phi_B_along_slide_C
+        + s_C_per_across_slide_F * phi_B_along_slide_F - phi_B_across_slide_C;
+    const Scalar s_C_per_phi_B = -t14;
+    const Scalar t15 = s_F_per_across_slide_C * phi_B_along_slide_C
+        + s_F_per_across_slide_F * phi_B_along_slide_F + phi_B_across_slide_F;
+    const Scalar s_F_per_phi_B = -t15;
+    const Scalar t16 = v_x_B - v_x_E;
+    const Scalar t17 = v_y_B - v_y_E;
+    const Scalar omega_EDF = t16 * EDF_per_x_B + t17 * EDF_per_y_B + omega_B * EDF_per_phi_B;
+    const Scalar v_s_B = t16 * s_B_per_x_B + t17 * s_B_per_y_B + omega_B * s_B_per_phi_B;
+    const Scalar v_s_C = t16 * s_C_per_x_B + t17 * s_C_per_y_B + omega_B * s_C_per_phi_B;
+    const Scalar v_s_F = t16 * s_F_per_x_B + t17 * s_F_per_y_B + omega_B * s_F_per_phi_B;
+    const Scalar t18 = omega_EDF * omega_EDF;
+    const Scalar centripetal_along_slide_C = EDF_along_slide_C * t18
+        - omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B - phi_B_along_slide_C * omega_B);
+    const Scalar centripetal_across_slide_C = EDF_across_slide_C * t18
+        - omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B + Scalar(2) * v_s_C
+        - phi_B_across_slide_C * omega_B);
+    const Scalar centripetal_along_slide_F = omega_B * (Scalar(2) * sin_phi_B_minus_EDF * v_s_B
+        + phi_B_along_slide_F * omega_B) - q.s_F * t18;
+    const Scalar centripetal_across_slide_F = omega_EDF * (EDF_across_slide_F * omega_EDF
+        + Scalar(2) * v_s_F) - omega_B * (Scalar(2) * cos_phi_B_minus_EDF * v_s_B
+        - phi_B_across_slide_F * omega_B);
+    const Scalar t19 = a_x_B - a_x_E;
+    const Scalar t20 = a_y_B - a_y_E;
+    S_d(0, 0) = d.psi_C_BCG.cos * EDF_per_across_slide_C
+        + cos_phi_B_minus_EDF * EDF_per_across_slide_F;
+    S_d(0, 1) = -q.s_C * EDF_per_across_slide_C;
+    S_d(0, 2) = -EDF_per_across_slide_C;
+    S_d(0, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * EDF_per_across_slide_C;
+    S_d(0, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * EDF_per_across_slide_C;
+    S_d(0, 5) = EDF_per_across_slide_F;
+    S_d(0, 6) = EDF_per_across_slide_C;
+    S_d(0, 7) = -EDF_per_across_slide_F;
+    S_d(1, 0) = t02 + t03;
+    S_d(1, 1) = -q.s_C * s_B_per_across_slide_C;
+    S_d(1, 2) = -s_B_per_across_slide_C;
+    S_d(1, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
+    S_d(1, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
+    S_d(1, 5) = s_B_per_across_slide_F;
+    S_d(1, 6) = s_B_per_across_slide_C;
+    S_d(1, 7) = -s_B_per_across_slide_F;
+    S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
+        + cos_phi_B_minus_EDF * s_C_per_across_slide_F;
+    S_d(2, 1) = t01 - q.s_C * s_C_per_across_slide_C;
+    S_d(2, 2) = -s_C_per_across_slide_C;
+    S_d(2, 3) = cos_EDF_minus_phi_B_minus_psi_C_BCG
+        + sin_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
+    S_d(2, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C
+        - sin_EDF_minus_phi_B_minus_psi_C_BCG;
+    S_d(2, 5) = s_C_per_across_slide_F;
+    S_d(2, 6) = s_C_per_across_slide_C;
+    S_d(2, 7) = -s_C_per_across_slide_F;
+    S_d(3, 0) = sin_phi_B_minus_EDF + d.psi_C_BCG.cos * s_F_per_across_slide_C
+        + cos_phi_B_minus_EDF * s_F_per_across_slide_F;
+    S_d(3, 1) = -q.s_C * s_F_per_across_slide_C;
+    S_d(3, 2) = -s_F_per_across_slide_C;
+    S_d(3, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
+    S_d(3, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
+    S_d(3, 5) = s_F_per_across_slide_F;
+    S_d(3, 6) = s_F_per_across_slide_C;
+    S_d(3, 7) = -s_F_per_across_slide_F;
+    S_u(0, 0) = t04;
+    S_u(0, 1) = -t08;
+    S_u(0, 2) = -t12;
+    S_u(0, 3) = -t04;
+    S_u(0, 4) = t08;
+    S_u(1, 0) = t05;
+    S_u(1, 1) = -t09;
+    S_u(1, 2) = -t13;
+    S_u(1, 3) = -t05;
+    S_u(1, 4) = t09;
+    S_u(2, 0) = -t06;
+    S_u(2, 1) = -t10;
+    S_u(2, 2) = -t14;
+    S_u(2, 3) = t06;
+    S_u(2, 4) = t10;
+    S_u(3, 0) = t07;
+    S_u(3, 1) = t11;
+    S_u(3, 2) = -t15;
+    S_u(3, 3) = -t07;
+    S_u(3, 4) = -t11;
+    q_rate(0) = omega_EDF;
+    q_rate(1) = v_s_B;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_F;
+    q_second_rate(0) = EDF_per_x_B * t19 + EDF_per_y_B * t20 + EDF_per_phi_B * alpha_B
+        + EDF_per_across_slide_C * centripetal_across_slide_C
+        + EDF_per_across_slide_F * centripetal_across_slide_F;
+    q_second_rate(1) = s_B_per_x_B * t19 + s_B_per_y_B * t20 + s_B_per_phi_B * alpha_B
+        + s_B_per_across_slide_C * centripetal_across_slide_C
+        + s_B_per_across_slide_F * centripetal_across_slide_F;
+    q_second_rate(2) = s_C_per_x_B * t19 + s_C_per_y_B * t20 + s_C_per_phi_B * alpha_B
+        + s_C_per_across_slide_C * centripetal_across_slide_C
+        + s_C_per_across_slide_F * centripetal_across_slide_F + centripetal_along_slide_C;
+    q_second_rate(3) = s_F_per_x_B * t19 + s_F_per_y_B * t20 + s_F_per_phi_B * alpha_B
+        + s_F_per_across_slide_C * centripetal_across_slide_C
+        + s_F_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_F;
   }
 
   /// The final polynomial T in theta_EDF, free of all other unknowns:

@@ -29,22 +29,28 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             22, 24, 0
-///   jacobian:             12, 4, 0
-///   dimension_jacobian:   10, 6, 0
-///   input_jacobian:       14, 12, 0
-///   velocity_rhs:         18, 18, 0
-///   acceleration_rhs:     52, 36, 0
-///   jerk_rhs:             98, 56, 0
-///   curvature_rhs:        97, 56, 0
-///   link_poses:           14, 14, 0
-///   pose_jacobians:       14, 14, 0
-///   link_velocities:      22, 20, 0
-///   link_accelerations:   40, 30, 0
-///   pose_curvatures:      61, 40, 0
-///   position_polynomial:  63, 39, 0
-///   second_equations:     39, 28, 0
-///   complete:             22, 19, 1
+///   residual:                   22, 24, 0
+///   jacobian:                   12, 4, 0
+///   dimension_jacobian:         10, 6, 0
+///   input_jacobian:             14, 12, 0
+///   velocity_rhs:               18, 18, 0
+///   acceleration_rhs:           52, 36, 0
+///   jerk_rhs:                   98, 56, 0
+///   curvature_rhs:              97, 56, 0
+///   link_poses:                 14, 14, 0
+///   pose_jacobians:             14, 14, 0
+///   link_velocities:            22, 20, 0
+///   link_accelerations:         40, 30, 0
+///   pose_curvatures:            61, 40, 0
+///   degeneracies:               18, 18, 0
+///   inverse_jacobian:           59, 19, 1
+///   sensitivities:              101, 50, 1
+///   velocity:                   58, 34, 1
+///   motion:                     99, 64, 1
+///   sensitivities_and_motion:   158, 90, 1
+///   position_polynomial:        63, 39, 0
+///   second_equations:           39, 28, 0
+///   complete:                   22, 19, 1
 struct Model13 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 13;
@@ -61,6 +67,15 @@ struct Model13 {
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = 2;  ///< of the reduced equations; -1: none
+  static constexpr int pivot_count = 2;
+  static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
+  static constexpr int determinant_sign = 1;  ///< det J = sign * the pivots' product
+
+  /// What the vanishing of each pivot of the structured elimination means.
+  static constexpr std::array<const char*, pivot_count> pivots = { {
+      "a dead centre: theta_EDF, s_B free to first order",
+      "GF = 0: theta_GF free to first order",
+  } };
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -814,6 +829,536 @@ struct Model13 {
         + sin_CD) - Scalar(2) * t18 - Scalar(2) * sin_CD * v_h_C_CD);
     p(3, 0) = -t10;
     p(3, 1) = -t12;
+  }
+
+  /// What the structured elimination divides by, p, the core's determinant first; the size
+  /// of each that a well-shaped group would have; and the size of the determinant's terms.
+  /// det J = p(0) * p(1).
+  template <typename Scalar>
+  static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,
+      Vector<Scalar, pivot_count>& size, Scalar& terms) {
+    using std::abs;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
+        + q.theta_EDF.sin * sin_CD;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = cos_phi_B_minus_GF * EDF_along_slide_C
+        - d.psi_C_BCG.sin * EDF_across_GF;
+    const Scalar t01 = abs(d.x_F_EDF) + abs(d.y_F_EDF);
+    const Scalar t02 = abs(d.ED) + t01;
+    const Scalar t03 = abs(q.s_B) + abs(d.h_B_BCG);
+    p(0) = determinant;
+    p(1) = d.GF;
+    size(0) = abs(q.s_C) + abs(d.h_C_BCG) + abs(d.h_C_CD) + abs(d.GF) + t02 + Scalar(2) * t03;
+    size(1) = abs(d.GF) + t01 + t03;
+    terms = t02;
+  }
+
+  /// The inverse of J, for right-hand sides of every sort.
+  template <typename Scalar>
+  static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
+        + q.theta_EDF.sin * sin_CD;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
+        - q.theta_EDF.cos * sin_CD;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = cos_phi_B_minus_GF * EDF_along_slide_C
+        - d.psi_C_BCG.sin * EDF_across_GF;
+    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar inverse_determinant = d.GF * inverse;
+    const Scalar inverse_GF = determinant * inverse;
+    const Scalar EDF_per_across_slide_C = cos_phi_B_minus_GF * inverse_determinant;
+    const Scalar s_B_per_across_slide_C = EDF_across_GF * inverse_determinant;
+    const Scalar s_C_per_across_slide_C = EDF_across_slide_C * EDF_per_across_slide_C
+        - d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar GF_per_across_slide_C = -(s_B_per_across_slide_C * sin_phi_B_minus_GF
+        + EDF_per_across_slide_C * EDF_along_GF) * inverse_GF;
+    const Scalar EDF_per_along_GF = d.psi_C_BCG.sin * inverse_determinant;
+    const Scalar s_B_per_along_GF = EDF_along_slide_C * inverse_determinant;
+    const Scalar s_C_per_along_GF = EDF_across_slide_C * EDF_per_along_GF
+        - d.psi_C_BCG.cos * s_B_per_along_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_GF
+        + EDF_along_GF * EDF_per_along_GF);
+    J_inverse(0, 0) = -sin_CD * EDF_per_across_slide_C;
+    J_inverse(0, 1) = cos_CD * EDF_per_across_slide_C;
+    J_inverse(0, 2) = q.theta_GF.cos * EDF_per_along_GF;
+    J_inverse(0, 3) = q.theta_GF.sin * EDF_per_along_GF;
+    J_inverse(1, 0) = -sin_CD * GF_per_across_slide_C;
+    J_inverse(1, 1) = cos_CD * GF_per_across_slide_C;
+    J_inverse(1, 2) = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
+    J_inverse(1, 3) = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    J_inverse(2, 0) = -sin_CD * s_B_per_across_slide_C;
+    J_inverse(2, 1) = cos_CD * s_B_per_across_slide_C;
+    J_inverse(2, 2) = q.theta_GF.cos * s_B_per_along_GF;
+    J_inverse(2, 3) = q.theta_GF.sin * s_B_per_along_GF;
+    J_inverse(3, 0) = cos_CD - sin_CD * s_C_per_across_slide_C;
+    J_inverse(3, 1) = sin_CD + cos_CD * s_C_per_across_slide_C;
+    J_inverse(3, 2) = q.theta_GF.cos * s_C_per_along_GF;
+    J_inverse(3, 3) = q.theta_GF.sin * s_C_per_along_GF;
+  }
+
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
+        + q.theta_EDF.sin * sin_CD;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
+        - q.theta_EDF.cos * sin_CD;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
+        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar t01 = d.h_C_BCG - d.h_C_CD;
+    const Scalar phi_B_across_slide_C = t01 - d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = cos_phi_B_minus_GF * EDF_along_slide_C
+        - d.psi_C_BCG.sin * EDF_across_GF;
+    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar inverse_determinant = d.GF * inverse;
+    const Scalar inverse_GF = determinant * inverse;
+    const Scalar EDF_per_across_slide_C = cos_phi_B_minus_GF * inverse_determinant;
+    const Scalar s_B_per_across_slide_C = EDF_across_GF * inverse_determinant;
+    const Scalar t02 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = EDF_across_slide_C * EDF_per_across_slide_C - t02;
+    const Scalar GF_per_across_slide_C = -(sin_phi_B_minus_GF * s_B_per_across_slide_C
+        + EDF_per_across_slide_C * EDF_along_GF) * inverse_GF;
+    const Scalar EDF_per_along_GF = d.psi_C_BCG.sin * inverse_determinant;
+    const Scalar s_B_per_along_GF = EDF_along_slide_C * inverse_determinant;
+    const Scalar s_C_per_along_GF = EDF_across_slide_C * EDF_per_along_GF
+        - d.psi_C_BCG.cos * s_B_per_along_GF;
+    const Scalar t03 = sin_phi_B_minus_GF * s_B_per_along_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * (t03 + EDF_along_GF * EDF_per_along_GF);
+    const Scalar t04 = q.theta_GF.cos * EDF_per_along_GF - sin_CD * EDF_per_across_slide_C;
+    const Scalar t05 = q.theta_GF.sin * EDF_per_along_GF + cos_CD * EDF_per_across_slide_C;
+    const Scalar t06 = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF
+        - sin_CD * GF_per_across_slide_C;
+    const Scalar t07 = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF
+        + cos_CD * GF_per_across_slide_C;
+    const Scalar t08 = q.theta_GF.cos * s_B_per_along_GF - sin_CD * s_B_per_across_slide_C;
+    const Scalar t09 = q.theta_GF.sin * s_B_per_along_GF + cos_CD * s_B_per_across_slide_C;
+    const Scalar t10 = cos_CD + q.theta_GF.cos * s_C_per_along_GF - sin_CD * s_C_per_across_slide_C;
+    const Scalar t11 = sin_CD + q.theta_GF.sin * s_C_per_along_GF + cos_CD * s_C_per_across_slide_C;
+    S_d(0, 0) = d.psi_C_BCG.cos * EDF_per_across_slide_C - sin_phi_B_minus_GF * EDF_per_along_GF;
+    S_d(0, 1) = -q.s_C * EDF_per_across_slide_C;
+    S_d(0, 2) = -EDF_per_across_slide_C;
+    S_d(0, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * EDF_per_across_slide_C;
+    S_d(0, 4) = cos_EDF_minus_GF * EDF_per_along_GF;
+    S_d(0, 5) = -sin_EDF_minus_GF * EDF_per_along_GF;
+    S_d(0, 6) = EDF_per_across_slide_C;
+    S_d(0, 7) = -EDF_per_along_GF;
+    S_d(1, 0) = d.psi_C_BCG.cos * GF_per_across_slide_C + cos_phi_B_minus_GF * inverse_GF
+        - sin_phi_B_minus_GF * GF_per_along_GF;
+    S_d(1, 1) = -q.s_C * GF_per_across_slide_C;
+    S_d(1, 2) = -GF_per_across_slide_C;
+    S_d(1, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * GF_per_across_slide_C;
+    S_d(1, 4) = cos_EDF_minus_GF * GF_per_along_GF + sin_EDF_minus_GF * inverse_GF;
+    S_d(1, 5) = cos_EDF_minus_GF * inverse_GF - sin_EDF_minus_GF * GF_per_along_GF;
+    S_d(1, 6) = GF_per_across_slide_C;
+    S_d(1, 7) = -GF_per_along_GF;
+    S_d(2, 0) = t02 - t03;
+    S_d(2, 1) = -q.s_C * s_B_per_across_slide_C;
+    S_d(2, 2) = -s_B_per_across_slide_C;
+    S_d(2, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
+    S_d(2, 4) = cos_EDF_minus_GF * s_B_per_along_GF;
+    S_d(2, 5) = -sin_EDF_minus_GF * s_B_per_along_GF;
+    S_d(2, 6) = s_B_per_across_slide_C;
+    S_d(2, 7) = -s_B_per_along_GF;
+    S_d(3, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
+        - sin_phi_B_minus_GF * s_C_per_along_GF;
+    S_d(3, 1) = t01 - q.s_C * s_C_per_across_slide_C;
+    S_d(3, 2) = -s_C_per_across_slide_C;
+    S_d(3, 3) = cos_EDF_minus_phi_B_minus_psi_C_BCG
+        + sin_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
+    S_d(3, 4) = cos_EDF_minus_GF * s_C_per_along_GF;
+    S_d(3, 5) = -sin_EDF_minus_GF * s_C_per_along_GF;
+    S_d(3, 6) = s_C_per_across_slide_C;
+    S_d(3, 7) = -s_C_per_along_GF;
+    S_u(0, 0) = -t04;
+    S_u(0, 1) = -t05;
+    S_u(0, 2) = EDF_per_along_GF * phi_B_across_GF - EDF_per_across_slide_C * phi_B_along_slide_C;
+    S_u(0, 3) = t04;
+    S_u(0, 4) = t05;
+    S_u(1, 0) = -t06;
+    S_u(1, 1) = -t07;
+    S_u(1, 2) = GF_per_along_GF * phi_B_across_GF - GF_per_across_slide_C * phi_B_along_slide_C
+        - inverse_GF * phi_B_along_GF;
+    S_u(1, 3) = t06;
+    S_u(1, 4) = t07;
+    S_u(2, 0) = -t08;
+    S_u(2, 1) = -t09;
+    S_u(2, 2) = s_B_per_along_GF * phi_B_across_GF - s_B_per_across_slide_C * phi_B_along_slide_C;
+    S_u(2, 3) = t08;
+    S_u(2, 4) = t09;
+    S_u(3, 0) = -t10;
+    S_u(3, 1) = -t11;
+    S_u(3, 2) = phi_B_across_slide_C + s_C_per_along_GF * phi_B_across_GF
+        - s_C_per_across_slide_C * phi_B_along_slide_C;
+    S_u(3, 3) = t10;
+    S_u(3, 4) = t11;
+  }
+
+  /// dq/dt for the rates du/dt of the inputs.
+  template <typename Scalar>
+  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, unknown_count>& q_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
+        + q.theta_EDF.sin * sin_CD;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
+        - q.theta_EDF.cos * sin_CD;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
+        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B
+        - d.psi_C_BCG.cos * d.h_B_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = cos_phi_B_minus_GF * EDF_along_slide_C
+        - d.psi_C_BCG.sin * EDF_across_GF;
+    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar inverse_determinant = d.GF * inverse;
+    const Scalar inverse_GF = determinant * inverse;
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_C = omega_B * phi_B_across_slide_C - cos_CD * t01
+        - sin_CD * t02;
+    const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02
+        - omega_B * phi_B_along_slide_C;
+    const Scalar velocity_along_GF = omega_B * phi_B_across_GF - q.theta_GF.cos * t01
+        - q.theta_GF.sin * t02;
+    const Scalar velocity_across_GF = q.theta_GF.sin * t01 - q.theta_GF.cos * t02
+        - omega_B * phi_B_along_GF;
+    const Scalar omega_EDF = (d.psi_C_BCG.sin * velocity_along_GF
+        + cos_phi_B_minus_GF * velocity_across_slide_C) * inverse_determinant;
+    const Scalar v_s_B = inverse_determinant * (EDF_along_slide_C * velocity_along_GF
+        + EDF_across_GF * velocity_across_slide_C);
+    const Scalar v_s_C = omega_EDF * EDF_across_slide_C + velocity_along_slide_C
+        - d.psi_C_BCG.cos * v_s_B;
+    const Scalar omega_GF = -(omega_EDF * EDF_along_GF + sin_phi_B_minus_GF * v_s_B
+        - velocity_across_GF) * inverse_GF;
+    q_rate(0) = omega_EDF;
+    q_rate(1) = omega_GF;
+    q_rate(2) = v_s_B;
+    q_rate(3) = v_s_C;
+  }
+
+  /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
+  template <typename Scalar>
+  static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
+        + q.theta_EDF.sin * sin_CD;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
+        - q.theta_EDF.cos * sin_CD;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
+        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B
+        - d.psi_C_BCG.cos * d.h_B_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = cos_phi_B_minus_GF * EDF_along_slide_C
+        - d.psi_C_BCG.sin * EDF_across_GF;
+    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar inverse_determinant = d.GF * inverse;
+    const Scalar inverse_GF = determinant * inverse;
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar t03 = omega_B * phi_B_across_slide_C;
+    const Scalar velocity_along_slide_C = t03 - cos_CD * t01 - sin_CD * t02;
+    const Scalar t04 = omega_B * phi_B_along_slide_C;
+    const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02 - t04;
+    const Scalar t05 = omega_B * phi_B_across_GF;
+    const Scalar velocity_along_GF = t05 - q.theta_GF.cos * t01 - q.theta_GF.sin * t02;
+    const Scalar t06 = omega_B * phi_B_along_GF;
+    const Scalar velocity_across_GF = q.theta_GF.sin * t01 - q.theta_GF.cos * t02 - t06;
+    const Scalar omega_EDF = (d.psi_C_BCG.sin * velocity_along_GF
+        + cos_phi_B_minus_GF * velocity_across_slide_C) * inverse_determinant;
+    const Scalar v_s_B = inverse_determinant * (EDF_along_slide_C * velocity_along_GF
+        + EDF_across_GF * velocity_across_slide_C);
+    const Scalar t07 = d.psi_C_BCG.cos * v_s_B;
+    const Scalar v_s_C = omega_EDF * EDF_across_slide_C + velocity_along_slide_C - t07;
+    const Scalar t08 = sin_phi_B_minus_GF * v_s_B;
+    const Scalar omega_GF = -(omega_EDF * EDF_along_GF + t08 - velocity_across_GF) * inverse_GF;
+    const Scalar t09 = a_x_B - a_x_E;
+    const Scalar t10 = a_y_B - a_y_E;
+    const Scalar t11 = omega_EDF * omega_EDF;
+    const Scalar acceleration_along_slide_C = omega_B * (t04 - Scalar(2) * d.psi_C_BCG.sin * v_s_B)
+        + phi_B_across_slide_C * alpha_B + EDF_along_slide_C * t11 - cos_CD * t09 - sin_CD * t10;
+    const Scalar acceleration_across_slide_C = omega_B * (t03 - Scalar(2) * t07 - Scalar(2) * v_s_C)
+        + sin_CD * t09 + EDF_across_slide_C * t11 - cos_CD * t10 - phi_B_along_slide_C * alpha_B;
+    const Scalar acceleration_along_GF = omega_B * (t06 + Scalar(2) * t08)
+        + d.GF * omega_GF * omega_GF + phi_B_across_GF * alpha_B + EDF_along_GF * t11
+        - q.theta_GF.cos * t09 - q.theta_GF.sin * t10;
+    const Scalar acceleration_across_GF = q.theta_GF.sin * t09 + omega_B * (t05
+        - Scalar(2) * cos_phi_B_minus_GF * v_s_B) + EDF_across_GF * t11 - q.theta_GF.cos * t10
+        - phi_B_along_GF * alpha_B;
+    const Scalar alpha_EDF = inverse_determinant * (d.psi_C_BCG.sin * acceleration_along_GF
+        + cos_phi_B_minus_GF * acceleration_across_slide_C);
+    const Scalar a_s_B = inverse_determinant * (EDF_along_slide_C * acceleration_along_GF
+        + EDF_across_GF * acceleration_across_slide_C);
+    const Scalar a_s_C = EDF_across_slide_C * alpha_EDF + acceleration_along_slide_C
+        - d.psi_C_BCG.cos * a_s_B;
+    const Scalar alpha_GF = -inverse_GF * (EDF_along_GF * alpha_EDF + sin_phi_B_minus_GF * a_s_B
+        - acceleration_across_GF);
+    q_rate(0) = omega_EDF;
+    q_rate(1) = omega_GF;
+    q_rate(2) = v_s_B;
+    q_rate(3) = v_s_C;
+    q_second_rate(0) = alpha_EDF;
+    q_second_rate(1) = alpha_GF;
+    q_second_rate(2) = a_s_B;
+    q_second_rate(3) = a_s_C;
+  }
+
+  /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
+  template <typename Scalar>
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
+        + q.theta_EDF.sin * sin_CD;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
+        - q.theta_EDF.cos * sin_CD;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
+        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar t01 = d.h_C_BCG - d.h_C_CD;
+    const Scalar phi_B_across_slide_C = t01 - d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar determinant = cos_phi_B_minus_GF * EDF_along_slide_C
+        - d.psi_C_BCG.sin * EDF_across_GF;
+    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar inverse_determinant = d.GF * inverse;
+    const Scalar inverse_GF = determinant * inverse;
+    const Scalar EDF_per_across_slide_C = cos_phi_B_minus_GF * inverse_determinant;
+    const Scalar s_B_per_across_slide_C = EDF_across_GF * inverse_determinant;
+    const Scalar t02 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = EDF_across_slide_C * EDF_per_across_slide_C - t02;
+    const Scalar GF_per_across_slide_C = -(sin_phi_B_minus_GF * s_B_per_across_slide_C
+        + EDF_per_across_slide_C * EDF_along_GF) * inverse_GF;
+    const Scalar EDF_per_along_GF = d.psi_C_BCG.sin * inverse_determinant;
+    const Scalar s_B_per_along_GF = EDF_along_slide_C * inverse_determinant;
+    const Scalar s_C_per_along_GF = EDF_across_slide_C * EDF_per_along_GF
+        - d.psi_C_BCG.cos * s_B_per_along_GF;
+    const Scalar t03 = sin_phi_B_minus_GF * s_B_per_along_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * (t03 + EDF_along_GF * EDF_per_along_GF);
+    const Scalar t04 = q.theta_GF.cos * EDF_per_along_GF - sin_CD * EDF_per_across_slide_C;
+    const Scalar EDF_per_x_B = -t04;
+    const Scalar t05 = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF
+        - sin_CD * GF_per_across_slide_C;
+    const Scalar GF_per_x_B = -t05;
+    const Scalar t06 = q.theta_GF.cos * s_B_per_along_GF - sin_CD * s_B_per_across_slide_C;
+    const Scalar s_B_per_x_B = -t06;
+    const Scalar t07 = cos_CD + q.theta_GF.cos * s_C_per_along_GF - sin_CD * s_C_per_across_slide_C;
+    const Scalar s_C_per_x_B = -t07;
+    const Scalar t08 = q.theta_GF.sin * EDF_per_along_GF + cos_CD * EDF_per_across_slide_C;
+    const Scalar EDF_per_y_B = -t08;
+    const Scalar t09 = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF
+        + cos_CD * GF_per_across_slide_C;
+    const Scalar GF_per_y_B = -t09;
+    const Scalar t10 = q.theta_GF.sin * s_B_per_along_GF + cos_CD * s_B_per_across_slide_C;
+    const Scalar s_B_per_y_B = -t10;
+    const Scalar t11 = sin_CD + q.theta_GF.sin * s_C_per_along_GF + cos_CD * s_C_per_across_slide_C;
+    const Scalar s_C_per_y_B = -t11;
+    const Scalar t12 = EDF_per_across_slide_C * phi_B_along_slide_C
+        - EDF_per_along_GF * phi_B_across_GF;
+    const Scalar EDF_per_phi_B = -t12;
+    const Scalar t13 = GF_per_across_slide_C * phi_B_along_slide_C + inverse_GF * phi_B_along_GF
+        - GF_per_along_GF * phi_B_across_GF;
+    const Scalar GF_per_phi_B = -t13;
+    const Scalar t14 = s_B_per_across_slide_C * phi_B_along_slide_C
+        - s_B_per_along_GF * phi_B_across_GF;
+    const Scalar s_B_per_phi_B = -t14;
+    const Scalar t15 = s_C_per_across_slide_C * phi_B_along_slide_C - phi_B_across_slide_C
+        - s_C_per_along_GF * phi_B_across_GF;
+    const Scalar s_C_per_phi_B = -t15;
+    const Scalar t16 = v_x_B - v_x_E;
+    const Scalar t17 = v_y_B - v_y_E;
+    const Scalar omega_EDF = t16 * EDF_per_x_B + t17 * EDF_per_y_B + omega_B * EDF_per_phi_B;
+    const Scalar omega_GF = t16 * GF_per_x_B + t17 * GF_per_y_B + omega_B * GF_per_phi_B;
+    const Scalar v_s_B = t16 * s_B_per_x_B + t17 * s_B_per_y_B + omega_B * s_B_per_phi_B;
+    const Scalar v_s_C = t16 * s_C_per_x_B + t17 * s_C_per_y_B + omega_B * s_C_per_phi_B;
+    const Scalar t18 = omega_EDF * omega_EDF;
+    const Scalar centripetal_along_slide_C = EDF_along_slide_C * t18
+        - omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B - phi_B_along_slide_C * omega_B);
+    const Scalar centripetal_across_slide_C = EDF_across_slide_C * t18
+        - omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B + Scalar(2) * v_s_C
+        - phi_B_across_slide_C * omega_B);
+    const Scalar centripetal_along_GF = omega_B * (Scalar(2) * sin_phi_B_minus_GF * v_s_B
+        + phi_B_along_GF * omega_B) + d.GF * omega_GF * omega_GF + EDF_along_GF * t18;
+    const Scalar centripetal_across_GF = EDF_across_GF * t18
+        - omega_B * (Scalar(2) * cos_phi_B_minus_GF * v_s_B - phi_B_across_GF * omega_B);
+    const Scalar t19 = a_x_B - a_x_E;
+    const Scalar t20 = a_y_B - a_y_E;
+    S_d(0, 0) = d.psi_C_BCG.cos * EDF_per_across_slide_C - sin_phi_B_minus_GF * EDF_per_along_GF;
+    S_d(0, 1) = -q.s_C * EDF_per_across_slide_C;
+    S_d(0, 2) = -EDF_per_across_slide_C;
+    S_d(0, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * EDF_per_across_slide_C;
+    S_d(0, 4) = cos_EDF_minus_GF * EDF_per_along_GF;
+    S_d(0, 5) = -sin_EDF_minus_GF * EDF_per_along_GF;
+    S_d(0, 6) = EDF_per_across_slide_C;
+    S_d(0, 7) = -EDF_per_along_GF;
+    S_d(1, 0) = d.psi_C_BCG.cos * GF_per_across_slide_C + cos_phi_B_minus_GF * inverse_GF
+        - sin_phi_B_minus_GF * GF_per_along_GF;
+    S_d(1, 1) = -q.s_C * GF_per_across_slide_C;
+    S_d(1, 2) = -GF_per_across_slide_C;
+    S_d(1, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * GF_per_across_slide_C;
+    S_d(1, 4) = cos_EDF_minus_GF * GF_per_along_GF + sin_EDF_minus_GF * inverse_GF;
+    S_d(1, 5) = cos_EDF_minus_GF * inverse_GF - sin_EDF_minus_GF * GF_per_along_GF;
+    S_d(1, 6) = GF_per_across_slide_C;
+    S_d(1, 7) = -GF_per_along_GF;
+    S_d(2, 0) = t02 - t03;
+    S_d(2, 1) = -q.s_C * s_B_per_across_slide_C;
+    S_d(2, 2) = -s_B_per_across_slide_C;
+    S_d(2, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
+    S_d(2, 4) = cos_EDF_minus_GF * s_B_per_along_GF;
+    S_d(2, 5) = -sin_EDF_minus_GF * s_B_per_along_GF;
+    S_d(2, 6) = s_B_per_across_slide_C;
+    S_d(2, 7) = -s_B_per_along_GF;
+    S_d(3, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
+        - sin_phi_B_minus_GF * s_C_per_along_GF;
+    S_d(3, 1) = t01 - q.s_C * s_C_per_across_slide_C;
+    S_d(3, 2) = -s_C_per_across_slide_C;
+    S_d(3, 3) = cos_EDF_minus_phi_B_minus_psi_C_BCG
+        + sin_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
+    S_d(3, 4) = cos_EDF_minus_GF * s_C_per_along_GF;
+    S_d(3, 5) = -sin_EDF_minus_GF * s_C_per_along_GF;
+    S_d(3, 6) = s_C_per_across_slide_C;
+    S_d(3, 7) = -s_C_per_along_GF;
+    S_u(0, 0) = -t04;
+    S_u(0, 1) = -t08;
+    S_u(0, 2) = -t12;
+    S_u(0, 3) = t04;
+    S_u(0, 4) = t08;
+    S_u(1, 0) = -t05;
+    S_u(1, 1) = -t09;
+    S_u(1, 2) = -t13;
+    S_u(1, 3) = t05;
+    S_u(1, 4) = t09;
+    S_u(2, 0) = -t06;
+    S_u(2, 1) = -t10;
+    S_u(2, 2) = -t14;
+    S_u(2, 3) = t06;
+    S_u(2, 4) = t10;
+    S_u(3, 0) = -t07;
+    S_u(3, 1) = -t11;
+    S_u(3, 2) = -t15;
+    S_u(3, 3) = t07;
+    S_u(3, 4) = t11;
+    q_rate(0) = omega_EDF;
+    q_rate(1) = omega_GF;
+    q_rate(2) = v_s_B;
+    q_rate(3) = v_s_C;
+    q_second_rate(0) = EDF_per_x_B * t19 + EDF_per_y_B * t20 + EDF_per_phi_B * alpha_B
+        + EDF_per_across_slide_C * centripetal_across_slide_C
+        + EDF_per_along_GF * centripetal_along_GF;
+    q_second_rate(1) = GF_per_x_B * t19 + GF_per_y_B * t20 + GF_per_phi_B * alpha_B
+        + inverse_GF * centripetal_across_GF + GF_per_across_slide_C * centripetal_across_slide_C
+        + GF_per_along_GF * centripetal_along_GF;
+    q_second_rate(2) = s_B_per_x_B * t19 + s_B_per_y_B * t20 + s_B_per_phi_B * alpha_B
+        + s_B_per_across_slide_C * centripetal_across_slide_C
+        + s_B_per_along_GF * centripetal_along_GF;
+    q_second_rate(3) = s_C_per_x_B * t19 + s_C_per_y_B * t20 + s_C_per_phi_B * alpha_B
+        + s_C_per_across_slide_C * centripetal_across_slide_C
+        + s_C_per_along_GF * centripetal_along_GF + centripetal_along_slide_C;
   }
 
   /// The final polynomial T in theta_EDF, free of all other unknowns:

@@ -29,21 +29,27 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             30, 28, 0
-///   jacobian:             14, 6, 0
-///   dimension_jacobian:   24, 14, 0
-///   input_jacobian:       28, 22, 0
-///   velocity_rhs:         32, 28, 0
-///   acceleration_rhs:     59, 42, 0
-///   jerk_rhs:             95, 60, 0
-///   curvature_rhs:        107, 74, 0
-///   link_poses:           20, 16, 0
-///   pose_jacobians:       12, 12, 0
-///   link_velocities:      20, 18, 0
-///   link_accelerations:   38, 28, 0
-///   pose_curvatures:      51, 33, 0
-///   position_polynomial:  29, 21, 0
-///   complete:             27, 22, 2
+///   residual:                   30, 28, 0
+///   jacobian:                   14, 6, 0
+///   dimension_jacobian:         24, 14, 0
+///   input_jacobian:             28, 22, 0
+///   velocity_rhs:               32, 28, 0
+///   acceleration_rhs:           59, 42, 0
+///   jerk_rhs:                   95, 60, 0
+///   curvature_rhs:              107, 74, 0
+///   link_poses:                 20, 16, 0
+///   pose_jacobians:             12, 12, 0
+///   link_velocities:            20, 18, 0
+///   link_accelerations:         38, 28, 0
+///   pose_curvatures:            51, 33, 0
+///   degeneracies:               2, 5, 0
+///   inverse_jacobian:           35, 9, 1
+///   sensitivities:              98, 52, 1
+///   velocity:                   61, 38, 1
+///   motion:                     94, 63, 1
+///   sensitivities_and_motion:   152, 88, 1
+///   position_polynomial:        29, 21, 0
+///   complete:                   27, 22, 2
 struct Model14 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 14;
@@ -60,6 +66,16 @@ struct Model14 {
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 1;    ///< of the final polynomial
   static constexpr int second_unknown = -1;  ///< of the reduced equations; -1: none
+  static constexpr int pivot_count = 3;
+  static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
+  static constexpr int determinant_sign = -1;  ///< det J = sign * the pivots' product
+
+  /// What the vanishing of each pivot of the structured elimination means.
+  static constexpr std::array<const char*, pivot_count> pivots = { {
+      "cos(phi_B - theta_GF) = 0: s_B free to first order",
+      "sin(psi_D_CD) = 0: s_D free to first order",
+      "GF = 0: theta_GF free to first order",
+  } };
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -841,6 +857,502 @@ struct Model14 {
         + d.h_C_BCG * (t01 * t13 - t02 * t13) + v_h_C_BCG * (t06 + sin_CD) - Scalar(2) * t15);
     p(3, 0) = -t10;
     p(3, 1) = -t12;
+  }
+
+  /// What the structured elimination divides by, p, the core's determinant first; the size
+  /// of each that a well-shaped group would have; and the size of the determinant's terms.
+  /// det J = -p(0) * p(1) * p(2).
+  template <typename Scalar>
+  static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,
+      Vector<Scalar, pivot_count>& size, Scalar& terms) {
+    using std::abs;
+    const Scalar cos_phi_B_minus_GF = q.theta_GF.cos * u.phi_B.cos + q.theta_GF.sin * u.phi_B.sin;
+    p(0) = cos_phi_B_minus_GF;
+    p(1) = -d.psi_D_CD.sin;
+    p(2) = d.GF;
+    size(0) = Scalar(1);
+    size(1) = Scalar(1);
+    size(2) = abs(q.s_B) + abs(d.h_B_BCG) + abs(d.x_F_EDF) + abs(d.y_F_EDF) + abs(d.GF);
+    terms = Scalar(1);
+  }
+
+  /// The inverse of J, for right-hand sides of every sort.
+  template <typename Scalar>
+  static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
+    J_inverse.setZero();
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar t01 = d.psi_D_CD.sin * d.GF;
+    const Scalar inverse = Scalar(1) / (-cos_phi_B_minus_GF * t01);  // zero: cos(phi_B - theta_GF)
+                                                                     //     = 0, or sin(psi_D_CD) =
+                                                                     //     0, or GF = 0
+    const Scalar inverse_cos_phi_B_minus_GF = -inverse * t01;
+    const Scalar t02 = cos_phi_B_minus_GF * inverse;
+    const Scalar inverse_sin_psi_D_CD = d.GF * t02;
+    const Scalar inverse_GF = -d.psi_D_CD.sin * t02;
+    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_D_per_along_GF = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
+        inverse_cos_phi_B_minus_GF;
+    const Scalar s_C_per_along_GF = d.psi_D_CD.cos * s_D_per_along_GF
+        - d.psi_C_BCG.cos * inverse_cos_phi_B_minus_GF;
+    const Scalar GF_per_along_GF = -inverse_cos_phi_B_minus_GF * sin_phi_B_minus_GF * inverse_GF;
+    J_inverse(0, 2) = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
+    J_inverse(0, 3) = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    J_inverse(1, 2) = q.theta_GF.cos * inverse_cos_phi_B_minus_GF;
+    J_inverse(1, 3) = q.theta_GF.sin * inverse_cos_phi_B_minus_GF;
+    J_inverse(2, 0) = cos_CD - sin_CD * s_C_per_across_slide_C;
+    J_inverse(2, 1) = sin_CD + cos_CD * s_C_per_across_slide_C;
+    J_inverse(2, 2) = q.theta_GF.cos * s_C_per_along_GF;
+    J_inverse(2, 3) = q.theta_GF.sin * s_C_per_along_GF;
+    J_inverse(3, 0) = -inverse_sin_psi_D_CD * sin_CD;
+    J_inverse(3, 1) = inverse_sin_psi_D_CD * cos_CD;
+    J_inverse(3, 2) = q.theta_GF.cos * s_D_per_along_GF;
+    J_inverse(3, 3) = q.theta_GF.sin * s_D_per_along_GF;
+  }
+
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    S_d.setZero();
+    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
+    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
+    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * cos_EDF
+        + q.theta_GF.sin * sin_EDF;
+    const Scalar sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * sin_EDF
+        - q.theta_GF.sin * cos_EDF;
+    const Scalar t03 = d.psi_D_CD.cos * q.s_D - d.psi_D_CD.sin * d.h_D_EDF;
+    const Scalar t04 = q.s_C - t03;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + t04 - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar t05 = d.psi_D_CD.cos * d.h_D_EDF + d.psi_D_CD.sin * q.s_D - d.h_C_BCG;
+    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG
+        - t05;
+    const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF
+        + d.y_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
+        - d.x_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
+    const Scalar t06 = d.x_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
+        + cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * d.y_F_EDF;
+    const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF
+        - t06;
+    const Scalar t07 = d.psi_D_CD.sin * cos_phi_B_minus_GF;
+    const Scalar inverse = Scalar(1) / (-d.GF * t07);  // zero: cos(phi_B - theta_GF) = 0, or
+                                                       //     sin(psi_D_CD) = 0, or GF = 0
+    const Scalar t08 = d.GF * inverse;
+    const Scalar inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t08;
+    const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t08;
+    const Scalar inverse_GF = -inverse * t07;
+    const Scalar t09 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_C_per_across_slide_C = t09;
+    const Scalar s_D_per_along_GF = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
+        inverse_cos_phi_B_minus_GF;
+    const Scalar s_C_per_along_GF = d.psi_D_CD.cos * s_D_per_along_GF
+        - d.psi_C_BCG.cos * inverse_cos_phi_B_minus_GF;
+    const Scalar t10 = sin_phi_B_minus_GF * inverse_cos_phi_B_minus_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * t10;
+    const Scalar t11 = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_GF
+        - sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * GF_per_along_GF;
+    const Scalar t12 = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * GF_per_along_GF
+        + sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_GF;
+    const Scalar t13 = d.x_F_EDF * t11 - d.y_F_EDF * t12;
+    const Scalar t14 = inverse_cos_phi_B_minus_GF * t06;
+    const Scalar t15 = t06 * s_C_per_along_GF;
+    const Scalar t16 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t17 = s_D_per_along_GF * t06;
+    const Scalar t18 = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
+    const Scalar t19 = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    const Scalar t20 = q.theta_GF.cos * inverse_cos_phi_B_minus_GF;
+    const Scalar t21 = q.theta_GF.sin * inverse_cos_phi_B_minus_GF;
+    const Scalar t22 = q.theta_GF.cos * s_C_per_along_GF + cos_CD - s_C_per_across_slide_C * sin_CD;
+    const Scalar t23 = sin_CD + q.theta_GF.sin * s_C_per_along_GF + s_C_per_across_slide_C * cos_CD;
+    const Scalar t24 = q.theta_GF.cos * s_D_per_along_GF - inverse_sin_psi_D_CD * sin_CD;
+    const Scalar t25 = q.theta_GF.sin * s_D_per_along_GF + inverse_sin_psi_D_CD * cos_CD;
+    S_d(0, 0) = cos_phi_B_minus_GF * inverse_GF - sin_phi_B_minus_GF * GF_per_along_GF;
+    S_d(0, 1) = t13;
+    S_d(0, 4) = t12;
+    S_d(0, 5) = t11;
+    S_d(0, 6) = t13;
+    S_d(0, 7) = -GF_per_along_GF;
+    S_d(1, 0) = -t10;
+    S_d(1, 1) = -t14;
+    S_d(1, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_cos_phi_B_minus_GF;
+    S_d(1, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_cos_phi_B_minus_GF;
+    S_d(1, 6) = -t14;
+    S_d(1, 7) = -inverse_cos_phi_B_minus_GF;
+    S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
+        - sin_phi_B_minus_GF * s_C_per_along_GF;
+    S_d(2, 1) = -t15 - s_C_per_across_slide_C * t04 - t05;
+    S_d(2, 2) = -s_C_per_across_slide_C;
+    S_d(2, 3) = -t16;
+    S_d(2, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_C_per_along_GF;
+    S_d(2, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_C_per_along_GF;
+    S_d(2, 6) = -t15 - q.s_D * t16 - d.h_D_EDF * (d.psi_D_CD.cos
+        + d.psi_D_CD.sin * s_C_per_across_slide_C);
+    S_d(2, 7) = -s_C_per_along_GF;
+    S_d(3, 0) = d.psi_C_BCG.cos * inverse_sin_psi_D_CD - sin_phi_B_minus_GF * s_D_per_along_GF;
+    S_d(3, 1) = -t17 - inverse_sin_psi_D_CD * t04;
+    S_d(3, 2) = -inverse_sin_psi_D_CD;
+    S_d(3, 3) = t09;
+    S_d(3, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_D_per_along_GF;
+    S_d(3, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_D_per_along_GF;
+    S_d(3, 6) = inverse_sin_psi_D_CD * t03 - t17;
+    S_d(3, 7) = -s_D_per_along_GF;
+    S_u(0, 0) = -t18;
+    S_u(0, 1) = -t19;
+    S_u(0, 2) = GF_per_along_GF * phi_B_across_GF - inverse_GF * phi_B_along_GF;
+    S_u(0, 3) = t18;
+    S_u(0, 4) = t19;
+    S_u(1, 0) = -t20;
+    S_u(1, 1) = -t21;
+    S_u(1, 2) = inverse_cos_phi_B_minus_GF * phi_B_across_GF;
+    S_u(1, 3) = t20;
+    S_u(1, 4) = t21;
+    S_u(2, 0) = -t22;
+    S_u(2, 1) = -t23;
+    S_u(2, 2) = phi_B_across_slide_C + s_C_per_along_GF * phi_B_across_GF
+        - s_C_per_across_slide_C * phi_B_along_slide_C;
+    S_u(2, 3) = t22;
+    S_u(2, 4) = t23;
+    S_u(3, 0) = -t24;
+    S_u(3, 1) = -t25;
+    S_u(3, 2) = s_D_per_along_GF * phi_B_across_GF - inverse_sin_psi_D_CD * phi_B_along_slide_C;
+    S_u(3, 3) = t24;
+    S_u(3, 4) = t25;
+  }
+
+  /// dq/dt for the rates du/dt of the inputs.
+  template <typename Scalar>
+  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, unknown_count>& q_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
+    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
+    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * cos_EDF
+        + q.theta_GF.sin * sin_EDF;
+    const Scalar sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * sin_EDF
+        - q.theta_GF.sin * cos_EDF;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C + d.psi_D_CD.sin * d.h_D_EDF
+        - d.psi_D_CD.cos * q.s_D - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B - d.psi_D_CD.sin * q.s_D
+        - d.psi_C_BCG.cos * d.h_B_BCG - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF
+        + d.y_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
+        - d.x_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
+    const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF
+        - d.x_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
+        - cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * d.y_F_EDF;
+    const Scalar t03 = d.psi_D_CD.sin * cos_phi_B_minus_GF;
+    const Scalar inverse = Scalar(1) / (-d.GF * t03);  // zero: cos(phi_B - theta_GF) = 0, or
+                                                       //     sin(psi_D_CD) = 0, or GF = 0
+    const Scalar t04 = d.GF * inverse;
+    const Scalar inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t04;
+    const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t04;
+    const Scalar inverse_GF = -inverse * t03;
+    const Scalar t05 = v_x_B - v_x_E;
+    const Scalar t06 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_C = omega_B * phi_B_across_slide_C - t05 * cos_CD
+        - t06 * sin_CD;
+    const Scalar velocity_across_slide_C = t05 * sin_CD - cos_CD * t06
+        - omega_B * phi_B_along_slide_C;
+    const Scalar velocity_along_GF = omega_B * phi_B_across_GF - q.theta_GF.cos * t05
+        - q.theta_GF.sin * t06;
+    const Scalar velocity_across_GF = q.theta_GF.sin * t05 - q.theta_GF.cos * t06
+        - omega_B * phi_B_along_GF;
+    const Scalar v_s_B = inverse_cos_phi_B_minus_GF * velocity_along_GF;
+    const Scalar v_s_D = (d.psi_C_BCG.sin * v_s_B + velocity_across_slide_C) * inverse_sin_psi_D_CD;
+    const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + velocity_along_slide_C - d.psi_C_BCG.cos * v_s_B;
+    const Scalar omega_GF = -(sin_phi_B_minus_GF * v_s_B - velocity_across_GF) * inverse_GF;
+    q_rate(0) = omega_GF;
+    q_rate(1) = v_s_B;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_D;
+  }
+
+  /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
+  template <typename Scalar>
+  static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
+    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
+    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * cos_EDF
+        + q.theta_GF.sin * sin_EDF;
+    const Scalar sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * sin_EDF
+        - q.theta_GF.sin * cos_EDF;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C + d.psi_D_CD.sin * d.h_D_EDF
+        - d.psi_D_CD.cos * q.s_D - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B - d.psi_D_CD.sin * q.s_D
+        - d.psi_C_BCG.cos * d.h_B_BCG - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF
+        + d.y_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
+        - d.x_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
+    const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF
+        - d.x_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
+        - cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * d.y_F_EDF;
+    const Scalar t03 = d.psi_D_CD.sin * cos_phi_B_minus_GF;
+    const Scalar inverse = Scalar(1) / (-d.GF * t03);  // zero: cos(phi_B - theta_GF) = 0, or
+                                                       //     sin(psi_D_CD) = 0, or GF = 0
+    const Scalar t04 = d.GF * inverse;
+    const Scalar inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t04;
+    const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t04;
+    const Scalar inverse_GF = -inverse * t03;
+    const Scalar t05 = v_x_B - v_x_E;
+    const Scalar t06 = v_y_B - v_y_E;
+    const Scalar t07 = omega_B * phi_B_across_slide_C;
+    const Scalar velocity_along_slide_C = t07 - t05 * cos_CD - t06 * sin_CD;
+    const Scalar t08 = omega_B * phi_B_along_slide_C;
+    const Scalar velocity_across_slide_C = t05 * sin_CD - cos_CD * t06 - t08;
+    const Scalar t09 = omega_B * phi_B_across_GF;
+    const Scalar velocity_along_GF = t09 - q.theta_GF.cos * t05 - q.theta_GF.sin * t06;
+    const Scalar t10 = omega_B * phi_B_along_GF;
+    const Scalar velocity_across_GF = q.theta_GF.sin * t05 - q.theta_GF.cos * t06 - t10;
+    const Scalar v_s_B = inverse_cos_phi_B_minus_GF * velocity_along_GF;
+    const Scalar t11 = d.psi_C_BCG.sin * v_s_B;
+    const Scalar v_s_D = (t11 + velocity_across_slide_C) * inverse_sin_psi_D_CD;
+    const Scalar t12 = d.psi_C_BCG.cos * v_s_B - d.psi_D_CD.cos * v_s_D;
+    const Scalar v_s_C = velocity_along_slide_C - t12;
+    const Scalar t13 = sin_phi_B_minus_GF * v_s_B;
+    const Scalar omega_GF = -(t13 - velocity_across_GF) * inverse_GF;
+    const Scalar t14 = a_x_B - a_x_E;
+    const Scalar t15 = a_y_B - a_y_E;
+    const Scalar acceleration_along_slide_C = omega_B * (t08 - Scalar(2) * t11
+        - Scalar(2) * d.psi_D_CD.sin * v_s_D) + phi_B_across_slide_C * alpha_B - cos_CD * t14
+        - sin_CD * t15;
+    const Scalar acceleration_across_slide_C = sin_CD * t14 + omega_B * (t07 - Scalar(2) * v_s_C
+        - Scalar(2) * t12) - cos_CD * t15 - phi_B_along_slide_C * alpha_B;
+    const Scalar acceleration_along_GF = omega_B * (t10 + Scalar(2) * t13)
+        + d.GF * omega_GF * omega_GF + phi_B_across_GF * alpha_B - q.theta_GF.cos * t14
+        - q.theta_GF.sin * t15;
+    const Scalar acceleration_across_GF = q.theta_GF.sin * t14 + omega_B * (t09
+        - Scalar(2) * cos_phi_B_minus_GF * v_s_B) - q.theta_GF.cos * t15 - phi_B_along_GF * alpha_B;
+    const Scalar a_s_B = inverse_cos_phi_B_minus_GF * acceleration_along_GF;
+    const Scalar a_s_D = inverse_sin_psi_D_CD * (d.psi_C_BCG.sin * a_s_B
+        + acceleration_across_slide_C);
+    const Scalar a_s_C = d.psi_D_CD.cos * a_s_D + acceleration_along_slide_C
+        - d.psi_C_BCG.cos * a_s_B;
+    const Scalar alpha_GF = -inverse_GF * (sin_phi_B_minus_GF * a_s_B - acceleration_across_GF);
+    q_rate(0) = omega_GF;
+    q_rate(1) = v_s_B;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_D;
+    q_second_rate(0) = alpha_GF;
+    q_second_rate(1) = a_s_B;
+    q_second_rate(2) = a_s_C;
+    q_second_rate(3) = a_s_D;
+  }
+
+  /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
+  template <typename Scalar>
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    S_d.setZero();
+    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
+    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
+    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * cos_EDF
+        + q.theta_GF.sin * sin_EDF;
+    const Scalar sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * sin_EDF
+        - q.theta_GF.sin * cos_EDF;
+    const Scalar t03 = d.psi_D_CD.cos * q.s_D - d.psi_D_CD.sin * d.h_D_EDF;
+    const Scalar t04 = q.s_C - t03;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + t04 - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar t05 = d.psi_D_CD.cos * d.h_D_EDF + d.psi_D_CD.sin * q.s_D - d.h_C_BCG;
+    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG
+        - t05;
+    const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF
+        + d.y_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
+        - d.x_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
+    const Scalar t06 = d.x_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
+        + cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * d.y_F_EDF;
+    const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF
+        - t06;
+    const Scalar t07 = d.psi_D_CD.sin * cos_phi_B_minus_GF;
+    const Scalar inverse = Scalar(1) / (-d.GF * t07);  // zero: cos(phi_B - theta_GF) = 0, or
+                                                       //     sin(psi_D_CD) = 0, or GF = 0
+    const Scalar t08 = d.GF * inverse;
+    const Scalar inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t08;
+    const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t08;
+    const Scalar inverse_GF = -inverse * t07;
+    const Scalar t09 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_C_per_across_slide_C = t09;
+    const Scalar s_D_per_along_GF = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
+        inverse_cos_phi_B_minus_GF;
+    const Scalar s_C_per_along_GF = d.psi_D_CD.cos * s_D_per_along_GF
+        - d.psi_C_BCG.cos * inverse_cos_phi_B_minus_GF;
+    const Scalar t10 = sin_phi_B_minus_GF * inverse_cos_phi_B_minus_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * t10;
+    const Scalar t11 = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
+    const Scalar GF_per_x_B = -t11;
+    const Scalar t12 = q.theta_GF.cos * inverse_cos_phi_B_minus_GF;
+    const Scalar s_B_per_x_B = -t12;
+    const Scalar t13 = q.theta_GF.cos * s_C_per_along_GF + cos_CD - sin_CD * s_C_per_across_slide_C;
+    const Scalar s_C_per_x_B = -t13;
+    const Scalar t14 = q.theta_GF.cos * s_D_per_along_GF - inverse_sin_psi_D_CD * sin_CD;
+    const Scalar s_D_per_x_B = -t14;
+    const Scalar t15 = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    const Scalar GF_per_y_B = -t15;
+    const Scalar t16 = q.theta_GF.sin * inverse_cos_phi_B_minus_GF;
+    const Scalar s_B_per_y_B = -t16;
+    const Scalar t17 = sin_CD + q.theta_GF.sin * s_C_per_along_GF + cos_CD * s_C_per_across_slide_C;
+    const Scalar s_C_per_y_B = -t17;
+    const Scalar t18 = q.theta_GF.sin * s_D_per_along_GF + inverse_sin_psi_D_CD * cos_CD;
+    const Scalar s_D_per_y_B = -t18;
+    const Scalar t19 = inverse_GF * phi_B_along_GF - GF_per_along_GF * phi_B_across_GF;
+    const Scalar GF_per_phi_B = -t19;
+    const Scalar t20 = inverse_cos_phi_B_minus_GF * phi_B_across_GF;
+    const Scalar s_B_per_phi_B = t20;
+    const Scalar t21 = s_C_per_across_slide_C * phi_B_along_slide_C - phi_B_across_slide_C
+        - s_C_per_along_GF * phi_B_across_GF;
+    const Scalar s_C_per_phi_B = -t21;
+    const Scalar t22 = inverse_sin_psi_D_CD * phi_B_along_slide_C
+        - s_D_per_along_GF * phi_B_across_GF;
+    const Scalar s_D_per_phi_B = -t22;
+    const Scalar t23 = v_x_B - v_x_E;
+    const Scalar t24 = v_y_B - v_y_E;
+    const Scalar omega_GF = t23 * GF_per_x_B + t24 * GF_per_y_B + omega_B * GF_per_phi_B;
+    const Scalar v_s_B = t23 * s_B_per_x_B + t24 * s_B_per_y_B + omega_B * s_B_per_phi_B;
+    const Scalar v_s_C = t23 * s_C_per_x_B + t24 * s_C_per_y_B + omega_B * s_C_per_phi_B;
+    const Scalar v_s_D = t23 * s_D_per_x_B + t24 * s_D_per_y_B + omega_B * s_D_per_phi_B;
+    const Scalar centripetal_along_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B
+        + Scalar(2) * d.psi_D_CD.sin * v_s_D - phi_B_along_slide_C * omega_B);
+    const Scalar centripetal_across_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B
+        + Scalar(2) * v_s_C - Scalar(2) * d.psi_D_CD.cos * v_s_D - phi_B_across_slide_C * omega_B);
+    const Scalar centripetal_along_GF = omega_B * (Scalar(2) * sin_phi_B_minus_GF * v_s_B
+        + phi_B_along_GF * omega_B) + d.GF * omega_GF * omega_GF;
+    const Scalar centripetal_across_GF = -omega_B * (Scalar(2) * cos_phi_B_minus_GF * v_s_B
+        - phi_B_across_GF * omega_B);
+    const Scalar t25 = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_GF
+        - sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * GF_per_along_GF;
+    const Scalar t26 = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * GF_per_along_GF
+        + sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_GF;
+    const Scalar t27 = d.x_F_EDF * t25 - d.y_F_EDF * t26;
+    const Scalar t28 = inverse_cos_phi_B_minus_GF * t06;
+    const Scalar t29 = s_C_per_along_GF * t06;
+    const Scalar t30 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t31 = s_D_per_along_GF * t06;
+    const Scalar t32 = a_x_B - a_x_E;
+    const Scalar t33 = a_y_B - a_y_E;
+    S_d(0, 0) = cos_phi_B_minus_GF * inverse_GF - sin_phi_B_minus_GF * GF_per_along_GF;
+    S_d(0, 1) = t27;
+    S_d(0, 4) = t26;
+    S_d(0, 5) = t25;
+    S_d(0, 6) = t27;
+    S_d(0, 7) = -GF_per_along_GF;
+    S_d(1, 0) = -t10;
+    S_d(1, 1) = -t28;
+    S_d(1, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_cos_phi_B_minus_GF;
+    S_d(1, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_cos_phi_B_minus_GF;
+    S_d(1, 6) = -t28;
+    S_d(1, 7) = -inverse_cos_phi_B_minus_GF;
+    S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
+        - sin_phi_B_minus_GF * s_C_per_along_GF;
+    S_d(2, 1) = -t29 - s_C_per_across_slide_C * t04 - t05;
+    S_d(2, 2) = -s_C_per_across_slide_C;
+    S_d(2, 3) = -t30;
+    S_d(2, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_C_per_along_GF;
+    S_d(2, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_C_per_along_GF;
+    S_d(2, 6) = -t29 - q.s_D * t30 - d.h_D_EDF * (d.psi_D_CD.cos
+        + d.psi_D_CD.sin * s_C_per_across_slide_C);
+    S_d(2, 7) = -s_C_per_along_GF;
+    S_d(3, 0) = d.psi_C_BCG.cos * inverse_sin_psi_D_CD - sin_phi_B_minus_GF * s_D_per_along_GF;
+    S_d(3, 1) = -t31 - inverse_sin_psi_D_CD * t04;
+    S_d(3, 2) = -inverse_sin_psi_D_CD;
+    S_d(3, 3) = t09;
+    S_d(3, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_D_per_along_GF;
+    S_d(3, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_D_per_along_GF;
+    S_d(3, 6) = inverse_sin_psi_D_CD * t03 - t31;
+    S_d(3, 7) = -s_D_per_along_GF;
+    S_u(0, 0) = -t11;
+    S_u(0, 1) = -t15;
+    S_u(0, 2) = -t19;
+    S_u(0, 3) = t11;
+    S_u(0, 4) = t15;
+    S_u(1, 0) = -t12;
+    S_u(1, 1) = -t16;
+    S_u(1, 2) = t20;
+    S_u(1, 3) = t12;
+    S_u(1, 4) = t16;
+    S_u(2, 0) = -t13;
+    S_u(2, 1) = -t17;
+    S_u(2, 2) = -t21;
+    S_u(2, 3) = t13;
+    S_u(2, 4) = t17;
+    S_u(3, 0) = -t14;
+    S_u(3, 1) = -t18;
+    S_u(3, 2) = -t22;
+    S_u(3, 3) = t14;
+    S_u(3, 4) = t18;
+    q_rate(0) = omega_GF;
+    q_rate(1) = v_s_B;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_D;
+    q_second_rate(0) = GF_per_x_B * t32 + GF_per_y_B * t33 + GF_per_phi_B * alpha_B
+        + inverse_GF * centripetal_across_GF + GF_per_along_GF * centripetal_along_GF;
+    q_second_rate(1) = s_B_per_x_B * t32 + s_B_per_y_B * t33 + s_B_per_phi_B * alpha_B
+        + inverse_cos_phi_B_minus_GF * centripetal_along_GF;
+    q_second_rate(2) = s_C_per_x_B * t32 + s_C_per_y_B * t33 + s_C_per_phi_B * alpha_B
+        + s_C_per_across_slide_C * centripetal_across_slide_C
+        + s_C_per_along_GF * centripetal_along_GF + centripetal_along_slide_C;
+    q_second_rate(3) = s_D_per_x_B * t32 + s_D_per_y_B * t33 + s_D_per_phi_B * alpha_B
+        + inverse_sin_psi_D_CD * centripetal_across_slide_C
+        + s_D_per_along_GF * centripetal_along_GF;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

@@ -29,21 +29,27 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             42, 34, 0
-///   jacobian:             20, 10, 0
-///   dimension_jacobian:   38, 22, 0
-///   input_jacobian:       42, 30, 0
-///   velocity_rhs:         46, 36, 0
-///   acceleration_rhs:     72, 50, 0
-///   jerk_rhs:             104, 68, 0
-///   curvature_rhs:        114, 85, 0
-///   link_poses:           28, 20, 0
-///   pose_jacobians:       12, 12, 0
-///   link_velocities:      20, 18, 0
-///   link_accelerations:   38, 28, 0
-///   pose_curvatures:      51, 33, 0
-///   position_polynomial:  20, 15, 0
-///   complete:             23, 17, 1
+///   residual:                   42, 34, 0
+///   jacobian:                   20, 10, 0
+///   dimension_jacobian:         38, 22, 0
+///   input_jacobian:             42, 30, 0
+///   velocity_rhs:               46, 36, 0
+///   acceleration_rhs:           72, 50, 0
+///   jerk_rhs:                   104, 68, 0
+///   curvature_rhs:              114, 85, 0
+///   link_poses:                 28, 20, 0
+///   pose_jacobians:             12, 12, 0
+///   link_velocities:            20, 18, 0
+///   link_accelerations:         38, 28, 0
+///   pose_curvatures:            51, 33, 0
+///   degeneracies:               6, 3, 0
+///   inverse_jacobian:           45, 17, 1
+///   sensitivities:              79, 51, 1
+///   velocity:                   57, 39, 1
+///   motion:                     88, 64, 1
+///   sensitivities_and_motion:   131, 87, 1
+///   position_polynomial:        20, 15, 0
+///   complete:                   23, 17, 1
 struct Model15 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 15;
@@ -60,6 +66,15 @@ struct Model15 {
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = -1;  ///< of the reduced equations; -1: none
+  static constexpr int pivot_count = 2;
+  static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
+  static constexpr int determinant_sign = 1;  ///< det J = sign * the pivots' product
+
+  /// What the vanishing of each pivot of the structured elimination means.
+  static constexpr std::array<const char*, pivot_count> pivots = { {
+      "sin(psi_C_BCG + psi_D_CD + psi_F_EDF) = 0: s_B free to first order",
+      "sin(psi_D_CD) = 0: s_D free to first order",
+  } };
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -909,6 +924,520 @@ struct Model15 {
         + d.h_C_BCG * (t01 * t13 - t02 * t13) + v_h_C_BCG * (t06 + sin_CD) - Scalar(2) * t15);
     p(3, 0) = -t10;
     p(3, 1) = -t12;
+  }
+
+  /// What the structured elimination divides by, p, the core's determinant first; the size
+  /// of each that a well-shaped group would have; and the size of the determinant's terms.
+  /// det J = p(0) * p(1).
+  template <typename Scalar>
+  static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>&, Vector<Scalar, pivot_count>& p,
+      Vector<Scalar, pivot_count>& size, Scalar& terms) {
+    const Scalar cos_minus_psi_C_BCG_minus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.cos
+        - d.psi_C_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD = -d.psi_C_BCG.cos * d.psi_D_CD.sin
+        - d.psi_D_CD.cos * d.psi_C_BCG.sin;
+    const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
+        sin_minus_psi_C_BCG_minus_psi_D_CD - d.psi_F_EDF.sin * cos_minus_psi_C_BCG_minus_psi_D_CD;
+    p(0) = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    p(1) = -d.psi_D_CD.sin;
+    size(0) = Scalar(1);
+    size(1) = Scalar(1);
+    terms = Scalar(1);
+  }
+
+  /// The inverse of J, for right-hand sides of every sort.
+  template <typename Scalar>
+  static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>&, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
+    J_inverse.setZero();
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
+    const Scalar t04 = d.psi_F_EDF.cos * t02 + t01 * d.psi_F_EDF.sin;
+    const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
+    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar cos_minus_psi_C_BCG_minus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.cos
+        - d.psi_C_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD = -d.psi_C_BCG.cos * d.psi_D_CD.sin
+        - d.psi_C_BCG.sin * d.psi_D_CD.cos;
+    const Scalar cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
+        cos_minus_psi_C_BCG_minus_psi_D_CD + d.psi_F_EDF.sin * sin_minus_psi_C_BCG_minus_psi_D_CD;
+    const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
+        sin_minus_psi_C_BCG_minus_psi_D_CD - d.psi_F_EDF.sin * cos_minus_psi_C_BCG_minus_psi_D_CD;
+    const Scalar inverse = Scalar(1) / (-d.psi_D_CD.sin * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF);  // zero: sin(psi_C_BCG + psi_D_CD + psi_F_EDF) = 0, or sin(psi_D_CD) = 0
+    const Scalar inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = -d.psi_D_CD.sin *
+        inverse;
+    const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
+        inverse;
+    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_F_per_across_slide_F = cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
+        inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar s_D_per_across_slide_F = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
+        inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar s_C_per_across_slide_F = d.psi_D_CD.cos * s_D_per_across_slide_F
+        - d.psi_C_BCG.cos * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    J_inverse(0, 2) = -inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * sin_GF;
+    J_inverse(0, 3) = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * cos_GF;
+    J_inverse(1, 0) = cos_CD - sin_CD * s_C_per_across_slide_C;
+    J_inverse(1, 1) = sin_CD + cos_CD * s_C_per_across_slide_C;
+    J_inverse(1, 2) = -sin_GF * s_C_per_across_slide_F;
+    J_inverse(1, 3) = cos_GF * s_C_per_across_slide_F;
+    J_inverse(2, 0) = -inverse_sin_psi_D_CD * sin_CD;
+    J_inverse(2, 1) = inverse_sin_psi_D_CD * cos_CD;
+    J_inverse(2, 2) = -s_D_per_across_slide_F * sin_GF;
+    J_inverse(2, 3) = s_D_per_across_slide_F * cos_GF;
+    J_inverse(3, 2) = -cos_GF - sin_GF * s_F_per_across_slide_F;
+    J_inverse(3, 3) = cos_GF * s_F_per_across_slide_F - sin_GF;
+  }
+
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    S_d.setZero();
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
+    const Scalar t04 = d.psi_F_EDF.cos * t02 + t01 * d.psi_F_EDF.sin;
+    const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
+    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar cos_minus_psi_C_BCG_minus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.cos
+        - d.psi_C_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD = -d.psi_C_BCG.cos * d.psi_D_CD.sin
+        - d.psi_C_BCG.sin * d.psi_D_CD.cos;
+    const Scalar cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
+        cos_minus_psi_C_BCG_minus_psi_D_CD + d.psi_F_EDF.sin * sin_minus_psi_C_BCG_minus_psi_D_CD;
+    const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
+        sin_minus_psi_C_BCG_minus_psi_D_CD - d.psi_F_EDF.sin * cos_minus_psi_C_BCG_minus_psi_D_CD;
+    const Scalar t05 = d.psi_D_CD.cos * q.s_D - d.psi_D_CD.sin * d.h_D_EDF;
+    const Scalar t06 = q.s_C - t05;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + t06 - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar t07 = d.psi_D_CD.cos * d.h_D_EDF + d.psi_D_CD.sin * q.s_D - d.h_C_BCG;
+    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG
+        - t07;
+    const Scalar phi_B_along_slide_F = q.s_B * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
+        + d.h_B_BCG * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - q.s_F;
+    const Scalar t08 = d.h_F_EDF - d.h_F_GF;
+    const Scalar phi_B_across_slide_F = q.s_B * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
+        - d.h_B_BCG * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - t08;
+    const Scalar inverse = Scalar(1) / (-d.psi_D_CD.sin * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF);  // zero: sin(psi_C_BCG + psi_D_CD + psi_F_EDF) = 0, or sin(psi_D_CD) = 0
+    const Scalar inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = -d.psi_D_CD.sin *
+        inverse;
+    const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
+        inverse;
+    const Scalar t09 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_C_per_across_slide_C = t09;
+    const Scalar t10 = cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
+        inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar s_F_per_across_slide_F = t10;
+    const Scalar s_D_per_across_slide_F = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
+        inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar s_C_per_across_slide_F = d.psi_D_CD.cos * s_D_per_across_slide_F
+        - d.psi_C_BCG.cos * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar t11 = q.s_F * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar t12 = q.s_F * s_C_per_across_slide_F;
+    const Scalar t13 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t14 = q.s_F * s_D_per_across_slide_F;
+    const Scalar t15 = q.s_F * s_F_per_across_slide_F + t08;
+    const Scalar t16 = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * sin_GF;
+    const Scalar t17 = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * cos_GF;
+    const Scalar t18 = cos_CD - s_C_per_across_slide_C * sin_CD - s_C_per_across_slide_F * sin_GF;
+    const Scalar t19 = sin_CD + s_C_per_across_slide_C * cos_CD + s_C_per_across_slide_F * cos_GF;
+    const Scalar t20 = inverse_sin_psi_D_CD * sin_CD + s_D_per_across_slide_F * sin_GF;
+    const Scalar t21 = inverse_sin_psi_D_CD * cos_CD + s_D_per_across_slide_F * cos_GF;
+    const Scalar t22 = cos_GF + s_F_per_across_slide_F * sin_GF;
+    const Scalar t23 = sin_GF - s_F_per_across_slide_F * cos_GF;
+    S_d(0, 0) = t10;
+    S_d(0, 1) = t11;
+    S_d(0, 4) = t11;
+    S_d(0, 5) = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    S_d(0, 6) = t11;
+    S_d(0, 7) = -inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    S_d(1, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
+        + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_C_per_across_slide_F;
+    S_d(1, 1) = t12 - s_C_per_across_slide_C * t06 - t07;
+    S_d(1, 2) = -s_C_per_across_slide_C;
+    S_d(1, 3) = -t13;
+    S_d(1, 4) = t12;
+    S_d(1, 5) = s_C_per_across_slide_F;
+    S_d(1, 6) = t12 - q.s_D * t13 - d.h_D_EDF * (d.psi_D_CD.cos
+        + d.psi_D_CD.sin * s_C_per_across_slide_C);
+    S_d(1, 7) = -s_C_per_across_slide_F;
+    S_d(2, 0) = d.psi_C_BCG.cos * inverse_sin_psi_D_CD
+        + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_D_per_across_slide_F;
+    S_d(2, 1) = t14 - inverse_sin_psi_D_CD * t06;
+    S_d(2, 2) = -inverse_sin_psi_D_CD;
+    S_d(2, 3) = t09;
+    S_d(2, 4) = t14;
+    S_d(2, 5) = s_D_per_across_slide_F;
+    S_d(2, 6) = t14 + inverse_sin_psi_D_CD * t05;
+    S_d(2, 7) = -s_D_per_across_slide_F;
+    S_d(3, 0) = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
+        + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_F_per_across_slide_F;
+    S_d(3, 1) = t15;
+    S_d(3, 4) = t15;
+    S_d(3, 5) = s_F_per_across_slide_F;
+    S_d(3, 6) = t15;
+    S_d(3, 7) = -s_F_per_across_slide_F;
+    S_u(0, 0) = t16;
+    S_u(0, 1) = -t17;
+    S_u(0, 2) = -inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * phi_B_along_slide_F;
+    S_u(0, 3) = -t16;
+    S_u(0, 4) = t17;
+    S_u(1, 0) = -t18;
+    S_u(1, 1) = -t19;
+    S_u(1, 2) = phi_B_across_slide_C - s_C_per_across_slide_C * phi_B_along_slide_C
+        - s_C_per_across_slide_F * phi_B_along_slide_F;
+    S_u(1, 3) = t18;
+    S_u(1, 4) = t19;
+    S_u(2, 0) = t20;
+    S_u(2, 1) = -t21;
+    S_u(2, 2) = -inverse_sin_psi_D_CD * phi_B_along_slide_C
+        - s_D_per_across_slide_F * phi_B_along_slide_F;
+    S_u(2, 3) = -t20;
+    S_u(2, 4) = t21;
+    S_u(3, 0) = t22;
+    S_u(3, 1) = t23;
+    S_u(3, 2) = -s_F_per_across_slide_F * phi_B_along_slide_F - phi_B_across_slide_F;
+    S_u(3, 3) = -t22;
+    S_u(3, 4) = -t23;
+  }
+
+  /// dq/dt for the rates du/dt of the inputs.
+  template <typename Scalar>
+  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, unknown_count>& q_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
+    const Scalar t04 = d.psi_F_EDF.cos * t02 + t01 * d.psi_F_EDF.sin;
+    const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
+    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar cos_minus_psi_C_BCG_minus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.cos
+        - d.psi_C_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD = -d.psi_C_BCG.cos * d.psi_D_CD.sin
+        - d.psi_C_BCG.sin * d.psi_D_CD.cos;
+    const Scalar cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
+        cos_minus_psi_C_BCG_minus_psi_D_CD + d.psi_F_EDF.sin * sin_minus_psi_C_BCG_minus_psi_D_CD;
+    const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
+        sin_minus_psi_C_BCG_minus_psi_D_CD - d.psi_F_EDF.sin * cos_minus_psi_C_BCG_minus_psi_D_CD;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C + d.psi_D_CD.sin * d.h_D_EDF
+        - d.psi_D_CD.cos * q.s_D - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B - d.psi_D_CD.sin * q.s_D
+        - d.psi_C_BCG.cos * d.h_B_BCG - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar phi_B_along_slide_F = q.s_B * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
+        + d.h_B_BCG * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - q.s_F;
+    const Scalar phi_B_across_slide_F = q.s_B * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
+        + d.h_F_GF - d.h_B_BCG * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - d.h_F_EDF;
+    const Scalar inverse = Scalar(1) / (-d.psi_D_CD.sin * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF);  // zero: sin(psi_C_BCG + psi_D_CD + psi_F_EDF) = 0, or sin(psi_D_CD) = 0
+    const Scalar inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = -d.psi_D_CD.sin *
+        inverse;
+    const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
+        inverse;
+    const Scalar t05 = v_x_B - v_x_E;
+    const Scalar t06 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_C = omega_B * phi_B_across_slide_C - t05 * cos_CD
+        - t06 * sin_CD;
+    const Scalar velocity_across_slide_C = t05 * sin_CD - cos_CD * t06
+        - omega_B * phi_B_along_slide_C;
+    const Scalar velocity_along_slide_F = omega_B * phi_B_across_slide_F - t05 * cos_GF
+        - t06 * sin_GF;
+    const Scalar velocity_across_slide_F = t05 * sin_GF - t06 * cos_GF
+        - omega_B * phi_B_along_slide_F;
+    const Scalar v_s_B = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
+        velocity_across_slide_F;
+    const Scalar v_s_F = cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * v_s_B
+        - velocity_along_slide_F;
+    const Scalar v_s_D = (d.psi_C_BCG.sin * v_s_B + velocity_across_slide_C) * inverse_sin_psi_D_CD;
+    const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + velocity_along_slide_C - d.psi_C_BCG.cos * v_s_B;
+    q_rate(0) = v_s_B;
+    q_rate(1) = v_s_C;
+    q_rate(2) = v_s_D;
+    q_rate(3) = v_s_F;
+  }
+
+  /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
+  template <typename Scalar>
+  static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
+    const Scalar t04 = d.psi_F_EDF.cos * t02 + t01 * d.psi_F_EDF.sin;
+    const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
+    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar cos_minus_psi_C_BCG_minus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.cos
+        - d.psi_C_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD = -d.psi_C_BCG.cos * d.psi_D_CD.sin
+        - d.psi_C_BCG.sin * d.psi_D_CD.cos;
+    const Scalar cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
+        cos_minus_psi_C_BCG_minus_psi_D_CD + d.psi_F_EDF.sin * sin_minus_psi_C_BCG_minus_psi_D_CD;
+    const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
+        sin_minus_psi_C_BCG_minus_psi_D_CD - d.psi_F_EDF.sin * cos_minus_psi_C_BCG_minus_psi_D_CD;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C + d.psi_D_CD.sin * d.h_D_EDF
+        - d.psi_D_CD.cos * q.s_D - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B - d.psi_D_CD.sin * q.s_D
+        - d.psi_C_BCG.cos * d.h_B_BCG - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar phi_B_along_slide_F = q.s_B * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
+        + d.h_B_BCG * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - q.s_F;
+    const Scalar phi_B_across_slide_F = q.s_B * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
+        + d.h_F_GF - d.h_B_BCG * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - d.h_F_EDF;
+    const Scalar inverse = Scalar(1) / (-d.psi_D_CD.sin * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF);  // zero: sin(psi_C_BCG + psi_D_CD + psi_F_EDF) = 0, or sin(psi_D_CD) = 0
+    const Scalar inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = -d.psi_D_CD.sin *
+        inverse;
+    const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
+        inverse;
+    const Scalar t05 = v_x_B - v_x_E;
+    const Scalar t06 = v_y_B - v_y_E;
+    const Scalar t07 = omega_B * phi_B_across_slide_C;
+    const Scalar velocity_along_slide_C = t07 - t05 * cos_CD - t06 * sin_CD;
+    const Scalar t08 = omega_B * phi_B_along_slide_C;
+    const Scalar velocity_across_slide_C = t05 * sin_CD - cos_CD * t06 - t08;
+    const Scalar t09 = omega_B * phi_B_across_slide_F;
+    const Scalar velocity_along_slide_F = t09 - t05 * cos_GF - t06 * sin_GF;
+    const Scalar t10 = omega_B * phi_B_along_slide_F;
+    const Scalar velocity_across_slide_F = t05 * sin_GF - t06 * cos_GF - t10;
+    const Scalar v_s_B = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
+        velocity_across_slide_F;
+    const Scalar t11 = cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * v_s_B;
+    const Scalar v_s_F = t11 - velocity_along_slide_F;
+    const Scalar t12 = d.psi_C_BCG.sin * v_s_B;
+    const Scalar v_s_D = (t12 + velocity_across_slide_C) * inverse_sin_psi_D_CD;
+    const Scalar t13 = d.psi_C_BCG.cos * v_s_B - d.psi_D_CD.cos * v_s_D;
+    const Scalar v_s_C = velocity_along_slide_C - t13;
+    const Scalar t14 = a_x_B - a_x_E;
+    const Scalar t15 = a_y_B - a_y_E;
+    const Scalar acceleration_along_slide_C = omega_B * (t08 - Scalar(2) * t12
+        - Scalar(2) * d.psi_D_CD.sin * v_s_D) + phi_B_across_slide_C * alpha_B - cos_CD * t14
+        - sin_CD * t15;
+    const Scalar acceleration_across_slide_C = sin_CD * t14 + omega_B * (t07 - Scalar(2) * v_s_C
+        - Scalar(2) * t13) - cos_CD * t15 - phi_B_along_slide_C * alpha_B;
+    const Scalar acceleration_along_slide_F = omega_B * (t10
+        + Scalar(2) * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * v_s_B)
+        + phi_B_across_slide_F * alpha_B - cos_GF * t14 - sin_GF * t15;
+    const Scalar acceleration_across_slide_F = omega_B * (t09 + Scalar(2) * v_s_F - Scalar(2) * t11)
+        + sin_GF * t14 - cos_GF * t15 - phi_B_along_slide_F * alpha_B;
+    const Scalar a_s_B = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
+        acceleration_across_slide_F;
+    const Scalar a_s_F = cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * a_s_B
+        - acceleration_along_slide_F;
+    const Scalar a_s_D = inverse_sin_psi_D_CD * (d.psi_C_BCG.sin * a_s_B
+        + acceleration_across_slide_C);
+    const Scalar a_s_C = d.psi_D_CD.cos * a_s_D + acceleration_along_slide_C
+        - d.psi_C_BCG.cos * a_s_B;
+    q_rate(0) = v_s_B;
+    q_rate(1) = v_s_C;
+    q_rate(2) = v_s_D;
+    q_rate(3) = v_s_F;
+    q_second_rate(0) = a_s_B;
+    q_second_rate(1) = a_s_C;
+    q_second_rate(2) = a_s_D;
+    q_second_rate(3) = a_s_F;
+  }
+
+  /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
+  template <typename Scalar>
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    S_d.setZero();
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
+    const Scalar t04 = d.psi_F_EDF.cos * t02 + t01 * d.psi_F_EDF.sin;
+    const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
+    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar cos_minus_psi_C_BCG_minus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.cos
+        - d.psi_C_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD = -d.psi_C_BCG.cos * d.psi_D_CD.sin
+        - d.psi_C_BCG.sin * d.psi_D_CD.cos;
+    const Scalar cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
+        cos_minus_psi_C_BCG_minus_psi_D_CD + d.psi_F_EDF.sin * sin_minus_psi_C_BCG_minus_psi_D_CD;
+    const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
+        sin_minus_psi_C_BCG_minus_psi_D_CD - d.psi_F_EDF.sin * cos_minus_psi_C_BCG_minus_psi_D_CD;
+    const Scalar t05 = d.psi_D_CD.cos * q.s_D - d.psi_D_CD.sin * d.h_D_EDF;
+    const Scalar t06 = q.s_C - t05;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + t06 - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar t07 = d.psi_D_CD.cos * d.h_D_EDF + d.psi_D_CD.sin * q.s_D - d.h_C_BCG;
+    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG
+        - t07;
+    const Scalar phi_B_along_slide_F = q.s_B * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
+        + d.h_B_BCG * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - q.s_F;
+    const Scalar t08 = d.h_F_EDF - d.h_F_GF;
+    const Scalar phi_B_across_slide_F = q.s_B * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
+        - d.h_B_BCG * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - t08;
+    const Scalar inverse = Scalar(1) / (-d.psi_D_CD.sin * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF);  // zero: sin(psi_C_BCG + psi_D_CD + psi_F_EDF) = 0, or sin(psi_D_CD) = 0
+    const Scalar inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = -d.psi_D_CD.sin *
+        inverse;
+    const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
+        inverse;
+    const Scalar t09 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_C_per_across_slide_C = t09;
+    const Scalar t10 = cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
+        inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar s_F_per_across_slide_F = t10;
+    const Scalar s_D_per_across_slide_F = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
+        inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar s_C_per_across_slide_F = d.psi_D_CD.cos * s_D_per_across_slide_F
+        - d.psi_C_BCG.cos * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar t11 = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * sin_GF;
+    const Scalar s_B_per_x_B = t11;
+    const Scalar t12 = cos_CD - sin_CD * s_C_per_across_slide_C - sin_GF * s_C_per_across_slide_F;
+    const Scalar s_C_per_x_B = -t12;
+    const Scalar t13 = inverse_sin_psi_D_CD * sin_CD + s_D_per_across_slide_F * sin_GF;
+    const Scalar s_D_per_x_B = t13;
+    const Scalar t14 = cos_GF + sin_GF * s_F_per_across_slide_F;
+    const Scalar s_F_per_x_B = t14;
+    const Scalar t15 = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * cos_GF;
+    const Scalar s_B_per_y_B = -t15;
+    const Scalar t16 = sin_CD + cos_CD * s_C_per_across_slide_C + s_C_per_across_slide_F * cos_GF;
+    const Scalar s_C_per_y_B = -t16;
+    const Scalar t17 = inverse_sin_psi_D_CD * cos_CD + s_D_per_across_slide_F * cos_GF;
+    const Scalar s_D_per_y_B = -t17;
+    const Scalar t18 = sin_GF - cos_GF * s_F_per_across_slide_F;
+    const Scalar s_F_per_y_B = t18;
+    const Scalar t19 = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
+        phi_B_along_slide_F;
+    const Scalar s_B_per_phi_B = -t19;
+    const Scalar t20 = s_C_per_across_slide_C * phi_B_along_slide_C
+        + s_C_per_across_slide_F * phi_B_along_slide_F - phi_B_across_slide_C;
+    const Scalar s_C_per_phi_B = -t20;
+    const Scalar t21 = inverse_sin_psi_D_CD * phi_B_along_slide_C
+        + s_D_per_across_slide_F * phi_B_along_slide_F;
+    const Scalar s_D_per_phi_B = -t21;
+    const Scalar t22 = s_F_per_across_slide_F * phi_B_along_slide_F + phi_B_across_slide_F;
+    const Scalar s_F_per_phi_B = -t22;
+    const Scalar t23 = v_x_B - v_x_E;
+    const Scalar t24 = v_y_B - v_y_E;
+    const Scalar v_s_B = t23 * s_B_per_x_B + t24 * s_B_per_y_B + omega_B * s_B_per_phi_B;
+    const Scalar v_s_C = t23 * s_C_per_x_B + t24 * s_C_per_y_B + omega_B * s_C_per_phi_B;
+    const Scalar v_s_D = t23 * s_D_per_x_B + t24 * s_D_per_y_B + omega_B * s_D_per_phi_B;
+    const Scalar v_s_F = t23 * s_F_per_x_B + t24 * s_F_per_y_B + omega_B * s_F_per_phi_B;
+    const Scalar centripetal_along_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B
+        + Scalar(2) * d.psi_D_CD.sin * v_s_D - phi_B_along_slide_C * omega_B);
+    const Scalar centripetal_across_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B
+        + Scalar(2) * v_s_C - Scalar(2) * d.psi_D_CD.cos * v_s_D - phi_B_across_slide_C * omega_B);
+    const Scalar centripetal_along_slide_F = omega_B * (Scalar(2) *
+        sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * v_s_B + phi_B_along_slide_F * omega_B);
+    const Scalar centripetal_across_slide_F = -omega_B * (Scalar(2) *
+        cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * v_s_B - Scalar(2) * v_s_F
+        - phi_B_across_slide_F * omega_B);
+    const Scalar t25 = q.s_F * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar t26 = q.s_F * s_C_per_across_slide_F;
+    const Scalar t27 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t28 = q.s_F * s_D_per_across_slide_F;
+    const Scalar t29 = q.s_F * s_F_per_across_slide_F + t08;
+    const Scalar t30 = a_x_B - a_x_E;
+    const Scalar t31 = a_y_B - a_y_E;
+    S_d(0, 0) = t10;
+    S_d(0, 1) = t25;
+    S_d(0, 4) = t25;
+    S_d(0, 5) = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    S_d(0, 6) = t25;
+    S_d(0, 7) = -inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    S_d(1, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
+        + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_C_per_across_slide_F;
+    S_d(1, 1) = t26 - s_C_per_across_slide_C * t06 - t07;
+    S_d(1, 2) = -s_C_per_across_slide_C;
+    S_d(1, 3) = -t27;
+    S_d(1, 4) = t26;
+    S_d(1, 5) = s_C_per_across_slide_F;
+    S_d(1, 6) = t26 - q.s_D * t27 - d.h_D_EDF * (d.psi_D_CD.cos
+        + d.psi_D_CD.sin * s_C_per_across_slide_C);
+    S_d(1, 7) = -s_C_per_across_slide_F;
+    S_d(2, 0) = d.psi_C_BCG.cos * inverse_sin_psi_D_CD
+        + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_D_per_across_slide_F;
+    S_d(2, 1) = t28 - inverse_sin_psi_D_CD * t06;
+    S_d(2, 2) = -inverse_sin_psi_D_CD;
+    S_d(2, 3) = t09;
+    S_d(2, 4) = t28;
+    S_d(2, 5) = s_D_per_across_slide_F;
+    S_d(2, 6) = t28 + inverse_sin_psi_D_CD * t05;
+    S_d(2, 7) = -s_D_per_across_slide_F;
+    S_d(3, 0) = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
+        + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_F_per_across_slide_F;
+    S_d(3, 1) = t29;
+    S_d(3, 4) = t29;
+    S_d(3, 5) = s_F_per_across_slide_F;
+    S_d(3, 6) = t29;
+    S_d(3, 7) = -s_F_per_across_slide_F;
+    S_u(0, 0) = t11;
+    S_u(0, 1) = -t15;
+    S_u(0, 2) = -t19;
+    S_u(0, 3) = -t11;
+    S_u(0, 4) = t15;
+    S_u(1, 0) = -t12;
+    S_u(1, 1) = -t16;
+    S_u(1, 2) = -t20;
+    S_u(1, 3) = t12;
+    S_u(1, 4) = t16;
+    S_u(2, 0) = t13;
+    S_u(2, 1) = -t17;
+    S_u(2, 2) = -t21;
+    S_u(2, 3) = -t13;
+    S_u(2, 4) = t17;
+    S_u(3, 0) = t14;
+    S_u(3, 1) = t18;
+    S_u(3, 2) = -t22;
+    S_u(3, 3) = -t14;
+    S_u(3, 4) = -t18;
+    q_rate(0) = v_s_B;
+    q_rate(1) = v_s_C;
+    q_rate(2) = v_s_D;
+    q_rate(3) = v_s_F;
+    q_second_rate(0) = s_B_per_x_B * t30 + s_B_per_y_B * t31 + s_B_per_phi_B * alpha_B
+        + inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * centripetal_across_slide_F;
+    q_second_rate(1) = s_C_per_x_B * t30 + s_C_per_y_B * t31 + s_C_per_phi_B * alpha_B
+        + s_C_per_across_slide_C * centripetal_across_slide_C
+        + s_C_per_across_slide_F * centripetal_across_slide_F + centripetal_along_slide_C;
+    q_second_rate(2) = s_D_per_x_B * t30 + s_D_per_y_B * t31 + s_D_per_phi_B * alpha_B
+        + inverse_sin_psi_D_CD * centripetal_across_slide_C
+        + s_D_per_across_slide_F * centripetal_across_slide_F;
+    q_second_rate(3) = s_F_per_x_B * t30 + s_F_per_y_B * t31 + s_F_per_phi_B * alpha_B
+        + s_F_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_F;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

@@ -29,22 +29,28 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             24, 27, 0
-///   jacobian:             6, 2, 0
-///   dimension_jacobian:   10, 6, 0
-///   input_jacobian:       22, 19, 0
-///   velocity_rhs:         30, 29, 0
-///   acceleration_rhs:     67, 49, 0
-///   jerk_rhs:             127, 75, 0
-///   curvature_rhs:        103, 65, 0
-///   link_poses:           18, 18, 0
-///   pose_jacobians:       18, 16, 0
-///   link_velocities:      30, 26, 0
-///   link_accelerations:   56, 40, 0
-///   pose_curvatures:      77, 46, 0
-///   position_polynomial:  53, 42, 0
-///   second_equations:     52, 42, 0
-///   complete:             20, 21, 1
+///   residual:                   24, 27, 0
+///   jacobian:                   6, 2, 0
+///   dimension_jacobian:         10, 6, 0
+///   input_jacobian:             22, 19, 0
+///   velocity_rhs:               30, 29, 0
+///   acceleration_rhs:           67, 49, 0
+///   jerk_rhs:                   127, 75, 0
+///   curvature_rhs:              103, 65, 0
+///   link_poses:                 18, 18, 0
+///   pose_jacobians:             18, 16, 0
+///   link_velocities:            30, 26, 0
+///   link_accelerations:         56, 40, 0
+///   pose_curvatures:            77, 46, 0
+///   degeneracies:               8, 10, 0
+///   inverse_jacobian:           59, 18, 1
+///   sensitivities:              116, 65, 1
+///   velocity:                   70, 43, 1
+///   motion:                     120, 81, 1
+///   sensitivities_and_motion:   192, 117, 1
+///   position_polynomial:        53, 42, 0
+///   second_equations:           52, 42, 0
+///   complete:                   20, 21, 1
 struct Model16 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 16;
@@ -61,6 +67,16 @@ struct Model16 {
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 1;    ///< of the final polynomial
   static constexpr int second_unknown = 3;  ///< of the reduced equations; -1: none
+  static constexpr int pivot_count = 3;
+  static constexpr int core_pivot_count = 2;  ///< the first of them: the core's
+  static constexpr int determinant_sign = 1;  ///< det J = sign * the pivots' product
+
+  /// What the vanishing of each pivot of the structured elimination means.
+  static constexpr std::array<const char*, pivot_count> pivots = { {
+      "cos(phi_B + psi_C_BCG - theta_GF) = 0: s_B, s_E free to first order",
+      "sin(phi_B - phi_E) = 0: s_B, s_E free to first order",
+      "GF = 0: theta_GF free to first order",
+  } };
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -907,6 +923,625 @@ struct Model16 {
         + sin_CD) - Scalar(2) * t18 - Scalar(2) * sin_CD * v_h_C_CD);
     p(3, 0) = -t10;
     p(3, 1) = -t12;
+  }
+
+  /// What the structured elimination divides by, p, the core's determinant first; the size
+  /// of each that a well-shaped group would have; and the size of the determinant's terms.
+  /// det J = p(0) * p(1) * p(2).
+  template <typename Scalar>
+  static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,
+      Vector<Scalar, pivot_count>& size, Scalar& terms) {
+    using std::abs;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_phi_B_plus_psi_C_BCG_minus_GF = q.theta_GF.cos * cos_CD
+        + q.theta_GF.sin * sin_CD;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    p(0) = -cos_phi_B_plus_psi_C_BCG_minus_GF;
+    p(1) = sin_phi_B_minus_phi_E;
+    p(2) = d.GF;
+    size(0) = Scalar(1);
+    size(1) = Scalar(1);
+    size(2) = abs(q.s_B) + abs(q.s_E) + abs(d.h_B_BCG) + abs(d.h_E_EDF) + abs(d.x_F_EDF)
+        + abs(d.y_F_EDF) + abs(d.GF);
+    terms = Scalar(2);
+  }
+
+  /// The inverse of J, for right-hand sides of every sort.
+  template <typename Scalar>
+  static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
+        + u.phi_E.sin * sin_CD;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = cos_CD * u.phi_E.sin
+        - u.phi_E.cos * sin_CD;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
+    const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
+    const Scalar cos_phi_B_plus_psi_C_BCG_minus_GF = cos_CD * q.theta_GF.cos
+        + sin_CD * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar t01 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
+    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * t01);  // zero: cos(phi_B +
+                                                                        //     psi_C_BCG - theta_GF)
+                                                                        //     = 0, or sin(phi_B -
+                                                                        //     phi_E) = 0, or GF = 0
+    const Scalar t02 = sin_phi_B_minus_phi_E * inverse;
+    const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t02;
+    const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t01;
+    const Scalar inverse_GF = -cos_phi_B_plus_psi_C_BCG_minus_GF * t02;
+    const Scalar t03 = inverse_cos_phi_B_plus_psi_C_BCG_minus_GF * inverse_sin_phi_B_minus_phi_E;
+    const Scalar s_B_per_across_slide_C = -cos_phi_E_minus_GF * t03;
+    const Scalar s_E_per_across_slide_C = -cos_phi_B_minus_GF * t03;
+    const Scalar s_C_per_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG *
+        s_E_per_across_slide_C - d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar GF_per_across_slide_C = -(s_B_per_across_slide_C * sin_phi_B_minus_GF
+        - s_E_per_across_slide_C * sin_phi_E_minus_GF) * inverse_GF;
+    const Scalar s_B_per_along_GF = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t03;
+    const Scalar s_E_per_along_GF = -d.psi_C_BCG.sin * t03;
+    const Scalar s_C_per_along_GF = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_along_GF
+        - d.psi_C_BCG.cos * s_B_per_along_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_GF
+        - sin_phi_E_minus_GF * s_E_per_along_GF);
+    J_inverse(0, 0) = -sin_CD * GF_per_across_slide_C;
+    J_inverse(0, 1) = cos_CD * GF_per_across_slide_C;
+    J_inverse(0, 2) = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
+    J_inverse(0, 3) = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    J_inverse(1, 0) = -sin_CD * s_B_per_across_slide_C;
+    J_inverse(1, 1) = cos_CD * s_B_per_across_slide_C;
+    J_inverse(1, 2) = q.theta_GF.cos * s_B_per_along_GF;
+    J_inverse(1, 3) = q.theta_GF.sin * s_B_per_along_GF;
+    J_inverse(2, 0) = cos_CD - sin_CD * s_C_per_across_slide_C;
+    J_inverse(2, 1) = sin_CD + cos_CD * s_C_per_across_slide_C;
+    J_inverse(2, 2) = q.theta_GF.cos * s_C_per_along_GF;
+    J_inverse(2, 3) = q.theta_GF.sin * s_C_per_along_GF;
+    J_inverse(3, 0) = -sin_CD * s_E_per_across_slide_C;
+    J_inverse(3, 1) = cos_CD * s_E_per_across_slide_C;
+    J_inverse(3, 2) = q.theta_GF.cos * s_E_per_along_GF;
+    J_inverse(3, 3) = q.theta_GF.sin * s_E_per_along_GF;
+  }
+
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
+        + u.phi_E.sin * sin_CD;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = cos_CD * u.phi_E.sin
+        - u.phi_E.cos * sin_CD;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
+    const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
+        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar t01 = d.h_C_BCG - d.h_C_CD;
+    const Scalar phi_B_across_slide_C = t01 - d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG;
+    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
+        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
+    const Scalar t02 = q.s_E + d.x_F_EDF;
+    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar phi_E_along_GF = -t02 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
+    const Scalar phi_E_across_GF = cos_phi_E_minus_GF * t03 - t02 * sin_phi_E_minus_GF;
+    const Scalar cos_phi_B_plus_psi_C_BCG_minus_GF = cos_CD * q.theta_GF.cos
+        + sin_CD * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar t04 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
+    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * t04);  // zero: cos(phi_B +
+                                                                        //     psi_C_BCG - theta_GF)
+                                                                        //     = 0, or sin(phi_B -
+                                                                        //     phi_E) = 0, or GF = 0
+    const Scalar t05 = sin_phi_B_minus_phi_E * inverse;
+    const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t05;
+    const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t04;
+    const Scalar inverse_GF = -cos_phi_B_plus_psi_C_BCG_minus_GF * t05;
+    const Scalar t06 = inverse_cos_phi_B_plus_psi_C_BCG_minus_GF * inverse_sin_phi_B_minus_phi_E;
+    const Scalar s_B_per_across_slide_C = -cos_phi_E_minus_GF * t06;
+    const Scalar s_E_per_across_slide_C = -cos_phi_B_minus_GF * t06;
+    const Scalar t07 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar t08 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = t08 - t07;
+    const Scalar GF_per_across_slide_C = -(sin_phi_B_minus_GF * s_B_per_across_slide_C
+        - sin_phi_E_minus_GF * s_E_per_across_slide_C) * inverse_GF;
+    const Scalar s_B_per_along_GF = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t06;
+    const Scalar s_E_per_along_GF = -d.psi_C_BCG.sin * t06;
+    const Scalar s_C_per_along_GF = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_along_GF
+        - d.psi_C_BCG.cos * s_B_per_along_GF;
+    const Scalar t09 = sin_phi_B_minus_GF * s_B_per_along_GF;
+    const Scalar t10 = sin_phi_E_minus_GF * s_E_per_along_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * (t09 - t10);
+    const Scalar t11 = cos_phi_E_minus_GF * inverse_GF - sin_phi_E_minus_GF * GF_per_along_GF;
+    const Scalar t12 = sin_phi_E_minus_GF * s_B_per_along_GF;
+    const Scalar t13 = sin_phi_E_minus_GF * s_C_per_along_GF;
+    const Scalar t14 = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF
+        - sin_CD * GF_per_across_slide_C;
+    const Scalar t15 = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF
+        + cos_CD * GF_per_across_slide_C;
+    const Scalar t16 = q.theta_GF.cos * s_B_per_along_GF - sin_CD * s_B_per_across_slide_C;
+    const Scalar t17 = q.theta_GF.sin * s_B_per_along_GF + cos_CD * s_B_per_across_slide_C;
+    const Scalar t18 = cos_CD + q.theta_GF.cos * s_C_per_along_GF - sin_CD * s_C_per_across_slide_C;
+    const Scalar t19 = sin_CD + q.theta_GF.sin * s_C_per_along_GF + cos_CD * s_C_per_across_slide_C;
+    const Scalar t20 = q.theta_GF.cos * s_E_per_along_GF - sin_CD * s_E_per_across_slide_C;
+    const Scalar t21 = q.theta_GF.sin * s_E_per_along_GF + cos_CD * s_E_per_across_slide_C;
+    S_d(0, 0) = d.psi_C_BCG.cos * GF_per_across_slide_C + cos_phi_B_minus_GF * inverse_GF
+        - sin_phi_B_minus_GF * GF_per_along_GF;
+    S_d(0, 1) = -q.s_C * GF_per_across_slide_C;
+    S_d(0, 2) = -GF_per_across_slide_C;
+    S_d(0, 3) = -cos_phi_E_minus_phi_B_minus_psi_C_BCG * GF_per_across_slide_C - t11;
+    S_d(0, 4) = cos_phi_E_minus_GF * GF_per_along_GF + sin_phi_E_minus_GF * inverse_GF;
+    S_d(0, 5) = t11;
+    S_d(0, 6) = GF_per_across_slide_C;
+    S_d(0, 7) = -GF_per_along_GF;
+    S_d(1, 0) = t07 - t09;
+    S_d(1, 1) = -q.s_C * s_B_per_across_slide_C;
+    S_d(1, 2) = -s_B_per_across_slide_C;
+    S_d(1, 3) = t12 - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
+    S_d(1, 4) = cos_phi_E_minus_GF * s_B_per_along_GF;
+    S_d(1, 5) = -t12;
+    S_d(1, 6) = s_B_per_across_slide_C;
+    S_d(1, 7) = -s_B_per_along_GF;
+    S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
+        - sin_phi_B_minus_GF * s_C_per_along_GF;
+    S_d(2, 1) = t01 - q.s_C * s_C_per_across_slide_C;
+    S_d(2, 2) = -s_C_per_across_slide_C;
+    S_d(2, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG + t13
+        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
+    S_d(2, 4) = cos_phi_E_minus_GF * s_C_per_along_GF;
+    S_d(2, 5) = -t13;
+    S_d(2, 6) = s_C_per_across_slide_C;
+    S_d(2, 7) = -s_C_per_along_GF;
+    S_d(3, 0) = d.psi_C_BCG.cos * s_E_per_across_slide_C - sin_phi_B_minus_GF * s_E_per_along_GF;
+    S_d(3, 1) = -q.s_C * s_E_per_across_slide_C;
+    S_d(3, 2) = -s_E_per_across_slide_C;
+    S_d(3, 3) = t10 - t08;
+    S_d(3, 4) = cos_phi_E_minus_GF * s_E_per_along_GF;
+    S_d(3, 5) = -t10;
+    S_d(3, 6) = s_E_per_across_slide_C;
+    S_d(3, 7) = -s_E_per_along_GF;
+    S_u(0, 0) = -t14;
+    S_u(0, 1) = -t15;
+    S_u(0, 2) = GF_per_along_GF * phi_B_across_GF - GF_per_across_slide_C * phi_B_along_slide_C
+        - inverse_GF * phi_B_along_GF;
+    S_u(0, 3) = t14;
+    S_u(0, 4) = t15;
+    S_u(0, 5) = GF_per_along_GF * phi_E_across_GF - GF_per_across_slide_C * phi_E_along_slide_C
+        - inverse_GF * phi_E_along_GF;
+    S_u(1, 0) = -t16;
+    S_u(1, 1) = -t17;
+    S_u(1, 2) = s_B_per_along_GF * phi_B_across_GF - s_B_per_across_slide_C * phi_B_along_slide_C;
+    S_u(1, 3) = t16;
+    S_u(1, 4) = t17;
+    S_u(1, 5) = s_B_per_along_GF * phi_E_across_GF - s_B_per_across_slide_C * phi_E_along_slide_C;
+    S_u(2, 0) = -t18;
+    S_u(2, 1) = -t19;
+    S_u(2, 2) = phi_B_across_slide_C + s_C_per_along_GF * phi_B_across_GF
+        - s_C_per_across_slide_C * phi_B_along_slide_C;
+    S_u(2, 3) = t18;
+    S_u(2, 4) = t19;
+    S_u(2, 5) = phi_E_across_slide_C + s_C_per_along_GF * phi_E_across_GF
+        - s_C_per_across_slide_C * phi_E_along_slide_C;
+    S_u(3, 0) = -t20;
+    S_u(3, 1) = -t21;
+    S_u(3, 2) = s_E_per_along_GF * phi_B_across_GF - s_E_per_across_slide_C * phi_B_along_slide_C;
+    S_u(3, 3) = t20;
+    S_u(3, 4) = t21;
+    S_u(3, 5) = s_E_per_along_GF * phi_E_across_GF - s_E_per_across_slide_C * phi_E_along_slide_C;
+  }
+
+  /// dq/dt for the rates du/dt of the inputs.
+  template <typename Scalar>
+  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, unknown_count>& q_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
+        + u.phi_E.sin * sin_CD;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = cos_CD * u.phi_E.sin
+        - u.phi_E.cos * sin_CD;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
+    const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
+        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B
+        - d.psi_C_BCG.cos * d.h_B_BCG - d.h_C_CD;
+    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
+        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
+    const Scalar t01 = q.s_E + d.x_F_EDF;
+    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar phi_E_along_GF = -t01 * cos_phi_E_minus_GF - t02 * sin_phi_E_minus_GF;
+    const Scalar phi_E_across_GF = cos_phi_E_minus_GF * t02 - t01 * sin_phi_E_minus_GF;
+    const Scalar cos_phi_B_plus_psi_C_BCG_minus_GF = cos_CD * q.theta_GF.cos
+        + sin_CD * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar t03 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
+    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * t03);  // zero: cos(phi_B +
+                                                                        //     psi_C_BCG - theta_GF)
+                                                                        //     = 0, or sin(phi_B -
+                                                                        //     phi_E) = 0, or GF = 0
+    const Scalar t04 = sin_phi_B_minus_phi_E * inverse;
+    const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t04;
+    const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t03;
+    const Scalar inverse_GF = -cos_phi_B_plus_psi_C_BCG_minus_GF * t04;
+    const Scalar t05 = v_x_B - v_x_E;
+    const Scalar t06 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_C = omega_B * phi_B_across_slide_C
+        + omega_E * phi_E_across_slide_C - cos_CD * t05 - sin_CD * t06;
+    const Scalar velocity_across_slide_C = sin_CD * t05 - cos_CD * t06
+        - omega_B * phi_B_along_slide_C - omega_E * phi_E_along_slide_C;
+    const Scalar velocity_along_GF = omega_B * phi_B_across_GF + omega_E * phi_E_across_GF
+        - q.theta_GF.cos * t05 - q.theta_GF.sin * t06;
+    const Scalar velocity_across_GF = q.theta_GF.sin * t05 - q.theta_GF.cos * t06
+        - omega_B * phi_B_along_GF - omega_E * phi_E_along_GF;
+    const Scalar t07 = inverse_sin_phi_B_minus_phi_E * inverse_cos_phi_B_plus_psi_C_BCG_minus_GF;
+    const Scalar v_s_B = (sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_along_GF
+        - cos_phi_E_minus_GF * velocity_across_slide_C) * t07;
+    const Scalar v_s_E = -(d.psi_C_BCG.sin * velocity_along_GF
+        + cos_phi_B_minus_GF * velocity_across_slide_C) * t07;
+    const Scalar v_s_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E + velocity_along_slide_C
+        - d.psi_C_BCG.cos * v_s_B;
+    const Scalar omega_GF = -(sin_phi_B_minus_GF * v_s_B - sin_phi_E_minus_GF * v_s_E
+        - velocity_across_GF) * inverse_GF;
+    q_rate(0) = omega_GF;
+    q_rate(1) = v_s_B;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_E;
+  }
+
+  /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
+  template <typename Scalar>
+  static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar alpha_E = u_second_rate(5);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
+        + u.phi_E.sin * sin_CD;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = cos_CD * u.phi_E.sin
+        - u.phi_E.cos * sin_CD;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
+    const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
+        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B
+        - d.psi_C_BCG.cos * d.h_B_BCG - d.h_C_CD;
+    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
+        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
+    const Scalar t01 = q.s_E + d.x_F_EDF;
+    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar phi_E_along_GF = -t01 * cos_phi_E_minus_GF - t02 * sin_phi_E_minus_GF;
+    const Scalar phi_E_across_GF = cos_phi_E_minus_GF * t02 - t01 * sin_phi_E_minus_GF;
+    const Scalar cos_phi_B_plus_psi_C_BCG_minus_GF = cos_CD * q.theta_GF.cos
+        + sin_CD * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar t03 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
+    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * t03);  // zero: cos(phi_B +
+                                                                        //     psi_C_BCG - theta_GF)
+                                                                        //     = 0, or sin(phi_B -
+                                                                        //     phi_E) = 0, or GF = 0
+    const Scalar t04 = sin_phi_B_minus_phi_E * inverse;
+    const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t04;
+    const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t03;
+    const Scalar inverse_GF = -cos_phi_B_plus_psi_C_BCG_minus_GF * t04;
+    const Scalar t05 = v_x_B - v_x_E;
+    const Scalar t06 = v_y_B - v_y_E;
+    const Scalar t07 = omega_B * phi_B_across_slide_C;
+    const Scalar t08 = omega_E * phi_E_across_slide_C;
+    const Scalar velocity_along_slide_C = t07 + t08 - cos_CD * t05 - sin_CD * t06;
+    const Scalar t09 = omega_B * phi_B_along_slide_C;
+    const Scalar t10 = omega_E * phi_E_along_slide_C;
+    const Scalar velocity_across_slide_C = sin_CD * t05 - cos_CD * t06 - t09 - t10;
+    const Scalar t11 = omega_B * phi_B_across_GF;
+    const Scalar t12 = omega_E * phi_E_across_GF;
+    const Scalar velocity_along_GF = t11 + t12 - q.theta_GF.cos * t05 - q.theta_GF.sin * t06;
+    const Scalar t13 = omega_B * phi_B_along_GF;
+    const Scalar t14 = omega_E * phi_E_along_GF;
+    const Scalar velocity_across_GF = q.theta_GF.sin * t05 - q.theta_GF.cos * t06 - t13 - t14;
+    const Scalar t15 = inverse_sin_phi_B_minus_phi_E * inverse_cos_phi_B_plus_psi_C_BCG_minus_GF;
+    const Scalar v_s_B = (sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_along_GF
+        - cos_phi_E_minus_GF * velocity_across_slide_C) * t15;
+    const Scalar v_s_E = -(d.psi_C_BCG.sin * velocity_along_GF
+        + cos_phi_B_minus_GF * velocity_across_slide_C) * t15;
+    const Scalar t16 = d.psi_C_BCG.cos * v_s_B;
+    const Scalar t17 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E;
+    const Scalar v_s_C = t17 + velocity_along_slide_C - t16;
+    const Scalar t18 = sin_phi_B_minus_GF * v_s_B;
+    const Scalar t19 = sin_phi_E_minus_GF * v_s_E;
+    const Scalar omega_GF = -(t18 - t19 - velocity_across_GF) * inverse_GF;
+    const Scalar t20 = a_x_B - a_x_E;
+    const Scalar t21 = a_y_B - a_y_E;
+    const Scalar acceleration_along_slide_C = omega_B * (t09 - Scalar(2) * d.psi_C_BCG.sin * v_s_B)
+        + omega_E * (t10 - Scalar(2) * sin_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E)
+        + phi_B_across_slide_C * alpha_B + phi_E_across_slide_C * alpha_E - cos_CD * t20
+        - sin_CD * t21;
+    const Scalar acceleration_across_slide_C = omega_B * (t07 - Scalar(2) * t16 - Scalar(2) * v_s_C)
+        + omega_E * (t08 + Scalar(2) * t17) + sin_CD * t20 - cos_CD * t21
+        - phi_B_along_slide_C * alpha_B - phi_E_along_slide_C * alpha_E;
+    const Scalar acceleration_along_GF = omega_B * (t13 + Scalar(2) * t18) + omega_E * (t14
+        - Scalar(2) * t19) + d.GF * omega_GF * omega_GF + phi_B_across_GF * alpha_B
+        + phi_E_across_GF * alpha_E - q.theta_GF.cos * t20 - q.theta_GF.sin * t21;
+    const Scalar acceleration_across_GF = q.theta_GF.sin * t20 + omega_B * (t11
+        - Scalar(2) * cos_phi_B_minus_GF * v_s_B) + omega_E * (t12
+        + Scalar(2) * cos_phi_E_minus_GF * v_s_E) - q.theta_GF.cos * t21 - phi_B_along_GF * alpha_B
+        - phi_E_along_GF * alpha_E;
+    const Scalar a_s_B = (sin_phi_E_minus_phi_B_minus_psi_C_BCG * acceleration_along_GF
+        - cos_phi_E_minus_GF * acceleration_across_slide_C) * t15;
+    const Scalar a_s_E = -(d.psi_C_BCG.sin * acceleration_along_GF
+        + cos_phi_B_minus_GF * acceleration_across_slide_C) * t15;
+    const Scalar a_s_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * a_s_E + acceleration_along_slide_C
+        - d.psi_C_BCG.cos * a_s_B;
+    const Scalar alpha_GF = -inverse_GF * (sin_phi_B_minus_GF * a_s_B - sin_phi_E_minus_GF * a_s_E
+        - acceleration_across_GF);
+    q_rate(0) = omega_GF;
+    q_rate(1) = v_s_B;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_E;
+    q_second_rate(0) = alpha_GF;
+    q_second_rate(1) = a_s_B;
+    q_second_rate(2) = a_s_C;
+    q_second_rate(3) = a_s_E;
+  }
+
+  /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
+  template <typename Scalar>
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar alpha_E = u_second_rate(5);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
+        + u.phi_E.sin * sin_CD;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = cos_CD * u.phi_E.sin
+        - u.phi_E.cos * sin_CD;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
+    const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
+        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar t01 = d.h_C_BCG - d.h_C_CD;
+    const Scalar phi_B_across_slide_C = t01 - d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG;
+    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
+        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
+    const Scalar t02 = q.s_E + d.x_F_EDF;
+    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar phi_E_along_GF = -t02 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
+    const Scalar phi_E_across_GF = cos_phi_E_minus_GF * t03 - t02 * sin_phi_E_minus_GF;
+    const Scalar cos_phi_B_plus_psi_C_BCG_minus_GF = cos_CD * q.theta_GF.cos
+        + sin_CD * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar t04 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
+    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * t04);  // zero: cos(phi_B +
+                                                                        //     psi_C_BCG - theta_GF)
+                                                                        //     = 0, or sin(phi_B -
+                                                                        //     phi_E) = 0, or GF = 0
+    const Scalar t05 = sin_phi_B_minus_phi_E * inverse;
+    const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t05;
+    const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t04;
+    const Scalar inverse_GF = -cos_phi_B_plus_psi_C_BCG_minus_GF * t05;
+    const Scalar t06 = inverse_cos_phi_B_plus_psi_C_BCG_minus_GF * inverse_sin_phi_B_minus_phi_E;
+    const Scalar s_B_per_across_slide_C = -cos_phi_E_minus_GF * t06;
+    const Scalar s_E_per_across_slide_C = -cos_phi_B_minus_GF * t06;
+    const Scalar t07 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar t08 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = t08 - t07;
+    const Scalar GF_per_across_slide_C = -(sin_phi_B_minus_GF * s_B_per_across_slide_C
+        - sin_phi_E_minus_GF * s_E_per_across_slide_C) * inverse_GF;
+    const Scalar s_B_per_along_GF = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t06;
+    const Scalar s_E_per_along_GF = -d.psi_C_BCG.sin * t06;
+    const Scalar s_C_per_along_GF = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_along_GF
+        - d.psi_C_BCG.cos * s_B_per_along_GF;
+    const Scalar t09 = sin_phi_B_minus_GF * s_B_per_along_GF;
+    const Scalar t10 = sin_phi_E_minus_GF * s_E_per_along_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * (t09 - t10);
+    const Scalar t11 = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF
+        - sin_CD * GF_per_across_slide_C;
+    const Scalar GF_per_x_B = -t11;
+    const Scalar t12 = q.theta_GF.cos * s_B_per_along_GF - sin_CD * s_B_per_across_slide_C;
+    const Scalar s_B_per_x_B = -t12;
+    const Scalar t13 = cos_CD + q.theta_GF.cos * s_C_per_along_GF - sin_CD * s_C_per_across_slide_C;
+    const Scalar s_C_per_x_B = -t13;
+    const Scalar t14 = q.theta_GF.cos * s_E_per_along_GF - sin_CD * s_E_per_across_slide_C;
+    const Scalar s_E_per_x_B = -t14;
+    const Scalar t15 = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF
+        + cos_CD * GF_per_across_slide_C;
+    const Scalar GF_per_y_B = -t15;
+    const Scalar t16 = q.theta_GF.sin * s_B_per_along_GF + cos_CD * s_B_per_across_slide_C;
+    const Scalar s_B_per_y_B = -t16;
+    const Scalar t17 = sin_CD + q.theta_GF.sin * s_C_per_along_GF + cos_CD * s_C_per_across_slide_C;
+    const Scalar s_C_per_y_B = -t17;
+    const Scalar t18 = q.theta_GF.sin * s_E_per_along_GF + cos_CD * s_E_per_across_slide_C;
+    const Scalar s_E_per_y_B = -t18;
+    const Scalar t19 = GF_per_across_slide_C * phi_B_along_slide_C + inverse_GF * phi_B_along_GF
+        - GF_per_along_GF * phi_B_across_GF;
+    const Scalar GF_per_phi_B = -t19;
+    const Scalar t20 = s_B_per_across_slide_C * phi_B_along_slide_C
+        - s_B_per_along_GF * phi_B_across_GF;
+    const Scalar s_B_per_phi_B = -t20;
+    const Scalar t21 = s_C_per_across_slide_C * phi_B_along_slide_C - phi_B_across_slide_C
+        - s_C_per_along_GF * phi_B_across_GF;
+    const Scalar s_C_per_phi_B = -t21;
+    const Scalar t22 = s_E_per_across_slide_C * phi_B_along_slide_C
+        - s_E_per_along_GF * phi_B_across_GF;
+    const Scalar s_E_per_phi_B = -t22;
+    const Scalar t23 = GF_per_across_slide_C * phi_E_along_slide_C + inverse_GF * phi_E_along_GF
+        - GF_per_along_GF * phi_E_across_GF;
+    const Scalar GF_per_phi_E = -t23;
+    const Scalar t24 = s_B_per_across_slide_C * phi_E_along_slide_C
+        - s_B_per_along_GF * phi_E_across_GF;
+    const Scalar s_B_per_phi_E = -t24;
+    const Scalar t25 = s_C_per_across_slide_C * phi_E_along_slide_C - phi_E_across_slide_C
+        - s_C_per_along_GF * phi_E_across_GF;
+    const Scalar s_C_per_phi_E = -t25;
+    const Scalar t26 = s_E_per_across_slide_C * phi_E_along_slide_C
+        - s_E_per_along_GF * phi_E_across_GF;
+    const Scalar s_E_per_phi_E = -t26;
+    const Scalar t27 = v_x_B - v_x_E;
+    const Scalar t28 = v_y_B - v_y_E;
+    const Scalar omega_GF = t27 * GF_per_x_B + t28 * GF_per_y_B + omega_B * GF_per_phi_B
+        + omega_E * GF_per_phi_E;
+    const Scalar v_s_B = t27 * s_B_per_x_B + t28 * s_B_per_y_B + omega_B * s_B_per_phi_B
+        + omega_E * s_B_per_phi_E;
+    const Scalar v_s_C = t27 * s_C_per_x_B + t28 * s_C_per_y_B + omega_B * s_C_per_phi_B
+        + omega_E * s_C_per_phi_E;
+    const Scalar v_s_E = t27 * s_E_per_x_B + t28 * s_E_per_y_B + omega_B * s_E_per_phi_B
+        + omega_E * s_E_per_phi_E;
+    const Scalar centripetal_along_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B
+        - phi_B_along_slide_C * omega_B)
+        - omega_E * (Scalar(2) * sin_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E
+        - phi_E_along_slide_C * omega_E);
+    const Scalar centripetal_across_slide_C = omega_E * (Scalar(2) *
+        cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E + phi_E_across_slide_C * omega_E)
+        - omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B + Scalar(2) * v_s_C
+        - phi_B_across_slide_C * omega_B);
+    const Scalar centripetal_along_GF = omega_B * (Scalar(2) * sin_phi_B_minus_GF * v_s_B
+        + phi_B_along_GF * omega_B) + d.GF * omega_GF * omega_GF
+        - omega_E * (Scalar(2) * sin_phi_E_minus_GF * v_s_E - phi_E_along_GF * omega_E);
+    const Scalar centripetal_across_GF = omega_E * (Scalar(2) * cos_phi_E_minus_GF * v_s_E
+        + phi_E_across_GF * omega_E) - omega_B * (Scalar(2) * cos_phi_B_minus_GF * v_s_B
+        - phi_B_across_GF * omega_B);
+    const Scalar t29 = cos_phi_E_minus_GF * inverse_GF - sin_phi_E_minus_GF * GF_per_along_GF;
+    const Scalar t30 = sin_phi_E_minus_GF * s_B_per_along_GF;
+    const Scalar t31 = sin_phi_E_minus_GF * s_C_per_along_GF;
+    const Scalar t32 = a_x_B - a_x_E;
+    const Scalar t33 = a_y_B - a_y_E;
+    S_d(0, 0) = d.psi_C_BCG.cos * GF_per_across_slide_C + cos_phi_B_minus_GF * inverse_GF
+        - sin_phi_B_minus_GF * GF_per_along_GF;
+    S_d(0, 1) = -q.s_C * GF_per_across_slide_C;
+    S_d(0, 2) = -GF_per_across_slide_C;
+    S_d(0, 3) = -cos_phi_E_minus_phi_B_minus_psi_C_BCG * GF_per_across_slide_C - t29;
+    S_d(0, 4) = cos_phi_E_minus_GF * GF_per_along_GF + sin_phi_E_minus_GF * inverse_GF;
+    S_d(0, 5) = t29;
+    S_d(0, 6) = GF_per_across_slide_C;
+    S_d(0, 7) = -GF_per_along_GF;
+    S_d(1, 0) = t07 - t09;
+    S_d(1, 1) = -q.s_C * s_B_per_across_slide_C;
+    S_d(1, 2) = -s_B_per_across_slide_C;
+    S_d(1, 3) = t30 - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
+    S_d(1, 4) = cos_phi_E_minus_GF * s_B_per_along_GF;
+    S_d(1, 5) = -t30;
+    S_d(1, 6) = s_B_per_across_slide_C;
+    S_d(1, 7) = -s_B_per_along_GF;
+    S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
+        - sin_phi_B_minus_GF * s_C_per_along_GF;
+    S_d(2, 1) = t01 - q.s_C * s_C_per_across_slide_C;
+    S_d(2, 2) = -s_C_per_across_slide_C;
+    S_d(2, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG + t31
+        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
+    S_d(2, 4) = cos_phi_E_minus_GF * s_C_per_along_GF;
+    S_d(2, 5) = -t31;
+    S_d(2, 6) = s_C_per_across_slide_C;
+    S_d(2, 7) = -s_C_per_along_GF;
+    S_d(3, 0) = d.psi_C_BCG.cos * s_E_per_across_slide_C - sin_phi_B_minus_GF * s_E_per_along_GF;
+    S_d(3, 1) = -q.s_C * s_E_per_across_slide_C;
+    S_d(3, 2) = -s_E_per_across_slide_C;
+    S_d(3, 3) = t10 - t08;
+    S_d(3, 4) = cos_phi_E_minus_GF * s_E_per_along_GF;
+    S_d(3, 5) = -t10;
+    S_d(3, 6) = s_E_per_across_slide_C;
+    S_d(3, 7) = -s_E_per_along_GF;
+    S_u(0, 0) = -t11;
+    S_u(0, 1) = -t15;
+    S_u(0, 2) = -t19;
+    S_u(0, 3) = t11;
+    S_u(0, 4) = t15;
+    S_u(0, 5) = -t23;
+    S_u(1, 0) = -t12;
+    S_u(1, 1) = -t16;
+    S_u(1, 2) = -t20;
+    S_u(1, 3) = t12;
+    S_u(1, 4) = t16;
+    S_u(1, 5) = -t24;
+    S_u(2, 0) = -t13;
+    S_u(2, 1) = -t17;
+    S_u(2, 2) = -t21;
+    S_u(2, 3) = t13;
+    S_u(2, 4) = t17;
+    S_u(2, 5) = -t25;
+    S_u(3, 0) = -t14;
+    S_u(3, 1) = -t18;
+    S_u(3, 2) = -t22;
+    S_u(3, 3) = t14;
+    S_u(3, 4) = t18;
+    S_u(3, 5) = -t26;
+    q_rate(0) = omega_GF;
+    q_rate(1) = v_s_B;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_E;
+    q_second_rate(0) = GF_per_x_B * t32 + GF_per_y_B * t33 + GF_per_phi_B * alpha_B
+        + GF_per_phi_E * alpha_E + inverse_GF * centripetal_across_GF
+        + GF_per_across_slide_C * centripetal_across_slide_C
+        + GF_per_along_GF * centripetal_along_GF;
+    q_second_rate(1) = s_B_per_x_B * t32 + s_B_per_y_B * t33 + s_B_per_phi_B * alpha_B
+        + s_B_per_phi_E * alpha_E + s_B_per_across_slide_C * centripetal_across_slide_C
+        + s_B_per_along_GF * centripetal_along_GF;
+    q_second_rate(2) = s_C_per_x_B * t32 + s_C_per_y_B * t33 + s_C_per_phi_B * alpha_B
+        + s_C_per_phi_E * alpha_E + s_C_per_across_slide_C * centripetal_across_slide_C
+        + s_C_per_along_GF * centripetal_along_GF + centripetal_along_slide_C;
+    q_second_rate(3) = s_E_per_x_B * t32 + s_E_per_y_B * t33 + s_E_per_phi_B * alpha_B
+        + s_E_per_phi_E * alpha_E + s_E_per_across_slide_C * centripetal_across_slide_C
+        + s_E_per_along_GF * centripetal_along_GF;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

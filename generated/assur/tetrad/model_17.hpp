@@ -29,22 +29,28 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             28, 30, 0
-///   jacobian:             8, 4, 0
-///   dimension_jacobian:   20, 12, 0
-///   input_jacobian:       28, 24, 0
-///   velocity_rhs:         36, 34, 0
-///   acceleration_rhs:     72, 54, 0
-///   jerk_rhs:             128, 82, 0
-///   curvature_rhs:        122, 84, 0
-///   link_poses:           22, 20, 0
-///   pose_jacobians:       18, 16, 0
-///   link_velocities:      30, 26, 0
-///   link_accelerations:   56, 40, 0
-///   pose_curvatures:      77, 46, 0
-///   position_polynomial:  28, 24, 0
-///   second_equations:     28, 24, 0
-///   complete:             20, 20, 0
+///   residual:                   28, 30, 0
+///   jacobian:                   8, 4, 0
+///   dimension_jacobian:         20, 12, 0
+///   input_jacobian:             28, 24, 0
+///   velocity_rhs:               36, 34, 0
+///   acceleration_rhs:           72, 54, 0
+///   jerk_rhs:                   128, 82, 0
+///   curvature_rhs:              122, 84, 0
+///   link_poses:                 22, 20, 0
+///   pose_jacobians:             18, 16, 0
+///   link_velocities:            30, 26, 0
+///   link_accelerations:         56, 40, 0
+///   pose_curvatures:            77, 46, 0
+///   degeneracies:               12, 6, 0
+///   inverse_jacobian:           52, 18, 1
+///   sensitivities:              104, 66, 1
+///   velocity:                   66, 44, 1
+///   motion:                     114, 82, 1
+///   sensitivities_and_motion:   178, 118, 1
+///   position_polynomial:        28, 24, 0
+///   second_equations:           28, 24, 0
+///   complete:                   20, 20, 0
 struct Model17 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 17;
@@ -61,6 +67,15 @@ struct Model17 {
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = 2;  ///< of the reduced equations; -1: none
+  static constexpr int pivot_count = 2;
+  static constexpr int core_pivot_count = 2;  ///< the first of them: the core's
+  static constexpr int determinant_sign = -1;  ///< det J = sign * the pivots' product
+
+  /// What the vanishing of each pivot of the structured elimination means.
+  static constexpr std::array<const char*, pivot_count> pivots = { {
+      "sin(phi_B - phi_E) = 0: s_B, s_E free to first order",
+      "sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0: s_B, s_E free to first order",
+  } };
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -974,6 +989,626 @@ struct Model17 {
         + sin_CD) - Scalar(2) * t18 - Scalar(2) * sin_CD * v_h_C_CD);
     p(3, 0) = -t10;
     p(3, 1) = -t12;
+  }
+
+  /// What the structured elimination divides by, p, the core's determinant first; the size
+  /// of each that a well-shaped group would have; and the size of the determinant's terms.
+  /// det J = -p(0) * p(1).
+  template <typename Scalar>
+  static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>&, Vector<Scalar, pivot_count>& p,
+      Vector<Scalar, pivot_count>& size, Scalar& terms) {
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
+    const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF = sin_CD * cos_GF
+        - cos_CD * sin_GF;
+    p(0) = -sin_phi_B_minus_phi_E;
+    p(1) = sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
+    size(0) = Scalar(1);
+    size(1) = Scalar(1);
+    terms = Scalar(2);
+  }
+
+  /// The inverse of J, for right-hand sides of every sort.
+  template <typename Scalar>
+  static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>&, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
+    const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
+        + u.phi_E.sin * sin_CD;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.sin * cos_CD
+        - u.phi_E.cos * sin_CD;
+    const Scalar cos_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.cos * cos_GF
+        + u.phi_B.sin * sin_GF;
+    const Scalar sin_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.sin * cos_GF
+        - u.phi_B.cos * sin_GF;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF = sin_CD * cos_GF
+        - cos_CD * sin_GF;
+    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF);  // zero: sin(phi_B - phi_E) = 0, or sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0
+    const Scalar inverse_sin_phi_B_minus_phi_E =
+        sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
+    const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =
+        -sin_phi_B_minus_phi_E * inverse;
+    const Scalar t01 = inverse_sin_phi_B_minus_phi_E *
+        inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
+    const Scalar s_B_per_across_slide_C = d.psi_F_EDF.sin * t01;
+    const Scalar s_E_per_across_slide_C = -sin_phi_B_minus_phi_E_minus_psi_F_EDF * t01;
+    const Scalar s_F_per_across_slide_C = cos_phi_B_minus_phi_E_minus_psi_F_EDF *
+        s_B_per_across_slide_C - d.psi_F_EDF.cos * s_E_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = s_E_per_across_slide_C *
+        cos_phi_E_minus_phi_B_minus_psi_C_BCG - d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar s_B_per_across_slide_F = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t01;
+    const Scalar s_E_per_across_slide_F = -d.psi_C_BCG.sin * t01;
+    const Scalar s_F_per_across_slide_F = cos_phi_B_minus_phi_E_minus_psi_F_EDF *
+        s_B_per_across_slide_F - d.psi_F_EDF.cos * s_E_per_across_slide_F;
+    const Scalar s_C_per_across_slide_F = cos_phi_E_minus_phi_B_minus_psi_C_BCG *
+        s_E_per_across_slide_F - d.psi_C_BCG.cos * s_B_per_across_slide_F;
+    J_inverse(0, 0) = -sin_CD * s_B_per_across_slide_C;
+    J_inverse(0, 1) = cos_CD * s_B_per_across_slide_C;
+    J_inverse(0, 2) = -sin_GF * s_B_per_across_slide_F;
+    J_inverse(0, 3) = cos_GF * s_B_per_across_slide_F;
+    J_inverse(1, 0) = cos_CD - sin_CD * s_C_per_across_slide_C;
+    J_inverse(1, 1) = sin_CD + cos_CD * s_C_per_across_slide_C;
+    J_inverse(1, 2) = -sin_GF * s_C_per_across_slide_F;
+    J_inverse(1, 3) = cos_GF * s_C_per_across_slide_F;
+    J_inverse(2, 0) = -sin_CD * s_E_per_across_slide_C;
+    J_inverse(2, 1) = cos_CD * s_E_per_across_slide_C;
+    J_inverse(2, 2) = -sin_GF * s_E_per_across_slide_F;
+    J_inverse(2, 3) = cos_GF * s_E_per_across_slide_F;
+    J_inverse(3, 0) = -sin_CD * s_F_per_across_slide_C;
+    J_inverse(3, 1) = cos_CD * s_F_per_across_slide_C;
+    J_inverse(3, 2) = -cos_GF - sin_GF * s_F_per_across_slide_F;
+    J_inverse(3, 3) = cos_GF * s_F_per_across_slide_F - sin_GF;
+  }
+
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
+    const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
+        + u.phi_E.sin * sin_CD;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.sin * cos_CD
+        - u.phi_E.cos * sin_CD;
+    const Scalar cos_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.cos * cos_GF
+        + u.phi_B.sin * sin_GF;
+    const Scalar sin_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.sin * cos_GF
+        - u.phi_B.cos * sin_GF;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
+        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar t01 = d.h_C_BCG - d.h_C_CD;
+    const Scalar phi_B_across_slide_C = t01 - d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG;
+    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
+        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_slide_F = q.s_B * cos_phi_B_minus_phi_E_minus_psi_F_EDF
+        + d.h_B_BCG * sin_phi_B_minus_phi_E_minus_psi_F_EDF;
+    const Scalar phi_B_across_slide_F = q.s_B * sin_phi_B_minus_phi_E_minus_psi_F_EDF
+        - d.h_B_BCG * cos_phi_B_minus_phi_E_minus_psi_F_EDF;
+    const Scalar phi_E_along_slide_F = d.psi_F_EDF.sin * d.h_E_EDF - d.psi_F_EDF.cos * q.s_E
+        - q.s_F;
+    const Scalar t02 = d.h_F_EDF - d.h_F_GF;
+    const Scalar phi_E_across_slide_F = d.psi_F_EDF.sin * q.s_E + d.psi_F_EDF.cos * d.h_E_EDF - t02;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF = sin_CD * cos_GF
+        - cos_CD * sin_GF;
+    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF);  // zero: sin(phi_B - phi_E) = 0, or sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0
+    const Scalar inverse_sin_phi_B_minus_phi_E =
+        sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
+    const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =
+        -sin_phi_B_minus_phi_E * inverse;
+    const Scalar t03 = inverse_sin_phi_B_minus_phi_E *
+        inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
+    const Scalar s_B_per_across_slide_C = d.psi_F_EDF.sin * t03;
+    const Scalar s_E_per_across_slide_C = -sin_phi_B_minus_phi_E_minus_psi_F_EDF * t03;
+    const Scalar s_F_per_across_slide_C = cos_phi_B_minus_phi_E_minus_psi_F_EDF *
+        s_B_per_across_slide_C - d.psi_F_EDF.cos * s_E_per_across_slide_C;
+    const Scalar t04 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar t05 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = t05 - t04;
+    const Scalar s_B_per_across_slide_F = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t03;
+    const Scalar s_E_per_across_slide_F = -d.psi_C_BCG.sin * t03;
+    const Scalar t06 = d.psi_F_EDF.cos * s_E_per_across_slide_F;
+    const Scalar t07 = cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_B_per_across_slide_F;
+    const Scalar s_F_per_across_slide_F = t07 - t06;
+    const Scalar s_C_per_across_slide_F = cos_phi_E_minus_phi_B_minus_psi_C_BCG *
+        s_E_per_across_slide_F - d.psi_C_BCG.cos * s_B_per_across_slide_F;
+    const Scalar t08 = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_F;
+    const Scalar t09 = cos_CD * s_B_per_across_slide_C + cos_GF * s_B_per_across_slide_F;
+    const Scalar t10 = cos_CD - sin_CD * s_C_per_across_slide_C - sin_GF * s_C_per_across_slide_F;
+    const Scalar t11 = sin_CD + cos_CD * s_C_per_across_slide_C + cos_GF * s_C_per_across_slide_F;
+    const Scalar t12 = sin_CD * s_E_per_across_slide_C + sin_GF * s_E_per_across_slide_F;
+    const Scalar t13 = cos_CD * s_E_per_across_slide_C + cos_GF * s_E_per_across_slide_F;
+    const Scalar t14 = cos_GF + sin_CD * s_F_per_across_slide_C + sin_GF * s_F_per_across_slide_F;
+    const Scalar t15 = sin_GF - cos_CD * s_F_per_across_slide_C - cos_GF * s_F_per_across_slide_F;
+    S_d(0, 0) = t04 + t07;
+    S_d(0, 1) = -q.s_C * s_B_per_across_slide_C;
+    S_d(0, 2) = -s_B_per_across_slide_C;
+    S_d(0, 3) = -d.psi_F_EDF.cos * s_B_per_across_slide_F
+        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
+    S_d(0, 4) = q.s_F * s_B_per_across_slide_F;
+    S_d(0, 5) = s_B_per_across_slide_F;
+    S_d(0, 6) = s_B_per_across_slide_C;
+    S_d(0, 7) = -s_B_per_across_slide_F;
+    S_d(1, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
+        + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_C_per_across_slide_F;
+    S_d(1, 1) = t01 - q.s_C * s_C_per_across_slide_C;
+    S_d(1, 2) = -s_C_per_across_slide_C;
+    S_d(1, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG - d.psi_F_EDF.cos * s_C_per_across_slide_F
+        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
+    S_d(1, 4) = q.s_F * s_C_per_across_slide_F;
+    S_d(1, 5) = s_C_per_across_slide_F;
+    S_d(1, 6) = s_C_per_across_slide_C;
+    S_d(1, 7) = -s_C_per_across_slide_F;
+    S_d(2, 0) = d.psi_C_BCG.cos * s_E_per_across_slide_C
+        + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_E_per_across_slide_F;
+    S_d(2, 1) = -q.s_C * s_E_per_across_slide_C;
+    S_d(2, 2) = -s_E_per_across_slide_C;
+    S_d(2, 3) = -t05 - t06;
+    S_d(2, 4) = q.s_F * s_E_per_across_slide_F;
+    S_d(2, 5) = s_E_per_across_slide_F;
+    S_d(2, 6) = s_E_per_across_slide_C;
+    S_d(2, 7) = -s_E_per_across_slide_F;
+    S_d(3, 0) = sin_phi_B_minus_phi_E_minus_psi_F_EDF + d.psi_C_BCG.cos * s_F_per_across_slide_C
+        + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_F_per_across_slide_F;
+    S_d(3, 1) = -q.s_C * s_F_per_across_slide_C;
+    S_d(3, 2) = -s_F_per_across_slide_C;
+    S_d(3, 3) = d.psi_F_EDF.sin - d.psi_F_EDF.cos * s_F_per_across_slide_F
+        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
+    S_d(3, 4) = q.s_F * s_F_per_across_slide_F + t02;
+    S_d(3, 5) = s_F_per_across_slide_F;
+    S_d(3, 6) = s_F_per_across_slide_C;
+    S_d(3, 7) = -s_F_per_across_slide_F;
+    S_u(0, 0) = t08;
+    S_u(0, 1) = -t09;
+    S_u(0, 2) = -s_B_per_across_slide_C * phi_B_along_slide_C
+        - s_B_per_across_slide_F * phi_B_along_slide_F;
+    S_u(0, 3) = -t08;
+    S_u(0, 4) = t09;
+    S_u(0, 5) = -s_B_per_across_slide_C * phi_E_along_slide_C
+        - s_B_per_across_slide_F * phi_E_along_slide_F;
+    S_u(1, 0) = -t10;
+    S_u(1, 1) = -t11;
+    S_u(1, 2) = phi_B_across_slide_C - s_C_per_across_slide_C * phi_B_along_slide_C
+        - s_C_per_across_slide_F * phi_B_along_slide_F;
+    S_u(1, 3) = t10;
+    S_u(1, 4) = t11;
+    S_u(1, 5) = phi_E_across_slide_C - s_C_per_across_slide_C * phi_E_along_slide_C
+        - s_C_per_across_slide_F * phi_E_along_slide_F;
+    S_u(2, 0) = t12;
+    S_u(2, 1) = -t13;
+    S_u(2, 2) = -s_E_per_across_slide_C * phi_B_along_slide_C
+        - s_E_per_across_slide_F * phi_B_along_slide_F;
+    S_u(2, 3) = -t12;
+    S_u(2, 4) = t13;
+    S_u(2, 5) = -s_E_per_across_slide_C * phi_E_along_slide_C
+        - s_E_per_across_slide_F * phi_E_along_slide_F;
+    S_u(3, 0) = t14;
+    S_u(3, 1) = t15;
+    S_u(3, 2) = -s_F_per_across_slide_C * phi_B_along_slide_C
+        - s_F_per_across_slide_F * phi_B_along_slide_F - phi_B_across_slide_F;
+    S_u(3, 3) = -t14;
+    S_u(3, 4) = -t15;
+    S_u(3, 5) = -s_F_per_across_slide_C * phi_E_along_slide_C
+        - s_F_per_across_slide_F * phi_E_along_slide_F - phi_E_across_slide_F;
+  }
+
+  /// dq/dt for the rates du/dt of the inputs.
+  template <typename Scalar>
+  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, unknown_count>& q_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
+    const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
+        + u.phi_E.sin * sin_CD;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.sin * cos_CD
+        - u.phi_E.cos * sin_CD;
+    const Scalar cos_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.cos * cos_GF
+        + u.phi_B.sin * sin_GF;
+    const Scalar sin_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.sin * cos_GF
+        - u.phi_B.cos * sin_GF;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
+        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B
+        - d.psi_C_BCG.cos * d.h_B_BCG - d.h_C_CD;
+    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
+        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_slide_F = q.s_B * cos_phi_B_minus_phi_E_minus_psi_F_EDF
+        + d.h_B_BCG * sin_phi_B_minus_phi_E_minus_psi_F_EDF;
+    const Scalar phi_B_across_slide_F = q.s_B * sin_phi_B_minus_phi_E_minus_psi_F_EDF
+        - d.h_B_BCG * cos_phi_B_minus_phi_E_minus_psi_F_EDF;
+    const Scalar phi_E_along_slide_F = d.psi_F_EDF.sin * d.h_E_EDF - d.psi_F_EDF.cos * q.s_E
+        - q.s_F;
+    const Scalar phi_E_across_slide_F = d.psi_F_EDF.sin * q.s_E + d.psi_F_EDF.cos * d.h_E_EDF
+        + d.h_F_GF - d.h_F_EDF;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF = sin_CD * cos_GF
+        - cos_CD * sin_GF;
+    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF);  // zero: sin(phi_B - phi_E) = 0, or sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0
+    const Scalar inverse_sin_phi_B_minus_phi_E =
+        sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
+    const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =
+        -sin_phi_B_minus_phi_E * inverse;
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_C = omega_B * phi_B_across_slide_C
+        + omega_E * phi_E_across_slide_C - cos_CD * t01 - sin_CD * t02;
+    const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02
+        - omega_B * phi_B_along_slide_C - omega_E * phi_E_along_slide_C;
+    const Scalar velocity_along_slide_F = omega_B * phi_B_across_slide_F
+        + omega_E * phi_E_across_slide_F - cos_GF * t01 - sin_GF * t02;
+    const Scalar velocity_across_slide_F = sin_GF * t01 - cos_GF * t02
+        - omega_B * phi_B_along_slide_F - omega_E * phi_E_along_slide_F;
+    const Scalar t03 = inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF *
+        inverse_sin_phi_B_minus_phi_E;
+    const Scalar v_s_B = (d.psi_F_EDF.sin * velocity_across_slide_C
+        + sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_across_slide_F) * t03;
+    const Scalar v_s_E = -(d.psi_C_BCG.sin * velocity_across_slide_F
+        + sin_phi_B_minus_phi_E_minus_psi_F_EDF * velocity_across_slide_C) * t03;
+    const Scalar v_s_F = cos_phi_B_minus_phi_E_minus_psi_F_EDF * v_s_B - d.psi_F_EDF.cos * v_s_E
+        - velocity_along_slide_F;
+    const Scalar v_s_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E + velocity_along_slide_C
+        - d.psi_C_BCG.cos * v_s_B;
+    q_rate(0) = v_s_B;
+    q_rate(1) = v_s_C;
+    q_rate(2) = v_s_E;
+    q_rate(3) = v_s_F;
+  }
+
+  /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
+  template <typename Scalar>
+  static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar alpha_E = u_second_rate(5);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
+    const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
+        + u.phi_E.sin * sin_CD;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.sin * cos_CD
+        - u.phi_E.cos * sin_CD;
+    const Scalar cos_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.cos * cos_GF
+        + u.phi_B.sin * sin_GF;
+    const Scalar sin_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.sin * cos_GF
+        - u.phi_B.cos * sin_GF;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
+        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B
+        - d.psi_C_BCG.cos * d.h_B_BCG - d.h_C_CD;
+    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
+        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_slide_F = q.s_B * cos_phi_B_minus_phi_E_minus_psi_F_EDF
+        + d.h_B_BCG * sin_phi_B_minus_phi_E_minus_psi_F_EDF;
+    const Scalar phi_B_across_slide_F = q.s_B * sin_phi_B_minus_phi_E_minus_psi_F_EDF
+        - d.h_B_BCG * cos_phi_B_minus_phi_E_minus_psi_F_EDF;
+    const Scalar phi_E_along_slide_F = d.psi_F_EDF.sin * d.h_E_EDF - d.psi_F_EDF.cos * q.s_E
+        - q.s_F;
+    const Scalar phi_E_across_slide_F = d.psi_F_EDF.sin * q.s_E + d.psi_F_EDF.cos * d.h_E_EDF
+        + d.h_F_GF - d.h_F_EDF;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF = sin_CD * cos_GF
+        - cos_CD * sin_GF;
+    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF);  // zero: sin(phi_B - phi_E) = 0, or sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0
+    const Scalar inverse_sin_phi_B_minus_phi_E =
+        sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
+    const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =
+        -sin_phi_B_minus_phi_E * inverse;
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar t03 = omega_B * phi_B_across_slide_C;
+    const Scalar t04 = omega_E * phi_E_across_slide_C;
+    const Scalar velocity_along_slide_C = t03 + t04 - cos_CD * t01 - sin_CD * t02;
+    const Scalar t05 = omega_B * phi_B_along_slide_C;
+    const Scalar t06 = omega_E * phi_E_along_slide_C;
+    const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02 - t05 - t06;
+    const Scalar t07 = omega_B * phi_B_across_slide_F;
+    const Scalar t08 = omega_E * phi_E_across_slide_F;
+    const Scalar velocity_along_slide_F = t07 + t08 - cos_GF * t01 - sin_GF * t02;
+    const Scalar t09 = omega_B * phi_B_along_slide_F;
+    const Scalar t10 = omega_E * phi_E_along_slide_F;
+    const Scalar velocity_across_slide_F = sin_GF * t01 - cos_GF * t02 - t09 - t10;
+    const Scalar t11 = inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF *
+        inverse_sin_phi_B_minus_phi_E;
+    const Scalar v_s_B = (d.psi_F_EDF.sin * velocity_across_slide_C
+        + sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_across_slide_F) * t11;
+    const Scalar v_s_E = -(d.psi_C_BCG.sin * velocity_across_slide_F
+        + sin_phi_B_minus_phi_E_minus_psi_F_EDF * velocity_across_slide_C) * t11;
+    const Scalar t12 = d.psi_F_EDF.cos * v_s_E;
+    const Scalar t13 = cos_phi_B_minus_phi_E_minus_psi_F_EDF * v_s_B;
+    const Scalar v_s_F = t13 - t12 - velocity_along_slide_F;
+    const Scalar t14 = d.psi_C_BCG.cos * v_s_B;
+    const Scalar t15 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E;
+    const Scalar v_s_C = t15 + velocity_along_slide_C - t14;
+    const Scalar t16 = a_x_B - a_x_E;
+    const Scalar t17 = a_y_B - a_y_E;
+    const Scalar acceleration_along_slide_C = omega_B * (t05 - Scalar(2) * d.psi_C_BCG.sin * v_s_B)
+        + omega_E * (t06 - Scalar(2) * sin_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E)
+        + phi_B_across_slide_C * alpha_B + phi_E_across_slide_C * alpha_E - cos_CD * t16
+        - sin_CD * t17;
+    const Scalar acceleration_across_slide_C = omega_B * (t03 - Scalar(2) * t14 - Scalar(2) * v_s_C)
+        + omega_E * (t04 + Scalar(2) * t15) + sin_CD * t16 - cos_CD * t17
+        - phi_B_along_slide_C * alpha_B - phi_E_along_slide_C * alpha_E;
+    const Scalar acceleration_along_slide_F = omega_B * (t09
+        + Scalar(2) * sin_phi_B_minus_phi_E_minus_psi_F_EDF * v_s_B) + omega_E * (t10
+        + Scalar(2) * d.psi_F_EDF.sin * v_s_E) + phi_B_across_slide_F * alpha_B
+        + phi_E_across_slide_F * alpha_E - cos_GF * t16 - sin_GF * t17;
+    const Scalar acceleration_across_slide_F = omega_E * (t08 + Scalar(2) * t12 + Scalar(2) * v_s_F)
+        + omega_B * (t07 - Scalar(2) * t13) + sin_GF * t16 - cos_GF * t17
+        - phi_B_along_slide_F * alpha_B - phi_E_along_slide_F * alpha_E;
+    const Scalar a_s_B = (d.psi_F_EDF.sin * acceleration_across_slide_C
+        + sin_phi_E_minus_phi_B_minus_psi_C_BCG * acceleration_across_slide_F) * t11;
+    const Scalar a_s_E = -(d.psi_C_BCG.sin * acceleration_across_slide_F
+        + sin_phi_B_minus_phi_E_minus_psi_F_EDF * acceleration_across_slide_C) * t11;
+    const Scalar a_s_F = cos_phi_B_minus_phi_E_minus_psi_F_EDF * a_s_B - d.psi_F_EDF.cos * a_s_E
+        - acceleration_along_slide_F;
+    const Scalar a_s_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * a_s_E + acceleration_along_slide_C
+        - d.psi_C_BCG.cos * a_s_B;
+    q_rate(0) = v_s_B;
+    q_rate(1) = v_s_C;
+    q_rate(2) = v_s_E;
+    q_rate(3) = v_s_F;
+    q_second_rate(0) = a_s_B;
+    q_second_rate(1) = a_s_C;
+    q_second_rate(2) = a_s_E;
+    q_second_rate(3) = a_s_F;
+  }
+
+  /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
+  template <typename Scalar>
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar alpha_E = u_second_rate(5);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
+    const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
+        + u.phi_E.sin * sin_CD;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.sin * cos_CD
+        - u.phi_E.cos * sin_CD;
+    const Scalar cos_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.cos * cos_GF
+        + u.phi_B.sin * sin_GF;
+    const Scalar sin_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.sin * cos_GF
+        - u.phi_B.cos * sin_GF;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
+        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar t01 = d.h_C_BCG - d.h_C_CD;
+    const Scalar phi_B_across_slide_C = t01 - d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG;
+    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
+        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_slide_F = q.s_B * cos_phi_B_minus_phi_E_minus_psi_F_EDF
+        + d.h_B_BCG * sin_phi_B_minus_phi_E_minus_psi_F_EDF;
+    const Scalar phi_B_across_slide_F = q.s_B * sin_phi_B_minus_phi_E_minus_psi_F_EDF
+        - d.h_B_BCG * cos_phi_B_minus_phi_E_minus_psi_F_EDF;
+    const Scalar phi_E_along_slide_F = d.psi_F_EDF.sin * d.h_E_EDF - d.psi_F_EDF.cos * q.s_E
+        - q.s_F;
+    const Scalar t02 = d.h_F_EDF - d.h_F_GF;
+    const Scalar phi_E_across_slide_F = d.psi_F_EDF.sin * q.s_E + d.psi_F_EDF.cos * d.h_E_EDF - t02;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF = sin_CD * cos_GF
+        - cos_CD * sin_GF;
+    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF);  // zero: sin(phi_B - phi_E) = 0, or sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0
+    const Scalar inverse_sin_phi_B_minus_phi_E =
+        sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
+    const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =
+        -sin_phi_B_minus_phi_E * inverse;
+    const Scalar t03 = inverse_sin_phi_B_minus_phi_E *
+        inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
+    const Scalar s_B_per_across_slide_C = d.psi_F_EDF.sin * t03;
+    const Scalar s_E_per_across_slide_C = -sin_phi_B_minus_phi_E_minus_psi_F_EDF * t03;
+    const Scalar s_F_per_across_slide_C = cos_phi_B_minus_phi_E_minus_psi_F_EDF *
+        s_B_per_across_slide_C - d.psi_F_EDF.cos * s_E_per_across_slide_C;
+    const Scalar t04 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar t05 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = t05 - t04;
+    const Scalar s_B_per_across_slide_F = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t03;
+    const Scalar s_E_per_across_slide_F = -d.psi_C_BCG.sin * t03;
+    const Scalar t06 = d.psi_F_EDF.cos * s_E_per_across_slide_F;
+    const Scalar t07 = cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_B_per_across_slide_F;
+    const Scalar s_F_per_across_slide_F = t07 - t06;
+    const Scalar s_C_per_across_slide_F = cos_phi_E_minus_phi_B_minus_psi_C_BCG *
+        s_E_per_across_slide_F - d.psi_C_BCG.cos * s_B_per_across_slide_F;
+    const Scalar t08 = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_F;
+    const Scalar s_B_per_x_B = t08;
+    const Scalar t09 = cos_CD - sin_CD * s_C_per_across_slide_C - sin_GF * s_C_per_across_slide_F;
+    const Scalar s_C_per_x_B = -t09;
+    const Scalar t10 = sin_CD * s_E_per_across_slide_C + sin_GF * s_E_per_across_slide_F;
+    const Scalar s_E_per_x_B = t10;
+    const Scalar t11 = cos_GF + sin_CD * s_F_per_across_slide_C + sin_GF * s_F_per_across_slide_F;
+    const Scalar s_F_per_x_B = t11;
+    const Scalar t12 = cos_CD * s_B_per_across_slide_C + cos_GF * s_B_per_across_slide_F;
+    const Scalar s_B_per_y_B = -t12;
+    const Scalar t13 = sin_CD + cos_CD * s_C_per_across_slide_C + cos_GF * s_C_per_across_slide_F;
+    const Scalar s_C_per_y_B = -t13;
+    const Scalar t14 = cos_CD * s_E_per_across_slide_C + cos_GF * s_E_per_across_slide_F;
+    const Scalar s_E_per_y_B = -t14;
+    const Scalar t15 = sin_GF - cos_CD * s_F_per_across_slide_C - cos_GF * s_F_per_across_slide_F;
+    const Scalar s_F_per_y_B = t15;
+    const Scalar t16 = s_B_per_across_slide_C * phi_B_along_slide_C
+        + s_B_per_across_slide_F * phi_B_along_slide_F;
+    const Scalar s_B_per_phi_B = -t16;
+    const Scalar t17 = s_C_per_across_slide_C * phi_B_along_slide_C
+        + s_C_per_across_slide_F * phi_B_along_slide_F - phi_B_across_slide_C;
+    const Scalar s_C_per_phi_B = -t17;
+    const Scalar t18 = s_E_per_across_slide_C * phi_B_along_slide_C
+        + s_E_per_across_slide_F * phi_B_along_slide_F;
+    const Scalar s_E_per_phi_B = -t18;
+    const Scalar t19 = s_F_per_across_slide_C * phi_B_along_slide_C
+        + s_F_per_across_slide_F * phi_B_along_slide_F + phi_B_across_slide_F;
+    const Scalar s_F_per_phi_B = -t19;
+    const Scalar t20 = s_B_per_across_slide_C * phi_E_along_slide_C
+        + s_B_per_across_slide_F * phi_E_along_slide_F;
+    const Scalar s_B_per_phi_E = -t20;
+    const Scalar t21 = s_C_per_across_slide_C * phi_E_along_slide_C
+        + s_C_per_across_slide_F * phi_E_along_slide_F - phi_E_across_slide_C;
+    const Scalar s_C_per_phi_E = -t21;
+    const Scalar t22 = s_E_per_across_slide_C * phi_E_along_slide_C
+        + s_E_per_across_slide_F * phi_E_along_slide_F;
+    const Scalar s_E_per_phi_E = -t22;
+    const Scalar t23 = s_F_per_across_slide_C * phi_E_along_slide_C
+        + s_F_per_across_slide_F * phi_E_along_slide_F + phi_E_across_slide_F;
+    const Scalar s_F_per_phi_E = -t23;
+    const Scalar t24 = v_x_B - v_x_E;
+    const Scalar t25 = v_y_B - v_y_E;
+    const Scalar v_s_B = t24 * s_B_per_x_B + t25 * s_B_per_y_B + omega_B * s_B_per_phi_B
+        + omega_E * s_B_per_phi_E;
+    const Scalar v_s_C = t24 * s_C_per_x_B + t25 * s_C_per_y_B + omega_B * s_C_per_phi_B
+        + omega_E * s_C_per_phi_E;
+    const Scalar v_s_E = t24 * s_E_per_x_B + t25 * s_E_per_y_B + omega_B * s_E_per_phi_B
+        + omega_E * s_E_per_phi_E;
+    const Scalar v_s_F = t24 * s_F_per_x_B + t25 * s_F_per_y_B + omega_B * s_F_per_phi_B
+        + omega_E * s_F_per_phi_E;
+    const Scalar centripetal_along_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B
+        - phi_B_along_slide_C * omega_B)
+        - omega_E * (Scalar(2) * sin_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E
+        - phi_E_along_slide_C * omega_E);
+    const Scalar centripetal_across_slide_C = omega_E * (Scalar(2) *
+        cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E + phi_E_across_slide_C * omega_E)
+        - omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B + Scalar(2) * v_s_C
+        - phi_B_across_slide_C * omega_B);
+    const Scalar centripetal_along_slide_F = omega_B * (Scalar(2) *
+        sin_phi_B_minus_phi_E_minus_psi_F_EDF * v_s_B + phi_B_along_slide_F * omega_B)
+        + omega_E * (Scalar(2) * d.psi_F_EDF.sin * v_s_E + phi_E_along_slide_F * omega_E);
+    const Scalar centripetal_across_slide_F = omega_E * (Scalar(2) * d.psi_F_EDF.cos * v_s_E
+        + Scalar(2) * v_s_F + phi_E_across_slide_F * omega_E)
+        - omega_B * (Scalar(2) * cos_phi_B_minus_phi_E_minus_psi_F_EDF * v_s_B
+        - phi_B_across_slide_F * omega_B);
+    const Scalar t26 = a_x_B - a_x_E;
+    const Scalar t27 = a_y_B - a_y_E;
+    S_d(0, 0) = t04 + t07;
+    S_d(0, 1) = -q.s_C * s_B_per_across_slide_C;
+    S_d(0, 2) = -s_B_per_across_slide_C;
+    S_d(0, 3) = -d.psi_F_EDF.cos * s_B_per_across_slide_F
+        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
+    S_d(0, 4) = q.s_F * s_B_per_across_slide_F;
+    S_d(0, 5) = s_B_per_across_slide_F;
+    S_d(0, 6) = s_B_per_across_slide_C;
+    S_d(0, 7) = -s_B_per_across_slide_F;
+    S_d(1, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
+        + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_C_per_across_slide_F;
+    S_d(1, 1) = t01 - q.s_C * s_C_per_across_slide_C;
+    S_d(1, 2) = -s_C_per_across_slide_C;
+    S_d(1, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG - d.psi_F_EDF.cos * s_C_per_across_slide_F
+        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
+    S_d(1, 4) = q.s_F * s_C_per_across_slide_F;
+    S_d(1, 5) = s_C_per_across_slide_F;
+    S_d(1, 6) = s_C_per_across_slide_C;
+    S_d(1, 7) = -s_C_per_across_slide_F;
+    S_d(2, 0) = d.psi_C_BCG.cos * s_E_per_across_slide_C
+        + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_E_per_across_slide_F;
+    S_d(2, 1) = -q.s_C * s_E_per_across_slide_C;
+    S_d(2, 2) = -s_E_per_across_slide_C;
+    S_d(2, 3) = -t05 - t06;
+    S_d(2, 4) = q.s_F * s_E_per_across_slide_F;
+    S_d(2, 5) = s_E_per_across_slide_F;
+    S_d(2, 6) = s_E_per_across_slide_C;
+    S_d(2, 7) = -s_E_per_across_slide_F;
+    S_d(3, 0) = sin_phi_B_minus_phi_E_minus_psi_F_EDF + d.psi_C_BCG.cos * s_F_per_across_slide_C
+        + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_F_per_across_slide_F;
+    S_d(3, 1) = -q.s_C * s_F_per_across_slide_C;
+    S_d(3, 2) = -s_F_per_across_slide_C;
+    S_d(3, 3) = d.psi_F_EDF.sin - d.psi_F_EDF.cos * s_F_per_across_slide_F
+        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
+    S_d(3, 4) = q.s_F * s_F_per_across_slide_F + t02;
+    S_d(3, 5) = s_F_per_across_slide_F;
+    S_d(3, 6) = s_F_per_across_slide_C;
+    S_d(3, 7) = -s_F_per_across_slide_F;
+    S_u(0, 0) = t08;
+    S_u(0, 1) = -t12;
+    S_u(0, 2) = -t16;
+    S_u(0, 3) = -t08;
+    S_u(0, 4) = t12;
+    S_u(0, 5) = -t20;
+    S_u(1, 0) = -t09;
+    S_u(1, 1) = -t13;
+    S_u(1, 2) = -t17;
+    S_u(1, 3) = t09;
+    S_u(1, 4) = t13;
+    S_u(1, 5) = -t21;
+    S_u(2, 0) = t10;
+    S_u(2, 1) = -t14;
+    S_u(2, 2) = -t18;
+    S_u(2, 3) = -t10;
+    S_u(2, 4) = t14;
+    S_u(2, 5) = -t22;
+    S_u(3, 0) = t11;
+    S_u(3, 1) = t15;
+    S_u(3, 2) = -t19;
+    S_u(3, 3) = -t11;
+    S_u(3, 4) = -t15;
+    S_u(3, 5) = -t23;
+    q_rate(0) = v_s_B;
+    q_rate(1) = v_s_C;
+    q_rate(2) = v_s_E;
+    q_rate(3) = v_s_F;
+    q_second_rate(0) = s_B_per_x_B * t26 + s_B_per_y_B * t27 + s_B_per_phi_B * alpha_B
+        + s_B_per_phi_E * alpha_E + s_B_per_across_slide_C * centripetal_across_slide_C
+        + s_B_per_across_slide_F * centripetal_across_slide_F;
+    q_second_rate(1) = s_C_per_x_B * t26 + s_C_per_y_B * t27 + s_C_per_phi_B * alpha_B
+        + s_C_per_phi_E * alpha_E + s_C_per_across_slide_C * centripetal_across_slide_C
+        + s_C_per_across_slide_F * centripetal_across_slide_F + centripetal_along_slide_C;
+    q_second_rate(2) = s_E_per_x_B * t26 + s_E_per_y_B * t27 + s_E_per_phi_B * alpha_B
+        + s_E_per_phi_E * alpha_E + s_E_per_across_slide_C * centripetal_across_slide_C
+        + s_E_per_across_slide_F * centripetal_across_slide_F;
+    q_second_rate(3) = s_F_per_x_B * t26 + s_F_per_y_B * t27 + s_F_per_phi_B * alpha_B
+        + s_F_per_phi_E * alpha_E + s_F_per_across_slide_C * centripetal_across_slide_C
+        + s_F_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_F;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

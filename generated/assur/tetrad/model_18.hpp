@@ -29,20 +29,20 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             34, 32, 0
-///   jacobian:             14, 6, 0
-///   dimension_jacobian:   24, 12, 0
-///   input_jacobian:       32, 24, 0
-///   velocity_rhs:         40, 34, 0
-///   acceleration_rhs:     81, 56, 0
-///   jerk_rhs:             143, 84, 0
-///   curvature_rhs:        135, 84, 0
-///   link_poses:           16, 16, 0
-///   pose_jacobians:       16, 14, 0
-///   link_velocities:      28, 24, 0
-///   link_accelerations:   54, 38, 0
-///   pose_curvatures:      67, 39, 0
-///   compatibility:        16, 8, 0
+///   residual:                   34, 32, 0
+///   jacobian:                   14, 6, 0
+///   dimension_jacobian:         24, 12, 0
+///   input_jacobian:             32, 24, 0
+///   velocity_rhs:               40, 34, 0
+///   acceleration_rhs:           81, 56, 0
+///   jerk_rhs:                   143, 84, 0
+///   curvature_rhs:              135, 84, 0
+///   link_poses:                 16, 16, 0
+///   pose_jacobians:             16, 14, 0
+///   link_velocities:            28, 24, 0
+///   link_accelerations:         54, 38, 0
+///   pose_curvatures:            67, 39, 0
+///   compatibility:              16, 8, 0
 struct Model18 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 18;

@@ -29,22 +29,28 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             26, 24, 0
-///   jacobian:             14, 6, 0
-///   dimension_jacobian:   18, 10, 0
-///   input_jacobian:       20, 14, 0
-///   velocity_rhs:         24, 20, 0
-///   acceleration_rhs:     57, 38, 0
-///   jerk_rhs:             99, 58, 0
-///   curvature_rhs:        88, 51, 0
-///   link_poses:           20, 16, 0
-///   pose_jacobians:       20, 14, 0
-///   link_velocities:      32, 26, 0
-///   link_accelerations:   60, 42, 0
-///   pose_curvatures:      68, 41, 0
-///   position_polynomial:  30, 18, 0
-///   second_equations:     26, 19, 0
-///   complete:             22, 18, 0
+///   residual:                   26, 24, 0
+///   jacobian:                   14, 6, 0
+///   dimension_jacobian:         18, 10, 0
+///   input_jacobian:             20, 14, 0
+///   velocity_rhs:               24, 20, 0
+///   acceleration_rhs:           57, 38, 0
+///   jerk_rhs:                   99, 58, 0
+///   curvature_rhs:              88, 51, 0
+///   link_poses:                 20, 16, 0
+///   pose_jacobians:             20, 14, 0
+///   link_velocities:            32, 26, 0
+///   link_accelerations:         60, 42, 0
+///   pose_curvatures:            68, 41, 0
+///   degeneracies:               20, 17, 0
+///   inverse_jacobian:           52, 19, 1
+///   sensitivities:              84, 43, 1
+///   velocity:                   50, 32, 1
+///   motion:                     89, 62, 1
+///   sensitivities_and_motion:   139, 83, 1
+///   position_polynomial:        30, 18, 0
+///   second_equations:           26, 19, 0
+///   complete:                   22, 18, 0
 struct Model19 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 19;
@@ -61,6 +67,14 @@ struct Model19 {
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = 1;  ///< of the reduced equations; -1: none
+  static constexpr int pivot_count = 1;
+  static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
+  static constexpr int determinant_sign = -1;  ///< det J = sign * the pivots' product
+
+  /// What the vanishing of each pivot of the structured elimination means.
+  static constexpr std::array<const char*, pivot_count> pivots = { {
+      "a dead centre: theta_EDF, s_B free to first order",
+  } };
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -827,6 +841,526 @@ struct Model19 {
         + Scalar(2) * t14 + omega_B * (slide_B_x + t13));
     p(3, 1) = omega_B * (Scalar(2) * t04 - Scalar(2) * t15 - Scalar(2) * t17 - omega_B * (slide_B_y
         + t16)) - omega_G_BCG * (Scalar(2) * t15 + t17);
+  }
+
+  /// What the structured elimination divides by, p, the core's determinant first; the size
+  /// of each that a well-shaped group would have; and the size of the determinant's terms.
+  /// det J = -p(0).
+  template <typename Scalar>
+  static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,
+      Vector<Scalar, pivot_count>& size, Scalar& terms) {
+    using std::abs;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
+        + q.theta_EDF.sin * sin_CD;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.cos * cos_GF
+        + q.theta_EDF.sin * sin_GF;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.sin * cos_GF
+        - q.theta_EDF.cos * sin_GF;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
+        - d.x_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
+    const Scalar determinant = d.psi_C_BCG.sin * EDF_along_slide_G
+        - d.psi_G_BCG.sin * EDF_along_slide_C;
+    const Scalar t01 = abs(d.y_F_EDF) + abs(d.ED) + abs(d.x_F_EDF);
+    p(0) = determinant;
+    size(0) = Scalar(2) * abs(q.s_B) + abs(q.s_C) + abs(q.s_G) + abs(d.h_G_BCG) + abs(d.h_C_CD)
+        + abs(d.h_G_GF) + t01;
+    terms = t01;
+  }
+
+  /// The inverse of J, for right-hand sides of every sort.
+  template <typename Scalar>
+  static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
+        + q.theta_EDF.sin * sin_CD;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
+        - q.theta_EDF.cos * sin_CD;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.cos * cos_GF
+        + q.theta_EDF.sin * sin_GF;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.sin * cos_GF
+        - q.theta_EDF.cos * sin_GF;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
+        - d.x_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
+    const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
+        - cos_EDF_minus_phi_B_minus_psi_G_BCG * d.y_F_EDF;
+    const Scalar determinant = d.psi_C_BCG.sin * EDF_along_slide_G
+        - d.psi_G_BCG.sin * EDF_along_slide_C;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar EDF_per_across_slide_C = -d.psi_G_BCG.sin * inverse;
+    const Scalar s_B_per_across_slide_C = -EDF_along_slide_G * inverse;
+    const Scalar s_G_per_across_slide_C = EDF_across_slide_G * EDF_per_across_slide_C
+        - d.psi_G_BCG.cos * s_B_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = EDF_per_across_slide_C * EDF_across_slide_C
+        - d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar EDF_per_across_slide_G = d.psi_C_BCG.sin * inverse;
+    const Scalar s_B_per_across_slide_G = EDF_along_slide_C * inverse;
+    const Scalar s_G_per_across_slide_G = EDF_across_slide_G * EDF_per_across_slide_G
+        - d.psi_G_BCG.cos * s_B_per_across_slide_G;
+    const Scalar s_C_per_across_slide_G = EDF_across_slide_C * EDF_per_across_slide_G
+        - d.psi_C_BCG.cos * s_B_per_across_slide_G;
+    J_inverse(0, 0) = -sin_CD * EDF_per_across_slide_C;
+    J_inverse(0, 1) = cos_CD * EDF_per_across_slide_C;
+    J_inverse(0, 2) = -sin_GF * EDF_per_across_slide_G;
+    J_inverse(0, 3) = cos_GF * EDF_per_across_slide_G;
+    J_inverse(1, 0) = -sin_CD * s_B_per_across_slide_C;
+    J_inverse(1, 1) = cos_CD * s_B_per_across_slide_C;
+    J_inverse(1, 2) = -sin_GF * s_B_per_across_slide_G;
+    J_inverse(1, 3) = cos_GF * s_B_per_across_slide_G;
+    J_inverse(2, 0) = cos_CD - sin_CD * s_C_per_across_slide_C;
+    J_inverse(2, 1) = sin_CD + cos_CD * s_C_per_across_slide_C;
+    J_inverse(2, 2) = -sin_GF * s_C_per_across_slide_G;
+    J_inverse(2, 3) = cos_GF * s_C_per_across_slide_G;
+    J_inverse(3, 0) = -sin_CD * s_G_per_across_slide_C;
+    J_inverse(3, 1) = cos_CD * s_G_per_across_slide_C;
+    J_inverse(3, 2) = cos_GF - sin_GF * s_G_per_across_slide_G;
+    J_inverse(3, 3) = sin_GF + cos_GF * s_G_per_across_slide_G;
+  }
+
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
+        + q.theta_EDF.sin * sin_CD;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
+        - q.theta_EDF.cos * sin_CD;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.cos * cos_GF
+        + q.theta_EDF.sin * sin_GF;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.sin * cos_GF
+        - q.theta_EDF.cos * sin_GF;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C;
+    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.h_C_CD;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G;
+    const Scalar t01 = d.h_G_BCG - d.h_G_GF;
+    const Scalar phi_B_across_slide_G = t01 - d.psi_G_BCG.sin * q.s_B;
+    const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
+        - d.x_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
+    const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
+        - cos_EDF_minus_phi_B_minus_psi_G_BCG * d.y_F_EDF;
+    const Scalar determinant = d.psi_C_BCG.sin * EDF_along_slide_G
+        - d.psi_G_BCG.sin * EDF_along_slide_C;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar EDF_per_across_slide_C = -d.psi_G_BCG.sin * inverse;
+    const Scalar s_B_per_across_slide_C = -EDF_along_slide_G * inverse;
+    const Scalar s_G_per_across_slide_C = EDF_across_slide_G * EDF_per_across_slide_C
+        - d.psi_G_BCG.cos * s_B_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = EDF_per_across_slide_C * EDF_across_slide_C
+        - d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar EDF_per_across_slide_G = d.psi_C_BCG.sin * inverse;
+    const Scalar s_B_per_across_slide_G = EDF_along_slide_C * inverse;
+    const Scalar s_G_per_across_slide_G = EDF_across_slide_G * EDF_per_across_slide_G
+        - d.psi_G_BCG.cos * s_B_per_across_slide_G;
+    const Scalar s_C_per_across_slide_G = EDF_across_slide_C * EDF_per_across_slide_G
+        - d.psi_C_BCG.cos * s_B_per_across_slide_G;
+    const Scalar t02 = sin_CD * EDF_per_across_slide_C + sin_GF * EDF_per_across_slide_G;
+    const Scalar t03 = cos_CD * EDF_per_across_slide_C + cos_GF * EDF_per_across_slide_G;
+    const Scalar t04 = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_G;
+    const Scalar t05 = cos_CD * s_B_per_across_slide_C + cos_GF * s_B_per_across_slide_G;
+    const Scalar t06 = cos_CD - sin_CD * s_C_per_across_slide_C - sin_GF * s_C_per_across_slide_G;
+    const Scalar t07 = sin_CD + cos_CD * s_C_per_across_slide_C + cos_GF * s_C_per_across_slide_G;
+    const Scalar t08 = cos_GF - sin_CD * s_G_per_across_slide_C - sin_GF * s_G_per_across_slide_G;
+    const Scalar t09 = sin_GF + cos_CD * s_G_per_across_slide_C + cos_GF * s_G_per_across_slide_G;
+    S_d(0, 0) = -q.s_C * EDF_per_across_slide_C;
+    S_d(0, 1) = -q.s_G * EDF_per_across_slide_G;
+    S_d(0, 2) = -EDF_per_across_slide_G;
+    S_d(0, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * EDF_per_across_slide_C;
+    S_d(0, 4) = sin_EDF_minus_phi_B_minus_psi_G_BCG * EDF_per_across_slide_G;
+    S_d(0, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * EDF_per_across_slide_G;
+    S_d(0, 6) = EDF_per_across_slide_C;
+    S_d(0, 7) = EDF_per_across_slide_G;
+    S_d(1, 0) = -q.s_C * s_B_per_across_slide_C;
+    S_d(1, 1) = -q.s_G * s_B_per_across_slide_G;
+    S_d(1, 2) = -s_B_per_across_slide_G;
+    S_d(1, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
+    S_d(1, 4) = sin_EDF_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
+    S_d(1, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
+    S_d(1, 6) = s_B_per_across_slide_C;
+    S_d(1, 7) = s_B_per_across_slide_G;
+    S_d(2, 0) = -d.h_C_CD - q.s_C * s_C_per_across_slide_C;
+    S_d(2, 1) = -q.s_G * s_C_per_across_slide_G;
+    S_d(2, 2) = -s_C_per_across_slide_G;
+    S_d(2, 3) = cos_EDF_minus_phi_B_minus_psi_C_BCG
+        + sin_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
+    S_d(2, 4) = sin_EDF_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
+    S_d(2, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
+    S_d(2, 6) = s_C_per_across_slide_C;
+    S_d(2, 7) = s_C_per_across_slide_G;
+    S_d(3, 0) = -q.s_C * s_G_per_across_slide_C;
+    S_d(3, 1) = t01 - q.s_G * s_G_per_across_slide_G;
+    S_d(3, 2) = -s_G_per_across_slide_G;
+    S_d(3, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_G_per_across_slide_C;
+    S_d(3, 4) = cos_EDF_minus_phi_B_minus_psi_G_BCG
+        + sin_EDF_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
+    S_d(3, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G
+        - sin_EDF_minus_phi_B_minus_psi_G_BCG;
+    S_d(3, 6) = s_G_per_across_slide_C;
+    S_d(3, 7) = s_G_per_across_slide_G;
+    S_u(0, 0) = t02;
+    S_u(0, 1) = -t03;
+    S_u(0, 2) = -EDF_per_across_slide_C * phi_B_along_slide_C
+        - EDF_per_across_slide_G * phi_B_along_slide_G;
+    S_u(0, 3) = -t02;
+    S_u(0, 4) = t03;
+    S_u(1, 0) = t04;
+    S_u(1, 1) = -t05;
+    S_u(1, 2) = -s_B_per_across_slide_C * phi_B_along_slide_C
+        - s_B_per_across_slide_G * phi_B_along_slide_G;
+    S_u(1, 3) = -t04;
+    S_u(1, 4) = t05;
+    S_u(2, 0) = -t06;
+    S_u(2, 1) = -t07;
+    S_u(2, 2) = phi_B_across_slide_C - s_C_per_across_slide_C * phi_B_along_slide_C
+        - s_C_per_across_slide_G * phi_B_along_slide_G;
+    S_u(2, 3) = t06;
+    S_u(2, 4) = t07;
+    S_u(3, 0) = -t08;
+    S_u(3, 1) = -t09;
+    S_u(3, 2) = phi_B_across_slide_G - s_G_per_across_slide_C * phi_B_along_slide_C
+        - s_G_per_across_slide_G * phi_B_along_slide_G;
+    S_u(3, 3) = t08;
+    S_u(3, 4) = t09;
+  }
+
+  /// dq/dt for the rates du/dt of the inputs.
+  template <typename Scalar>
+  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, unknown_count>& q_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
+        + q.theta_EDF.sin * sin_CD;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
+        - q.theta_EDF.cos * sin_CD;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.cos * cos_GF
+        + q.theta_EDF.sin * sin_GF;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.sin * cos_GF
+        - q.theta_EDF.cos * sin_GF;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C;
+    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.h_C_CD;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G;
+    const Scalar phi_B_across_slide_G = d.h_G_BCG - d.psi_G_BCG.sin * q.s_B - d.h_G_GF;
+    const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
+        - d.x_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
+    const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
+        - cos_EDF_minus_phi_B_minus_psi_G_BCG * d.y_F_EDF;
+    const Scalar determinant = d.psi_C_BCG.sin * EDF_along_slide_G
+        - d.psi_G_BCG.sin * EDF_along_slide_C;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_C = omega_B * phi_B_across_slide_C - cos_CD * t01
+        - sin_CD * t02;
+    const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02
+        - omega_B * phi_B_along_slide_C;
+    const Scalar velocity_along_slide_G = omega_B * phi_B_across_slide_G - cos_GF * t01
+        - sin_GF * t02;
+    const Scalar velocity_across_slide_G = sin_GF * t01 - cos_GF * t02
+        - omega_B * phi_B_along_slide_G;
+    const Scalar omega_EDF = (d.psi_C_BCG.sin * velocity_across_slide_G
+        - d.psi_G_BCG.sin * velocity_across_slide_C) * inverse;
+    const Scalar v_s_B = inverse * (EDF_along_slide_C * velocity_across_slide_G
+        - EDF_along_slide_G * velocity_across_slide_C);
+    const Scalar v_s_G = omega_EDF * EDF_across_slide_G + velocity_along_slide_G
+        - d.psi_G_BCG.cos * v_s_B;
+    const Scalar v_s_C = omega_EDF * EDF_across_slide_C + velocity_along_slide_C
+        - d.psi_C_BCG.cos * v_s_B;
+    q_rate(0) = omega_EDF;
+    q_rate(1) = v_s_B;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_G;
+  }
+
+  /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
+  template <typename Scalar>
+  static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
+        + q.theta_EDF.sin * sin_CD;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
+        - q.theta_EDF.cos * sin_CD;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.cos * cos_GF
+        + q.theta_EDF.sin * sin_GF;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.sin * cos_GF
+        - q.theta_EDF.cos * sin_GF;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C;
+    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.h_C_CD;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G;
+    const Scalar phi_B_across_slide_G = d.h_G_BCG - d.psi_G_BCG.sin * q.s_B - d.h_G_GF;
+    const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
+        - d.x_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
+    const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
+        - cos_EDF_minus_phi_B_minus_psi_G_BCG * d.y_F_EDF;
+    const Scalar determinant = d.psi_C_BCG.sin * EDF_along_slide_G
+        - d.psi_G_BCG.sin * EDF_along_slide_C;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar t03 = omega_B * phi_B_across_slide_C;
+    const Scalar velocity_along_slide_C = t03 - cos_CD * t01 - sin_CD * t02;
+    const Scalar t04 = omega_B * phi_B_along_slide_C;
+    const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02 - t04;
+    const Scalar t05 = omega_B * phi_B_across_slide_G;
+    const Scalar velocity_along_slide_G = t05 - cos_GF * t01 - sin_GF * t02;
+    const Scalar t06 = omega_B * phi_B_along_slide_G;
+    const Scalar velocity_across_slide_G = sin_GF * t01 - cos_GF * t02 - t06;
+    const Scalar omega_EDF = (d.psi_C_BCG.sin * velocity_across_slide_G
+        - d.psi_G_BCG.sin * velocity_across_slide_C) * inverse;
+    const Scalar v_s_B = inverse * (EDF_along_slide_C * velocity_across_slide_G
+        - EDF_along_slide_G * velocity_across_slide_C);
+    const Scalar t07 = d.psi_G_BCG.cos * v_s_B;
+    const Scalar v_s_G = omega_EDF * EDF_across_slide_G + velocity_along_slide_G - t07;
+    const Scalar t08 = d.psi_C_BCG.cos * v_s_B;
+    const Scalar v_s_C = omega_EDF * EDF_across_slide_C + velocity_along_slide_C - t08;
+    const Scalar t09 = a_x_B - a_x_E;
+    const Scalar t10 = a_y_B - a_y_E;
+    const Scalar t11 = omega_EDF * omega_EDF;
+    const Scalar acceleration_along_slide_C = omega_B * (t04 - Scalar(2) * d.psi_C_BCG.sin * v_s_B)
+        + phi_B_across_slide_C * alpha_B + EDF_along_slide_C * t11 - cos_CD * t09 - sin_CD * t10;
+    const Scalar acceleration_across_slide_C = omega_B * (t03 - Scalar(2) * t08 - Scalar(2) * v_s_C)
+        + sin_CD * t09 + EDF_across_slide_C * t11 - cos_CD * t10 - phi_B_along_slide_C * alpha_B;
+    const Scalar acceleration_along_slide_G = omega_B * (t06 - Scalar(2) * d.psi_G_BCG.sin * v_s_B)
+        + phi_B_across_slide_G * alpha_B + EDF_along_slide_G * t11 - cos_GF * t09 - sin_GF * t10;
+    const Scalar acceleration_across_slide_G = omega_B * (t05 - Scalar(2) * t07 - Scalar(2) * v_s_G)
+        + sin_GF * t09 + EDF_across_slide_G * t11 - cos_GF * t10 - phi_B_along_slide_G * alpha_B;
+    const Scalar alpha_EDF = inverse * (d.psi_C_BCG.sin * acceleration_across_slide_G
+        - d.psi_G_BCG.sin * acceleration_across_slide_C);
+    const Scalar a_s_B = inverse * (EDF_along_slide_C * acceleration_across_slide_G
+        - EDF_along_slide_G * acceleration_across_slide_C);
+    const Scalar a_s_G = EDF_across_slide_G * alpha_EDF + acceleration_along_slide_G
+        - d.psi_G_BCG.cos * a_s_B;
+    const Scalar a_s_C = EDF_across_slide_C * alpha_EDF + acceleration_along_slide_C
+        - d.psi_C_BCG.cos * a_s_B;
+    q_rate(0) = omega_EDF;
+    q_rate(1) = v_s_B;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_G;
+    q_second_rate(0) = alpha_EDF;
+    q_second_rate(1) = a_s_B;
+    q_second_rate(2) = a_s_C;
+    q_second_rate(3) = a_s_G;
+  }
+
+  /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
+  template <typename Scalar>
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
+        + q.theta_EDF.sin * sin_CD;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
+        - q.theta_EDF.cos * sin_CD;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.cos * cos_GF
+        + q.theta_EDF.sin * sin_GF;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.sin * cos_GF
+        - q.theta_EDF.cos * sin_GF;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C;
+    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.h_C_CD;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G;
+    const Scalar t01 = d.h_G_BCG - d.h_G_GF;
+    const Scalar phi_B_across_slide_G = t01 - d.psi_G_BCG.sin * q.s_B;
+    const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
+        - d.x_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
+    const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
+        - cos_EDF_minus_phi_B_minus_psi_G_BCG * d.y_F_EDF;
+    const Scalar determinant = d.psi_C_BCG.sin * EDF_along_slide_G
+        - d.psi_G_BCG.sin * EDF_along_slide_C;
+    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar EDF_per_across_slide_C = -d.psi_G_BCG.sin * inverse;
+    const Scalar s_B_per_across_slide_C = -EDF_along_slide_G * inverse;
+    const Scalar s_G_per_across_slide_C = EDF_across_slide_G * EDF_per_across_slide_C
+        - d.psi_G_BCG.cos * s_B_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = EDF_per_across_slide_C * EDF_across_slide_C
+        - d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar EDF_per_across_slide_G = d.psi_C_BCG.sin * inverse;
+    const Scalar s_B_per_across_slide_G = EDF_along_slide_C * inverse;
+    const Scalar s_G_per_across_slide_G = EDF_across_slide_G * EDF_per_across_slide_G
+        - d.psi_G_BCG.cos * s_B_per_across_slide_G;
+    const Scalar s_C_per_across_slide_G = EDF_across_slide_C * EDF_per_across_slide_G
+        - d.psi_C_BCG.cos * s_B_per_across_slide_G;
+    const Scalar t02 = sin_CD * EDF_per_across_slide_C + sin_GF * EDF_per_across_slide_G;
+    const Scalar EDF_per_x_B = t02;
+    const Scalar t03 = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_G;
+    const Scalar s_B_per_x_B = t03;
+    const Scalar t04 = cos_CD - sin_CD * s_C_per_across_slide_C - sin_GF * s_C_per_across_slide_G;
+    const Scalar s_C_per_x_B = -t04;
+    const Scalar t05 = cos_GF - sin_CD * s_G_per_across_slide_C - sin_GF * s_G_per_across_slide_G;
+    const Scalar s_G_per_x_B = -t05;
+    const Scalar t06 = cos_CD * EDF_per_across_slide_C + cos_GF * EDF_per_across_slide_G;
+    const Scalar EDF_per_y_B = -t06;
+    const Scalar t07 = cos_CD * s_B_per_across_slide_C + cos_GF * s_B_per_across_slide_G;
+    const Scalar s_B_per_y_B = -t07;
+    const Scalar t08 = sin_CD + cos_CD * s_C_per_across_slide_C + cos_GF * s_C_per_across_slide_G;
+    const Scalar s_C_per_y_B = -t08;
+    const Scalar t09 = sin_GF + cos_CD * s_G_per_across_slide_C + cos_GF * s_G_per_across_slide_G;
+    const Scalar s_G_per_y_B = -t09;
+    const Scalar t10 = EDF_per_across_slide_C * phi_B_along_slide_C
+        + EDF_per_across_slide_G * phi_B_along_slide_G;
+    const Scalar EDF_per_phi_B = -t10;
+    const Scalar t11 = s_B_per_across_slide_C * phi_B_along_slide_C
+        + s_B_per_across_slide_G * phi_B_along_slide_G;
+    const Scalar s_B_per_phi_B = -t11;
+    const Scalar t12 = s_C_per_across_slide_C * phi_B_along_slide_C
+        + s_C_per_across_slide_G * phi_B_along_slide_G - phi_B_across_slide_C;
+    const Scalar s_C_per_phi_B = -t12;
+    const Scalar t13 = s_G_per_across_slide_C * phi_B_along_slide_C
+        + s_G_per_across_slide_G * phi_B_along_slide_G - phi_B_across_slide_G;
+    const Scalar s_G_per_phi_B = -t13;
+    const Scalar t14 = v_x_B - v_x_E;
+    const Scalar t15 = v_y_B - v_y_E;
+    const Scalar omega_EDF = t14 * EDF_per_x_B + t15 * EDF_per_y_B + omega_B * EDF_per_phi_B;
+    const Scalar v_s_B = t14 * s_B_per_x_B + t15 * s_B_per_y_B + omega_B * s_B_per_phi_B;
+    const Scalar v_s_C = t14 * s_C_per_x_B + t15 * s_C_per_y_B + omega_B * s_C_per_phi_B;
+    const Scalar v_s_G = t14 * s_G_per_x_B + t15 * s_G_per_y_B + omega_B * s_G_per_phi_B;
+    const Scalar t16 = omega_EDF * omega_EDF;
+    const Scalar centripetal_along_slide_C = EDF_along_slide_C * t16
+        - omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B - phi_B_along_slide_C * omega_B);
+    const Scalar centripetal_across_slide_C = EDF_across_slide_C * t16
+        - omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B + Scalar(2) * v_s_C
+        - phi_B_across_slide_C * omega_B);
+    const Scalar centripetal_along_slide_G = EDF_along_slide_G * t16
+        - omega_B * (Scalar(2) * d.psi_G_BCG.sin * v_s_B - phi_B_along_slide_G * omega_B);
+    const Scalar centripetal_across_slide_G = EDF_across_slide_G * t16
+        - omega_B * (Scalar(2) * d.psi_G_BCG.cos * v_s_B + Scalar(2) * v_s_G
+        - phi_B_across_slide_G * omega_B);
+    const Scalar t17 = a_x_B - a_x_E;
+    const Scalar t18 = a_y_B - a_y_E;
+    S_d(0, 0) = -q.s_C * EDF_per_across_slide_C;
+    S_d(0, 1) = -q.s_G * EDF_per_across_slide_G;
+    S_d(0, 2) = -EDF_per_across_slide_G;
+    S_d(0, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * EDF_per_across_slide_C;
+    S_d(0, 4) = sin_EDF_minus_phi_B_minus_psi_G_BCG * EDF_per_across_slide_G;
+    S_d(0, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * EDF_per_across_slide_G;
+    S_d(0, 6) = EDF_per_across_slide_C;
+    S_d(0, 7) = EDF_per_across_slide_G;
+    S_d(1, 0) = -q.s_C * s_B_per_across_slide_C;
+    S_d(1, 1) = -q.s_G * s_B_per_across_slide_G;
+    S_d(1, 2) = -s_B_per_across_slide_G;
+    S_d(1, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
+    S_d(1, 4) = sin_EDF_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
+    S_d(1, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
+    S_d(1, 6) = s_B_per_across_slide_C;
+    S_d(1, 7) = s_B_per_across_slide_G;
+    S_d(2, 0) = -d.h_C_CD - q.s_C * s_C_per_across_slide_C;
+    S_d(2, 1) = -q.s_G * s_C_per_across_slide_G;
+    S_d(2, 2) = -s_C_per_across_slide_G;
+    S_d(2, 3) = cos_EDF_minus_phi_B_minus_psi_C_BCG
+        + sin_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
+    S_d(2, 4) = sin_EDF_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
+    S_d(2, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
+    S_d(2, 6) = s_C_per_across_slide_C;
+    S_d(2, 7) = s_C_per_across_slide_G;
+    S_d(3, 0) = -q.s_C * s_G_per_across_slide_C;
+    S_d(3, 1) = t01 - q.s_G * s_G_per_across_slide_G;
+    S_d(3, 2) = -s_G_per_across_slide_G;
+    S_d(3, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_G_per_across_slide_C;
+    S_d(3, 4) = cos_EDF_minus_phi_B_minus_psi_G_BCG
+        + sin_EDF_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
+    S_d(3, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G
+        - sin_EDF_minus_phi_B_minus_psi_G_BCG;
+    S_d(3, 6) = s_G_per_across_slide_C;
+    S_d(3, 7) = s_G_per_across_slide_G;
+    S_u(0, 0) = t02;
+    S_u(0, 1) = -t06;
+    S_u(0, 2) = -t10;
+    S_u(0, 3) = -t02;
+    S_u(0, 4) = t06;
+    S_u(1, 0) = t03;
+    S_u(1, 1) = -t07;
+    S_u(1, 2) = -t11;
+    S_u(1, 3) = -t03;
+    S_u(1, 4) = t07;
+    S_u(2, 0) = -t04;
+    S_u(2, 1) = -t08;
+    S_u(2, 2) = -t12;
+    S_u(2, 3) = t04;
+    S_u(2, 4) = t08;
+    S_u(3, 0) = -t05;
+    S_u(3, 1) = -t09;
+    S_u(3, 2) = -t13;
+    S_u(3, 3) = t05;
+    S_u(3, 4) = t09;
+    q_rate(0) = omega_EDF;
+    q_rate(1) = v_s_B;
+    q_rate(2) = v_s_C;
+    q_rate(3) = v_s_G;
+    q_second_rate(0) = EDF_per_x_B * t17 + EDF_per_y_B * t18 + EDF_per_phi_B * alpha_B
+        + EDF_per_across_slide_C * centripetal_across_slide_C
+        + EDF_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(1) = s_B_per_x_B * t17 + s_B_per_y_B * t18 + s_B_per_phi_B * alpha_B
+        + s_B_per_across_slide_C * centripetal_across_slide_C
+        + s_B_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(2) = s_C_per_x_B * t17 + s_C_per_y_B * t18 + s_C_per_phi_B * alpha_B
+        + s_C_per_across_slide_C * centripetal_across_slide_C
+        + s_C_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_C;
+    q_second_rate(3) = s_G_per_x_B * t17 + s_G_per_y_B * t18 + s_G_per_phi_B * alpha_B
+        + s_G_per_across_slide_C * centripetal_across_slide_C
+        + s_G_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_G;
   }
 
   /// The final polynomial T in theta_EDF, free of all other unknowns:

@@ -29,21 +29,27 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             34, 28, 0
-///   jacobian:             16, 8, 0
-///   dimension_jacobian:   32, 18, 0
-///   input_jacobian:       34, 24, 0
-///   velocity_rhs:         38, 30, 0
-///   acceleration_rhs:     64, 44, 0
-///   jerk_rhs:             96, 62, 0
-///   curvature_rhs:        107, 73, 0
-///   link_poses:           26, 18, 0
-///   pose_jacobians:       18, 12, 0
-///   link_velocities:      30, 24, 0
-///   link_accelerations:   58, 40, 0
-///   pose_curvatures:      64, 37, 0
-///   position_polynomial:  14, 13, 0
-///   complete:             25, 18, 1
+///   residual:                   34, 28, 0
+///   jacobian:                   16, 8, 0
+///   dimension_jacobian:         32, 18, 0
+///   input_jacobian:             34, 24, 0
+///   velocity_rhs:               38, 30, 0
+///   acceleration_rhs:           64, 44, 0
+///   jerk_rhs:                   96, 62, 0
+///   curvature_rhs:              107, 73, 0
+///   link_poses:                 26, 18, 0
+///   pose_jacobians:             18, 12, 0
+///   link_velocities:            30, 24, 0
+///   link_accelerations:         58, 40, 0
+///   pose_curvatures:            64, 37, 0
+///   degeneracies:               0, 0, 0
+///   inverse_jacobian:           29, 9, 1
+///   sensitivities:              79, 45, 1
+///   velocity:                   49, 34, 1
+///   motion:                     80, 59, 1
+///   sensitivities_and_motion:   131, 81, 1
+///   position_polynomial:        14, 13, 0
+///   complete:                   25, 18, 1
 struct Model20 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 20;
@@ -60,6 +66,15 @@ struct Model20 {
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = -1;  ///< of the reduced equations; -1: none
+  static constexpr int pivot_count = 2;
+  static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
+  static constexpr int determinant_sign = 1;  ///< det J = sign * the pivots' product
+
+  /// What the vanishing of each pivot of the structured elimination means.
+  static constexpr std::array<const char*, pivot_count> pivots = { {
+      "sin(psi_G_BCG) = 0: s_B free to first order",
+      "sin(psi_D_CD) = 0: s_D free to first order",
+  } };
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -865,6 +880,485 @@ struct Model20 {
         + Scalar(2) * t12 + omega_B * (slide_B_x + t11));
     p(3, 1) = omega_B * (Scalar(2) * t04 - Scalar(2) * t13 - Scalar(2) * t15 - omega_B * (slide_B_y
         + t14)) - omega_G_BCG * (Scalar(2) * t13 + t15);
+  }
+
+  /// What the structured elimination divides by, p, the core's determinant first; the size
+  /// of each that a well-shaped group would have; and the size of the determinant's terms.
+  /// det J = p(0) * p(1).
+  template <typename Scalar>
+  static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>&, Vector<Scalar, pivot_count>& p,
+      Vector<Scalar, pivot_count>& size, Scalar& terms) {
+    p(0) = -d.psi_G_BCG.sin;
+    p(1) = -d.psi_D_CD.sin;
+    size(0) = Scalar(1);
+    size(1) = Scalar(1);
+    terms = Scalar(1);
+  }
+
+  /// The inverse of J, for right-hand sides of every sort.
+  template <typename Scalar>
+  static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>&, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
+    J_inverse.setZero();
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar inverse = Scalar(1) / (d.psi_G_BCG.sin * d.psi_D_CD.sin);  // zero: sin(psi_G_BCG)
+                                                                            //     = 0, or
+                                                                            //     sin(psi_D_CD) = 0
+    const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
+    const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
+    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_D_per_across_slide_G = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
+        inverse_sin_psi_G_BCG;
+    const Scalar s_G_per_across_slide_G = -d.psi_G_BCG.cos * inverse_sin_psi_G_BCG;
+    const Scalar s_C_per_across_slide_G = d.psi_D_CD.cos * s_D_per_across_slide_G
+        - d.psi_C_BCG.cos * inverse_sin_psi_G_BCG;
+    J_inverse(0, 2) = -inverse_sin_psi_G_BCG * sin_GF;
+    J_inverse(0, 3) = inverse_sin_psi_G_BCG * cos_GF;
+    J_inverse(1, 0) = cos_CD - sin_CD * s_C_per_across_slide_C;
+    J_inverse(1, 1) = sin_CD + cos_CD * s_C_per_across_slide_C;
+    J_inverse(1, 2) = -sin_GF * s_C_per_across_slide_G;
+    J_inverse(1, 3) = cos_GF * s_C_per_across_slide_G;
+    J_inverse(2, 2) = cos_GF - sin_GF * s_G_per_across_slide_G;
+    J_inverse(2, 3) = sin_GF + cos_GF * s_G_per_across_slide_G;
+    J_inverse(3, 0) = -inverse_sin_psi_D_CD * sin_CD;
+    J_inverse(3, 1) = inverse_sin_psi_D_CD * cos_CD;
+    J_inverse(3, 2) = -s_D_per_across_slide_G * sin_GF;
+    J_inverse(3, 3) = s_D_per_across_slide_G * cos_GF;
+  }
+
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    S_d.setZero();
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar cos_psi_C_BCG_plus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.cos
+        - d.psi_C_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_psi_C_BCG_plus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.sin
+        + d.psi_C_BCG.sin * d.psi_D_CD.cos;
+    const Scalar cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
+        cos_psi_C_BCG_plus_psi_D_CD + d.psi_G_BCG.sin * sin_psi_C_BCG_plus_psi_D_CD;
+    const Scalar sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
+        sin_psi_C_BCG_plus_psi_D_CD - d.psi_G_BCG.sin * cos_psi_C_BCG_plus_psi_D_CD;
+    const Scalar t01 = d.psi_D_CD.cos * q.s_D - d.psi_D_CD.sin * d.h_D_EDF;
+    const Scalar t02 = q.s_C - t01;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + t02;
+    const Scalar t03 = d.psi_D_CD.sin * q.s_D + d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - t03;
+    const Scalar t04 = d.x_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
+        - d.y_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG;
+    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G - t04;
+    const Scalar t05 = d.h_G_BCG - d.h_G_GF;
+    const Scalar phi_B_across_slide_G = t05 - d.psi_G_BCG.sin * q.s_B
+        - d.x_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
+        - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF;
+    const Scalar inverse = Scalar(1) / (d.psi_G_BCG.sin * d.psi_D_CD.sin);  // zero: sin(psi_G_BCG)
+                                                                            //     = 0, or
+                                                                            //     sin(psi_D_CD) = 0
+    const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
+    const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
+    const Scalar t06 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_C_per_across_slide_C = t06;
+    const Scalar s_D_per_across_slide_G = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
+        inverse_sin_psi_G_BCG;
+    const Scalar s_G_per_across_slide_G = -d.psi_G_BCG.cos * inverse_sin_psi_G_BCG;
+    const Scalar s_C_per_across_slide_G = d.psi_D_CD.cos * s_D_per_across_slide_G
+        - d.psi_C_BCG.cos * inverse_sin_psi_G_BCG;
+    const Scalar t07 = inverse_sin_psi_G_BCG * t04;
+    const Scalar t08 = t04 * s_C_per_across_slide_G;
+    const Scalar t09 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t10 = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
+        - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
+    const Scalar t11 = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
+        + sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
+    const Scalar t12 = d.x_F_EDF * t10 + d.y_F_EDF * t11;
+    const Scalar t13 = s_D_per_across_slide_G * t04;
+    const Scalar t14 = inverse_sin_psi_G_BCG * sin_GF;
+    const Scalar t15 = inverse_sin_psi_G_BCG * cos_GF;
+    const Scalar t16 = cos_CD - s_C_per_across_slide_C * sin_CD - s_C_per_across_slide_G * sin_GF;
+    const Scalar t17 = sin_CD + s_C_per_across_slide_C * cos_CD + s_C_per_across_slide_G * cos_GF;
+    const Scalar t18 = cos_GF - s_G_per_across_slide_G * sin_GF;
+    const Scalar t19 = sin_GF + s_G_per_across_slide_G * cos_GF;
+    const Scalar t20 = inverse_sin_psi_D_CD * sin_CD + s_D_per_across_slide_G * sin_GF;
+    const Scalar t21 = inverse_sin_psi_D_CD * cos_CD + s_D_per_across_slide_G * cos_GF;
+    S_d(0, 0) = t07;
+    S_d(0, 1) = -q.s_G * inverse_sin_psi_G_BCG;
+    S_d(0, 2) = -inverse_sin_psi_G_BCG;
+    S_d(0, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * inverse_sin_psi_G_BCG;
+    S_d(0, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * inverse_sin_psi_G_BCG;
+    S_d(0, 6) = t07;
+    S_d(0, 7) = inverse_sin_psi_G_BCG;
+    S_d(1, 0) = t08 - t03 - s_C_per_across_slide_C * t02;
+    S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
+    S_d(1, 2) = -s_C_per_across_slide_G;
+    S_d(1, 3) = -t09;
+    S_d(1, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
+    S_d(1, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
+    S_d(1, 6) = t08 - q.s_D * t09 - d.h_D_EDF * (d.psi_D_CD.cos
+        + d.psi_D_CD.sin * s_C_per_across_slide_C);
+    S_d(1, 7) = s_C_per_across_slide_G;
+    S_d(2, 0) = -t12;
+    S_d(2, 1) = t05 - q.s_G * s_G_per_across_slide_G;
+    S_d(2, 2) = -s_G_per_across_slide_G;
+    S_d(2, 4) = t11;
+    S_d(2, 5) = -t10;
+    S_d(2, 6) = -t12;
+    S_d(2, 7) = s_G_per_across_slide_G;
+    S_d(3, 0) = t13 - inverse_sin_psi_D_CD * t02;
+    S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
+    S_d(3, 2) = -s_D_per_across_slide_G;
+    S_d(3, 3) = t06;
+    S_d(3, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
+    S_d(3, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
+    S_d(3, 6) = t13 + inverse_sin_psi_D_CD * t01;
+    S_d(3, 7) = s_D_per_across_slide_G;
+    S_u(0, 0) = t14;
+    S_u(0, 1) = -t15;
+    S_u(0, 2) = -inverse_sin_psi_G_BCG * phi_B_along_slide_G;
+    S_u(0, 3) = -t14;
+    S_u(0, 4) = t15;
+    S_u(1, 0) = -t16;
+    S_u(1, 1) = -t17;
+    S_u(1, 2) = phi_B_across_slide_C - s_C_per_across_slide_C * phi_B_along_slide_C
+        - s_C_per_across_slide_G * phi_B_along_slide_G;
+    S_u(1, 3) = t16;
+    S_u(1, 4) = t17;
+    S_u(2, 0) = -t18;
+    S_u(2, 1) = -t19;
+    S_u(2, 2) = phi_B_across_slide_G - s_G_per_across_slide_G * phi_B_along_slide_G;
+    S_u(2, 3) = t18;
+    S_u(2, 4) = t19;
+    S_u(3, 0) = t20;
+    S_u(3, 1) = -t21;
+    S_u(3, 2) = -inverse_sin_psi_D_CD * phi_B_along_slide_C
+        - s_D_per_across_slide_G * phi_B_along_slide_G;
+    S_u(3, 3) = -t20;
+    S_u(3, 4) = t21;
+  }
+
+  /// dq/dt for the rates du/dt of the inputs.
+  template <typename Scalar>
+  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, unknown_count>& q_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar cos_psi_C_BCG_plus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.cos
+        - d.psi_C_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_psi_C_BCG_plus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.sin
+        + d.psi_C_BCG.sin * d.psi_D_CD.cos;
+    const Scalar cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
+        cos_psi_C_BCG_plus_psi_D_CD + d.psi_G_BCG.sin * sin_psi_C_BCG_plus_psi_D_CD;
+    const Scalar sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
+        sin_psi_C_BCG_plus_psi_D_CD - d.psi_G_BCG.sin * cos_psi_C_BCG_plus_psi_D_CD;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C + d.psi_D_CD.sin * d.h_D_EDF
+        - d.psi_D_CD.cos * q.s_D;
+    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.psi_D_CD.sin * q.s_D
+        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G
+        + d.y_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
+        - d.x_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG;
+    const Scalar phi_B_across_slide_G = d.h_G_BCG - d.psi_G_BCG.sin * q.s_B
+        - d.x_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
+        - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF - d.h_G_GF;
+    const Scalar inverse = Scalar(1) / (d.psi_G_BCG.sin * d.psi_D_CD.sin);  // zero: sin(psi_G_BCG)
+                                                                            //     = 0, or
+                                                                            //     sin(psi_D_CD) = 0
+    const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
+    const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_C = omega_B * phi_B_across_slide_C - t01 * cos_CD
+        - t02 * sin_CD;
+    const Scalar velocity_across_slide_C = t01 * sin_CD - cos_CD * t02
+        - omega_B * phi_B_along_slide_C;
+    const Scalar velocity_along_slide_G = omega_B * phi_B_across_slide_G - t01 * cos_GF
+        - t02 * sin_GF;
+    const Scalar velocity_across_slide_G = t01 * sin_GF - t02 * cos_GF
+        - omega_B * phi_B_along_slide_G;
+    const Scalar v_s_B = inverse_sin_psi_G_BCG * velocity_across_slide_G;
+    const Scalar v_s_D = (d.psi_C_BCG.sin * v_s_B + velocity_across_slide_C) * inverse_sin_psi_D_CD;
+    const Scalar v_s_G = velocity_along_slide_G - d.psi_G_BCG.cos * v_s_B;
+    const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + velocity_along_slide_C - d.psi_C_BCG.cos * v_s_B;
+    q_rate(0) = v_s_B;
+    q_rate(1) = v_s_C;
+    q_rate(2) = v_s_G;
+    q_rate(3) = v_s_D;
+  }
+
+  /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
+  template <typename Scalar>
+  static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar cos_psi_C_BCG_plus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.cos
+        - d.psi_C_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_psi_C_BCG_plus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.sin
+        + d.psi_C_BCG.sin * d.psi_D_CD.cos;
+    const Scalar cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
+        cos_psi_C_BCG_plus_psi_D_CD + d.psi_G_BCG.sin * sin_psi_C_BCG_plus_psi_D_CD;
+    const Scalar sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
+        sin_psi_C_BCG_plus_psi_D_CD - d.psi_G_BCG.sin * cos_psi_C_BCG_plus_psi_D_CD;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C + d.psi_D_CD.sin * d.h_D_EDF
+        - d.psi_D_CD.cos * q.s_D;
+    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.psi_D_CD.sin * q.s_D
+        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G
+        + d.y_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
+        - d.x_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG;
+    const Scalar phi_B_across_slide_G = d.h_G_BCG - d.psi_G_BCG.sin * q.s_B
+        - d.x_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
+        - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF - d.h_G_GF;
+    const Scalar inverse = Scalar(1) / (d.psi_G_BCG.sin * d.psi_D_CD.sin);  // zero: sin(psi_G_BCG)
+                                                                            //     = 0, or
+                                                                            //     sin(psi_D_CD) = 0
+    const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
+    const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar t03 = omega_B * phi_B_across_slide_C;
+    const Scalar velocity_along_slide_C = t03 - t01 * cos_CD - t02 * sin_CD;
+    const Scalar t04 = omega_B * phi_B_along_slide_C;
+    const Scalar velocity_across_slide_C = t01 * sin_CD - cos_CD * t02 - t04;
+    const Scalar t05 = omega_B * phi_B_across_slide_G;
+    const Scalar velocity_along_slide_G = t05 - t01 * cos_GF - t02 * sin_GF;
+    const Scalar t06 = omega_B * phi_B_along_slide_G;
+    const Scalar velocity_across_slide_G = t01 * sin_GF - t02 * cos_GF - t06;
+    const Scalar v_s_B = inverse_sin_psi_G_BCG * velocity_across_slide_G;
+    const Scalar t07 = d.psi_C_BCG.sin * v_s_B;
+    const Scalar v_s_D = (t07 + velocity_across_slide_C) * inverse_sin_psi_D_CD;
+    const Scalar t08 = d.psi_G_BCG.cos * v_s_B;
+    const Scalar v_s_G = velocity_along_slide_G - t08;
+    const Scalar t09 = d.psi_C_BCG.cos * v_s_B - d.psi_D_CD.cos * v_s_D;
+    const Scalar v_s_C = velocity_along_slide_C - t09;
+    const Scalar t10 = a_x_B - a_x_E;
+    const Scalar t11 = a_y_B - a_y_E;
+    const Scalar acceleration_along_slide_C = omega_B * (t04 - Scalar(2) * t07
+        - Scalar(2) * d.psi_D_CD.sin * v_s_D) + phi_B_across_slide_C * alpha_B - cos_CD * t10
+        - sin_CD * t11;
+    const Scalar acceleration_across_slide_C = sin_CD * t10 + omega_B * (t03 - Scalar(2) * v_s_C
+        - Scalar(2) * t09) - cos_CD * t11 - phi_B_along_slide_C * alpha_B;
+    const Scalar acceleration_along_slide_G = omega_B * (t06 - Scalar(2) * d.psi_G_BCG.sin * v_s_B)
+        + phi_B_across_slide_G * alpha_B - cos_GF * t10 - sin_GF * t11;
+    const Scalar acceleration_across_slide_G = omega_B * (t05 - Scalar(2) * t08 - Scalar(2) * v_s_G)
+        + sin_GF * t10 - cos_GF * t11 - phi_B_along_slide_G * alpha_B;
+    const Scalar a_s_B = inverse_sin_psi_G_BCG * acceleration_across_slide_G;
+    const Scalar a_s_D = inverse_sin_psi_D_CD * (d.psi_C_BCG.sin * a_s_B
+        + acceleration_across_slide_C);
+    const Scalar a_s_G = acceleration_along_slide_G - d.psi_G_BCG.cos * a_s_B;
+    const Scalar a_s_C = d.psi_D_CD.cos * a_s_D + acceleration_along_slide_C
+        - d.psi_C_BCG.cos * a_s_B;
+    q_rate(0) = v_s_B;
+    q_rate(1) = v_s_C;
+    q_rate(2) = v_s_G;
+    q_rate(3) = v_s_D;
+    q_second_rate(0) = a_s_B;
+    q_second_rate(1) = a_s_C;
+    q_second_rate(2) = a_s_G;
+    q_second_rate(3) = a_s_D;
+  }
+
+  /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
+  template <typename Scalar>
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    S_d.setZero();
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar cos_psi_C_BCG_plus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.cos
+        - d.psi_C_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_psi_C_BCG_plus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.sin
+        + d.psi_C_BCG.sin * d.psi_D_CD.cos;
+    const Scalar cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
+        cos_psi_C_BCG_plus_psi_D_CD + d.psi_G_BCG.sin * sin_psi_C_BCG_plus_psi_D_CD;
+    const Scalar sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
+        sin_psi_C_BCG_plus_psi_D_CD - d.psi_G_BCG.sin * cos_psi_C_BCG_plus_psi_D_CD;
+    const Scalar t01 = d.psi_D_CD.cos * q.s_D - d.psi_D_CD.sin * d.h_D_EDF;
+    const Scalar t02 = q.s_C - t01;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + t02;
+    const Scalar t03 = d.psi_D_CD.sin * q.s_D + d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - t03;
+    const Scalar t04 = d.x_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
+        - d.y_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG;
+    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G - t04;
+    const Scalar t05 = d.h_G_BCG - d.h_G_GF;
+    const Scalar phi_B_across_slide_G = t05 - d.psi_G_BCG.sin * q.s_B
+        - d.x_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
+        - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF;
+    const Scalar inverse = Scalar(1) / (d.psi_G_BCG.sin * d.psi_D_CD.sin);  // zero: sin(psi_G_BCG)
+                                                                            //     = 0, or
+                                                                            //     sin(psi_D_CD) = 0
+    const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
+    const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
+    const Scalar t06 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_C_per_across_slide_C = t06;
+    const Scalar s_D_per_across_slide_G = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
+        inverse_sin_psi_G_BCG;
+    const Scalar s_G_per_across_slide_G = -d.psi_G_BCG.cos * inverse_sin_psi_G_BCG;
+    const Scalar s_C_per_across_slide_G = d.psi_D_CD.cos * s_D_per_across_slide_G
+        - d.psi_C_BCG.cos * inverse_sin_psi_G_BCG;
+    const Scalar t07 = inverse_sin_psi_G_BCG * sin_GF;
+    const Scalar s_B_per_x_B = t07;
+    const Scalar t08 = cos_CD - sin_CD * s_C_per_across_slide_C - sin_GF * s_C_per_across_slide_G;
+    const Scalar s_C_per_x_B = -t08;
+    const Scalar t09 = cos_GF - sin_GF * s_G_per_across_slide_G;
+    const Scalar s_G_per_x_B = -t09;
+    const Scalar t10 = inverse_sin_psi_D_CD * sin_CD + s_D_per_across_slide_G * sin_GF;
+    const Scalar s_D_per_x_B = t10;
+    const Scalar t11 = inverse_sin_psi_G_BCG * cos_GF;
+    const Scalar s_B_per_y_B = -t11;
+    const Scalar t12 = sin_CD + cos_CD * s_C_per_across_slide_C + s_C_per_across_slide_G * cos_GF;
+    const Scalar s_C_per_y_B = -t12;
+    const Scalar t13 = sin_GF + cos_GF * s_G_per_across_slide_G;
+    const Scalar s_G_per_y_B = -t13;
+    const Scalar t14 = inverse_sin_psi_D_CD * cos_CD + s_D_per_across_slide_G * cos_GF;
+    const Scalar s_D_per_y_B = -t14;
+    const Scalar t15 = inverse_sin_psi_G_BCG * phi_B_along_slide_G;
+    const Scalar s_B_per_phi_B = -t15;
+    const Scalar t16 = s_C_per_across_slide_C * phi_B_along_slide_C
+        + s_C_per_across_slide_G * phi_B_along_slide_G - phi_B_across_slide_C;
+    const Scalar s_C_per_phi_B = -t16;
+    const Scalar t17 = s_G_per_across_slide_G * phi_B_along_slide_G - phi_B_across_slide_G;
+    const Scalar s_G_per_phi_B = -t17;
+    const Scalar t18 = inverse_sin_psi_D_CD * phi_B_along_slide_C
+        + s_D_per_across_slide_G * phi_B_along_slide_G;
+    const Scalar s_D_per_phi_B = -t18;
+    const Scalar t19 = v_x_B - v_x_E;
+    const Scalar t20 = v_y_B - v_y_E;
+    const Scalar v_s_B = t19 * s_B_per_x_B + t20 * s_B_per_y_B + omega_B * s_B_per_phi_B;
+    const Scalar v_s_C = t19 * s_C_per_x_B + t20 * s_C_per_y_B + omega_B * s_C_per_phi_B;
+    const Scalar v_s_G = t19 * s_G_per_x_B + t20 * s_G_per_y_B + omega_B * s_G_per_phi_B;
+    const Scalar v_s_D = t19 * s_D_per_x_B + t20 * s_D_per_y_B + omega_B * s_D_per_phi_B;
+    const Scalar centripetal_along_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B
+        + Scalar(2) * d.psi_D_CD.sin * v_s_D - phi_B_along_slide_C * omega_B);
+    const Scalar centripetal_across_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B
+        + Scalar(2) * v_s_C - Scalar(2) * d.psi_D_CD.cos * v_s_D - phi_B_across_slide_C * omega_B);
+    const Scalar centripetal_along_slide_G = -omega_B * (Scalar(2) * d.psi_G_BCG.sin * v_s_B
+        - phi_B_along_slide_G * omega_B);
+    const Scalar centripetal_across_slide_G = -omega_B * (Scalar(2) * d.psi_G_BCG.cos * v_s_B
+        + Scalar(2) * v_s_G - phi_B_across_slide_G * omega_B);
+    const Scalar t21 = inverse_sin_psi_G_BCG * t04;
+    const Scalar t22 = s_C_per_across_slide_G * t04;
+    const Scalar t23 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t24 = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
+        - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
+    const Scalar t25 = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
+        + sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
+    const Scalar t26 = d.x_F_EDF * t24 + d.y_F_EDF * t25;
+    const Scalar t27 = s_D_per_across_slide_G * t04;
+    const Scalar t28 = a_x_B - a_x_E;
+    const Scalar t29 = a_y_B - a_y_E;
+    S_d(0, 0) = t21;
+    S_d(0, 1) = -q.s_G * inverse_sin_psi_G_BCG;
+    S_d(0, 2) = -inverse_sin_psi_G_BCG;
+    S_d(0, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * inverse_sin_psi_G_BCG;
+    S_d(0, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * inverse_sin_psi_G_BCG;
+    S_d(0, 6) = t21;
+    S_d(0, 7) = inverse_sin_psi_G_BCG;
+    S_d(1, 0) = t22 - t03 - s_C_per_across_slide_C * t02;
+    S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
+    S_d(1, 2) = -s_C_per_across_slide_G;
+    S_d(1, 3) = -t23;
+    S_d(1, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
+    S_d(1, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
+    S_d(1, 6) = t22 - q.s_D * t23 - d.h_D_EDF * (d.psi_D_CD.cos
+        + d.psi_D_CD.sin * s_C_per_across_slide_C);
+    S_d(1, 7) = s_C_per_across_slide_G;
+    S_d(2, 0) = -t26;
+    S_d(2, 1) = t05 - q.s_G * s_G_per_across_slide_G;
+    S_d(2, 2) = -s_G_per_across_slide_G;
+    S_d(2, 4) = t25;
+    S_d(2, 5) = -t24;
+    S_d(2, 6) = -t26;
+    S_d(2, 7) = s_G_per_across_slide_G;
+    S_d(3, 0) = t27 - inverse_sin_psi_D_CD * t02;
+    S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
+    S_d(3, 2) = -s_D_per_across_slide_G;
+    S_d(3, 3) = t06;
+    S_d(3, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
+    S_d(3, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
+    S_d(3, 6) = t27 + inverse_sin_psi_D_CD * t01;
+    S_d(3, 7) = s_D_per_across_slide_G;
+    S_u(0, 0) = t07;
+    S_u(0, 1) = -t11;
+    S_u(0, 2) = -t15;
+    S_u(0, 3) = -t07;
+    S_u(0, 4) = t11;
+    S_u(1, 0) = -t08;
+    S_u(1, 1) = -t12;
+    S_u(1, 2) = -t16;
+    S_u(1, 3) = t08;
+    S_u(1, 4) = t12;
+    S_u(2, 0) = -t09;
+    S_u(2, 1) = -t13;
+    S_u(2, 2) = -t17;
+    S_u(2, 3) = t09;
+    S_u(2, 4) = t13;
+    S_u(3, 0) = t10;
+    S_u(3, 1) = -t14;
+    S_u(3, 2) = -t18;
+    S_u(3, 3) = -t10;
+    S_u(3, 4) = t14;
+    q_rate(0) = v_s_B;
+    q_rate(1) = v_s_C;
+    q_rate(2) = v_s_G;
+    q_rate(3) = v_s_D;
+    q_second_rate(0) = s_B_per_x_B * t28 + s_B_per_y_B * t29 + s_B_per_phi_B * alpha_B
+        + inverse_sin_psi_G_BCG * centripetal_across_slide_G;
+    q_second_rate(1) = s_C_per_x_B * t28 + s_C_per_y_B * t29 + s_C_per_phi_B * alpha_B
+        + s_C_per_across_slide_C * centripetal_across_slide_C
+        + s_C_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_C;
+    q_second_rate(2) = s_G_per_x_B * t28 + s_G_per_y_B * t29 + s_G_per_phi_B * alpha_B
+        + s_G_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_G;
+    q_second_rate(3) = s_D_per_x_B * t28 + s_D_per_y_B * t29 + s_D_per_phi_B * alpha_B
+        + inverse_sin_psi_D_CD * centripetal_across_slide_C
+        + s_D_per_across_slide_G * centripetal_across_slide_G;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

@@ -29,22 +29,28 @@ namespace assur::tetrad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             28, 27, 0
-///   jacobian:             8, 4, 0
-///   dimension_jacobian:   18, 10, 0
-///   input_jacobian:       28, 21, 0
-///   velocity_rhs:         36, 31, 0
-///   acceleration_rhs:     72, 51, 0
-///   jerk_rhs:             128, 77, 0
-///   curvature_rhs:        94, 60, 0
-///   link_poses:           24, 20, 0
-///   pose_jacobians:       24, 16, 0
-///   link_velocities:      40, 32, 0
-///   link_accelerations:   76, 52, 0
-///   pose_curvatures:      84, 47, 0
-///   position_polynomial:  30, 24, 0
-///   second_equations:     30, 24, 0
-///   complete:             20, 20, 0
+///   residual:                   28, 27, 0
+///   jacobian:                   8, 4, 0
+///   dimension_jacobian:         18, 10, 0
+///   input_jacobian:             28, 21, 0
+///   velocity_rhs:               36, 31, 0
+///   acceleration_rhs:           72, 51, 0
+///   jerk_rhs:                   128, 77, 0
+///   curvature_rhs:              94, 60, 0
+///   link_poses:                 24, 20, 0
+///   pose_jacobians:             24, 16, 0
+///   link_velocities:            40, 32, 0
+///   link_accelerations:         76, 52, 0
+///   pose_curvatures:            84, 47, 0
+///   degeneracies:               4, 2, 0
+///   inverse_jacobian:           52, 18, 1
+///   sensitivities:              98, 58, 1
+///   velocity:                   62, 41, 1
+///   motion:                     110, 79, 1
+///   sensitivities_and_motion:   172, 110, 1
+///   position_polynomial:        30, 24, 0
+///   second_equations:           30, 24, 0
+///   complete:                   20, 20, 0
 struct Model22 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 22;
@@ -61,6 +67,15 @@ struct Model22 {
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = 3;  ///< of the reduced equations; -1: none
+  static constexpr int pivot_count = 2;
+  static constexpr int core_pivot_count = 2;  ///< the first of them: the core's
+  static constexpr int determinant_sign = -1;  ///< det J = sign * the pivots' product
+
+  /// What the vanishing of each pivot of the structured elimination means.
+  static constexpr std::array<const char*, pivot_count> pivots = { {
+      "sin(phi_B - phi_E) = 0: s_B, s_E free to first order",
+      "sin(psi_C_BCG - psi_G_BCG) = 0: s_B, s_E free to first order",
+  } };
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -923,6 +938,598 @@ struct Model22 {
         + Scalar(2) * t14 + omega_B * (slide_B_x + t13));
     p(3, 1) = omega_B * (Scalar(2) * t04 - Scalar(2) * t15 - Scalar(2) * t17 - omega_B * (slide_B_y
         + t16)) - omega_G_BCG * (Scalar(2) * t15 + t17);
+  }
+
+  /// What the structured elimination divides by, p, the core's determinant first; the size
+  /// of each that a well-shaped group would have; and the size of the determinant's terms.
+  /// det J = -p(0) * p(1).
+  template <typename Scalar>
+  static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>&, Vector<Scalar, pivot_count>& p,
+      Vector<Scalar, pivot_count>& size, Scalar& terms) {
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
+        - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
+    p(0) = -sin_phi_B_minus_phi_E;
+    p(1) = sin_psi_C_BCG_minus_psi_G_BCG;
+    size(0) = Scalar(1);
+    size(1) = Scalar(1);
+    terms = Scalar(2);
+  }
+
+  /// The inverse of J, for right-hand sides of every sort.
+  template <typename Scalar>
+  static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>&, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
+        + u.phi_E.sin * sin_CD;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = cos_CD * u.phi_E.sin
+        - u.phi_E.cos * sin_CD;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.cos * cos_GF
+        + u.phi_E.sin * sin_GF;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.sin * cos_GF
+        - u.phi_E.cos * sin_GF;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
+        - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
+    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG);  // zero: sin(phi_B - phi_E) = 0, or sin(psi_C_BCG - psi_G_BCG) = 0
+    const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
+    const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
+    const Scalar t01 = inverse_sin_phi_B_minus_phi_E * inverse_sin_psi_C_BCG_minus_psi_G_BCG;
+    const Scalar s_B_per_across_slide_C = -sin_phi_E_minus_phi_B_minus_psi_G_BCG * t01;
+    const Scalar s_E_per_across_slide_C = d.psi_G_BCG.sin * t01;
+    const Scalar s_G_per_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_G_BCG *
+        s_E_per_across_slide_C - d.psi_G_BCG.cos * s_B_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = s_E_per_across_slide_C *
+        cos_phi_E_minus_phi_B_minus_psi_C_BCG - d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar s_B_per_across_slide_G = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t01;
+    const Scalar s_E_per_across_slide_G = -d.psi_C_BCG.sin * t01;
+    const Scalar s_G_per_across_slide_G = cos_phi_E_minus_phi_B_minus_psi_G_BCG *
+        s_E_per_across_slide_G - d.psi_G_BCG.cos * s_B_per_across_slide_G;
+    const Scalar s_C_per_across_slide_G = cos_phi_E_minus_phi_B_minus_psi_C_BCG *
+        s_E_per_across_slide_G - d.psi_C_BCG.cos * s_B_per_across_slide_G;
+    J_inverse(0, 0) = -sin_CD * s_B_per_across_slide_C;
+    J_inverse(0, 1) = cos_CD * s_B_per_across_slide_C;
+    J_inverse(0, 2) = -sin_GF * s_B_per_across_slide_G;
+    J_inverse(0, 3) = cos_GF * s_B_per_across_slide_G;
+    J_inverse(1, 0) = cos_CD - sin_CD * s_C_per_across_slide_C;
+    J_inverse(1, 1) = sin_CD + cos_CD * s_C_per_across_slide_C;
+    J_inverse(1, 2) = -sin_GF * s_C_per_across_slide_G;
+    J_inverse(1, 3) = cos_GF * s_C_per_across_slide_G;
+    J_inverse(2, 0) = -sin_CD * s_G_per_across_slide_C;
+    J_inverse(2, 1) = cos_CD * s_G_per_across_slide_C;
+    J_inverse(2, 2) = cos_GF - sin_GF * s_G_per_across_slide_G;
+    J_inverse(2, 3) = sin_GF + cos_GF * s_G_per_across_slide_G;
+    J_inverse(3, 0) = -sin_CD * s_E_per_across_slide_C;
+    J_inverse(3, 1) = cos_CD * s_E_per_across_slide_C;
+    J_inverse(3, 2) = -sin_GF * s_E_per_across_slide_G;
+    J_inverse(3, 3) = cos_GF * s_E_per_across_slide_G;
+  }
+
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
+        + u.phi_E.sin * sin_CD;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = cos_CD * u.phi_E.sin
+        - u.phi_E.cos * sin_CD;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.cos * cos_GF
+        + u.phi_E.sin * sin_GF;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.sin * cos_GF
+        - u.phi_E.cos * sin_GF;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C;
+    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.h_C_CD;
+    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
+        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G;
+    const Scalar t01 = d.h_G_BCG - d.h_G_GF;
+    const Scalar phi_B_across_slide_G = t01 - d.psi_G_BCG.sin * q.s_B;
+    const Scalar t02 = q.s_E + d.x_F_EDF;
+    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar phi_E_along_slide_G = -t02 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
+        - t03 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
+    const Scalar phi_E_across_slide_G = cos_phi_E_minus_phi_B_minus_psi_G_BCG * t03
+        - t02 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
+        - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
+    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG);  // zero: sin(phi_B - phi_E) = 0, or sin(psi_C_BCG - psi_G_BCG) = 0
+    const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
+    const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
+    const Scalar t04 = inverse_sin_phi_B_minus_phi_E * inverse_sin_psi_C_BCG_minus_psi_G_BCG;
+    const Scalar s_B_per_across_slide_C = -sin_phi_E_minus_phi_B_minus_psi_G_BCG * t04;
+    const Scalar s_E_per_across_slide_C = d.psi_G_BCG.sin * t04;
+    const Scalar s_G_per_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_G_BCG *
+        s_E_per_across_slide_C - d.psi_G_BCG.cos * s_B_per_across_slide_C;
+    const Scalar t05 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = t05 - d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar s_B_per_across_slide_G = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t04;
+    const Scalar s_E_per_across_slide_G = -d.psi_C_BCG.sin * t04;
+    const Scalar t06 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_E_per_across_slide_G;
+    const Scalar s_G_per_across_slide_G = t06 - d.psi_G_BCG.cos * s_B_per_across_slide_G;
+    const Scalar s_C_per_across_slide_G = cos_phi_E_minus_phi_B_minus_psi_C_BCG *
+        s_E_per_across_slide_G - d.psi_C_BCG.cos * s_B_per_across_slide_G;
+    const Scalar t07 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
+    const Scalar t08 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
+    const Scalar t09 = sin_phi_E_minus_phi_B_minus_psi_G_BCG
+        - cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
+    const Scalar t10 = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_G;
+    const Scalar t11 = cos_CD * s_B_per_across_slide_C + cos_GF * s_B_per_across_slide_G;
+    const Scalar t12 = cos_CD - sin_CD * s_C_per_across_slide_C - sin_GF * s_C_per_across_slide_G;
+    const Scalar t13 = sin_CD + cos_CD * s_C_per_across_slide_C + cos_GF * s_C_per_across_slide_G;
+    const Scalar t14 = cos_GF - sin_CD * s_G_per_across_slide_C - sin_GF * s_G_per_across_slide_G;
+    const Scalar t15 = sin_GF + cos_CD * s_G_per_across_slide_C + cos_GF * s_G_per_across_slide_G;
+    const Scalar t16 = sin_CD * s_E_per_across_slide_C + sin_GF * s_E_per_across_slide_G;
+    const Scalar t17 = cos_CD * s_E_per_across_slide_C + cos_GF * s_E_per_across_slide_G;
+    S_d(0, 0) = -q.s_C * s_B_per_across_slide_C;
+    S_d(0, 1) = -q.s_G * s_B_per_across_slide_G;
+    S_d(0, 2) = -s_B_per_across_slide_G;
+    S_d(0, 3) = -cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C - t07;
+    S_d(0, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
+    S_d(0, 5) = t07;
+    S_d(0, 6) = s_B_per_across_slide_C;
+    S_d(0, 7) = s_B_per_across_slide_G;
+    S_d(1, 0) = -d.h_C_CD - q.s_C * s_C_per_across_slide_C;
+    S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
+    S_d(1, 2) = -s_C_per_across_slide_G;
+    S_d(1, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG
+        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C - t08;
+    S_d(1, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
+    S_d(1, 5) = t08;
+    S_d(1, 6) = s_C_per_across_slide_C;
+    S_d(1, 7) = s_C_per_across_slide_G;
+    S_d(2, 0) = -q.s_C * s_G_per_across_slide_C;
+    S_d(2, 1) = t01 - q.s_G * s_G_per_across_slide_G;
+    S_d(2, 2) = -s_G_per_across_slide_G;
+    S_d(2, 3) = t09 - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_G_per_across_slide_C;
+    S_d(2, 4) = cos_phi_E_minus_phi_B_minus_psi_G_BCG
+        + sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
+    S_d(2, 5) = -t09;
+    S_d(2, 6) = s_G_per_across_slide_C;
+    S_d(2, 7) = s_G_per_across_slide_G;
+    S_d(3, 0) = -q.s_C * s_E_per_across_slide_C;
+    S_d(3, 1) = -q.s_G * s_E_per_across_slide_G;
+    S_d(3, 2) = -s_E_per_across_slide_G;
+    S_d(3, 3) = -t05 - t06;
+    S_d(3, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_E_per_across_slide_G;
+    S_d(3, 5) = t06;
+    S_d(3, 6) = s_E_per_across_slide_C;
+    S_d(3, 7) = s_E_per_across_slide_G;
+    S_u(0, 0) = t10;
+    S_u(0, 1) = -t11;
+    S_u(0, 2) = -s_B_per_across_slide_C * phi_B_along_slide_C
+        - s_B_per_across_slide_G * phi_B_along_slide_G;
+    S_u(0, 3) = -t10;
+    S_u(0, 4) = t11;
+    S_u(0, 5) = -s_B_per_across_slide_C * phi_E_along_slide_C
+        - s_B_per_across_slide_G * phi_E_along_slide_G;
+    S_u(1, 0) = -t12;
+    S_u(1, 1) = -t13;
+    S_u(1, 2) = phi_B_across_slide_C - s_C_per_across_slide_C * phi_B_along_slide_C
+        - s_C_per_across_slide_G * phi_B_along_slide_G;
+    S_u(1, 3) = t12;
+    S_u(1, 4) = t13;
+    S_u(1, 5) = phi_E_across_slide_C - s_C_per_across_slide_C * phi_E_along_slide_C
+        - s_C_per_across_slide_G * phi_E_along_slide_G;
+    S_u(2, 0) = -t14;
+    S_u(2, 1) = -t15;
+    S_u(2, 2) = phi_B_across_slide_G - s_G_per_across_slide_C * phi_B_along_slide_C
+        - s_G_per_across_slide_G * phi_B_along_slide_G;
+    S_u(2, 3) = t14;
+    S_u(2, 4) = t15;
+    S_u(2, 5) = phi_E_across_slide_G - s_G_per_across_slide_C * phi_E_along_slide_C
+        - s_G_per_across_slide_G * phi_E_along_slide_G;
+    S_u(3, 0) = t16;
+    S_u(3, 1) = -t17;
+    S_u(3, 2) = -s_E_per_across_slide_C * phi_B_along_slide_C
+        - s_E_per_across_slide_G * phi_B_along_slide_G;
+    S_u(3, 3) = -t16;
+    S_u(3, 4) = t17;
+    S_u(3, 5) = -s_E_per_across_slide_C * phi_E_along_slide_C
+        - s_E_per_across_slide_G * phi_E_along_slide_G;
+  }
+
+  /// dq/dt for the rates du/dt of the inputs.
+  template <typename Scalar>
+  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      Vector<Scalar, unknown_count>& q_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
+        + u.phi_E.sin * sin_CD;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = cos_CD * u.phi_E.sin
+        - u.phi_E.cos * sin_CD;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.cos * cos_GF
+        + u.phi_E.sin * sin_GF;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.sin * cos_GF
+        - u.phi_E.cos * sin_GF;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C;
+    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.h_C_CD;
+    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
+        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G;
+    const Scalar phi_B_across_slide_G = d.h_G_BCG - d.psi_G_BCG.sin * q.s_B - d.h_G_GF;
+    const Scalar t01 = q.s_E + d.x_F_EDF;
+    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar phi_E_along_slide_G = -t01 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
+        - t02 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
+    const Scalar phi_E_across_slide_G = cos_phi_E_minus_phi_B_minus_psi_G_BCG * t02
+        - t01 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
+        - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
+    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG);  // zero: sin(phi_B - phi_E) = 0, or sin(psi_C_BCG - psi_G_BCG) = 0
+    const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
+    const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
+    const Scalar t03 = v_x_B - v_x_E;
+    const Scalar t04 = v_y_B - v_y_E;
+    const Scalar velocity_along_slide_C = omega_B * phi_B_across_slide_C
+        + omega_E * phi_E_across_slide_C - cos_CD * t03 - sin_CD * t04;
+    const Scalar velocity_across_slide_C = sin_CD * t03 - cos_CD * t04
+        - omega_B * phi_B_along_slide_C - omega_E * phi_E_along_slide_C;
+    const Scalar velocity_along_slide_G = omega_B * phi_B_across_slide_G
+        + omega_E * phi_E_across_slide_G - cos_GF * t03 - sin_GF * t04;
+    const Scalar velocity_across_slide_G = sin_GF * t03 - cos_GF * t04
+        - omega_B * phi_B_along_slide_G - omega_E * phi_E_along_slide_G;
+    const Scalar t05 = inverse_sin_psi_C_BCG_minus_psi_G_BCG * inverse_sin_phi_B_minus_phi_E;
+    const Scalar v_s_B = (sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_across_slide_G
+        - sin_phi_E_minus_phi_B_minus_psi_G_BCG * velocity_across_slide_C) * t05;
+    const Scalar v_s_E = -(d.psi_C_BCG.sin * velocity_across_slide_G
+        - d.psi_G_BCG.sin * velocity_across_slide_C) * t05;
+    const Scalar v_s_G = cos_phi_E_minus_phi_B_minus_psi_G_BCG * v_s_E + velocity_along_slide_G
+        - d.psi_G_BCG.cos * v_s_B;
+    const Scalar v_s_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E + velocity_along_slide_C
+        - d.psi_C_BCG.cos * v_s_B;
+    q_rate(0) = v_s_B;
+    q_rate(1) = v_s_C;
+    q_rate(2) = v_s_G;
+    q_rate(3) = v_s_E;
+  }
+
+  /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
+  template <typename Scalar>
+  static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar alpha_E = u_second_rate(5);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
+        + u.phi_E.sin * sin_CD;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = cos_CD * u.phi_E.sin
+        - u.phi_E.cos * sin_CD;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.cos * cos_GF
+        + u.phi_E.sin * sin_GF;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.sin * cos_GF
+        - u.phi_E.cos * sin_GF;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C;
+    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.h_C_CD;
+    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
+        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G;
+    const Scalar phi_B_across_slide_G = d.h_G_BCG - d.psi_G_BCG.sin * q.s_B - d.h_G_GF;
+    const Scalar t01 = q.s_E + d.x_F_EDF;
+    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar phi_E_along_slide_G = -t01 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
+        - t02 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
+    const Scalar phi_E_across_slide_G = cos_phi_E_minus_phi_B_minus_psi_G_BCG * t02
+        - t01 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
+        - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
+    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG);  // zero: sin(phi_B - phi_E) = 0, or sin(psi_C_BCG - psi_G_BCG) = 0
+    const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
+    const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
+    const Scalar t03 = v_x_B - v_x_E;
+    const Scalar t04 = v_y_B - v_y_E;
+    const Scalar t05 = omega_B * phi_B_across_slide_C;
+    const Scalar t06 = omega_E * phi_E_across_slide_C;
+    const Scalar velocity_along_slide_C = t05 + t06 - cos_CD * t03 - sin_CD * t04;
+    const Scalar t07 = omega_B * phi_B_along_slide_C;
+    const Scalar t08 = omega_E * phi_E_along_slide_C;
+    const Scalar velocity_across_slide_C = sin_CD * t03 - cos_CD * t04 - t07 - t08;
+    const Scalar t09 = omega_B * phi_B_across_slide_G;
+    const Scalar t10 = omega_E * phi_E_across_slide_G;
+    const Scalar velocity_along_slide_G = t09 + t10 - cos_GF * t03 - sin_GF * t04;
+    const Scalar t11 = omega_B * phi_B_along_slide_G;
+    const Scalar t12 = omega_E * phi_E_along_slide_G;
+    const Scalar velocity_across_slide_G = sin_GF * t03 - cos_GF * t04 - t11 - t12;
+    const Scalar t13 = inverse_sin_psi_C_BCG_minus_psi_G_BCG * inverse_sin_phi_B_minus_phi_E;
+    const Scalar v_s_B = (sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_across_slide_G
+        - sin_phi_E_minus_phi_B_minus_psi_G_BCG * velocity_across_slide_C) * t13;
+    const Scalar v_s_E = -(d.psi_C_BCG.sin * velocity_across_slide_G
+        - d.psi_G_BCG.sin * velocity_across_slide_C) * t13;
+    const Scalar t14 = d.psi_G_BCG.cos * v_s_B;
+    const Scalar t15 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * v_s_E;
+    const Scalar v_s_G = t15 + velocity_along_slide_G - t14;
+    const Scalar t16 = d.psi_C_BCG.cos * v_s_B;
+    const Scalar t17 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E;
+    const Scalar v_s_C = t17 + velocity_along_slide_C - t16;
+    const Scalar t18 = a_x_B - a_x_E;
+    const Scalar t19 = a_y_B - a_y_E;
+    const Scalar acceleration_along_slide_C = omega_B * (t07 - Scalar(2) * d.psi_C_BCG.sin * v_s_B)
+        + omega_E * (t08 - Scalar(2) * sin_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E)
+        + phi_B_across_slide_C * alpha_B + phi_E_across_slide_C * alpha_E - cos_CD * t18
+        - sin_CD * t19;
+    const Scalar acceleration_across_slide_C = omega_B * (t05 - Scalar(2) * t16 - Scalar(2) * v_s_C)
+        + omega_E * (t06 + Scalar(2) * t17) + sin_CD * t18 - cos_CD * t19
+        - phi_B_along_slide_C * alpha_B - phi_E_along_slide_C * alpha_E;
+    const Scalar acceleration_along_slide_G = omega_B * (t11 - Scalar(2) * d.psi_G_BCG.sin * v_s_B)
+        + omega_E * (t12 - Scalar(2) * sin_phi_E_minus_phi_B_minus_psi_G_BCG * v_s_E)
+        + phi_B_across_slide_G * alpha_B + phi_E_across_slide_G * alpha_E - cos_GF * t18
+        - sin_GF * t19;
+    const Scalar acceleration_across_slide_G = omega_B * (t09 - Scalar(2) * t14 - Scalar(2) * v_s_G)
+        + omega_E * (t10 + Scalar(2) * t15) + sin_GF * t18 - cos_GF * t19
+        - phi_B_along_slide_G * alpha_B - phi_E_along_slide_G * alpha_E;
+    const Scalar a_s_B = (sin_phi_E_minus_phi_B_minus_psi_C_BCG * acceleration_across_slide_G
+        - sin_phi_E_minus_phi_B_minus_psi_G_BCG * acceleration_across_slide_C) * t13;
+    const Scalar a_s_E = -(d.psi_C_BCG.sin * acceleration_across_slide_G
+        - d.psi_G_BCG.sin * acceleration_across_slide_C) * t13;
+    const Scalar a_s_G = cos_phi_E_minus_phi_B_minus_psi_G_BCG * a_s_E + acceleration_along_slide_G
+        - d.psi_G_BCG.cos * a_s_B;
+    const Scalar a_s_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * a_s_E + acceleration_along_slide_C
+        - d.psi_C_BCG.cos * a_s_B;
+    q_rate(0) = v_s_B;
+    q_rate(1) = v_s_C;
+    q_rate(2) = v_s_G;
+    q_rate(3) = v_s_E;
+    q_second_rate(0) = a_s_B;
+    q_second_rate(1) = a_s_C;
+    q_second_rate(2) = a_s_G;
+    q_second_rate(3) = a_s_E;
+  }
+
+  /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
+  template <typename Scalar>
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
+      Vector<Scalar, unknown_count>& q_second_rate) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar alpha_E = u_second_rate(5);
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
+        + u.phi_E.sin * sin_CD;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = cos_CD * u.phi_E.sin
+        - u.phi_E.cos * sin_CD;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.cos * cos_GF
+        + u.phi_E.sin * sin_GF;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.sin * cos_GF
+        - u.phi_E.cos * sin_GF;
+    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C;
+    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.h_C_CD;
+    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
+        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G;
+    const Scalar t01 = d.h_G_BCG - d.h_G_GF;
+    const Scalar phi_B_across_slide_G = t01 - d.psi_G_BCG.sin * q.s_B;
+    const Scalar t02 = q.s_E + d.x_F_EDF;
+    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar phi_E_along_slide_G = -t02 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
+        - t03 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
+    const Scalar phi_E_across_slide_G = cos_phi_E_minus_phi_B_minus_psi_G_BCG * t03
+        - t02 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
+        - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
+    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG);  // zero: sin(phi_B - phi_E) = 0, or sin(psi_C_BCG - psi_G_BCG) = 0
+    const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
+    const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
+    const Scalar t04 = inverse_sin_phi_B_minus_phi_E * inverse_sin_psi_C_BCG_minus_psi_G_BCG;
+    const Scalar s_B_per_across_slide_C = -sin_phi_E_minus_phi_B_minus_psi_G_BCG * t04;
+    const Scalar s_E_per_across_slide_C = d.psi_G_BCG.sin * t04;
+    const Scalar s_G_per_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_G_BCG *
+        s_E_per_across_slide_C - d.psi_G_BCG.cos * s_B_per_across_slide_C;
+    const Scalar t05 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = t05 - d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar s_B_per_across_slide_G = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t04;
+    const Scalar s_E_per_across_slide_G = -d.psi_C_BCG.sin * t04;
+    const Scalar t06 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_E_per_across_slide_G;
+    const Scalar s_G_per_across_slide_G = t06 - d.psi_G_BCG.cos * s_B_per_across_slide_G;
+    const Scalar s_C_per_across_slide_G = cos_phi_E_minus_phi_B_minus_psi_C_BCG *
+        s_E_per_across_slide_G - d.psi_C_BCG.cos * s_B_per_across_slide_G;
+    const Scalar t07 = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_G;
+    const Scalar s_B_per_x_B = t07;
+    const Scalar t08 = cos_CD - sin_CD * s_C_per_across_slide_C - sin_GF * s_C_per_across_slide_G;
+    const Scalar s_C_per_x_B = -t08;
+    const Scalar t09 = cos_GF - sin_CD * s_G_per_across_slide_C - sin_GF * s_G_per_across_slide_G;
+    const Scalar s_G_per_x_B = -t09;
+    const Scalar t10 = sin_CD * s_E_per_across_slide_C + sin_GF * s_E_per_across_slide_G;
+    const Scalar s_E_per_x_B = t10;
+    const Scalar t11 = cos_CD * s_B_per_across_slide_C + cos_GF * s_B_per_across_slide_G;
+    const Scalar s_B_per_y_B = -t11;
+    const Scalar t12 = sin_CD + cos_CD * s_C_per_across_slide_C + cos_GF * s_C_per_across_slide_G;
+    const Scalar s_C_per_y_B = -t12;
+    const Scalar t13 = sin_GF + cos_CD * s_G_per_across_slide_C + cos_GF * s_G_per_across_slide_G;
+    const Scalar s_G_per_y_B = -t13;
+    const Scalar t14 = cos_CD * s_E_per_across_slide_C + cos_GF * s_E_per_across_slide_G;
+    const Scalar s_E_per_y_B = -t14;
+    const Scalar t15 = s_B_per_across_slide_C * phi_B_along_slide_C
+        + s_B_per_across_slide_G * phi_B_along_slide_G;
+    const Scalar s_B_per_phi_B = -t15;
+    const Scalar t16 = s_C_per_across_slide_C * phi_B_along_slide_C
+        + s_C_per_across_slide_G * phi_B_along_slide_G - phi_B_across_slide_C;
+    const Scalar s_C_per_phi_B = -t16;
+    const Scalar t17 = s_G_per_across_slide_C * phi_B_along_slide_C
+        + s_G_per_across_slide_G * phi_B_along_slide_G - phi_B_across_slide_G;
+    const Scalar s_G_per_phi_B = -t17;
+    const Scalar t18 = s_E_per_across_slide_C * phi_B_along_slide_C
+        + s_E_per_across_slide_G * phi_B_along_slide_G;
+    const Scalar s_E_per_phi_B = -t18;
+    const Scalar t19 = s_B_per_across_slide_C * phi_E_along_slide_C
+        + s_B_per_across_slide_G * phi_E_along_slide_G;
+    const Scalar s_B_per_phi_E = -t19;
+    const Scalar t20 = s_C_per_across_slide_C * phi_E_along_slide_C
+        + s_C_per_across_slide_G * phi_E_along_slide_G - phi_E_across_slide_C;
+    const Scalar s_C_per_phi_E = -t20;
+    const Scalar t21 = s_G_per_across_slide_C * phi_E_along_slide_C
+        + s_G_per_across_slide_G * phi_E_along_slide_G - phi_E_across_slide_G;
+    const Scalar s_G_per_phi_E = -t21;
+    const Scalar t22 = s_E_per_across_slide_C * phi_E_along_slide_C
+        + s_E_per_across_slide_G * phi_E_along_slide_G;
+    const Scalar s_E_per_phi_E = -t22;
+    const Scalar t23 = v_x_B - v_x_E;
+    const Scalar t24 = v_y_B - v_y_E;
+    const Scalar v_s_B = t23 * s_B_per_x_B + t24 * s_B_per_y_B + omega_B * s_B_per_phi_B
+        + omega_E * s_B_per_phi_E;
+    const Scalar v_s_C = t23 * s_C_per_x_B + t24 * s_C_per_y_B + omega_B * s_C_per_phi_B
+        + omega_E * s_C_per_phi_E;
+    const Scalar v_s_G = t23 * s_G_per_x_B + t24 * s_G_per_y_B + omega_B * s_G_per_phi_B
+        + omega_E * s_G_per_phi_E;
+    const Scalar v_s_E = t23 * s_E_per_x_B + t24 * s_E_per_y_B + omega_B * s_E_per_phi_B
+        + omega_E * s_E_per_phi_E;
+    const Scalar centripetal_along_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B
+        - phi_B_along_slide_C * omega_B)
+        - omega_E * (Scalar(2) * sin_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E
+        - phi_E_along_slide_C * omega_E);
+    const Scalar centripetal_across_slide_C = omega_E * (Scalar(2) *
+        cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E + phi_E_across_slide_C * omega_E)
+        - omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B + Scalar(2) * v_s_C
+        - phi_B_across_slide_C * omega_B);
+    const Scalar centripetal_along_slide_G = -omega_B * (Scalar(2) * d.psi_G_BCG.sin * v_s_B
+        - phi_B_along_slide_G * omega_B)
+        - omega_E * (Scalar(2) * sin_phi_E_minus_phi_B_minus_psi_G_BCG * v_s_E
+        - phi_E_along_slide_G * omega_E);
+    const Scalar centripetal_across_slide_G = omega_E * (Scalar(2) *
+        cos_phi_E_minus_phi_B_minus_psi_G_BCG * v_s_E + phi_E_across_slide_G * omega_E)
+        - omega_B * (Scalar(2) * d.psi_G_BCG.cos * v_s_B + Scalar(2) * v_s_G
+        - phi_B_across_slide_G * omega_B);
+    const Scalar t25 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
+    const Scalar t26 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
+    const Scalar t27 = sin_phi_E_minus_phi_B_minus_psi_G_BCG
+        - cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
+    const Scalar t28 = a_x_B - a_x_E;
+    const Scalar t29 = a_y_B - a_y_E;
+    S_d(0, 0) = -q.s_C * s_B_per_across_slide_C;
+    S_d(0, 1) = -q.s_G * s_B_per_across_slide_G;
+    S_d(0, 2) = -s_B_per_across_slide_G;
+    S_d(0, 3) = -cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C - t25;
+    S_d(0, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
+    S_d(0, 5) = t25;
+    S_d(0, 6) = s_B_per_across_slide_C;
+    S_d(0, 7) = s_B_per_across_slide_G;
+    S_d(1, 0) = -d.h_C_CD - q.s_C * s_C_per_across_slide_C;
+    S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
+    S_d(1, 2) = -s_C_per_across_slide_G;
+    S_d(1, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG
+        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C - t26;
+    S_d(1, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
+    S_d(1, 5) = t26;
+    S_d(1, 6) = s_C_per_across_slide_C;
+    S_d(1, 7) = s_C_per_across_slide_G;
+    S_d(2, 0) = -q.s_C * s_G_per_across_slide_C;
+    S_d(2, 1) = t01 - q.s_G * s_G_per_across_slide_G;
+    S_d(2, 2) = -s_G_per_across_slide_G;
+    S_d(2, 3) = t27 - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_G_per_across_slide_C;
+    S_d(2, 4) = cos_phi_E_minus_phi_B_minus_psi_G_BCG
+        + sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
+    S_d(2, 5) = -t27;
+    S_d(2, 6) = s_G_per_across_slide_C;
+    S_d(2, 7) = s_G_per_across_slide_G;
+    S_d(3, 0) = -q.s_C * s_E_per_across_slide_C;
+    S_d(3, 1) = -q.s_G * s_E_per_across_slide_G;
+    S_d(3, 2) = -s_E_per_across_slide_G;
+    S_d(3, 3) = -t05 - t06;
+    S_d(3, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_E_per_across_slide_G;
+    S_d(3, 5) = t06;
+    S_d(3, 6) = s_E_per_across_slide_C;
+    S_d(3, 7) = s_E_per_across_slide_G;
+    S_u(0, 0) = t07;
+    S_u(0, 1) = -t11;
+    S_u(0, 2) = -t15;
+    S_u(0, 3) = -t07;
+    S_u(0, 4) = t11;
+    S_u(0, 5) = -t19;
+    S_u(1, 0) = -t08;
+    S_u(1, 1) = -t12;
+    S_u(1, 2) = -t16;
+    S_u(1, 3) = t08;
+    S_u(1, 4) = t12;
+    S_u(1, 5) = -t20;
+    S_u(2, 0) = -t09;
+    S_u(2, 1) = -t13;
+    S_u(2, 2) = -t17;
+    S_u(2, 3) = t09;
+    S_u(2, 4) = t13;
+    S_u(2, 5) = -t21;
+    S_u(3, 0) = t10;
+    S_u(3, 1) = -t14;
+    S_u(3, 2) = -t18;
+    S_u(3, 3) = -t10;
+    S_u(3, 4) = t14;
+    S_u(3, 5) = -t22;
+    q_rate(0) = v_s_B;
+    q_rate(1) = v_s_C;
+    q_rate(2) = v_s_G;
+    q_rate(3) = v_s_E;
+    q_second_rate(0) = s_B_per_x_B * t28 + s_B_per_y_B * t29 + s_B_per_phi_B * alpha_B
+        + s_B_per_phi_E * alpha_E + s_B_per_across_slide_C * centripetal_across_slide_C
+        + s_B_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(1) = s_C_per_x_B * t28 + s_C_per_y_B * t29 + s_C_per_phi_B * alpha_B
+        + s_C_per_phi_E * alpha_E + s_C_per_across_slide_C * centripetal_across_slide_C
+        + s_C_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_C;
+    q_second_rate(2) = s_G_per_x_B * t28 + s_G_per_y_B * t29 + s_G_per_phi_B * alpha_B
+        + s_G_per_phi_E * alpha_E + s_G_per_across_slide_C * centripetal_across_slide_C
+        + s_G_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_G;
+    q_second_rate(3) = s_E_per_x_B * t28 + s_E_per_y_B * t29 + s_E_per_phi_B * alpha_B
+        + s_E_per_phi_E * alpha_E + s_E_per_across_slide_C * centripetal_across_slide_C
+        + s_E_per_across_slide_G * centripetal_across_slide_G;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

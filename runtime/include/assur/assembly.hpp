@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <Eigen/LU>
 #include <array>
 #include <assur/assembly_order.hpp>
 #include <assur/bounded.hpp>
@@ -346,11 +347,11 @@ class AssemblySearch {
     Vector<double, Model::equation_count> f;
     Model::residual(d_, u_, q, f);
     double miss = f.cwiseAbs().maxCoeff();
-    const ScaledJacobian<Model, double> jacobian(d_, u_, q);
+    const InverseJacobian<Model, double> jacobian(d_, u_, q);
     constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
     for (int step = 0; step < steps && miss > rounding && jacobian.solvable(); ++step) {
       Configuration<double> next = q;
-      nudge(next, jacobian.correction(-f));
+      nudge(next, jacobian.solve(Vector<double, Model::equation_count>(-f)));
       Model::residual(d_, u_, next, f);
       const double next_miss = f.cwiseAbs().maxCoeff();
       if (!(next_miss < miss)) {

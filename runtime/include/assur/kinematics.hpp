@@ -1,101 +1,116 @@
-// Solves a generated model's linear equations: sensitivities, velocity, acceleration, Newton steps.
+// Turns an assembled configuration into sensitivities, rates and Newton steps, each with a status.
 #pragma once
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <assur/model.hpp>
 #include <assur/status.hpp>
 #include <assur/variables.hpp>
+#include <cmath>
 #include <limits>
 
 namespace assur {
 
-/// The loop Jacobian J at one configuration, with its condition. Columns are scaled to a largest
-/// entry of one, so that the condition does not depend on the unit of length.
-template <typename Model, typename Scalar>
-class ScaledJacobian {
-  static_assert(Model::rigid, "a degenerate model has no inverse Jacobian");
+/// The relative error of a derivative is at most this times eps/margin; see `regularity`. The
+/// stability laboratory measures it.
+inline constexpr int derivative_error_constant = 16;
 
- public:
-  static constexpr int size = Model::unknown_count;
-
-  /// status(): ok, near_singular (the derivatives may keep fewer than six digits), singular, or
-  /// not_finite.
-  ScaledJacobian(const typename Model::template Dimensions<Scalar>& d,
-                 const typename Model::template Inputs<Scalar>& u,
-                 const typename Model::template Configuration<Scalar>& q) {
-    if (!is_finite(d) || !is_finite(u) || !is_finite(q)) {
-      status_ = Status::not_finite;
-      return;
-    }
-    Model::jacobian(d, u, q, scaled_);
-    column_scale_ = scaled_.cwiseAbs().colwise().maxCoeff();
-    column_scale_ = column_scale_.cwiseInverse();
-    if (!column_scale_.allFinite()) {  // a column is zero, or so small that nothing is left of it
-      return;
-    }
-    scaled_ = scaled_ * column_scale_.asDiagonal();
-    // At these sizes the inverse by cofactors costs less than an estimate of its norm.
-    inverse_ = scaled_.inverse();
-    reciprocal_condition_ = Scalar(1) / (one_norm(scaled_) * one_norm(inverse_));
-    const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
-    if (reciprocal_condition_ > epsilon) {
-      status_ = reciprocal_condition_ < epsilon * Scalar(1e6) ? Status::near_singular : Status::ok;
-    }
-  }
-
-  [[nodiscard]] Status status() const { return status_; }
-  /// Whether J has an inverse as far as rounding lets tell.
-  [[nodiscard]] bool solvable() const {
-    return status_ == Status::ok || status_ == Status::near_singular;
-  }
-  /// Reciprocal of the condition number in the 1-norm, columns scaled; zero if unknown.
-  [[nodiscard]] Scalar reciprocal_condition() const { return reciprocal_condition_; }
-
-  /// An approximate x with J x = rhs, good for corrections. Requires solvable().
-  [[nodiscard]] Vector<Scalar, size> correction(const Vector<Scalar, size>& rhs) const {
-    return column_scale_.asDiagonal() * (inverse_ * rhs);
-  }
-
- protected:
-  [[nodiscard]] const Matrix<Scalar, size, size>& scaled() const { return scaled_; }
-  [[nodiscard]] const Vector<Scalar, size>& column_scale() const { return column_scale_; }
-
- private:
-  [[nodiscard]] static Scalar one_norm(const Matrix<Scalar, size, size>& matrix) {
-    return matrix.cwiseAbs().colwise().sum().maxCoeff();
-  }
-
-  Status status_ = Status::singular;
-  Scalar reciprocal_condition_ = Scalar(0);
-  Vector<Scalar, size> column_scale_;
-  Matrix<Scalar, size, size> scaled_;
-  Matrix<Scalar, size, size> inverse_;
+/// How far a configuration is from singular, by the pivots of the model's structured elimination.
+template <typename Scalar>
+struct Regularity {
+  /// ok; near_singular where derivatives may keep fewer than six digits; singular where there are
+  /// none; not_finite.
+  Status status = Status::singular;
+  /// Bound of the derivatives' relative error in units of rounding is 1/margin: the product of
+  /// what the core's determinant keeps of its terms, and of how firmly the closures hold the
+  /// unknowns. One at best, zero where J has no inverse. It does not depend on the unit of length.
+  Scalar margin = Scalar(0);
+  int weakest = 0;  ///< index in Model::pivots of the pivot nearest to zero
 };
 
-/// The loop Jacobian factored, for solutions as accurate as its condition allows.
+/// The regularity of an assembled configuration, without an inverse or singular values.
+///
+/// Rounding moves an assembled configuration by about eps/firmness, where firmness is the core's
+/// determinant over its size times the smallest other pivot over its size. That, and rounding in
+/// the determinant, change the derivatives by about eps/(firmness * kept), where kept is the
+/// determinant over the size of its terms. `derivative_error_constant` bounds what "about" hides.
 template <typename Model, typename Scalar>
-class FactoredJacobian : public ScaledJacobian<Model, Scalar> {
+[[nodiscard]] Regularity<Scalar> regularity(
+    const typename Model::template Dimensions<Scalar>& d,
+    const typename Model::template Inputs<Scalar>& u,
+    const typename Model::template Configuration<Scalar>& q) {
+  static_assert(Model::rigid, "a degenerate model has no inverse Jacobian");
+  using std::abs;
+  Regularity<Scalar> result;
+  if (!is_finite(d) || !is_finite(u) || !is_finite(q)) {
+    result.status = Status::not_finite;
+    return result;
+  }
+  Vector<Scalar, Model::pivot_count> pivots;
+  Vector<Scalar, Model::pivot_count> sizes;
+  Scalar terms(0);
+  Model::degeneracies(d, u, q, pivots, sizes, terms);
+  // Of the core's pivots the product counts, of the others the smallest.
+  Scalar core(1);
+  Scalar core_firmness(1);
+  Scalar other_firmness(1);
+  Scalar smallest = std::numeric_limits<Scalar>::infinity();
+  for (int index = 0; index < Model::pivot_count; ++index) {
+    const Scalar value = abs(pivots(index));
+    const Scalar firmness = value / sizes(index);
+    if (index < Model::core_pivot_count) {
+      core = core * value;
+      core_firmness = core_firmness * firmness;
+    } else if (!(firmness >= other_firmness)) {
+      other_firmness = firmness;
+    }
+    if (!(firmness >= smallest)) {
+      smallest = firmness;
+      result.weakest = index;
+    }
+  }
+  const Scalar kept = core / terms;
+  const Scalar firmness = core_firmness * other_firmness;
+  const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
+  if (!(kept > epsilon && firmness > Scalar(0))) {
+    return result;
+  }
+  result.margin = kept * firmness;
+  const Scalar six_digits = Scalar(5e-7);
+  const bool keeps = Scalar(derivative_error_constant) * epsilon < six_digits * result.margin;
+  result.status = keeps ? Status::ok : Status::near_singular;
+  return result;
+}
+
+/// The inverse of the loop Jacobian J, for right-hand sides of every sort.
+template <typename Model, typename Scalar>
+class InverseJacobian {
  public:
   static constexpr int size = Model::unknown_count;
 
-  FactoredJacobian(const typename Model::template Dimensions<Scalar>& d,
-                   const typename Model::template Inputs<Scalar>& u,
-                   const typename Model::template Configuration<Scalar>& q)
-      : ScaledJacobian<Model, Scalar>(d, u, q) {
-    if (this->solvable()) {
-      factors_.compute(this->scaled());
+  InverseJacobian(const typename Model::template Dimensions<Scalar>& d,
+                  const typename Model::template Inputs<Scalar>& u,
+                  const typename Model::template Configuration<Scalar>& q)
+      : regularity_(assur::regularity<Model, Scalar>(d, u, q)) {
+    if (solvable()) {
+      Model::inverse_jacobian(d, u, q, inverse_);
     }
   }
+
+  [[nodiscard]] Status status() const { return regularity_.status; }
+  [[nodiscard]] Scalar margin() const { return regularity_.margin; }
+  /// Whether J has an inverse as far as rounding lets tell.
+  [[nodiscard]] bool solvable() const { return is_solvable(status()); }
 
   /// X with J X = rhs. Requires solvable().
   template <int Columns>
   [[nodiscard]] Matrix<Scalar, size, Columns> solve(
       const Matrix<Scalar, size, Columns>& rhs) const {
-    return this->column_scale().asDiagonal() * factors_.solve(rhs);
+    return inverse_ * rhs;
   }
 
  private:
-  Eigen::PartialPivLU<Matrix<Scalar, size, size>> factors_;
+  Regularity<Scalar> regularity_;
+  Matrix<Scalar, size, size> inverse_;
 };
 
 /// dq/dd and dq/du: how an assembled configuration follows the dimensions and the inputs.
@@ -105,23 +120,18 @@ struct Sensitivities {
   Matrix<Scalar, Model::unknown_count, Model::input_count> to_inputs;
 };
 
-/// Solves J dq/dd = -F_d and J dq/du = -F_u. The result is set where the status is ok or
+/// dq/dd and dq/du of an assembled configuration. The result is set where the status is ok or
 /// near_singular.
 template <typename Model, typename Scalar>
 [[nodiscard]] Status sensitivities(const typename Model::template Dimensions<Scalar>& d,
                                    const typename Model::template Inputs<Scalar>& u,
                                    const typename Model::template Configuration<Scalar>& q,
                                    Sensitivities<Model, Scalar>& result) {
-  const FactoredJacobian<Model, Scalar> jacobian(d, u, q);
-  if (jacobian.solvable()) {
-    Model::dimension_jacobian(d, u, q, result.to_dimensions);
-    Model::input_jacobian(d, u, q, result.to_inputs);
-    result.to_dimensions = jacobian.solve(
-        Matrix<Scalar, Model::unknown_count, Model::dimension_count>(-result.to_dimensions));
-    result.to_inputs =
-        jacobian.solve(Matrix<Scalar, Model::unknown_count, Model::input_count>(-result.to_inputs));
+  const Status status = regularity<Model, Scalar>(d, u, q).status;
+  if (is_solvable(status)) {
+    Model::sensitivities(d, u, q, result.to_dimensions, result.to_inputs);
   }
-  return jacobian.status();
+  return status;
 }
 
 /// Rates of motion: dq/dt and d2q/dt2.
@@ -131,8 +141,8 @@ struct Motion {
   Vector<Scalar, Model::unknown_count> acceleration;
 };
 
-/// Solves J dq/dt = velocity_rhs and J d2q/dt2 = acceleration_rhs for the first and second rates of
-/// the inputs. The result is set where the status is ok or near_singular.
+/// dq/dt and d2q/dt2 for the first and second rates of the inputs, the dimensions held. The result
+/// is set where the status is ok or near_singular.
 template <typename Model, typename Scalar>
 [[nodiscard]] Status motion(const typename Model::template Dimensions<Scalar>& d,
                             const typename Model::template Inputs<Scalar>& u,
@@ -140,15 +150,49 @@ template <typename Model, typename Scalar>
                             const Vector<Scalar, Model::input_count>& u_rate,
                             const Vector<Scalar, Model::input_count>& u_second_rate,
                             Motion<Model, Scalar>& result) {
-  const FactoredJacobian<Model, Scalar> jacobian(d, u, q);
-  if (jacobian.solvable()) {
-    Vector<Scalar, Model::equation_count> rhs;
-    Model::velocity_rhs(d, u, q, u_rate, rhs);
-    result.velocity = jacobian.solve(rhs);
-    Model::acceleration_rhs(d, u, q, result.velocity, u_rate, u_second_rate, rhs);
-    result.acceleration = jacobian.solve(rhs);
+  const Status status = regularity<Model, Scalar>(d, u, q).status;
+  if (is_solvable(status)) {
+    Model::motion(d, u, q, u_rate, u_second_rate, result.velocity, result.acceleration);
   }
-  return jacobian.status();
+  return status;
+}
+
+/// Both of the above at once, for less than the two apart.
+template <typename Model, typename Scalar>
+[[nodiscard]] Status sensitivities_and_motion(
+    const typename Model::template Dimensions<Scalar>& d,
+    const typename Model::template Inputs<Scalar>& u,
+    const typename Model::template Configuration<Scalar>& q,
+    const Vector<Scalar, Model::input_count>& u_rate,
+    const Vector<Scalar, Model::input_count>& u_second_rate,
+    Sensitivities<Model, Scalar>& sensitive, Motion<Model, Scalar>& moving) {
+  const Status status = regularity<Model, Scalar>(d, u, q).status;
+  if (is_solvable(status)) {
+    Model::sensitivities_and_motion(d, u, q, u_rate, u_second_rate, sensitive.to_dimensions,
+                                    sensitive.to_inputs, moving.velocity, moving.acceleration);
+  }
+  return status;
+}
+
+/// d3q/dt3 for the third rates of the inputs, with the lower rates from `motion`. The result is set
+/// where the status is ok or near_singular.
+template <typename Model, typename Scalar>
+[[nodiscard]] Status jerk(const typename Model::template Dimensions<Scalar>& d,
+                          const typename Model::template Inputs<Scalar>& u,
+                          const typename Model::template Configuration<Scalar>& q,
+                          const Vector<Scalar, Model::input_count>& u_rate,
+                          const Vector<Scalar, Model::input_count>& u_second_rate,
+                          const Vector<Scalar, Model::input_count>& u_third_rate,
+                          const Motion<Model, Scalar>& moving,
+                          Vector<Scalar, Model::unknown_count>& result) {
+  const InverseJacobian<Model, Scalar> inverse(d, u, q);
+  if (inverse.solvable()) {
+    Vector<Scalar, Model::equation_count> rhs;
+    Model::jerk_rhs(d, u, q, moving.velocity, moving.acceleration, u_rate, u_second_rate,
+                    u_third_rate, rhs);
+    result = inverse.solve(rhs);
+  }
+  return inverse.status();
 }
 
 /// Newton's iteration from a guess to the loop closure, until the step is at rounding level. An
@@ -163,7 +207,7 @@ template <typename Model, typename Scalar>
   const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
   Scalar previous = std::numeric_limits<Scalar>::infinity();
   for (int iteration = 0; iteration < max_iterations; ++iteration) {
-    const FactoredJacobian<Model, Scalar> jacobian(d, u, q);
+    const InverseJacobian<Model, Scalar> jacobian(d, u, q);
     if (!jacobian.solvable()) {
       return jacobian.status();
     }
@@ -184,7 +228,7 @@ template <typename Model, typename Scalar>
     }
     advance(q, step);
     // Close to the solution the steps shrink quadratically until rounding stops them.
-    const bool small = largest_turn < Scalar(1e3) * epsilon / jacobian.reciprocal_condition();
+    const bool small = largest_turn < Scalar(1e3) * epsilon / jacobian.margin();
     if (longest == Scalar(0) || (small && !(longest < previous / Scalar(2)))) {
       return jacobian.status();
     }

@@ -12,6 +12,11 @@ enum class Status : unsigned char {
   no_convergence,  ///< Newton's iteration did not settle; the last iterate is returned
 };
 
+/// Whether a status comes with a result that was computed.
+[[nodiscard]] constexpr bool is_solvable(Status status) {
+  return status == Status::ok || status == Status::near_singular;
+}
+
 [[nodiscard]] constexpr const char* to_string(Status status) {
   switch (status) {
     case Status::ok:
