@@ -6,6 +6,7 @@
 
 #include "derivatives/mobility.hpp"
 #include "elimination/eliminate.hpp"
+#include "solution/structured_jacobian.hpp"
 #include "structure/printed_table.hpp"
 
 namespace assur::generator {
@@ -17,7 +18,9 @@ using Json = nlohmann::ordered_json;
 struct CatalogueEntry {
   const Model* model;
   Mobility mobility;
-  int max_configurations;  ///< zero for a degenerate model
+  int max_configurations;                   ///< zero for a degenerate model
+  std::string determinant;                  ///< of the Jacobian, factored; empty if degenerate
+  std::vector<std::string> singular_where;  ///< the zeros of its factors
   const PrintedRow* printed;
   std::vector<std::string> kinds;
   std::vector<std::string> disagreements;  ///< between the derivation and the printed row
@@ -66,7 +69,14 @@ std::vector<CatalogueEntry> entries_of(const Group& group) {
     const ClosureEquations equations = closure_equations(model);
     const Mobility mobility = mobility_of(equations, differentiate(equations));
     const int most = mobility.rigid ? eliminate(equations).max_configurations : 0;
-    CatalogueEntry entry{&model, mobility, most, nullptr, {}, {}};
+    CatalogueEntry entry{&model, mobility, most, "", {}, nullptr, {}, {}};
+    if (mobility.rigid) {
+      const StructuredJacobian jacobian(equations);
+      entry.determinant = jacobian.determinant_text();
+      for (const Pivot& pivot : jacobian.pivots()) {
+        entry.singular_where.push_back(pivot.cause);
+      }
+    }
     for (const Relabelling& member : model.members) {
       entry.kinds.push_back(spell(group, member.kind));
     }
@@ -99,6 +109,10 @@ Json group_json(const Group& group) {
     row["max_configurations"] = entry.mobility.rigid ? Json(entry.max_configurations) : Json();
     row["verdict"] = verdict(entry);
     row["reason"] = entry.mobility.reason;
+    if (entry.mobility.rigid) {
+      row["jacobian_determinant"] = entry.determinant;
+      row["singular_where"] = entry.singular_where;
+    }
     if (entry.printed != nullptr) {
       row["paper"] = {{"family", entry.printed->family},
                       {"kinds", entry.printed->kinds},
@@ -145,16 +159,24 @@ std::string catalogue_text() {
 std::string catalogue_markdown() {
   std::string text;
   for (const Group& group : known_groups()) {
+    const std::vector<CatalogueEntry> entries = entries_of(group);
     text += "## " + group.name() + "\n\n" + std::to_string(all_kinds(group).size()) + " kinds, " +
             std::to_string(models_of(group).size()) + " models.\n\n" +
             "| model | kinds | verdict | mobility | configurations at most | printed family | "
             "disagreement |\n|---|---|---|---|---|---|---|\n";
-    for (const CatalogueEntry& entry : entries_of(group)) {
+    for (const CatalogueEntry& entry : entries) {
       text += "| " + std::to_string(entry.model->number) + " | " + joined(entry.kinds, ", ") +
               " | " + verdict(entry) + " | " + std::to_string(entry.mobility.freedom) + " | " +
               (entry.mobility.rigid ? std::to_string(entry.max_configurations) : "") + " | " +
               (entry.printed == nullptr ? "" : entry.printed->family) + " | " +
               joined(entry.disagreements, "; ") + " |\n";
+    }
+    text += "\n| model | determinant of the Jacobian | singular where |\n|---|---|---|\n";
+    for (const CatalogueEntry& entry : entries) {
+      if (entry.mobility.rigid) {
+        text += "| " + std::to_string(entry.model->number) + " | `" + entry.determinant + "` | " +
+                joined(entry.singular_where, ", ") + " |\n";
+      }
     }
   }
   return text;

@@ -137,18 +137,19 @@ class SolutionFunctions {
   }
 
   [[nodiscard]] NamingFunction degeneracies() const {
-    NamingFunction result{{"degeneracies",
-                           {"What the structured elimination divides by, p, the core's determinant "
-                            "first; the size",
-                            "of each that a well-shaped group would have; and the size of the "
-                            "determinant's terms.",
-                            determinant_text()},
-                           parameters({}),
-                           {{"Vector<Scalar, pivot_count>&", "p"},
-                            {"Vector<Scalar, pivot_count>&", "size"},
-                            {"Scalar&", "terms"}},
-                           {}},
-                          jacobian_.vocabulary()};
+    NamingFunction result{
+        {"degeneracies",
+         {"What the elimination divides by: p, the core's pivots first. Beside it the "
+          "size that each",
+          "could have in these loops, and the size of the terms of the core's "
+          "determinant.",
+          "det J = " + jacobian_.determinant_text()},
+         parameters({}),
+         {{"Vector<Scalar, pivot_count>&", "p"},
+          {"Vector<Scalar, pivot_count>&", "size"},
+          {"Scalar&", "terms"}},
+         {}},
+        jacobian_.vocabulary()};
     std::vector<Result>& results = result.function.results;
     for (std::size_t index = 0; index < jacobian_.pivots().size(); ++index) {
       results.push_back({at("p", index), jacobian_.pivots()[index].value});
@@ -158,14 +159,6 @@ class SolutionFunctions {
     }
     results.push_back({"terms", jacobian_.core_terms()});
     return result;
-  }
-
-  [[nodiscard]] std::string determinant_text() const {
-    std::string text = jacobian_.sign() < 0 ? "det J = -p(0)" : "det J = p(0)";
-    for (std::size_t index = 1; index < jacobian_.pivots().size(); ++index) {
-      text += " * " + at("p", index);
-    }
-    return text + ".";
   }
 
   [[nodiscard]] NamingFunction inverse_jacobian() const {

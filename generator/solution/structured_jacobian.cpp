@@ -38,6 +38,10 @@ GiNaC::ex expansion(const Matrix& matrix, bool alternating) {
 
 bool is_unit(const GiNaC::ex& value) { return value.is_equal(1) || value.is_equal(-1); }
 
+bool is_negated(const GiNaC::ex& value) {
+  return !GiNaC::is_a<GiNaC::symbol>(value) && GiNaC::is_a<GiNaC::symbol>(-value);
+}
+
 /// The name of a pivot that is one, without its sign.
 std::string text_of(const GiNaC::ex& value) {
   std::ostringstream text;
@@ -144,6 +148,39 @@ std::string StructuredJacobian::readable(const GiNaC::ex& value) const {
   return text_of(value);
 }
 
+/// The determinant of a core of one or two, by its entries; of a larger one only its size.
+std::string StructuredJacobian::core_text() const {
+  const Core matrix = core();
+  const auto product = [](const std::vector<GiNaC::ex>& factors, int sign) {
+    std::string text;
+    for (const GiNaC::ex& factor : factors) {
+      sign *= is_negated(factor) || factor.is_equal(-1) ? -1 : 1;
+      text += (text.empty() ? "" : " ") + text_of(factor);
+    }
+    return (sign < 0 ? "-" : "") + text;
+  };
+  if (matrix.size() == 1) {
+    return product({matrix[0][0]}, 1);
+  }
+  if (matrix.size() > 2) {
+    return "det(core of " + std::to_string(matrix.size()) + ")";
+  }
+  const std::string first = product({matrix[0][0], matrix[1][1]}, 1);
+  const std::string second = product({matrix[0][1], matrix[1][0]}, -1);
+  return "(" + first + (second[0] == '-' ? " - " + second.substr(1) : " + " + second) + ")";
+}
+
+std::string StructuredJacobian::determinant_text() const {
+  int sign = sign_;
+  std::string text;
+  for (const Pivot& pivot : pivots_) {
+    const bool negative = pivot.text[0] == '-';
+    sign *= negative ? -1 : 1;
+    text += (text.empty() ? "" : " ") + pivot.text.substr(negative ? 1 : 0);
+  }
+  return (sign < 0 ? "-" : "") + text;
+}
+
 StructuredJacobian::Core StructuredJacobian::core() const {
   Core matrix;
   for (const int row : core_rows_) {
@@ -193,9 +230,10 @@ void StructuredJacobian::name_pivots() {
         sign_ *= value.is_equal(-1) ? -1 : 1;
       } else {
         const Variable& unknown = equations.unknowns[static_cast<std::size_t>(step.unknown)];
-        const std::string cause = readable(value) + " = 0";
-        pivots_.push_back({value, unit(step.row, step.unknown), cause,
-                           cause + ": " + unknown.name + " free to first order"});
+        const std::string text = readable(value);
+        pivots_.push_back({value, unit(step.row, step.unknown),
+                           (is_negated(value) ? "-" : "") + text, text + " = 0",
+                           text + " = 0: " + unknown.name + " free to first order"});
       }
     }
   }
@@ -215,9 +253,9 @@ void StructuredJacobian::name_core_pivots(const GiNaC::ex& determinant, const Gi
     int sign = product->sign;
     for (const TrigonometricFactor& factor : product->factors) {
       const Vector2 direction = named_direction(factor.angle, vocabulary_);
-      const std::string cause = (factor.sine ? "sin(" : "cos(") + factor.angle.text() + ") = 0";
-      pivots_.push_back(
-          {sign * (factor.sine ? direction.y : direction.x), 1, cause, cause + meaning});
+      const std::string text = (factor.sine ? "sin(" : "cos(") + factor.angle.text() + ")";
+      pivots_.push_back({sign * (factor.sine ? direction.y : direction.x), 1,
+                         (sign < 0 ? "-" : "") + text, text + " = 0", text + " = 0" + meaning});
       sign = 1;
     }
   } else {
@@ -227,7 +265,7 @@ void StructuredJacobian::name_core_pivots(const GiNaC::ex& determinant, const Gi
       vocabulary_.define(symbol, determinant, "determinant of the core");
       value = symbol;
     }
-    pivots_.push_back({value, size, "a dead centre", "a dead centre" + meaning});
+    pivots_.push_back({value, size, core_text(), "a dead centre", "a dead centre" + meaning});
   }
   core_pivot_count_ = static_cast<int>(pivots_.size());
 }

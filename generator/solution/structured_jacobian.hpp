@@ -14,6 +14,7 @@ namespace assur::generator {
 struct Pivot {
   GiNaC::ex value;         ///< in names of the vocabulary
   GiNaC::ex bound;         ///< of |value|, from the size of the loops: the unit it is measured in
+  std::string text;        ///< `GF`, `sin(phi_B - phi_E)`, or the core's determinant in its entries
   std::string cause;       ///< `a dead centre`, `CD = 0`
   std::string degeneracy;  ///< what its vanishing means
 };
@@ -42,6 +43,8 @@ class StructuredJacobian {
   /// Sum of the sizes of the terms of the core's determinant: what rounding is measured against.
   [[nodiscard]] const GiNaC::ex& core_terms() const { return core_terms_; }
   [[nodiscard]] int sign() const { return sign_; }
+  /// det J as the product of its factors, for reading.
+  [[nodiscard]] std::string determinant_text() const;
 
   /// The solution of J x = b, for b in names. What occurs more than once is named in `names`, with
   /// `label` for a prefix, and the solution itself by `symbols` where its unknown has one.
@@ -60,6 +63,7 @@ class StructuredJacobian {
     return entries_[static_cast<std::size_t>(row)][static_cast<std::size_t>(unknown)];
   }
   [[nodiscard]] GiNaC::ex inverse_of(const GiNaC::ex& pivot) const;
+  [[nodiscard]] std::string core_text() const;
   [[nodiscard]] std::string readable(const GiNaC::ex& value) const;
   [[nodiscard]] Core core() const;
   void name_core_pivots(const GiNaC::ex& determinant, const GiNaC::ex& size);

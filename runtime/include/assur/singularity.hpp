@@ -1,0 +1,67 @@
+// Turns a singular configuration and a motion of the group's variables into the singularity's type.
+#pragma once
+
+#include <Eigen/SVD>
+#include <assur/kinematics.hpp>
+
+namespace assur {
+
+enum class SingularityType : unsigned char {
+  fold,      ///< two configurations meet and end: the motion cannot go on
+  crossing,  ///< configurations pass through one another: the motion can go on
+};
+
+/// A singularity along a motion dd/dt, du/dt.
+template <typename Scalar>
+struct Singularity {
+  SingularityType type = SingularityType::fold;
+  /// |w F_t| / |F_t| for the unit left null vector w of J and F_t = F_d dd/dt + F_u du/dt: how far
+  /// the motion leaves the closures' range. Zero at a crossing.
+  Scalar transversality = Scalar(0);
+  /// Smallest over largest singular value of J with its columns scaled: how near the singularity
+  /// is.
+  Scalar distance = Scalar(0);
+};
+
+/// The type of the singularity at or near a configuration. J dq/dt = -F_t has a solution where J is
+/// singular only if F_t has no part along w; near a crossing that part falls with the distance.
+template <typename Model, typename Scalar>
+[[nodiscard]] Singularity<Scalar> singularity_along(
+    const typename Model::template Dimensions<Scalar>& d,
+    const typename Model::template Inputs<Scalar>& u,
+    const typename Model::template Configuration<Scalar>& q,
+    const Vector<Scalar, Model::dimension_count>& d_rate,
+    const Vector<Scalar, Model::input_count>& u_rate) {
+  using Square = Matrix<Scalar, Model::equation_count, Model::unknown_count>;
+  using std::sqrt;
+  Square jacobian;
+  Matrix<Scalar, Model::equation_count, Model::dimension_count> f_d;
+  Vector<Scalar, Model::equation_count> f_t;
+  Model::jacobian(d, u, q, jacobian);
+  Model::dimension_jacobian(d, u, q, f_d);
+  Model::velocity_rhs(d, u, q, u_rate, f_t);
+  f_t = f_d * d_rate - f_t;
+  for (int column = 0; column < Model::unknown_count; ++column) {
+    const Scalar size = jacobian.col(column).cwiseAbs().maxCoeff();
+    if (size > Scalar(0)) {
+      jacobian.col(column) /= size;
+    }
+  }
+  const Eigen::JacobiSVD<Square> factors(jacobian, Eigen::ComputeFullU);
+  const int last = Model::unknown_count - 1;
+  Singularity<Scalar> result;
+  result.distance = factors.singularValues()(last) / factors.singularValues()(0);
+  const Scalar size = f_t.norm();
+  if (size > Scalar(0)) {
+    using std::abs;
+    result.transversality = abs(factors.matrixU().col(last).dot(f_t)) / size;
+  }
+  // At a fold the transversality stays while the distance vanishes; at a crossing it falls with the
+  // distance. Between the two lies its root.
+  const Scalar rounding = std::numeric_limits<Scalar>::epsilon();
+  const bool falls = result.transversality <= sqrt(result.distance + rounding);
+  result.type = falls ? SingularityType::crossing : SingularityType::fold;
+  return result;
+}
+
+}  // namespace assur
