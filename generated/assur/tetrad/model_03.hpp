@@ -28,23 +28,32 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   S_CD: by BCG theta_BCG and s_C, by EDF theta_BCG and theta_EDF
+///   S_GF: by BCG theta_BCG and theta_EDF, by EDF theta_EDF and s_F
+///   They are measured from external joint B.
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             20, 22, 0
-///   jacobian:             20, 12, 0
-///   dimension_jacobian:   0, 0, 0
-///   input_jacobian:       0, 0, 0
-///   velocity_rhs:         0, 2, 0
-///   acceleration_rhs:     42, 26, 0
-///   jerk_rhs:             82, 42, 0
-///   curvature_rhs:        68, 34, 0
-///   link_poses:           10, 10, 0
-///   pose_jacobians:       10, 6, 0
-///   link_velocities:      16, 12, 0
-///   link_accelerations:   27, 18, 0
-///   pose_curvatures:      34, 15, 0
-///   position_polynomial:  65, 54, 0
-///   second_equations:     16, 12, 0
-///   complete:             12, 12, 0
+///   residual:                     20, 22, 0
+///   jacobian:                     20, 12, 0
+///   dimension_jacobian:           0, 0, 0
+///   input_jacobian:               0, 0, 0
+///   velocity_rhs:                 0, 2, 0
+///   acceleration_rhs:             42, 26, 0
+///   jerk_rhs:                     82, 42, 0
+///   curvature_rhs:                68, 34, 0
+///   link_poses:                   10, 10, 0
+///   pose_jacobians:               10, 6, 0
+///   link_velocities:              16, 12, 0
+///   link_accelerations:           27, 18, 0
+///   pose_curvatures:              34, 15, 0
+///   special_point_lines:          12, 8, 0
+///   special_point_lengths:        24, 22, 0
+///   special_point_velocities:     0, 0, 0
+///   special_point_accelerations:  34, 30, 0
+///   position_polynomial:          65, 54, 0
+///   second_equations:             16, 12, 0
+///   complete:                     12, 12, 0
 struct Model03 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 3;
@@ -57,6 +66,8 @@ struct Model03 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;  ///< without external joints
+  static constexpr bool has_special_points = true;
   static constexpr int max_configurations = 6;
   static constexpr std::size_t polynomial_degree = 3;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
@@ -625,6 +636,125 @@ struct Model03 {
         + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + omega_BCG * BG_x);
     p(3, 1) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_x_G_BCG
         - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - omega_BCG * BG_y);
+  }
+
+  /// The lines n . S = c on which the unknowns move a special point in parallel,
+  /// along n: rows (n_x, n_y, c), two a closure link.
+  template <typename Scalar>
+  static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
+    lines.setZero();
+    const Scalar ED_x = q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin;
+    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar t01 = u.y_B - u.y_E;
+    const Scalar t02 = u.x_B - u.x_E;
+    lines(0, 0) = -q.theta_BCG.cos;
+    lines(0, 1) = -q.theta_BCG.sin;
+    lines(1, 0) = ED_y;
+    lines(1, 1) = -ED_x;
+    lines(1, 2) = ED_x * t01 - ED_y * t02;
+    lines(2, 0) = -BG_y;
+    lines(2, 1) = BG_x;
+    lines(3, 0) = -q.theta_EDF.cos;
+    lines(3, 1) = -q.theta_EDF.sin;
+    lines(3, 2) = q.theta_EDF.cos * t02 + q.theta_EDF.sin * t01;
+  }
+
+  /// The signed lengths L: on side i of its link a special point at S moves by
+  /// the sum over k of L(i, k) dq_k/dt along the unit normal n of its line.
+  template <typename Scalar>
+  static void special_point_lengths(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
+      const Matrix<Scalar, 2 * closure_link_count, 2>& n,
+      Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
+    const Scalar S_CD_x = S(0, 0);
+    const Scalar S_CD_y = S(0, 1);
+    const Scalar n_CD_BCG_x = n(0, 0);
+    const Scalar n_CD_BCG_y = n(0, 1);
+    const Scalar n_CD_EDF_x = n(1, 0);
+    const Scalar n_CD_EDF_y = n(1, 1);
+    const Scalar S_GF_x = S(1, 0);
+    const Scalar S_GF_y = S(1, 1);
+    const Scalar n_GF_BCG_x = n(2, 0);
+    const Scalar n_GF_BCG_y = n(2, 1);
+    const Scalar n_GF_EDF_x = n(3, 0);
+    const Scalar n_GF_EDF_y = n(3, 1);
+    L.setZero();
+    const Scalar ED_x = q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin;
+    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar t01 = u.y_B - u.y_E;
+    const Scalar t02 = u.x_B - u.x_E;
+    L(0, 0) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
+    L(0, 2) = q.theta_BCG.cos * n_CD_BCG_x + q.theta_BCG.sin * n_CD_BCG_y;
+    L(1, 0) = n_CD_EDF_y * (S_CD_x + t02 - ED_x) - n_CD_EDF_x * (S_CD_y + t01 - ED_y);
+    L(1, 1) = ED_x * n_CD_EDF_y - ED_y * n_CD_EDF_x;
+    L(2, 0) = BG_x * n_GF_BCG_y - BG_y * n_GF_BCG_x;
+    L(2, 1) = n_GF_BCG_x * (BG_y - S_GF_y) - n_GF_BCG_y * (BG_x - S_GF_x);
+    L(3, 1) = n_GF_EDF_y * (S_GF_x + t02) - n_GF_EDF_x * (S_GF_y + t01);
+    L(3, 3) = q.theta_EDF.cos * n_GF_EDF_x + q.theta_EDF.sin * n_GF_EDF_y;
+  }
+
+  /// The velocity of each special point by each side, less what dq/dt adds.
+  template <typename Scalar>
+  static void special_point_velocities(const Dimensions<Scalar>&, const Inputs<Scalar>&,
+      const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
+      const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    v(0, 0) = v_x_B;
+    v(0, 1) = v_y_B;
+    v(1, 0) = v_x_E;
+    v(1, 1) = v_y_E;
+    v(2, 0) = v_x_B;
+    v(2, 1) = v_y_B;
+    v(3, 0) = v_x_E;
+    v(3, 1) = v_y_E;
+  }
+
+  /// The acceleration of each special point by each side, less what d2q/dt2 adds:
+  /// centripetal and Coriolis terms, and the second rates of the inputs.
+  template <typename Scalar>
+  static void special_point_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
+      const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>&,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, 2 * closure_link_count, 2>& a) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar omega_EDF = q_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar v_s_F = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar a_x_E = u_second_rate(2);
+    const Scalar a_y_E = u_second_rate(3);
+    const Scalar S_CD_x = S(0, 0);
+    const Scalar S_CD_y = S(0, 1);
+    const Scalar S_GF_x = S(1, 0);
+    const Scalar S_GF_y = S(1, 1);
+    const Scalar ED_x = q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin;
+    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar t01 = omega_EDF * omega_EDF;
+    const Scalar t02 = omega_BCG * omega_BCG;
+    const Scalar t03 = u.x_B - u.x_E;
+    const Scalar t04 = u.y_B - u.y_E;
+    a(0, 0) = a_x_B - omega_BCG * (Scalar(2) * q.theta_BCG.sin * v_s_C + omega_BCG * S_CD_x);
+    a(0, 1) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_s_C - omega_BCG * S_CD_y) + a_y_B;
+    a(1, 0) = a_x_E - ED_x * t01 - t02 * (S_CD_x + t03 - ED_x);
+    a(1, 1) = a_y_E - ED_y * t01 - t02 * (S_CD_y + t04 - ED_y);
+    a(2, 0) = a_x_B + (BG_x - S_GF_x) * t01 - BG_x * t02;
+    a(2, 1) = a_y_B + (BG_y - S_GF_y) * t01 - BG_y * t02;
+    a(3, 0) = a_x_E - omega_EDF * (Scalar(2) * q.theta_EDF.sin * v_s_F + omega_EDF * (S_GF_x
+        + t03));
+    a(3, 1) = a_y_E + omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_s_F - omega_EDF * (S_GF_y
+        + t04));
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

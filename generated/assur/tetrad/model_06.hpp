@@ -27,22 +27,25 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   none: by EDF link GF is moved by theta_BCG alone, which singles out no line
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             26, 24, 0
-///   jacobian:             26, 18, 0
-///   dimension_jacobian:   22, 12, 0
-///   input_jacobian:       0, 0, 0
-///   velocity_rhs:         0, 2, 0
-///   acceleration_rhs:     46, 30, 0
-///   jerk_rhs:             76, 44, 0
-///   curvature_rhs:        84, 53, 0
-///   link_poses:           18, 14, 0
-///   pose_jacobians:       14, 8, 0
-///   link_velocities:      22, 16, 0
-///   link_accelerations:   38, 24, 0
-///   pose_curvatures:      44, 23, 0
-///   position_polynomial:  12, 9, 0
-///   complete:             15, 13, 1
+///   residual:                     26, 24, 0
+///   jacobian:                     26, 18, 0
+///   dimension_jacobian:           22, 12, 0
+///   input_jacobian:               0, 0, 0
+///   velocity_rhs:                 0, 2, 0
+///   acceleration_rhs:             46, 30, 0
+///   jerk_rhs:                     76, 44, 0
+///   curvature_rhs:                84, 53, 0
+///   link_poses:                   18, 14, 0
+///   pose_jacobians:               14, 8, 0
+///   link_velocities:              22, 16, 0
+///   link_accelerations:           38, 24, 0
+///   pose_curvatures:              44, 23, 0
+///   position_polynomial:          12, 9, 0
+///   complete:                     15, 13, 1
 struct Model06 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 6;
@@ -55,6 +58,8 @@ struct Model06 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;  ///< without external joints
+  static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;    ///< of the final polynomial

@@ -28,23 +28,26 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   none: by BCG link CD is only shifted, by s_B and s_C, in parallel nowhere
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             24, 26, 0
-///   jacobian:             14, 8, 0
-///   dimension_jacobian:   10, 6, 0
-///   input_jacobian:       14, 12, 0
-///   velocity_rhs:         18, 18, 0
-///   acceleration_rhs:     57, 40, 0
-///   jerk_rhs:             105, 62, 0
-///   curvature_rhs:        95, 59, 0
-///   link_poses:           14, 14, 0
-///   pose_jacobians:       14, 14, 0
-///   link_velocities:      22, 20, 0
-///   link_accelerations:   40, 30, 0
-///   pose_curvatures:      61, 40, 0
-///   position_polynomial:  31, 21, 0
-///   second_equations:     20, 18, 0
-///   complete:             16, 16, 0
+///   residual:                     24, 26, 0
+///   jacobian:                     14, 8, 0
+///   dimension_jacobian:           10, 6, 0
+///   input_jacobian:               14, 12, 0
+///   velocity_rhs:                 18, 18, 0
+///   acceleration_rhs:             57, 40, 0
+///   jerk_rhs:                     105, 62, 0
+///   curvature_rhs:                95, 59, 0
+///   link_poses:                   14, 14, 0
+///   pose_jacobians:               14, 14, 0
+///   link_velocities:              22, 20, 0
+///   link_accelerations:           40, 30, 0
+///   pose_curvatures:              61, 40, 0
+///   position_polynomial:          31, 21, 0
+///   second_equations:             20, 18, 0
+///   complete:                     16, 16, 0
 struct Model12 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 12;
@@ -57,6 +60,8 @@ struct Model12 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;  ///< without external joints
+  static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 4;
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 0;    ///< of the final polynomial

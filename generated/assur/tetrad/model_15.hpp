@@ -28,22 +28,25 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   none: by BCG link CD is only shifted, by s_B and s_C, in parallel nowhere
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             42, 34, 0
-///   jacobian:             20, 10, 0
-///   dimension_jacobian:   38, 22, 0
-///   input_jacobian:       42, 30, 0
-///   velocity_rhs:         46, 36, 0
-///   acceleration_rhs:     72, 50, 0
-///   jerk_rhs:             104, 68, 0
-///   curvature_rhs:        114, 85, 0
-///   link_poses:           28, 20, 0
-///   pose_jacobians:       12, 12, 0
-///   link_velocities:      20, 18, 0
-///   link_accelerations:   38, 28, 0
-///   pose_curvatures:      51, 33, 0
-///   position_polynomial:  20, 15, 0
-///   complete:             23, 17, 1
+///   residual:                     42, 34, 0
+///   jacobian:                     20, 10, 0
+///   dimension_jacobian:           38, 22, 0
+///   input_jacobian:               42, 30, 0
+///   velocity_rhs:                 46, 36, 0
+///   acceleration_rhs:             72, 50, 0
+///   jerk_rhs:                     104, 68, 0
+///   curvature_rhs:                114, 85, 0
+///   link_poses:                   28, 20, 0
+///   pose_jacobians:               12, 12, 0
+///   link_velocities:              20, 18, 0
+///   link_accelerations:           38, 28, 0
+///   pose_curvatures:              51, 33, 0
+///   position_polynomial:          20, 15, 0
+///   complete:                     23, 17, 1
 struct Model15 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 15;
@@ -56,6 +59,8 @@ struct Model15 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;  ///< without external joints
+  static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 1;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;    ///< of the final polynomial

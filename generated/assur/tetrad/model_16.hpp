@@ -28,23 +28,26 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   none: by BCG link CD is only shifted, by s_B and s_C, in parallel nowhere
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             24, 27, 0
-///   jacobian:             6, 2, 0
-///   dimension_jacobian:   10, 6, 0
-///   input_jacobian:       22, 19, 0
-///   velocity_rhs:         30, 29, 0
-///   acceleration_rhs:     67, 49, 0
-///   jerk_rhs:             127, 75, 0
-///   curvature_rhs:        103, 65, 0
-///   link_poses:           18, 18, 0
-///   pose_jacobians:       18, 16, 0
-///   link_velocities:      30, 26, 0
-///   link_accelerations:   56, 40, 0
-///   pose_curvatures:      77, 46, 0
-///   position_polynomial:  53, 42, 0
-///   second_equations:     52, 42, 0
-///   complete:             20, 21, 1
+///   residual:                     24, 27, 0
+///   jacobian:                     6, 2, 0
+///   dimension_jacobian:           10, 6, 0
+///   input_jacobian:               22, 19, 0
+///   velocity_rhs:                 30, 29, 0
+///   acceleration_rhs:             67, 49, 0
+///   jerk_rhs:                     127, 75, 0
+///   curvature_rhs:                103, 65, 0
+///   link_poses:                   18, 18, 0
+///   pose_jacobians:               18, 16, 0
+///   link_velocities:              30, 26, 0
+///   link_accelerations:           56, 40, 0
+///   pose_curvatures:              77, 46, 0
+///   position_polynomial:          53, 42, 0
+///   second_equations:             52, 42, 0
+///   complete:                     20, 21, 1
 struct Model16 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 16;
@@ -57,6 +60,8 @@ struct Model16 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;  ///< without external joints
+  static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 1;    ///< of the final polynomial

@@ -28,23 +28,26 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   none: by BCG link CD is only shifted, by s_B and s_C, in parallel nowhere
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             28, 30, 0
-///   jacobian:             8, 4, 0
-///   dimension_jacobian:   20, 12, 0
-///   input_jacobian:       28, 24, 0
-///   velocity_rhs:         36, 34, 0
-///   acceleration_rhs:     72, 54, 0
-///   jerk_rhs:             128, 82, 0
-///   curvature_rhs:        122, 84, 0
-///   link_poses:           22, 20, 0
-///   pose_jacobians:       18, 16, 0
-///   link_velocities:      30, 26, 0
-///   link_accelerations:   56, 40, 0
-///   pose_curvatures:      77, 46, 0
-///   position_polynomial:  28, 24, 0
-///   second_equations:     28, 24, 0
-///   complete:             20, 20, 0
+///   residual:                     28, 30, 0
+///   jacobian:                     8, 4, 0
+///   dimension_jacobian:           20, 12, 0
+///   input_jacobian:               28, 24, 0
+///   velocity_rhs:                 36, 34, 0
+///   acceleration_rhs:             72, 54, 0
+///   jerk_rhs:                     128, 82, 0
+///   curvature_rhs:                122, 84, 0
+///   link_poses:                   22, 20, 0
+///   pose_jacobians:               18, 16, 0
+///   link_velocities:              30, 26, 0
+///   link_accelerations:           56, 40, 0
+///   pose_curvatures:              77, 46, 0
+///   position_polynomial:          28, 24, 0
+///   second_equations:             28, 24, 0
+///   complete:                     20, 20, 0
 struct Model17 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 17;
@@ -57,6 +60,8 @@ struct Model17 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;  ///< without external joints
+  static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 1;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;    ///< of the final polynomial

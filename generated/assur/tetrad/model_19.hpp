@@ -28,23 +28,26 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   none: by BCG link CD is only shifted, by s_B and s_C, in parallel nowhere
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             26, 24, 0
-///   jacobian:             14, 6, 0
-///   dimension_jacobian:   18, 10, 0
-///   input_jacobian:       20, 14, 0
-///   velocity_rhs:         24, 20, 0
-///   acceleration_rhs:     57, 38, 0
-///   jerk_rhs:             99, 58, 0
-///   curvature_rhs:        88, 51, 0
-///   link_poses:           20, 16, 0
-///   pose_jacobians:       20, 14, 0
-///   link_velocities:      32, 26, 0
-///   link_accelerations:   60, 42, 0
-///   pose_curvatures:      68, 41, 0
-///   position_polynomial:  30, 18, 0
-///   second_equations:     26, 19, 0
-///   complete:             22, 18, 0
+///   residual:                     26, 24, 0
+///   jacobian:                     14, 6, 0
+///   dimension_jacobian:           18, 10, 0
+///   input_jacobian:               20, 14, 0
+///   velocity_rhs:                 24, 20, 0
+///   acceleration_rhs:             57, 38, 0
+///   jerk_rhs:                     99, 58, 0
+///   curvature_rhs:                88, 51, 0
+///   link_poses:                   20, 16, 0
+///   pose_jacobians:               20, 14, 0
+///   link_velocities:              32, 26, 0
+///   link_accelerations:           60, 42, 0
+///   pose_curvatures:              68, 41, 0
+///   position_polynomial:          30, 18, 0
+///   second_equations:             26, 19, 0
+///   complete:                     22, 18, 0
 struct Model19 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 19;
@@ -57,6 +60,8 @@ struct Model19 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;  ///< without external joints
+  static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;    ///< of the final polynomial

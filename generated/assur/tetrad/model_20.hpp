@@ -28,22 +28,25 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   none: by BCG link CD is only shifted, by s_B and s_C, in parallel nowhere
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             34, 28, 0
-///   jacobian:             16, 8, 0
-///   dimension_jacobian:   32, 18, 0
-///   input_jacobian:       34, 24, 0
-///   velocity_rhs:         38, 30, 0
-///   acceleration_rhs:     64, 44, 0
-///   jerk_rhs:             96, 62, 0
-///   curvature_rhs:        107, 73, 0
-///   link_poses:           26, 18, 0
-///   pose_jacobians:       18, 12, 0
-///   link_velocities:      30, 24, 0
-///   link_accelerations:   58, 40, 0
-///   pose_curvatures:      64, 37, 0
-///   position_polynomial:  14, 13, 0
-///   complete:             25, 18, 1
+///   residual:                     34, 28, 0
+///   jacobian:                     16, 8, 0
+///   dimension_jacobian:           32, 18, 0
+///   input_jacobian:               34, 24, 0
+///   velocity_rhs:                 38, 30, 0
+///   acceleration_rhs:             64, 44, 0
+///   jerk_rhs:                     96, 62, 0
+///   curvature_rhs:                107, 73, 0
+///   link_poses:                   26, 18, 0
+///   pose_jacobians:               18, 12, 0
+///   link_velocities:              30, 24, 0
+///   link_accelerations:           58, 40, 0
+///   pose_curvatures:              64, 37, 0
+///   position_polynomial:          14, 13, 0
+///   complete:                     25, 18, 1
 struct Model20 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 20;
@@ -56,6 +59,8 @@ struct Model20 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;  ///< without external joints
+  static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 1;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;    ///< of the final polynomial

@@ -28,23 +28,26 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   none: by BCG link CD is only shifted, by s_B and s_C, in parallel nowhere
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             28, 27, 0
-///   jacobian:             8, 4, 0
-///   dimension_jacobian:   18, 10, 0
-///   input_jacobian:       28, 21, 0
-///   velocity_rhs:         36, 31, 0
-///   acceleration_rhs:     72, 51, 0
-///   jerk_rhs:             128, 77, 0
-///   curvature_rhs:        94, 60, 0
-///   link_poses:           24, 20, 0
-///   pose_jacobians:       24, 16, 0
-///   link_velocities:      40, 32, 0
-///   link_accelerations:   76, 52, 0
-///   pose_curvatures:      84, 47, 0
-///   position_polynomial:  30, 24, 0
-///   second_equations:     30, 24, 0
-///   complete:             20, 20, 0
+///   residual:                     28, 27, 0
+///   jacobian:                     8, 4, 0
+///   dimension_jacobian:           18, 10, 0
+///   input_jacobian:               28, 21, 0
+///   velocity_rhs:                 36, 31, 0
+///   acceleration_rhs:             72, 51, 0
+///   jerk_rhs:                     128, 77, 0
+///   curvature_rhs:                94, 60, 0
+///   link_poses:                   24, 20, 0
+///   pose_jacobians:               24, 16, 0
+///   link_velocities:              40, 32, 0
+///   link_accelerations:           76, 52, 0
+///   pose_curvatures:              84, 47, 0
+///   position_polynomial:          30, 24, 0
+///   second_equations:             30, 24, 0
+///   complete:                     20, 20, 0
 struct Model22 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 22;
@@ -57,6 +60,8 @@ struct Model22 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;  ///< without external joints
+  static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 1;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;    ///< of the final polynomial

@@ -28,21 +28,24 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   none: the group is no structure
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:             38, 32, 0
-///   jacobian:             16, 8, 0
-///   dimension_jacobian:   32, 16, 0
-///   input_jacobian:       38, 26, 0
-///   velocity_rhs:         46, 36, 0
-///   acceleration_rhs:     86, 58, 0
-///   jerk_rhs:             144, 86, 0
-///   curvature_rhs:        127, 79, 0
-///   link_poses:           22, 18, 0
-///   pose_jacobians:       22, 14, 0
-///   link_velocities:      38, 30, 0
-///   link_accelerations:   74, 50, 0
-///   pose_curvatures:      80, 43, 0
-///   compatibility:        16, 8, 0
+///   residual:                     38, 32, 0
+///   jacobian:                     16, 8, 0
+///   dimension_jacobian:           32, 16, 0
+///   input_jacobian:               38, 26, 0
+///   velocity_rhs:                 46, 36, 0
+///   acceleration_rhs:             86, 58, 0
+///   jerk_rhs:                     144, 86, 0
+///   curvature_rhs:                127, 79, 0
+///   link_poses:                   22, 18, 0
+///   pose_jacobians:               22, 14, 0
+///   link_velocities:              38, 30, 0
+///   link_accelerations:           74, 50, 0
+///   pose_curvatures:              80, 43, 0
+///   compatibility:                16, 8, 0
 struct Model23 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 23;
@@ -55,6 +58,8 @@ struct Model23 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 1;
+  static constexpr int closure_link_count = 2;  ///< without external joints
+  static constexpr bool has_special_points = false;
 
 
   /// Link dimensions d.
