@@ -34,13 +34,14 @@ class SpecialPointSystem {
   static_assert(sides == size, "two equations a closure link");
 
   /// status(): ok, near_singular (the rates may keep fewer than six digits), singular,
-  /// point_at_infinity (|n_1 x n_2| <= 4 epsilon, or a side has no line), or not_finite.
+  /// point_at_infinity (|n_1 x n_2| <= 4 epsilon, or a side has no line, or the point is so far
+  /// that no digit would hold), or not_finite.
   ///
-  /// The bound: L and the sums are of the size of S, and S is of the size 1 / |n_1 x n_2|, so both
-  /// are rounded by that much more than J. Through N this becomes a backward error of the order
-  /// epsilon / |n_1 x n_2| in J q' = rhs, and the forward error is at most of the order
-  ///   epsilon condition(L) / |n_1 x n_2|,
-  /// L with columns scaled to a largest entry of one. Above 1e-6 that is near_singular.
+  /// The bound. With columns scaled as those of J, L and the sums are of the size of S, the group's
+  /// size over |n_1 x n_2|, and rounded in proportion. N turns that into a backward error of J, and
+  /// with L^-1 = J^-1 N the forward error is of the order epsilon condition(L), where
+  ///   condition(L) <= 2 condition(J) / |n_1 x n_2|, about.
+  /// Above 1e-6 that is near_singular.
   SpecialPointSystem(const typename Model::template Dimensions<Scalar>& d,
                      const typename Model::template Inputs<Scalar>& u,
                      const typename Model::template Configuration<Scalar>& q) {
@@ -61,7 +62,7 @@ class SpecialPointSystem {
     return status_ == Status::ok || status_ == Status::near_singular;
   }
 
-  /// Whether the points are finite. Then those below have their values.
+  /// Whether the points are known, even where the rates are not.
   [[nodiscard]] bool has_points() const { return solvable() || status_ == Status::singular; }
   /// The special points, one row a closure link, measured from the first external joint.
   [[nodiscard]] const Matrix<Scalar, points, 2>& places() const { return points_; }
@@ -114,6 +115,7 @@ class SpecialPointSystem {
       const int first = 2 * point;
       const int second = first + 1;
       const Scalar sine = cross(first);
+      smallest_sine_ = abs(sine) < smallest_sine_ ? abs(sine) : smallest_sine_;
       if (!(abs(sine) > Scalar(4) * std::numeric_limits<Scalar>::epsilon())) {  // or NaN
         return Status::point_at_infinity;
       }
@@ -121,13 +123,26 @@ class SpecialPointSystem {
           (offsets(first) * normals_(second, 1) - offsets(second) * normals_(first, 1)) / sine;
       points_(point, 1) =
           (offsets(second) * normals_(first, 0) - offsets(first) * normals_(second, 0)) / sine;
-      smallest_sine_ = abs(sine) < smallest_sine_ ? abs(sine) : smallest_sine_;
     }
     return Status::ok;
   }
 
+  /// Largest entry of each column of J = N L.
+  [[nodiscard]] Vector<Scalar, size> jacobian_columns() const {
+    Vector<Scalar, size> largest = Vector<Scalar, size>::Zero();
+    for (int first = 0; first < sides; first += 2) {
+      for (int axis = 0; axis < 2; ++axis) {
+        const Vector<Scalar, size> row =
+            normals_(first, axis) * lengths_.row(first).transpose() -
+            normals_(first + 1, axis) * lengths_.row(first + 1).transpose();
+        largest = largest.cwiseMax(row.cwiseAbs());
+      }
+    }
+    return largest;
+  }
+
   Status factor() {
-    column_scale_ = lengths_.cwiseAbs().colwise().maxCoeff();
+    column_scale_ = jacobian_columns();
     column_scale_ = column_scale_.cwiseInverse();
     if (!column_scale_.allFinite()) {
       return Status::singular;
@@ -136,11 +151,12 @@ class SpecialPointSystem {
     factors_.compute(scaled);
     const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
     const Scalar reciprocal_condition = factors_.rcond();
-    if (!(reciprocal_condition > epsilon)) {
-      return Status::singular;
+    if (reciprocal_condition > epsilon) {
+      return reciprocal_condition < epsilon * Scalar(1e6) ? Status::near_singular : Status::ok;
     }
-    return reciprocal_condition * smallest_sine_ < epsilon * Scalar(1e6) ? Status::near_singular
-                                                                         : Status::ok;
+    // A regular group whose point is far, or a singular one.
+    return reciprocal_condition > epsilon * smallest_sine_ ? Status::point_at_infinity
+                                                           : Status::singular;
   }
 
   Status status_ = Status::singular;
@@ -153,8 +169,7 @@ class SpecialPointSystem {
 };
 
 /// The special points in the fixed frame, one row a closure link in the order of the links. The
-/// result is set unless the status is not_finite or point_at_infinity; the status is else that of
-/// SpecialPointSystem.
+/// result is set where the status is ok, near_singular or singular.
 template <typename Model, typename Scalar>
 [[nodiscard]] Status special_points(const typename Model::template Dimensions<Scalar>& d,
                                     const typename Model::template Inputs<Scalar>& u,

@@ -10,7 +10,7 @@ enum class Status : unsigned char {
   singular,           ///< the Jacobian has no inverse here; nothing was computed
   not_finite,         ///< an input is NaN or infinite; nothing was computed
   no_convergence,     ///< Newton's iteration did not settle; the last iterate is returned
-  point_at_infinity,  ///< the lines of a special point are parallel; nothing was computed
+  point_at_infinity,  ///< a special point's lines are parallel or nearly; nothing was computed
 };
 
 [[nodiscard]] constexpr const char* to_string(Status status) {
