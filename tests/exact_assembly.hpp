@@ -1,6 +1,8 @@
 // Makes random assembled configurations in rational numbers: angles at will, then lengths.
 #pragma once
 
+#include <array>
+
 #include "exact.hpp"
 
 namespace assur::test {
@@ -17,7 +19,8 @@ inline void add_to_length(Rational& length, const Rational& change) { length = l
 inline void add_to_length(Direction<Rational>& /*angle*/, const Rational& /*change*/) {}
 
 /// Changes as many lengths as there are equations until the loops close: the equations are linear
-/// in dimensions and inputs that are lengths. Returns false if they hold too few.
+/// in dimensions and inputs that are lengths; the inputs are changed before the dimensions. Returns
+/// false if they hold too few.
 template <typename Model>
 [[nodiscard]] bool close_loops(Assembly<Model, Rational>& at) {
   constexpr int rows = Model::equation_count;
@@ -40,14 +43,16 @@ template <typename Model>
     }
   }
   Vector<Rational, columns> change;
+  std::array<int, rows> pivots{};
   for (int row = 0; row < rows; ++row) {
-    int pivot = 0;
-    while (pivot < columns && system(row, pivot) == 0) {
-      ++pivot;
+    int pivot = columns - 1;
+    while (pivot >= 0 && system(row, pivot) == 0) {
+      --pivot;
     }
-    if (pivot == columns) {
+    if (pivot < 0) {
       return false;
     }
+    pivots[static_cast<std::size_t>(row)] = pivot;
     for (int other = 0; other < rows; ++other) {
       if (other != row) {
         const Rational factor = system(other, pivot) / system(row, pivot);
@@ -60,10 +65,7 @@ template <typename Model>
   }
   // Each row is left with its pivot and with columns that do not change.
   for (int row = 0; row < rows; ++row) {
-    int pivot = 0;
-    while (system(row, pivot) == 0) {
-      ++pivot;
-    }
+    const int pivot = pivots[static_cast<std::size_t>(row)];
     change(pivot) = -f(row) / system(row, pivot);
   }
   int column = 0;

@@ -20,10 +20,9 @@ Vector2 operator*(const GiNaC::ex& factor, const Vector2& vector) {
   return {(factor * vector.x).expand(), (factor * vector.y).expand()};
 }
 
-/// The frame of a closure link as one side reaches it: dp/dq, dp/dt and d2p/dt2 of its origin, the
-/// time derivatives for unknowns with rates and second rates of zero and of q'' = 0.
+/// How the origin of a closure link's frame moves as one side reaches it: dp/dq, and what the time
+/// derivatives are without the unknowns' rates and without their second rates.
 struct Origin {
-  Vector2 place;
   std::vector<Vector2> by_unknown;
   Vector2 velocity;
   Vector2 acceleration;
@@ -114,7 +113,6 @@ class SpecialPointDerivation {
 
   [[nodiscard]] Origin tree_origin(std::size_t link) const {
     Origin origin;
-    origin.place = equations_.poses[link].origin;
     for (std::size_t k = 0; k < equations_.unknowns.size(); ++k) {
       origin.by_unknown.push_back({derivatives_.pose_unknown_jacobian[3 * link][k],
                                    derivatives_.pose_unknown_jacobian[3 * link + 1][k]});
@@ -126,11 +124,9 @@ class SpecialPointDerivation {
     return origin;
   }
 
-  /// Through the chord the origin is reached at the tree's place less the loop's residual, and the
-  /// right-hand sides are what the residual's time derivatives lack of zero.
+  /// Through the chord the origin is ahead of the tree's by the loop's residual, which stays zero.
   [[nodiscard]] Origin chord_origin(Origin origin, std::size_t loop, int ahead) const {
     const std::size_t row = 2 * loop;
-    origin.place = origin.place - ahead * equations_.loops[loop].residual;
     for (std::size_t k = 0; k < equations_.unknowns.size(); ++k) {
       origin.by_unknown[k] =
           origin.by_unknown[k] -
@@ -148,8 +144,7 @@ class SpecialPointDerivation {
   [[nodiscard]] SpecialPointSide side(const SpecialPoint& point, int by,
                                       const Origin& origin) const {
     const auto link = static_cast<std::size_t>(point.link);
-    const Vector2 first_joint{equations_.inputs[0].value, equations_.inputs[1].value};
-    const Vector2 arm = Vector2{point.x, point.y} + first_joint - origin.place;
+    const Vector2 arm{point.x, point.y};
     SpecialPointSide side;
     side.by = by;
     for (std::size_t k = 0; k < equations_.unknowns.size(); ++k) {

@@ -27,7 +27,7 @@ struct SpecialPointSide {
 /// The special point of one closure link: where the lines of its two sides cross.
 struct SpecialPoint {
   int link;
-  GiNaC::symbol x, y;  ///< of S, measured from the first external joint in the fixed directions
+  GiNaC::symbol x, y;  ///< of S in the fixed directions, from the origin of the link's frame
   std::array<SpecialPointSide, 2> sides;
 };
 

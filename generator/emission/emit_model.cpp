@@ -311,6 +311,8 @@ EmittedFile emit_model(const Model& model) {
   std::vector<std::string> closure = closure_lines(equations);
   view.set("frames", link_list(equations));
   view.set("special_points", line_list(special_point_lines(equations, special), ""));
+  view.set("closure_link_list", joined(closure_links(*model.group), ", ",
+                                       [](int link) { return std::to_string(link); }));
   view.set("has_special_points", boolean(special.defined));
   view.set("has_positions", mobility.rigid);
   if (mobility.rigid) {

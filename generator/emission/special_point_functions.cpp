@@ -39,7 +39,8 @@ SpecialPointFunctions special_point_functions(const ClosureEquations& equations,
   ModelFunction lines{
       "special_point_lines",
       {"The lines n . S = c on which the unknowns move a special point in parallel,",
-       "along n: rows (n_x, n_y, c), two a closure link."},
+       "along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the",
+       "link's frame, in the directions of the fixed frame."},
       {dimensions, inputs, configuration},
       {{"Matrix<Scalar, 2 * closure_link_count, 3>&", "lines"}},
       {}};
@@ -108,7 +109,6 @@ std::vector<std::string> special_point_lines(const ClosureEquations& equations,
     }
     lines.push_back(line);
   }
-  lines.push_back("They are measured from " + equations.inputs[0].meaning.substr(5) + ".");
   return lines;
 }
 

@@ -9,7 +9,6 @@
 #include <assur/variables.hpp>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 namespace assur {
 
@@ -39,9 +38,10 @@ class SpecialPointSystem {
   ///
   /// The bound. With columns scaled as those of J, L and the sums are of the size of S, the group's
   /// size over |n_1 x n_2|, and rounded in proportion. N turns that into a backward error of J, and
-  /// with L^-1 = J^-1 N the forward error is of the order epsilon condition(L), where
-  ///   condition(L) <= 2 condition(J) / |n_1 x n_2|, about.
-  /// Above 1e-6 that is near_singular.
+  /// with L^-1 = J^-1 N the forward error is of the order epsilon condition(L), where about
+  ///   condition(L) <= 2 condition(J) / |n_1 x n_2|.
+  /// Tests find it below 64 epsilon condition(L) of the largest term that the rates are a sum of;
+  /// where that exceeds 1e-6 the status is near_singular.
   SpecialPointSystem(const typename Model::template Dimensions<Scalar>& d,
                      const typename Model::template Inputs<Scalar>& u,
                      const typename Model::template Configuration<Scalar>& q) {
@@ -64,7 +64,7 @@ class SpecialPointSystem {
 
   /// Whether the points are known, even where the rates are not.
   [[nodiscard]] bool has_points() const { return solvable() || status_ == Status::singular; }
-  /// The special points, one row a closure link, measured from the first external joint.
+  /// The special points, one row a closure link, from the origin of its link's frame.
   [[nodiscard]] const Matrix<Scalar, points, 2>& places() const { return points_; }
   /// The unit normals of the lines, one row a side.
   [[nodiscard]] const Matrix<Scalar, sides, 2>& normals() const { return normals_; }
@@ -72,6 +72,9 @@ class SpecialPointSystem {
   [[nodiscard]] const Matrix<Scalar, sides, size>& lengths() const { return lengths_; }
   /// The smallest |n_1 x n_2|, the sine of the angle between the lines of a point.
   [[nodiscard]] Scalar smallest_sine() const { return smallest_sine_; }
+
+  /// Reciprocal of condition(L) in the 1-norm, columns scaled as those of J; zero if unknown.
+  [[nodiscard]] Scalar reciprocal_condition() const { return reciprocal_condition_; }
 
   /// The vector diagram: sums a_i of each point with known_1 + a_1 n_1 = known_2 + a_2 n_2.
   [[nodiscard]] Vector<Scalar, sides> sums(const Matrix<Scalar, sides, 2>& known) const {
@@ -150,17 +153,18 @@ class SpecialPointSystem {
     const Matrix<Scalar, size, size> scaled = lengths_ * column_scale_.asDiagonal();
     factors_.compute(scaled);
     const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
-    const Scalar reciprocal_condition = factors_.rcond();
-    if (reciprocal_condition > epsilon) {
-      return reciprocal_condition < epsilon * Scalar(1e6) ? Status::near_singular : Status::ok;
+    reciprocal_condition_ = factors_.rcond();
+    if (reciprocal_condition_ > epsilon) {
+      return reciprocal_condition_ < Scalar(64e6) * epsilon ? Status::near_singular : Status::ok;
     }
     // A regular group whose point is far, or a singular one.
-    return reciprocal_condition > epsilon * smallest_sine_ ? Status::point_at_infinity
-                                                           : Status::singular;
+    return reciprocal_condition_ > epsilon * smallest_sine_ ? Status::point_at_infinity
+                                                            : Status::singular;
   }
 
   Status status_ = Status::singular;
   Scalar smallest_sine_ = Scalar(0);
+  Scalar reciprocal_condition_ = Scalar(0);
   Matrix<Scalar, points, 2> points_;
   Matrix<Scalar, sides, 2> normals_;
   Matrix<Scalar, sides, size> lengths_;
@@ -177,9 +181,14 @@ template <typename Model, typename Scalar>
                                     Matrix<Scalar, Model::closure_link_count, 2>& points) {
   const SpecialPointSystem<Model, Scalar> system(d, u, q);
   if (system.has_points()) {
-    // A model's inputs begin with x and y of its first external joint.
-    points.col(0) = system.places().col(0).array() + std::get<0>(u.members());
-    points.col(1) = system.places().col(1).array() + std::get<1>(u.members());
+    Poses<Scalar, Model::link_count> poses;
+    Model::link_poses(d, u, q, poses);
+    for (int point = 0; point < Model::closure_link_count; ++point) {
+      const int link = Model::closure_links[static_cast<std::size_t>(point)];
+      const Pose<Scalar>& frame = poses[static_cast<std::size_t>(link)];
+      points(point, 0) = frame.x + system.places()(point, 0);
+      points(point, 1) = frame.y + system.places()(point, 1);
+    }
   }
   return system.status();
 }
