@@ -31,7 +31,6 @@ namespace assur::tetrad {
 /// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
 ///   S_CD: by BCG theta_BCG and s_C, by EDF theta_BCG and theta_EDF
 ///   S_GF: by BCG theta_BCG and theta_GF, by EDF theta_EDF and theta_GF
-///   They are measured from external joint B.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     18, 20, 0
@@ -47,10 +46,10 @@ namespace assur::tetrad {
 ///   link_velocities:              16, 12, 0
 ///   link_accelerations:           27, 18, 0
 ///   pose_curvatures:              34, 15, 0
-///   special_point_lines:          14, 8, 0
-///   special_point_lengths:        26, 24, 0
+///   special_point_lines:          22, 10, 0
+///   special_point_lengths:        34, 20, 0
 ///   special_point_velocities:     0, 0, 0
-///   special_point_accelerations:  33, 32, 0
+///   special_point_accelerations:  41, 28, 0
 ///   position_polynomial:          82, 63, 0
 ///   second_equations:             29, 20, 0
 ///   complete:                     14, 13, 1
@@ -66,7 +65,7 @@ struct Model02 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
-  static constexpr int closure_link_count = 2;  ///< without external joints
+  static constexpr int closure_link_count = 2;
   static constexpr bool has_special_points = true;
   static constexpr int max_configurations = 6;
   static constexpr std::size_t polynomial_degree = 3;
@@ -164,6 +163,8 @@ struct Model02 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 4> kinds = { {
       {"RPR-RRR", { 0, 1, 2, 3, 4, 5 }},
@@ -625,35 +626,43 @@ struct Model02 {
   }
 
   /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two a closure link.
+  /// along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the
+  /// link's frame, in the directions of the fixed frame.
   template <typename Scalar>
-  static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+  static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
     lines.setZero();
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
+    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
     const Scalar ED_x = q.theta_EDF.cos * d.ED;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
     const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
     const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t01 = u.y_B - u.y_E;
-    const Scalar t02 = u.x_B - u.x_E;
     lines(0, 0) = -q.theta_BCG.cos;
     lines(0, 1) = -q.theta_BCG.sin;
+    lines(0, 2) = q.theta_BCG.cos * (BC_x + slide_C_x + CD_x) + q.theta_BCG.sin * (BC_y + slide_C_y
+        + CD_y);
     lines(1, 0) = ED_y;
     lines(1, 1) = -ED_x;
-    lines(1, 2) = ED_x * t01 - ED_y * t02;
     lines(2, 0) = -BG_y;
     lines(2, 1) = BG_x;
     lines(3, 0) = -EF_y;
     lines(3, 1) = EF_x;
-    lines(3, 2) = t02 * EF_y - t01 * EF_x;
+    lines(3, 2) = EF_x * GF_y - EF_y * GF_x;
   }
 
   /// The signed lengths L: on side i of its link a special point at S moves by
   /// the sum over k of L(i, k) dq_k/dt along the unit normal n of its line.
   template <typename Scalar>
-  static void special_point_lengths(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+  static void special_point_lengths(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
       const Matrix<Scalar, 2 * closure_link_count, 2>& n,
       Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
@@ -670,22 +679,29 @@ struct Model02 {
     const Scalar n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
+    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
     const Scalar ED_x = q.theta_EDF.cos * d.ED;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
     const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
     const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t01 = u.y_B - u.y_E;
-    const Scalar t02 = u.x_B - u.x_E;
-    L(0, 0) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
+    L(0, 0) = (BC_x + slide_C_x + CD_x + S_CD_x) * n_CD_BCG_y - (BC_y + slide_C_y + CD_y
+        + S_CD_y) * n_CD_BCG_x;
     L(0, 3) = q.theta_BCG.cos * n_CD_BCG_x + q.theta_BCG.sin * n_CD_BCG_y;
-    L(1, 0) = n_CD_EDF_y * (S_CD_x + t02 - ED_x) - n_CD_EDF_x * (S_CD_y + t01 - ED_y);
-    L(1, 1) = ED_x * n_CD_EDF_y - ED_y * n_CD_EDF_x;
+    L(1, 0) = S_CD_x * n_CD_EDF_y - S_CD_y * n_CD_EDF_x;
+    L(1, 1) = n_CD_EDF_y * ED_x - n_CD_EDF_x * ED_y;
     L(2, 0) = BG_x * n_GF_BCG_y - BG_y * n_GF_BCG_x;
-    L(2, 2) = n_GF_BCG_x * (BG_y - S_GF_y) - n_GF_BCG_y * (BG_x - S_GF_x);
+    L(2, 2) = n_GF_BCG_y * S_GF_x - n_GF_BCG_x * S_GF_y;
     L(3, 1) = EF_x * n_GF_EDF_y - EF_y * n_GF_EDF_x;
-    L(3, 2) = n_GF_EDF_y * (S_GF_x + t02 - EF_x) - n_GF_EDF_x * (S_GF_y + t01 - EF_y);
+    L(3, 2) = n_GF_EDF_y * (S_GF_x - GF_x) - n_GF_EDF_x * (S_GF_y - GF_y);
   }
 
   /// The velocity of each special point by each side, less what dq/dt adds.
@@ -710,7 +726,7 @@ struct Model02 {
   /// The acceleration of each special point by each side, less what d2q/dt2 adds:
   /// centripetal and Coriolis terms, and the second rates of the inputs.
   template <typename Scalar>
-  static void special_point_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+  static void special_point_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
       const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>& u_second_rate,
@@ -727,25 +743,33 @@ struct Model02 {
     const Scalar S_CD_y = S(0, 1);
     const Scalar S_GF_x = S(1, 0);
     const Scalar S_GF_y = S(1, 1);
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
+    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
     const Scalar ED_x = q.theta_EDF.cos * d.ED;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
     const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
     const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t01 = omega_EDF * omega_EDF;
-    const Scalar t02 = omega_BCG * omega_BCG;
-    const Scalar t03 = u.x_B - u.x_E;
-    const Scalar t04 = u.y_B - u.y_E;
-    const Scalar t05 = omega_GF * omega_GF;
-    a(0, 0) = a_x_B - omega_BCG * (Scalar(2) * q.theta_BCG.sin * v_s_C + omega_BCG * S_CD_x);
-    a(0, 1) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_s_C - omega_BCG * S_CD_y) + a_y_B;
-    a(1, 0) = a_x_E - ED_x * t01 - t02 * (S_CD_x + t03 - ED_x);
-    a(1, 1) = a_y_E - ED_y * t01 - t02 * (S_CD_y + t04 - ED_y);
-    a(2, 0) = a_x_B + (BG_x - S_GF_x) * t05 - BG_x * t02;
-    a(2, 1) = a_y_B + (BG_y - S_GF_y) * t05 - BG_y * t02;
-    a(3, 0) = a_x_E - EF_x * t01 - t05 * (S_GF_x + t03 - EF_x);
-    a(3, 1) = a_y_E - EF_y * t01 - t05 * (S_GF_y + t04 - EF_y);
+    const Scalar t01 = omega_BCG * omega_BCG;
+    const Scalar t02 = omega_EDF * omega_EDF;
+    const Scalar t03 = omega_GF * omega_GF;
+    a(0, 0) = a_x_B - omega_BCG * ((BC_x + slide_C_x + CD_x + S_CD_x) * omega_BCG
+        + Scalar(2) * q.theta_BCG.sin * v_s_C);
+    a(0, 1) = a_y_B - omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y + S_CD_y)
+        - Scalar(2) * q.theta_BCG.cos * v_s_C);
+    a(1, 0) = a_x_E - S_CD_x * t01 - ED_x * t02;
+    a(1, 1) = a_y_E - S_CD_y * t01 - ED_y * t02;
+    a(2, 0) = a_x_B - BG_x * t01 - S_GF_x * t03;
+    a(2, 1) = a_y_B - BG_y * t01 - S_GF_y * t03;
+    a(3, 0) = a_x_E - EF_x * t02 - (S_GF_x - GF_x) * t03;
+    a(3, 1) = a_y_E - EF_y * t02 - (S_GF_y - GF_y) * t03;
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

@@ -31,7 +31,6 @@ namespace assur::tetrad {
 /// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
 ///   S_CD: by BCG theta_BCG and s_C, by EDF theta_BCG and theta_EDF
 ///   S_GF: by BCG theta_BCG and theta_EDF, by EDF theta_EDF and s_F
-///   They are measured from external joint B.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     20, 22, 0
@@ -47,10 +46,10 @@ namespace assur::tetrad {
 ///   link_velocities:              16, 12, 0
 ///   link_accelerations:           27, 18, 0
 ///   pose_curvatures:              34, 15, 0
-///   special_point_lines:          12, 8, 0
-///   special_point_lengths:        24, 22, 0
+///   special_point_lines:          24, 14, 0
+///   special_point_lengths:        36, 24, 0
 ///   special_point_velocities:     0, 0, 0
-///   special_point_accelerations:  34, 30, 0
+///   special_point_accelerations:  46, 32, 0
 ///   position_polynomial:          65, 54, 0
 ///   second_equations:             16, 12, 0
 ///   complete:                     12, 12, 0
@@ -66,7 +65,7 @@ struct Model03 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
-  static constexpr int closure_link_count = 2;  ///< without external joints
+  static constexpr int closure_link_count = 2;
   static constexpr bool has_special_points = true;
   static constexpr int max_configurations = 6;
   static constexpr std::size_t polynomial_degree = 3;
@@ -164,6 +163,8 @@ struct Model03 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 2> kinds = { {
       {"RPR-RRP", { 0, 1, 2, 3, 4, 5 }},
@@ -639,33 +640,46 @@ struct Model03 {
   }
 
   /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two a closure link.
+  /// along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the
+  /// link's frame, in the directions of the fixed frame.
   template <typename Scalar>
-  static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+  static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
     lines.setZero();
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
+    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
     const Scalar ED_x = q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF;
     const Scalar ED_y = q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin;
     const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar t01 = u.y_B - u.y_E;
-    const Scalar t02 = u.x_B - u.x_E;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar GF_x = -q.theta_EDF.sin * d.h_F_GF;
+    const Scalar GF_y = q.theta_EDF.cos * d.h_F_GF;
+    const Scalar EF_x = -q.theta_EDF.sin * d.h_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.h_F_EDF;
+    const Scalar slide_F_x = q.theta_EDF.cos * q.s_F;
+    const Scalar slide_F_y = q.theta_EDF.sin * q.s_F;
     lines(0, 0) = -q.theta_BCG.cos;
     lines(0, 1) = -q.theta_BCG.sin;
+    lines(0, 2) = q.theta_BCG.cos * (BC_x + slide_C_x + CD_x) + q.theta_BCG.sin * (BC_y + slide_C_y
+        + CD_y);
     lines(1, 0) = ED_y;
     lines(1, 1) = -ED_x;
-    lines(1, 2) = ED_x * t01 - ED_y * t02;
     lines(2, 0) = -BG_y;
     lines(2, 1) = BG_x;
     lines(3, 0) = -q.theta_EDF.cos;
     lines(3, 1) = -q.theta_EDF.sin;
-    lines(3, 2) = q.theta_EDF.cos * t02 + q.theta_EDF.sin * t01;
+    lines(3, 2) = -q.theta_EDF.cos * (GF_x - EF_x - slide_F_x) - q.theta_EDF.sin * (GF_y - EF_y
+        - slide_F_y);
   }
 
   /// The signed lengths L: on side i of its link a special point at S moves by
   /// the sum over k of L(i, k) dq_k/dt along the unit normal n of its line.
   template <typename Scalar>
-  static void special_point_lengths(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+  static void special_point_lengths(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
       const Matrix<Scalar, 2 * closure_link_count, 2>& n,
       Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
@@ -682,19 +696,31 @@ struct Model03 {
     const Scalar n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
+    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
     const Scalar ED_x = q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF;
     const Scalar ED_y = q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin;
     const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar t01 = u.y_B - u.y_E;
-    const Scalar t02 = u.x_B - u.x_E;
-    L(0, 0) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar GF_x = -q.theta_EDF.sin * d.h_F_GF;
+    const Scalar GF_y = q.theta_EDF.cos * d.h_F_GF;
+    const Scalar EF_x = -q.theta_EDF.sin * d.h_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.h_F_EDF;
+    const Scalar slide_F_x = q.theta_EDF.cos * q.s_F;
+    const Scalar slide_F_y = q.theta_EDF.sin * q.s_F;
+    L(0, 0) = (BC_x + slide_C_x + CD_x + S_CD_x) * n_CD_BCG_y - (BC_y + slide_C_y + CD_y
+        + S_CD_y) * n_CD_BCG_x;
     L(0, 2) = q.theta_BCG.cos * n_CD_BCG_x + q.theta_BCG.sin * n_CD_BCG_y;
-    L(1, 0) = n_CD_EDF_y * (S_CD_x + t02 - ED_x) - n_CD_EDF_x * (S_CD_y + t01 - ED_y);
-    L(1, 1) = ED_x * n_CD_EDF_y - ED_y * n_CD_EDF_x;
+    L(1, 0) = S_CD_x * n_CD_EDF_y - S_CD_y * n_CD_EDF_x;
+    L(1, 1) = n_CD_EDF_y * ED_x - n_CD_EDF_x * ED_y;
     L(2, 0) = BG_x * n_GF_BCG_y - BG_y * n_GF_BCG_x;
-    L(2, 1) = n_GF_BCG_x * (BG_y - S_GF_y) - n_GF_BCG_y * (BG_x - S_GF_x);
-    L(3, 1) = n_GF_EDF_y * (S_GF_x + t02) - n_GF_EDF_x * (S_GF_y + t01);
+    L(2, 1) = n_GF_BCG_y * S_GF_x - n_GF_BCG_x * S_GF_y;
+    L(3, 1) = (S_GF_x + EF_x + slide_F_x - GF_x) * n_GF_EDF_y - (S_GF_y + EF_y + slide_F_y
+        - GF_y) * n_GF_EDF_x;
     L(3, 3) = q.theta_EDF.cos * n_GF_EDF_x + q.theta_EDF.sin * n_GF_EDF_y;
   }
 
@@ -720,7 +746,7 @@ struct Model03 {
   /// The acceleration of each special point by each side, less what d2q/dt2 adds:
   /// centripetal and Coriolis terms, and the second rates of the inputs.
   template <typename Scalar>
-  static void special_point_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+  static void special_point_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
       const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>& u_second_rate,
@@ -737,24 +763,36 @@ struct Model03 {
     const Scalar S_CD_y = S(0, 1);
     const Scalar S_GF_x = S(1, 0);
     const Scalar S_GF_y = S(1, 1);
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
+    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
     const Scalar ED_x = q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF;
     const Scalar ED_y = q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin;
     const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar t01 = omega_EDF * omega_EDF;
-    const Scalar t02 = omega_BCG * omega_BCG;
-    const Scalar t03 = u.x_B - u.x_E;
-    const Scalar t04 = u.y_B - u.y_E;
-    a(0, 0) = a_x_B - omega_BCG * (Scalar(2) * q.theta_BCG.sin * v_s_C + omega_BCG * S_CD_x);
-    a(0, 1) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_s_C - omega_BCG * S_CD_y) + a_y_B;
-    a(1, 0) = a_x_E - ED_x * t01 - t02 * (S_CD_x + t03 - ED_x);
-    a(1, 1) = a_y_E - ED_y * t01 - t02 * (S_CD_y + t04 - ED_y);
-    a(2, 0) = a_x_B + (BG_x - S_GF_x) * t01 - BG_x * t02;
-    a(2, 1) = a_y_B + (BG_y - S_GF_y) * t01 - BG_y * t02;
-    a(3, 0) = a_x_E - omega_EDF * (Scalar(2) * q.theta_EDF.sin * v_s_F + omega_EDF * (S_GF_x
-        + t03));
-    a(3, 1) = a_y_E + omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_s_F - omega_EDF * (S_GF_y
-        + t04));
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar GF_x = -q.theta_EDF.sin * d.h_F_GF;
+    const Scalar GF_y = q.theta_EDF.cos * d.h_F_GF;
+    const Scalar EF_x = -q.theta_EDF.sin * d.h_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.h_F_EDF;
+    const Scalar slide_F_x = q.theta_EDF.cos * q.s_F;
+    const Scalar slide_F_y = q.theta_EDF.sin * q.s_F;
+    const Scalar t01 = omega_BCG * omega_BCG;
+    const Scalar t02 = omega_EDF * omega_EDF;
+    a(0, 0) = a_x_B - omega_BCG * ((BC_x + slide_C_x + CD_x + S_CD_x) * omega_BCG
+        + Scalar(2) * q.theta_BCG.sin * v_s_C);
+    a(0, 1) = a_y_B - omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y + S_CD_y)
+        - Scalar(2) * q.theta_BCG.cos * v_s_C);
+    a(1, 0) = a_x_E - S_CD_x * t01 - ED_x * t02;
+    a(1, 1) = a_y_E - S_CD_y * t01 - ED_y * t02;
+    a(2, 0) = a_x_B - BG_x * t01 - S_GF_x * t02;
+    a(2, 1) = a_y_B - BG_y * t01 - S_GF_y * t02;
+    a(3, 0) = a_x_E - omega_EDF * (omega_EDF * (S_GF_x + EF_x + slide_F_x - GF_x)
+        + Scalar(2) * q.theta_EDF.sin * v_s_F);
+    a(3, 1) = a_y_E - omega_EDF * (omega_EDF * (S_GF_y + EF_y + slide_F_y - GF_y)
+        - Scalar(2) * q.theta_EDF.cos * v_s_F);
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

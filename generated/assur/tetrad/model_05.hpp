@@ -31,7 +31,6 @@ namespace assur::tetrad {
 /// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
 ///   S_CD: by BCG theta_BCG and s_C, by EDF theta_BCG and theta_EDF
 ///   S_GF: by BCG theta_BCG and s_G, by EDF theta_BCG and theta_EDF
-///   They are measured from external joint B.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     22, 22, 0
@@ -47,10 +46,10 @@ namespace assur::tetrad {
 ///   link_velocities:              24, 18, 0
 ///   link_accelerations:           40, 26, 0
 ///   pose_curvatures:              46, 26, 0
-///   special_point_lines:          14, 8, 0
-///   special_point_lengths:        26, 22, 0
+///   special_point_lines:          26, 14, 0
+///   special_point_lengths:        38, 24, 0
 ///   special_point_velocities:     0, 0, 0
-///   special_point_accelerations:  36, 30, 0
+///   special_point_accelerations:  48, 32, 0
 ///   position_polynomial:          37, 29, 0
 ///   second_equations:             24, 14, 0
 ///   complete:                     14, 12, 0
@@ -66,7 +65,7 @@ struct Model05 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
-  static constexpr int closure_link_count = 2;  ///< without external joints
+  static constexpr int closure_link_count = 2;
   static constexpr bool has_special_points = true;
   static constexpr int max_configurations = 4;
   static constexpr std::size_t polynomial_degree = 2;
@@ -164,6 +163,8 @@ struct Model05 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 2> kinds = { {
       {"RPP-RRR", { 0, 1, 2, 3, 4, 5 }},
@@ -730,35 +731,49 @@ struct Model05 {
   }
 
   /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two a closure link.
+  /// along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the
+  /// link's frame, in the directions of the fixed frame.
   template <typename Scalar>
-  static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+  static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
     lines.setZero();
-    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
+    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
     const Scalar ED_x = q.theta_EDF.cos * d.ED;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
     const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
     const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t01 = u.y_B - u.y_E;
-    const Scalar t02 = u.x_B - u.x_E;
     lines(0, 0) = -q.theta_BCG.cos;
     lines(0, 1) = -q.theta_BCG.sin;
+    lines(0, 2) = q.theta_BCG.cos * (BC_x + slide_C_x + CD_x) + q.theta_BCG.sin * (BC_y + slide_C_y
+        + CD_y);
     lines(1, 0) = ED_y;
     lines(1, 1) = -ED_x;
-    lines(1, 2) = ED_x * t01 - ED_y * t02;
     lines(2, 0) = -cos_GF;
     lines(2, 1) = -sin_GF;
+    lines(2, 2) = cos_GF * (BG_x + slide_G_x + GF_x) + sin_GF * (BG_y + slide_G_y + GF_y);
     lines(3, 0) = EF_y;
     lines(3, 1) = -EF_x;
-    lines(3, 2) = t01 * EF_x - t02 * EF_y;
   }
 
   /// The signed lengths L: on side i of its link a special point at S moves by
   /// the sum over k of L(i, k) dq_k/dt along the unit normal n of its line.
   template <typename Scalar>
-  static void special_point_lengths(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+  static void special_point_lengths(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
       const Matrix<Scalar, 2 * closure_link_count, 2>& n,
       Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
@@ -775,22 +790,36 @@ struct Model05 {
     const Scalar n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
-    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
+    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
     const Scalar ED_x = q.theta_EDF.cos * d.ED;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
     const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
     const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t01 = u.y_B - u.y_E;
-    const Scalar t02 = u.x_B - u.x_E;
-    L(0, 0) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
+    L(0, 0) = (BC_x + slide_C_x + CD_x + S_CD_x) * n_CD_BCG_y - (BC_y + slide_C_y + CD_y
+        + S_CD_y) * n_CD_BCG_x;
     L(0, 2) = q.theta_BCG.cos * n_CD_BCG_x + q.theta_BCG.sin * n_CD_BCG_y;
-    L(1, 0) = n_CD_EDF_y * (S_CD_x + t02 - ED_x) - n_CD_EDF_x * (S_CD_y + t01 - ED_y);
-    L(1, 1) = ED_x * n_CD_EDF_y - ED_y * n_CD_EDF_x;
-    L(2, 0) = S_GF_x * n_GF_BCG_y - S_GF_y * n_GF_BCG_x;
-    L(2, 3) = n_GF_BCG_x * cos_GF + n_GF_BCG_y * sin_GF;
-    L(3, 0) = n_GF_EDF_y * (S_GF_x + t02 - EF_x) - n_GF_EDF_x * (S_GF_y + t01 - EF_y);
-    L(3, 1) = EF_x * n_GF_EDF_y - EF_y * n_GF_EDF_x;
+    L(1, 0) = S_CD_x * n_CD_EDF_y - S_CD_y * n_CD_EDF_x;
+    L(1, 1) = n_CD_EDF_y * ED_x - n_CD_EDF_x * ED_y;
+    L(2, 0) = (BG_x + slide_G_x + GF_x + S_GF_x) * n_GF_BCG_y - (BG_y + slide_G_y + GF_y
+        + S_GF_y) * n_GF_BCG_x;
+    L(2, 3) = cos_GF * n_GF_BCG_x + sin_GF * n_GF_BCG_y;
+    L(3, 0) = S_GF_x * n_GF_EDF_y - S_GF_y * n_GF_EDF_x;
+    L(3, 1) = n_GF_EDF_y * EF_x - n_GF_EDF_x * EF_y;
   }
 
   /// The velocity of each special point by each side, less what dq/dt adds.
@@ -815,7 +844,7 @@ struct Model05 {
   /// The acceleration of each special point by each side, less what d2q/dt2 adds:
   /// centripetal and Coriolis terms, and the second rates of the inputs.
   template <typename Scalar>
-  static void special_point_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+  static void special_point_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
       const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>& u_second_rate,
@@ -832,24 +861,40 @@ struct Model05 {
     const Scalar S_CD_y = S(0, 1);
     const Scalar S_GF_x = S(1, 0);
     const Scalar S_GF_y = S(1, 1);
-    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar sin_GF = t02;
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
+    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
     const Scalar ED_x = q.theta_EDF.cos * d.ED;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar BG_x = -t02 * d.h_G_BCG;
+    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = sin_GF * d.h_G_GF;
+    const Scalar GF_y = -cos_GF * d.h_G_GF;
     const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
     const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t01 = omega_EDF * omega_EDF;
-    const Scalar t02 = omega_BCG * omega_BCG;
-    const Scalar t03 = u.x_B - u.x_E;
-    const Scalar t04 = u.y_B - u.y_E;
-    a(0, 0) = a_x_B - omega_BCG * (Scalar(2) * q.theta_BCG.sin * v_s_C + omega_BCG * S_CD_x);
-    a(0, 1) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_s_C - omega_BCG * S_CD_y) + a_y_B;
-    a(1, 0) = a_x_E - ED_x * t01 - t02 * (S_CD_x + t03 - ED_x);
-    a(1, 1) = a_y_E - ED_y * t01 - t02 * (S_CD_y + t04 - ED_y);
-    a(2, 0) = a_x_B - omega_BCG * (omega_BCG * S_GF_x + Scalar(2) * v_s_G * sin_GF);
-    a(2, 1) = a_y_B - omega_BCG * (omega_BCG * S_GF_y - Scalar(2) * v_s_G * cos_GF);
-    a(3, 0) = a_x_E - EF_x * t01 - t02 * (S_GF_x + t03 - EF_x);
-    a(3, 1) = a_y_E - EF_y * t01 - t02 * (S_GF_y + t04 - EF_y);
+    const Scalar t03 = omega_BCG * omega_BCG;
+    const Scalar t04 = omega_EDF * omega_EDF;
+    a(0, 0) = a_x_B - omega_BCG * ((BC_x + slide_C_x + CD_x + S_CD_x) * omega_BCG
+        + Scalar(2) * q.theta_BCG.sin * v_s_C);
+    a(0, 1) = a_y_B - omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y + S_CD_y)
+        - Scalar(2) * q.theta_BCG.cos * v_s_C);
+    a(1, 0) = a_x_E - S_CD_x * t03 - ED_x * t04;
+    a(1, 1) = a_y_E - S_CD_y * t03 - ED_y * t04;
+    a(2, 0) = a_x_B - omega_BCG * (omega_BCG * (BG_x + slide_G_x + GF_x + S_GF_x)
+        + Scalar(2) * sin_GF * v_s_G);
+    a(2, 1) = a_y_B - omega_BCG * (omega_BCG * (BG_y + slide_G_y + GF_y + S_GF_y)
+        - Scalar(2) * cos_GF * v_s_G);
+    a(3, 0) = a_x_E - S_GF_x * t03 - EF_x * t04;
+    a(3, 1) = a_y_E - S_GF_y * t03 - EF_y * t04;
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

@@ -31,7 +31,6 @@ namespace assur::tetrad {
 /// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
 ///   S_CD: by BCG theta_CD and s_B, by EDF theta_EDF and theta_CD
 ///   S_GF: by BCG theta_GF and s_B, by EDF theta_EDF and theta_GF
-///   They are measured from a point on the base's slide at B.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     18, 21, 0
@@ -47,10 +46,10 @@ namespace assur::tetrad {
 ///   link_velocities:              14, 13, 0
 ///   link_accelerations:           28, 21, 0
 ///   pose_curvatures:              32, 17, 0
-///   special_point_lines:          22, 15, 0
-///   special_point_lengths:        30, 31, 0
+///   special_point_lines:          14, 4, 0
+///   special_point_lengths:        26, 14, 0
 ///   special_point_velocities:     12, 11, 0
-///   special_point_accelerations:  47, 47, 0
+///   special_point_accelerations:  51, 37, 0
 ///   position_polynomial:          89, 71, 0
 ///   second_equations:             50, 39, 0
 ///   complete:                     18, 18, 2
@@ -66,7 +65,7 @@ struct Model08 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
-  static constexpr int closure_link_count = 2;  ///< without external joints
+  static constexpr int closure_link_count = 2;
   static constexpr bool has_special_points = true;
   static constexpr int max_configurations = 6;
   static constexpr std::size_t polynomial_degree = 3;
@@ -166,6 +165,8 @@ struct Model08 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 2> kinds = { {
       {"PRR-RRR", { 0, 1, 2, 3, 4, 5 }},
@@ -686,35 +687,30 @@ struct Model08 {
   }
 
   /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two a closure link.
+  /// along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the
+  /// link's frame, in the directions of the fixed frame.
   template <typename Scalar>
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    lines.setZero();
+    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_y = d.CD * q.theta_CD.sin;
     const Scalar ED_x = q.theta_EDF.cos * d.ED;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
     const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t02 = u.y_B - u.y_E;
-    const Scalar t03 = u.x_B - u.x_E;
     lines(0, 0) = -u.phi_B.cos;
     lines(0, 1) = -u.phi_B.sin;
-    lines(0, 2) = -u.phi_B.cos * (slide_B_x + BC_x) - u.phi_B.sin * (slide_B_y + BC_y);
     lines(1, 0) = -ED_y;
     lines(1, 1) = ED_x;
-    lines(1, 2) = ED_y * t03 - ED_x * t02;
+    lines(1, 2) = ED_x * CD_y - ED_y * CD_x;
     lines(2, 0) = -u.phi_B.cos;
     lines(2, 1) = -u.phi_B.sin;
-    lines(2, 2) = -u.phi_B.cos * (slide_B_x + BG_x) - u.phi_B.sin * (slide_B_y + BG_y);
     lines(3, 0) = -EF_y;
     lines(3, 1) = EF_x;
-    lines(3, 2) = t03 * EF_y - t02 * EF_x;
+    lines(3, 2) = EF_x * GF_y - EF_y * GF_x;
   }
 
   /// The signed lengths L: on side i of its link a special point at S moves by
@@ -737,27 +733,22 @@ struct Model08 {
     const Scalar n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_y = d.CD * q.theta_CD.sin;
     const Scalar ED_x = q.theta_EDF.cos * d.ED;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
     const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t02 = u.y_B - u.y_E;
-    const Scalar t03 = u.x_B - u.x_E;
-    L(0, 1) = (slide_B_y + BC_y - S_CD_y) * n_CD_BCG_x - (slide_B_x + BC_x - S_CD_x) * n_CD_BCG_y;
-    L(0, 3) = u.phi_B.cos * n_CD_BCG_x + u.phi_B.sin * n_CD_BCG_y;
+    L(0, 1) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
+    L(0, 3) = n_CD_BCG_x * u.phi_B.cos + n_CD_BCG_y * u.phi_B.sin;
     L(1, 0) = ED_x * n_CD_EDF_y - ED_y * n_CD_EDF_x;
-    L(1, 1) = n_CD_EDF_y * (S_CD_x + t03 - ED_x) - n_CD_EDF_x * (S_CD_y + t02 - ED_y);
-    L(2, 2) = (slide_B_y + BG_y - S_GF_y) * n_GF_BCG_x - (slide_B_x + BG_x - S_GF_x) * n_GF_BCG_y;
+    L(1, 1) = n_CD_EDF_y * (S_CD_x - CD_x) - n_CD_EDF_x * (S_CD_y - CD_y);
+    L(2, 2) = S_GF_x * n_GF_BCG_y - S_GF_y * n_GF_BCG_x;
     L(2, 3) = u.phi_B.cos * n_GF_BCG_x + u.phi_B.sin * n_GF_BCG_y;
     L(3, 0) = EF_x * n_GF_EDF_y - EF_y * n_GF_EDF_x;
-    L(3, 2) = n_GF_EDF_y * (S_GF_x + t03 - EF_x) - n_GF_EDF_x * (S_GF_y + t02 - EF_y);
+    L(3, 2) = n_GF_EDF_y * (S_GF_x - GF_x) - n_GF_EDF_x * (S_GF_y - GF_y);
   }
 
   /// The velocity of each special point by each side, less what dq/dt adds.
@@ -813,11 +804,15 @@ struct Model08 {
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
     const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_y = d.CD * q.theta_CD.sin;
     const Scalar ED_x = q.theta_EDF.cos * d.ED;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
     const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
     const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
     const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
     const Scalar t02 = slide_B_x + BC_x;
@@ -826,23 +821,17 @@ struct Model08 {
     const Scalar t05 = omega_CD * omega_CD;
     const Scalar t06 = u.phi_B.cos * v_s_B;
     const Scalar t07 = omega_EDF * omega_EDF;
-    const Scalar t08 = u.x_B - u.x_E;
-    const Scalar t09 = u.y_B - u.y_E;
-    const Scalar t10 = slide_B_x + BG_x;
-    const Scalar t11 = slide_B_y + BG_y;
-    const Scalar t12 = omega_GF * omega_GF;
-    a(0, 0) = a_x_B - omega_B * (t02 * omega_B + Scalar(2) * t03) - t04 * alpha_B - t05 * (S_CD_x
-        - t02);
-    a(0, 1) = t02 * alpha_B + a_y_B + t05 * (t04 - S_CD_y) - omega_B * (omega_B * t04
-        - Scalar(2) * t06);
-    a(1, 0) = a_x_E - ED_x * t07 - t05 * (S_CD_x + t08 - ED_x);
-    a(1, 1) = a_y_E - ED_y * t07 - t05 * (S_CD_y + t09 - ED_y);
-    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t03 + omega_B * t10) - alpha_B * t11 - t12 * (S_GF_x
-        - t10);
-    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t06 - omega_B * t11) + alpha_B * t10 + t12 * (t11
-        - S_GF_y);
-    a(3, 0) = a_x_E - EF_x * t07 - t12 * (S_GF_x + t08 - EF_x);
-    a(3, 1) = a_y_E - EF_y * t07 - t12 * (S_GF_y + t09 - EF_y);
+    const Scalar t08 = slide_B_x + BG_x;
+    const Scalar t09 = slide_B_y + BG_y;
+    const Scalar t10 = omega_GF * omega_GF;
+    a(0, 0) = a_x_B - omega_B * (t02 * omega_B + Scalar(2) * t03) - t04 * alpha_B - S_CD_x * t05;
+    a(0, 1) = t02 * alpha_B + a_y_B - omega_B * (omega_B * t04 - Scalar(2) * t06) - S_CD_y * t05;
+    a(1, 0) = a_x_E - (S_CD_x - CD_x) * t05 - ED_x * t07;
+    a(1, 1) = a_y_E - (S_CD_y - CD_y) * t05 - ED_y * t07;
+    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t03 + omega_B * t08) - alpha_B * t09 - S_GF_x * t10;
+    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t06 - omega_B * t09) + alpha_B * t08 - S_GF_y * t10;
+    a(3, 0) = a_x_E - EF_x * t07 - (S_GF_x - GF_x) * t10;
+    a(3, 1) = a_y_E - EF_y * t07 - (S_GF_y - GF_y) * t10;
   }
 
   /// The final polynomial T in theta_EDF, free of all other unknowns:

@@ -31,7 +31,6 @@ namespace assur::tetrad {
 /// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
 ///   S_CD: by BCG theta_EDF and s_B, by EDF theta_EDF and s_D
 ///   S_GF: by BCG theta_GF and s_B, by EDF theta_EDF and theta_GF
-///   They are measured from a point on the base's slide at B.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     20, 23, 0
@@ -47,10 +46,10 @@ namespace assur::tetrad {
 ///   link_velocities:              14, 13, 0
 ///   link_accelerations:           28, 21, 0
 ///   pose_curvatures:              32, 17, 0
-///   special_point_lines:          20, 15, 0
-///   special_point_lengths:        28, 29, 0
+///   special_point_lines:          16, 8, 0
+///   special_point_lengths:        28, 18, 0
 ///   special_point_velocities:     12, 11, 0
-///   special_point_accelerations:  48, 45, 0
+///   special_point_accelerations:  56, 41, 0
 ///   position_polynomial:          81, 60, 0
 ///   second_equations:             44, 36, 0
 ///   complete:                     16, 17, 1
@@ -66,7 +65,7 @@ struct Model09 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
-  static constexpr int closure_link_count = 2;  ///< without external joints
+  static constexpr int closure_link_count = 2;
   static constexpr bool has_special_points = true;
   static constexpr int max_configurations = 6;
   static constexpr std::size_t polynomial_degree = 3;
@@ -166,6 +165,8 @@ struct Model09 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 4> kinds = { {
       {"PRR-RPR", { 0, 1, 2, 3, 4, 5 }},
@@ -704,33 +705,33 @@ struct Model09 {
   }
 
   /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two a closure link.
+  /// along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the
+  /// link's frame, in the directions of the fixed frame.
   template <typename Scalar>
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    lines.setZero();
+    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
+    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
+    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t02 = u.x_B - u.x_E;
-    const Scalar t03 = u.y_B - u.y_E;
+    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
     lines(0, 0) = -u.phi_B.cos;
     lines(0, 1) = -u.phi_B.sin;
-    lines(0, 2) = -u.phi_B.cos * (slide_B_x + BC_x) - u.phi_B.sin * (slide_B_y + BC_y);
     lines(1, 0) = -q.theta_EDF.cos;
     lines(1, 1) = -q.theta_EDF.sin;
-    lines(1, 2) = q.theta_EDF.cos * t02 + q.theta_EDF.sin * t03;
+    lines(1, 2) = -q.theta_EDF.cos * (CD_x - ED_x - slide_D_x) - q.theta_EDF.sin * (CD_y - ED_y
+        - slide_D_y);
     lines(2, 0) = -u.phi_B.cos;
     lines(2, 1) = -u.phi_B.sin;
-    lines(2, 2) = -u.phi_B.cos * (slide_B_x + BG_x) - u.phi_B.sin * (slide_B_y + BG_y);
     lines(3, 0) = -EF_y;
     lines(3, 1) = EF_x;
-    lines(3, 2) = t02 * EF_y - t03 * EF_x;
+    lines(3, 2) = EF_x * GF_y - EF_y * GF_x;
   }
 
   /// The signed lengths L: on side i of its link a special point at S moves by
@@ -753,25 +754,25 @@ struct Model09 {
     const Scalar n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
+    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
+    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t02 = u.y_B - u.y_E;
-    const Scalar t03 = u.x_B - u.x_E;
-    L(0, 0) = (slide_B_y + BC_y - S_CD_y) * n_CD_BCG_x - (slide_B_x + BC_x - S_CD_x) * n_CD_BCG_y;
-    L(0, 2) = u.phi_B.cos * n_CD_BCG_x + u.phi_B.sin * n_CD_BCG_y;
-    L(1, 0) = n_CD_EDF_y * (S_CD_x + t03) - n_CD_EDF_x * (S_CD_y + t02);
+    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    L(0, 0) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
+    L(0, 2) = n_CD_BCG_x * u.phi_B.cos + n_CD_BCG_y * u.phi_B.sin;
+    L(1, 0) = (S_CD_x + ED_x + slide_D_x - CD_x) * n_CD_EDF_y - (S_CD_y + ED_y + slide_D_y
+        - CD_y) * n_CD_EDF_x;
     L(1, 3) = q.theta_EDF.cos * n_CD_EDF_x + q.theta_EDF.sin * n_CD_EDF_y;
-    L(2, 1) = (slide_B_y + BG_y - S_GF_y) * n_GF_BCG_x - (slide_B_x + BG_x - S_GF_x) * n_GF_BCG_y;
+    L(2, 1) = S_GF_x * n_GF_BCG_y - S_GF_y * n_GF_BCG_x;
     L(2, 2) = u.phi_B.cos * n_GF_BCG_x + u.phi_B.sin * n_GF_BCG_y;
     L(3, 0) = EF_x * n_GF_EDF_y - EF_y * n_GF_EDF_x;
-    L(3, 1) = n_GF_EDF_y * (S_GF_x + t03 - EF_x) - n_GF_EDF_x * (S_GF_y + t02 - EF_y);
+    L(3, 1) = n_GF_EDF_y * (S_GF_x - GF_x) - n_GF_EDF_x * (S_GF_y - GF_y);
   }
 
   /// The velocity of each special point by each side, less what dq/dt adds.
@@ -827,35 +828,37 @@ struct Model09 {
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
     const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
+    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
+    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
     const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
     const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + d.x_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
     const Scalar t02 = slide_B_x + BC_x;
     const Scalar t03 = u.phi_B.sin * v_s_B;
     const Scalar t04 = slide_B_y + BC_y;
     const Scalar t05 = omega_EDF * omega_EDF;
     const Scalar t06 = u.phi_B.cos * v_s_B;
-    const Scalar t07 = u.x_B - u.x_E;
-    const Scalar t08 = u.y_B - u.y_E;
-    const Scalar t09 = slide_B_x + BG_x;
-    const Scalar t10 = slide_B_y + BG_y;
-    const Scalar t11 = omega_GF * omega_GF;
-    a(0, 0) = a_x_B - omega_B * (t02 * omega_B + Scalar(2) * t03) - t04 * alpha_B - t05 * (S_CD_x
-        - t02);
-    a(0, 1) = t02 * alpha_B + a_y_B + t05 * (t04 - S_CD_y) - omega_B * (omega_B * t04
-        - Scalar(2) * t06);
-    a(1, 0) = a_x_E - omega_EDF * (Scalar(2) * q.theta_EDF.sin * v_s_D + omega_EDF * (S_CD_x
-        + t07));
-    a(1, 1) = a_y_E + omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_s_D - omega_EDF * (S_CD_y
-        + t08));
-    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t03 + omega_B * t09) - alpha_B * t10 - t11 * (S_GF_x
-        - t09);
-    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t06 - omega_B * t10) + alpha_B * t09 + t11 * (t10
-        - S_GF_y);
-    a(3, 0) = a_x_E - EF_x * t05 - t11 * (S_GF_x + t07 - EF_x);
-    a(3, 1) = a_y_E - EF_y * t05 - t11 * (S_GF_y + t08 - EF_y);
+    const Scalar t07 = slide_B_x + BG_x;
+    const Scalar t08 = slide_B_y + BG_y;
+    const Scalar t09 = omega_GF * omega_GF;
+    a(0, 0) = a_x_B - omega_B * (t02 * omega_B + Scalar(2) * t03) - t04 * alpha_B - S_CD_x * t05;
+    a(0, 1) = t02 * alpha_B + a_y_B - omega_B * (omega_B * t04 - Scalar(2) * t06) - S_CD_y * t05;
+    a(1, 0) = a_x_E - omega_EDF * (omega_EDF * (S_CD_x + ED_x + slide_D_x - CD_x)
+        + Scalar(2) * q.theta_EDF.sin * v_s_D);
+    a(1, 1) = a_y_E - omega_EDF * (omega_EDF * (S_CD_y + ED_y + slide_D_y - CD_y)
+        - Scalar(2) * q.theta_EDF.cos * v_s_D);
+    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t03 + omega_B * t07) - alpha_B * t08 - S_GF_x * t09;
+    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t06 - omega_B * t08) + alpha_B * t07 - S_GF_y * t09;
+    a(3, 0) = a_x_E - EF_x * t05 - (S_GF_x - GF_x) * t09;
+    a(3, 1) = a_y_E - EF_y * t05 - (S_GF_y - GF_y) * t09;
   }
 
   /// The final polynomial T in theta_EDF, free of all other unknowns:

@@ -31,7 +31,6 @@ namespace assur::tetrad {
 /// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
 ///   S_CD: by BCG theta_EDF and s_B, by EDF theta_EDF and s_D
 ///   S_GF: by BCG theta_EDF and s_B, by EDF theta_EDF and s_F
-///   They are measured from a point on the base's slide at B.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     24, 25, 0
@@ -47,10 +46,10 @@ namespace assur::tetrad {
 ///   link_velocities:              14, 13, 0
 ///   link_accelerations:           28, 21, 0
 ///   pose_curvatures:              32, 17, 0
-///   special_point_lines:          20, 15, 0
-///   special_point_lengths:        28, 27, 0
+///   special_point_lines:          20, 12, 0
+///   special_point_lengths:        32, 22, 0
 ///   special_point_velocities:     12, 11, 0
-///   special_point_accelerations:  51, 43, 0
+///   special_point_accelerations:  63, 45, 0
 ///   position_polynomial:          31, 24, 0
 ///   second_equations:             26, 21, 0
 ///   complete:                     16, 16, 0
@@ -66,7 +65,7 @@ struct Model10 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
-  static constexpr int closure_link_count = 2;  ///< without external joints
+  static constexpr int closure_link_count = 2;
   static constexpr bool has_special_points = true;
   static constexpr int max_configurations = 4;
   static constexpr std::size_t polynomial_degree = 2;
@@ -166,6 +165,8 @@ struct Model10 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 2> kinds = { {
       {"PRR-RPP", { 0, 1, 2, 3, 4, 5 }},
@@ -749,33 +750,39 @@ struct Model10 {
   }
 
   /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two a closure link.
+  /// along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the
+  /// link's frame, in the directions of the fixed frame.
   template <typename Scalar>
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
-    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
-    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar t02 = u.x_B - u.x_E;
-    const Scalar t03 = u.y_B - u.y_E;
+    lines.setZero();
+    const Scalar t01 = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
+    const Scalar sin_GF = t02;
+    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar CD_y = q.theta_EDF.cos * d.h_D_CD;
+    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
+    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
+    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF;
+    const Scalar EF_x = -t02 * d.h_F_EDF;
+    const Scalar EF_y = t01 * d.h_F_EDF;
+    const Scalar slide_F_x = cos_GF * q.s_F;
+    const Scalar slide_F_y = sin_GF * q.s_F;
     lines(0, 0) = -u.phi_B.cos;
     lines(0, 1) = -u.phi_B.sin;
-    lines(0, 2) = -u.phi_B.cos * (slide_B_x + BC_x) - u.phi_B.sin * (slide_B_y + BC_y);
     lines(1, 0) = -q.theta_EDF.cos;
     lines(1, 1) = -q.theta_EDF.sin;
-    lines(1, 2) = q.theta_EDF.cos * t02 + q.theta_EDF.sin * t03;
+    lines(1, 2) = -q.theta_EDF.cos * (CD_x - ED_x - slide_D_x) - q.theta_EDF.sin * (CD_y - ED_y
+        - slide_D_y);
     lines(2, 0) = -u.phi_B.cos;
     lines(2, 1) = -u.phi_B.sin;
-    lines(2, 2) = -u.phi_B.cos * (slide_B_x + BG_x) - u.phi_B.sin * (slide_B_y + BG_y);
     lines(3, 0) = -cos_GF;
     lines(3, 1) = -sin_GF;
-    lines(3, 2) = t02 * cos_GF + t03 * sin_GF;
+    lines(3, 2) = -cos_GF * (GF_x - EF_x - slide_F_x) - sin_GF * (GF_y - EF_y - slide_F_y);
   }
 
   /// The signed lengths L: on side i of its link a special point at S moves by
@@ -798,25 +805,32 @@ struct Model10 {
     const Scalar n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
-    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
-    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar t02 = u.y_B - u.y_E;
-    const Scalar t03 = u.x_B - u.x_E;
-    L(0, 0) = (slide_B_y + BC_y - S_CD_y) * n_CD_BCG_x - (slide_B_x + BC_x - S_CD_x) * n_CD_BCG_y;
-    L(0, 1) = u.phi_B.cos * n_CD_BCG_x + u.phi_B.sin * n_CD_BCG_y;
-    L(1, 0) = n_CD_EDF_y * (S_CD_x + t03) - n_CD_EDF_x * (S_CD_y + t02);
+    const Scalar t01 = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
+    const Scalar sin_GF = t02;
+    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar CD_y = q.theta_EDF.cos * d.h_D_CD;
+    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
+    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
+    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF;
+    const Scalar EF_x = -t02 * d.h_F_EDF;
+    const Scalar EF_y = t01 * d.h_F_EDF;
+    const Scalar slide_F_x = cos_GF * q.s_F;
+    const Scalar slide_F_y = sin_GF * q.s_F;
+    L(0, 0) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
+    L(0, 1) = n_CD_BCG_x * u.phi_B.cos + n_CD_BCG_y * u.phi_B.sin;
+    L(1, 0) = (S_CD_x + ED_x + slide_D_x - CD_x) * n_CD_EDF_y - (S_CD_y + ED_y + slide_D_y
+        - CD_y) * n_CD_EDF_x;
     L(1, 2) = q.theta_EDF.cos * n_CD_EDF_x + q.theta_EDF.sin * n_CD_EDF_y;
-    L(2, 0) = (slide_B_y + BG_y - S_GF_y) * n_GF_BCG_x - (slide_B_x + BG_x - S_GF_x) * n_GF_BCG_y;
+    L(2, 0) = S_GF_x * n_GF_BCG_y - S_GF_y * n_GF_BCG_x;
     L(2, 1) = u.phi_B.cos * n_GF_BCG_x + u.phi_B.sin * n_GF_BCG_y;
-    L(3, 0) = n_GF_EDF_y * (S_GF_x + t03) - n_GF_EDF_x * (S_GF_y + t02);
-    L(3, 3) = n_GF_EDF_x * cos_GF + n_GF_EDF_y * sin_GF;
+    L(3, 0) = (S_GF_x + EF_x + slide_F_x - GF_x) * n_GF_EDF_y - (S_GF_y + EF_y + slide_F_y
+        - GF_y) * n_GF_EDF_x;
+    L(3, 3) = cos_GF * n_GF_EDF_x + sin_GF * n_GF_EDF_y;
   }
 
   /// The velocity of each special point by each side, less what dq/dt adds.
@@ -868,38 +882,48 @@ struct Model10 {
     const Scalar S_CD_y = S(0, 1);
     const Scalar S_GF_x = S(1, 0);
     const Scalar S_GF_y = S(1, 1);
-    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
-    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
+    const Scalar t01 = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
+    const Scalar sin_GF = t02;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
     const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar t02 = slide_B_x + BC_x;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = slide_B_y + BC_y;
-    const Scalar t05 = omega_EDF * omega_EDF;
-    const Scalar t06 = u.phi_B.cos * v_s_B;
-    const Scalar t07 = u.x_B - u.x_E;
-    const Scalar t08 = u.y_B - u.y_E;
+    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar CD_y = q.theta_EDF.cos * d.h_D_CD;
+    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
+    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
+    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar t03 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = u.phi_B.sin * t03 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t03;
+    const Scalar GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF;
+    const Scalar EF_x = -t02 * d.h_F_EDF;
+    const Scalar EF_y = t01 * d.h_F_EDF;
+    const Scalar slide_F_x = cos_GF * q.s_F;
+    const Scalar slide_F_y = sin_GF * q.s_F;
+    const Scalar t04 = slide_B_x + BC_x;
+    const Scalar t05 = u.phi_B.sin * v_s_B;
+    const Scalar t06 = slide_B_y + BC_y;
+    const Scalar t07 = omega_EDF * omega_EDF;
+    const Scalar t08 = u.phi_B.cos * v_s_B;
     const Scalar t09 = slide_B_x + BG_x;
     const Scalar t10 = slide_B_y + BG_y;
-    a(0, 0) = a_x_B - omega_B * (t02 * omega_B + Scalar(2) * t03) - t04 * alpha_B - t05 * (S_CD_x
-        - t02);
-    a(0, 1) = t02 * alpha_B + a_y_B + t05 * (t04 - S_CD_y) - omega_B * (omega_B * t04
-        - Scalar(2) * t06);
-    a(1, 0) = a_x_E - omega_EDF * (Scalar(2) * q.theta_EDF.sin * v_s_D + omega_EDF * (S_CD_x
-        + t07));
-    a(1, 1) = a_y_E + omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_s_D - omega_EDF * (S_CD_y
-        + t08));
-    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t03 + omega_B * t09) - alpha_B * t10 - t05 * (S_GF_x
-        - t09);
-    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t06 - omega_B * t10) + alpha_B * t09 + t05 * (t10
-        - S_GF_y);
-    a(3, 0) = a_x_E - omega_EDF * (Scalar(2) * v_s_F * sin_GF + omega_EDF * (S_GF_x + t07));
-    a(3, 1) = a_y_E + omega_EDF * (Scalar(2) * v_s_F * cos_GF - omega_EDF * (S_GF_y + t08));
+    a(0, 0) = a_x_B - omega_B * (t04 * omega_B + Scalar(2) * t05) - t06 * alpha_B - S_CD_x * t07;
+    a(0, 1) = t04 * alpha_B + a_y_B - omega_B * (omega_B * t06 - Scalar(2) * t08) - S_CD_y * t07;
+    a(1, 0) = a_x_E - omega_EDF * (omega_EDF * (S_CD_x + ED_x + slide_D_x - CD_x)
+        + Scalar(2) * q.theta_EDF.sin * v_s_D);
+    a(1, 1) = a_y_E - omega_EDF * (omega_EDF * (S_CD_y + ED_y + slide_D_y - CD_y)
+        - Scalar(2) * q.theta_EDF.cos * v_s_D);
+    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t05 + omega_B * t09) - alpha_B * t10 - S_GF_x * t07;
+    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t08 - omega_B * t10) + alpha_B * t09 - S_GF_y * t07;
+    a(3, 0) = a_x_E - omega_EDF * (omega_EDF * (S_GF_x + EF_x + slide_F_x - GF_x)
+        + Scalar(2) * sin_GF * v_s_F);
+    a(3, 1) = a_y_E - omega_EDF * (omega_EDF * (S_GF_y + EF_y + slide_F_y - GF_y)
+        - Scalar(2) * cos_GF * v_s_F);
   }
 
   /// The final polynomial T in theta_EDF, free of all other unknowns:

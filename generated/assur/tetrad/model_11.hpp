@@ -31,7 +31,6 @@ namespace assur::tetrad {
 /// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
 ///   S_CD: by BCG theta_CD and s_B, by EDF theta_CD and s_E
 ///   S_GF: by BCG theta_GF and s_B, by EDF theta_GF and s_E
-///   They are measured from a point on the base's slide at B.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     20, 24, 0
@@ -47,10 +46,10 @@ namespace assur::tetrad {
 ///   link_velocities:              22, 19, 0
 ///   link_accelerations:           44, 31, 0
 ///   pose_curvatures:              48, 23, 0
-///   special_point_lines:          24, 22, 0
-///   special_point_lengths:        32, 34, 0
+///   special_point_lines:          8, 2, 0
+///   special_point_lengths:        20, 12, 0
 ///   special_point_velocities:     24, 22, 0
-///   special_point_accelerations:  62, 60, 0
+///   special_point_accelerations:  66, 50, 0
 ///   position_polynomial:          77, 63, 0
 ///   second_equations:             69, 55, 0
 ///   complete:                     20, 22, 2
@@ -66,7 +65,7 @@ struct Model11 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 0;
-  static constexpr int closure_link_count = 2;  ///< without external joints
+  static constexpr int closure_link_count = 2;
   static constexpr bool has_special_points = true;
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 2;
@@ -168,6 +167,8 @@ struct Model11 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 1> kinds = { {
       {"PRR-PRR", { 0, 1, 2, 3, 4, 5 }},
@@ -782,38 +783,26 @@ struct Model11 {
   }
 
   /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two a closure link.
+  /// along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the
+  /// link's frame, in the directions of the fixed frame.
   template <typename Scalar>
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t02 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t02;
-    const Scalar t03 = slide_E_x + u.x_E - u.x_B;
-    const Scalar t04 = slide_E_y + u.y_E - u.y_B;
+    lines.setZero();
+    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_y = d.CD * q.theta_CD.sin;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
     lines(0, 0) = -u.phi_B.cos;
     lines(0, 1) = -u.phi_B.sin;
-    lines(0, 2) = -u.phi_B.cos * (slide_B_x + BC_x) - u.phi_B.sin * (slide_B_y + BC_y);
     lines(1, 0) = -u.phi_E.cos;
     lines(1, 1) = -u.phi_E.sin;
-    lines(1, 2) = -u.phi_E.cos * (ED_x + t03) - u.phi_E.sin * (ED_y + t04);
+    lines(1, 2) = -u.phi_E.cos * CD_x - u.phi_E.sin * CD_y;
     lines(2, 0) = -u.phi_B.cos;
     lines(2, 1) = -u.phi_B.sin;
-    lines(2, 2) = -u.phi_B.cos * (slide_B_x + BG_x) - u.phi_B.sin * (slide_B_y + BG_y);
     lines(3, 0) = -u.phi_E.cos;
     lines(3, 1) = -u.phi_E.sin;
-    lines(3, 2) = -u.phi_E.cos * (EF_x + t03) - u.phi_E.sin * (EF_y + t04);
+    lines(3, 2) = -u.phi_E.cos * GF_x - u.phi_E.sin * GF_y;
   }
 
   /// The signed lengths L: on side i of its link a special point at S moves by
@@ -836,29 +825,17 @@ struct Model11 {
     const Scalar n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t02 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t02;
-    const Scalar t03 = slide_E_y + u.y_E - u.y_B;
-    const Scalar t04 = slide_E_x + u.x_E - u.x_B;
-    L(0, 0) = (slide_B_y + BC_y - S_CD_y) * n_CD_BCG_x - (slide_B_x + BC_x - S_CD_x) * n_CD_BCG_y;
-    L(0, 2) = u.phi_B.cos * n_CD_BCG_x + u.phi_B.sin * n_CD_BCG_y;
-    L(1, 0) = n_CD_EDF_y * (S_CD_x - ED_x - t04) - n_CD_EDF_x * (S_CD_y - ED_y - t03);
-    L(1, 3) = u.phi_E.cos * n_CD_EDF_x + u.phi_E.sin * n_CD_EDF_y;
-    L(2, 1) = (slide_B_y + BG_y - S_GF_y) * n_GF_BCG_x - (slide_B_x + BG_x - S_GF_x) * n_GF_BCG_y;
+    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_y = d.CD * q.theta_CD.sin;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    L(0, 0) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
+    L(0, 2) = n_CD_BCG_x * u.phi_B.cos + n_CD_BCG_y * u.phi_B.sin;
+    L(1, 0) = (S_CD_x - CD_x) * n_CD_EDF_y - (S_CD_y - CD_y) * n_CD_EDF_x;
+    L(1, 3) = n_CD_EDF_x * u.phi_E.cos + n_CD_EDF_y * u.phi_E.sin;
+    L(2, 1) = S_GF_x * n_GF_BCG_y - S_GF_y * n_GF_BCG_x;
     L(2, 2) = u.phi_B.cos * n_GF_BCG_x + u.phi_B.sin * n_GF_BCG_y;
-    L(3, 1) = n_GF_EDF_y * (S_GF_x - EF_x - t04) - n_GF_EDF_x * (S_GF_y - EF_y - t03);
+    L(3, 1) = (S_GF_x - GF_x) * n_GF_EDF_y - (S_GF_y - GF_y) * n_GF_EDF_x;
     L(3, 3) = u.phi_E.cos * n_GF_EDF_x + u.phi_E.sin * n_GF_EDF_y;
   }
 
@@ -925,6 +902,8 @@ struct Model11 {
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
     const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_y = d.CD * q.theta_CD.sin;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
     const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
@@ -932,6 +911,8 @@ struct Model11 {
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
     const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
     const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = u.phi_E.sin * t02 + u.phi_E.cos * d.x_F_EDF;
     const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t02;
@@ -943,30 +924,24 @@ struct Model11 {
     const Scalar t08 = slide_E_x + ED_x;
     const Scalar t09 = u.phi_E.sin * v_s_E;
     const Scalar t10 = slide_E_y + ED_y;
-    const Scalar t11 = u.x_B - u.x_E;
-    const Scalar t12 = u.phi_E.cos * v_s_E;
-    const Scalar t13 = u.y_B - u.y_E;
-    const Scalar t14 = slide_B_x + BG_x;
-    const Scalar t15 = slide_B_y + BG_y;
-    const Scalar t16 = omega_GF * omega_GF;
-    const Scalar t17 = slide_E_x + EF_x;
-    const Scalar t18 = slide_E_y + EF_y;
-    a(0, 0) = a_x_B - omega_B * (t03 * omega_B + Scalar(2) * t04) - t05 * alpha_B - t06 * (S_CD_x
-        - t03);
-    a(0, 1) = t03 * alpha_B + a_y_B + t06 * (t05 - S_CD_y) - omega_B * (omega_B * t05
-        - Scalar(2) * t07);
-    a(1, 0) = a_x_E - omega_E * (t08 * omega_E + Scalar(2) * t09) - t10 * alpha_E - t06 * (S_CD_x
-        + t11 - t08);
-    a(1, 1) = t08 * alpha_E + a_y_E - omega_E * (omega_E * t10 - Scalar(2) * t12) - t06 * (S_CD_y
-        + t13 - t10);
-    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t04 + omega_B * t14) - alpha_B * t15 - t16 * (S_GF_x
-        - t14);
-    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t07 - omega_B * t15) + alpha_B * t14 + t16 * (t15
-        - S_GF_y);
-    a(3, 0) = a_x_E - omega_E * (Scalar(2) * t09 + omega_E * t17) - alpha_E * t18 - t16 * (S_GF_x
-        + t11 - t17);
-    a(3, 1) = a_y_E + omega_E * (Scalar(2) * t12 - omega_E * t18) + alpha_E * t17 - t16 * (S_GF_y
-        + t13 - t18);
+    const Scalar t11 = u.phi_E.cos * v_s_E;
+    const Scalar t12 = slide_B_x + BG_x;
+    const Scalar t13 = slide_B_y + BG_y;
+    const Scalar t14 = omega_GF * omega_GF;
+    const Scalar t15 = slide_E_x + EF_x;
+    const Scalar t16 = slide_E_y + EF_y;
+    a(0, 0) = a_x_B - omega_B * (t03 * omega_B + Scalar(2) * t04) - t05 * alpha_B - S_CD_x * t06;
+    a(0, 1) = t03 * alpha_B + a_y_B - omega_B * (omega_B * t05 - Scalar(2) * t07) - S_CD_y * t06;
+    a(1, 0) = a_x_E - omega_E * (t08 * omega_E + Scalar(2) * t09) - t10 * alpha_E - (S_CD_x
+        - CD_x) * t06;
+    a(1, 1) = t08 * alpha_E + a_y_E - omega_E * (omega_E * t10 - Scalar(2) * t11) - (S_CD_y
+        - CD_y) * t06;
+    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t04 + omega_B * t12) - alpha_B * t13 - S_GF_x * t14;
+    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t07 - omega_B * t13) + alpha_B * t12 - S_GF_y * t14;
+    a(3, 0) = a_x_E - omega_E * (Scalar(2) * t09 + omega_E * t15) - alpha_E * t16 - (S_GF_x
+        - GF_x) * t14;
+    a(3, 1) = a_y_E + omega_E * (Scalar(2) * t11 - omega_E * t16) + alpha_E * t15 - (S_GF_y
+        - GF_y) * t14;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:
