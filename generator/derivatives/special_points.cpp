@@ -124,7 +124,9 @@ class SpecialPointDerivation {
     return origin;
   }
 
-  /// Through the chord the origin is ahead of the tree's by the loop's residual, which stays zero.
+  /// Through the chord the origin is where the tree puts it, less `ahead` times the residual. That
+  /// is zero, but its derivatives hold other unknowns; the right-hand sides are minus what they
+  /// hold without them.
   [[nodiscard]] Origin chord_origin(Origin origin, std::size_t loop, int ahead) const {
     const std::size_t row = 2 * loop;
     for (std::size_t k = 0; k < equations_.unknowns.size(); ++k) {
