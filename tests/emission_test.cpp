@@ -1,6 +1,7 @@
 // Law: emission depends on its input alone, and what is checked in is what the generator emits.
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <set>
 
 #include "command.hpp"
@@ -59,7 +60,9 @@ TEST(Emission, CallsNoPowerAndNoTrigonometryAndDoesNotBranch) {
   std::string text;
   std::string line;
   while (std::getline(lines, line)) {
-    text += line.substr(0, line.find("//")) + "\n";
+    // Comments and names in quotes may say what they like.
+    text +=
+        std::regex_replace(line.substr(0, line.find("//")), std::regex("\"[^\"]*\""), "") + "\n";
   }
   for (const char* forbidden :
        {"pow(", "sin(", "cos(", "tan(", "sqrt(", "if (", "for (", "while (", " ? "}) {

@@ -10,6 +10,7 @@
 #include "emission/emit.hpp"
 #include "emission/model_functions.hpp"
 #include "emission/solution_functions.hpp"
+#include "emission/special_point_functions.hpp"
 #include "emission/templates.hpp"
 #include "error.hpp"
 
@@ -57,11 +58,16 @@ class ModelSpelling {
     add(equations.inputs, "u");
   }
 
+  /// A symbol that is an entry of a parameter and is taken out of it, as rates are.
+  void take_out(const GiNaC::symbol& symbol, const std::string& entry) {
+    rates_[symbol.get_name()] = entry;
+  }
+
   [[nodiscard]] std::string spell(const std::string& symbol) const {
     const auto found = members_.find(symbol);
     return found == members_.end() ? symbol : found->second;
   }
-  /// `const Scalar omega_BCG = q_rate(0);`, or nothing for a symbol that is no rate.
+  /// `const Scalar omega_BCG = q_rate(0);`, or nothing for a symbol that is no entry.
   [[nodiscard]] std::string taken_out(const std::string& symbol) const {
     const auto found = rates_.find(symbol);
     return found == rates_.end() ? "" : "const Scalar " + symbol + " = " + found->second + ";";
@@ -166,7 +172,7 @@ mustache::data function_view(const ModelFunction& function, const Program& progr
                              joined(function.outputs, ", ", output_text));
   view.set("body", line_list(body, "    "));
   const OperationCount count = program.count();
-  view.set("padded_name", function.name + ":" + std::string(26 - function.name.size(), ' '));
+  view.set("padded_name", function.name + ":" + std::string(28 - function.name.size(), ' '));
   view.set("multiplications", std::to_string(count.multiplications));
   view.set("additions", std::to_string(count.additions));
   view.set("divisions", std::to_string(count.divisions));
@@ -277,18 +283,33 @@ EmittedFile emit_model(const Model& model) {
   const ClosureEquations equations = closure_equations(model);
   const Derivatives derivatives = differentiate(equations);
   const Mobility mobility = mobility_of(equations, derivatives);
-  const ModelSpelling spelling(equations);
+  ModelSpelling spelling(equations);
+  SpecialPointFunctions special_functions;
+  SpecialPoints special{{}, false, "the group is no structure"};
+  if (mobility.rigid) {
+    special = special_points(equations, derivatives);
+  }
+  if (special.defined) {
+    special_functions = special_point_functions(equations, special);
+    for (const auto& [symbol, entry] : special_functions.symbols) {
+      spelling.take_out(symbol, entry);
+    }
+  }
 
   mustache::data functions{mustache::data::type::list};
   const auto add_functions = [&](const std::vector<ModelFunction>& list,
                                  const Vocabulary& vocabulary) {
-    const SymbolOrder order = symbol_order(equations, vocabulary);
+    SymbolOrder order = symbol_order(equations, vocabulary);
+    for (const auto& [symbol, entry] : special_functions.symbols) {
+      order.declare(symbol);
+    }
     for (const ModelFunction& function : list) {
       const Program program(order, vocabulary.quantities(), function.results);
       functions << function_view(function, program, spelling);
     }
   };
   add_functions(model_functions(equations, derivatives), equations.vocabulary);
+  add_functions(special_functions.functions, equations.vocabulary);
 
   mustache::data view;
   view.set("group", model.group->name());
@@ -306,6 +327,10 @@ EmittedFile emit_model(const Model& model) {
   view.set("mobility", std::to_string(mobility.freedom));
   std::vector<std::string> closure = closure_lines(equations);
   view.set("frames", link_list(equations));
+  view.set("special_points", line_list(special_point_lines(equations, special), ""));
+  view.set("closure_link_list", joined(closure_links(*model.group), ", ",
+                                       [](int link) { return std::to_string(link); }));
+  view.set("has_special_points", boolean(special.defined));
   view.set("has_positions", mobility.rigid);
   if (mobility.rigid) {
     const StructuredJacobian structured(equations);
@@ -348,6 +373,7 @@ EmittedFile emit_model(const Model& model) {
   count("dimension_count", equations.dimensions.size());
   count("input_count", equations.inputs.size());
   count("compatibility_count", equations.compatibility.size());
+  count("closure_link_count", closure_links(*model.group).size());
   count("kind_count", model.members.size());
   view.set("unknowns", variable_list(equations.unknowns, equations.owners));
   view.set("dimensions", variable_list(equations.dimensions));

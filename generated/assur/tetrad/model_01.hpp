@@ -28,29 +28,37 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   S_CD: by BCG theta_BCG and theta_CD, by EDF theta_EDF and theta_CD
+///   S_GF: by BCG theta_BCG and theta_GF, by EDF theta_EDF and theta_GF
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:                   16, 18, 0
-///   jacobian:                   16, 4, 0
-///   dimension_jacobian:         0, 0, 0
-///   input_jacobian:             0, 0, 0
-///   velocity_rhs:               0, 2, 0
-///   acceleration_rhs:           32, 18, 0
-///   jerk_rhs:                   68, 30, 0
-///   curvature_rhs:              72, 28, 0
-///   link_poses:                 6, 6, 0
-///   pose_jacobians:             6, 2, 0
-///   link_velocities:            10, 6, 0
-///   link_accelerations:         15, 10, 0
-///   pose_curvatures:            26, 8, 0
-///   degeneracies:               26, 18, 0
-///   inverse_jacobian:           72, 21, 1
-///   sensitivities:              102, 35, 1
-///   velocity:                   56, 25, 1
-///   motion:                     90, 47, 1
-///   sensitivities_and_motion:   142, 63, 1
-///   position_polynomial:        102, 77, 0
-///   second_equations:           34, 24, 0
-///   complete:                   16, 14, 2
+///   residual:                     16, 18, 0
+///   jacobian:                     16, 4, 0
+///   dimension_jacobian:           0, 0, 0
+///   input_jacobian:               0, 0, 0
+///   velocity_rhs:                 0, 2, 0
+///   acceleration_rhs:             32, 18, 0
+///   jerk_rhs:                     68, 30, 0
+///   curvature_rhs:                72, 28, 0
+///   link_poses:                   6, 6, 0
+///   pose_jacobians:               6, 2, 0
+///   link_velocities:              10, 6, 0
+///   link_accelerations:           15, 10, 0
+///   pose_curvatures:              26, 8, 0
+///   special_point_lines:          20, 6, 0
+///   special_point_lengths:        32, 16, 0
+///   special_point_velocities:     0, 0, 0
+///   special_point_accelerations:  36, 24, 0
+///   degeneracies:                 26, 18, 0
+///   inverse_jacobian:             72, 21, 1
+///   sensitivities:                102, 35, 1
+///   velocity:                     56, 25, 1
+///   motion:                       90, 47, 1
+///   sensitivities_and_motion:     142, 63, 1
+///   position_polynomial:          102, 77, 0
+///   second_equations:             34, 24, 0
+///   complete:                     16, 14, 2
 struct Model01 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 1;
@@ -63,13 +71,15 @@ struct Model01 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;
+  static constexpr bool has_special_points = true;
   static constexpr int max_configurations = 6;
   static constexpr std::size_t polynomial_degree = 3;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = 1;  ///< of the reduced equations; -1: none
   static constexpr int pivot_count = 3;
   static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
-  static constexpr int determinant_sign = -1;  ///< det J = sign * the pivots' product
+  static constexpr int determinant_sign = -1;  ///< of det J against their product
 
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {
@@ -169,6 +179,8 @@ struct Model01 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 1> kinds = { {
       {"RRR-RRR", { 0, 1, 2, 3, 4, 5 }},
@@ -577,9 +589,147 @@ struct Model01 {
         - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - omega_BCG * BG_y);
   }
 
-  /// What the structured elimination divides by, p, the core's determinant first; the size
-  /// of each that a well-shaped group would have; and the size of the determinant's terms.
-  /// det J = -p(0) * p(1) * p(2).
+  /// The lines n . S = c on which the unknowns move a special point in parallel,
+  /// along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the
+  /// link's frame, in the directions of the fixed frame.
+  template <typename Scalar>
+  static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
+    lines.setZero();
+    const Scalar BC_x = q.theta_BCG.cos * d.BC;
+    const Scalar BC_y = d.BC * q.theta_BCG.sin;
+    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    lines(0, 0) = -BC_y;
+    lines(0, 1) = BC_x;
+    lines(1, 0) = -ED_y;
+    lines(1, 1) = ED_x;
+    lines(1, 2) = ED_x * CD_y - ED_y * CD_x;
+    lines(2, 0) = -BG_y;
+    lines(2, 1) = BG_x;
+    lines(3, 0) = -EF_y;
+    lines(3, 1) = EF_x;
+    lines(3, 2) = EF_x * GF_y - EF_y * GF_x;
+  }
+
+  /// The signed lengths L: on side i of its link a special point at S moves by
+  /// the sum over k of L(i, k) dq_k/dt along the unit normal n of its line.
+  template <typename Scalar>
+  static void special_point_lengths(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
+      const Matrix<Scalar, 2 * closure_link_count, 2>& n,
+      Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
+    const Scalar S_CD_x = S(0, 0);
+    const Scalar S_CD_y = S(0, 1);
+    const Scalar n_CD_BCG_x = n(0, 0);
+    const Scalar n_CD_BCG_y = n(0, 1);
+    const Scalar n_CD_EDF_x = n(1, 0);
+    const Scalar n_CD_EDF_y = n(1, 1);
+    const Scalar S_GF_x = S(1, 0);
+    const Scalar S_GF_y = S(1, 1);
+    const Scalar n_GF_BCG_x = n(2, 0);
+    const Scalar n_GF_BCG_y = n(2, 1);
+    const Scalar n_GF_EDF_x = n(3, 0);
+    const Scalar n_GF_EDF_y = n(3, 1);
+    L.setZero();
+    const Scalar BC_x = q.theta_BCG.cos * d.BC;
+    const Scalar BC_y = d.BC * q.theta_BCG.sin;
+    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    L(0, 0) = BC_x * n_CD_BCG_y - BC_y * n_CD_BCG_x;
+    L(0, 2) = n_CD_BCG_y * S_CD_x - n_CD_BCG_x * S_CD_y;
+    L(1, 1) = ED_x * n_CD_EDF_y - ED_y * n_CD_EDF_x;
+    L(1, 2) = n_CD_EDF_y * (S_CD_x - CD_x) - n_CD_EDF_x * (S_CD_y - CD_y);
+    L(2, 0) = BG_x * n_GF_BCG_y - BG_y * n_GF_BCG_x;
+    L(2, 3) = n_GF_BCG_y * S_GF_x - n_GF_BCG_x * S_GF_y;
+    L(3, 1) = EF_x * n_GF_EDF_y - EF_y * n_GF_EDF_x;
+    L(3, 3) = n_GF_EDF_y * (S_GF_x - GF_x) - n_GF_EDF_x * (S_GF_y - GF_y);
+  }
+
+  /// The velocity of each special point by each side, less what dq/dt adds.
+  template <typename Scalar>
+  static void special_point_velocities(const Dimensions<Scalar>&, const Inputs<Scalar>&,
+      const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
+      const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    v(0, 0) = v_x_B;
+    v(0, 1) = v_y_B;
+    v(1, 0) = v_x_E;
+    v(1, 1) = v_y_E;
+    v(2, 0) = v_x_B;
+    v(2, 1) = v_y_B;
+    v(3, 0) = v_x_E;
+    v(3, 1) = v_y_E;
+  }
+
+  /// The acceleration of each special point by each side, less what d2q/dt2 adds:
+  /// centripetal and Coriolis terms, and the second rates of the inputs.
+  template <typename Scalar>
+  static void special_point_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
+      const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>&,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, 2 * closure_link_count, 2>& a) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar omega_EDF = q_rate(1);
+    const Scalar omega_CD = q_rate(2);
+    const Scalar omega_GF = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar a_x_E = u_second_rate(2);
+    const Scalar a_y_E = u_second_rate(3);
+    const Scalar S_CD_x = S(0, 0);
+    const Scalar S_CD_y = S(0, 1);
+    const Scalar S_GF_x = S(1, 0);
+    const Scalar S_GF_y = S(1, 1);
+    const Scalar BC_x = q.theta_BCG.cos * d.BC;
+    const Scalar BC_y = d.BC * q.theta_BCG.sin;
+    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar t01 = omega_BCG * omega_BCG;
+    const Scalar t02 = omega_CD * omega_CD;
+    const Scalar t03 = omega_EDF * omega_EDF;
+    const Scalar t04 = omega_GF * omega_GF;
+    a(0, 0) = a_x_B - BC_x * t01 - S_CD_x * t02;
+    a(0, 1) = a_y_B - BC_y * t01 - S_CD_y * t02;
+    a(1, 0) = a_x_E - (S_CD_x - CD_x) * t02 - ED_x * t03;
+    a(1, 1) = a_y_E - (S_CD_y - CD_y) * t02 - ED_y * t03;
+    a(2, 0) = a_x_B - BG_x * t01 - S_GF_x * t04;
+    a(2, 1) = a_y_B - BG_y * t01 - S_GF_y * t04;
+    a(3, 0) = a_x_E - EF_x * t03 - (S_GF_x - GF_x) * t04;
+    a(3, 1) = a_y_E - EF_y * t03 - (S_GF_y - GF_y) * t04;
+  }
+
+  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
+  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// det J = -(BCG_across_CD EDF_across_GF - EDF_across_CD BCG_across_GF) GF CD
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,

@@ -27,28 +27,36 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   S_CD: by BCG theta_BCG and s_C, by EDF theta_BCG and s_D
+///   S_GF: by BCG theta_BCG and theta_GF, by EDF theta_BCG and theta_GF
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:                   22, 22, 0
-///   jacobian:                   22, 14, 0
-///   dimension_jacobian:         12, 6, 0
-///   input_jacobian:             0, 0, 0
-///   velocity_rhs:               0, 2, 0
-///   acceleration_rhs:           40, 26, 0
-///   jerk_rhs:                   68, 38, 0
-///   curvature_rhs:              82, 46, 0
-///   link_poses:                 12, 10, 0
-///   pose_jacobians:             8, 4, 0
-///   link_velocities:            14, 10, 0
-///   link_accelerations:         25, 16, 0
-///   pose_curvatures:            32, 12, 0
-///   degeneracies:               16, 13, 0
-///   inverse_jacobian:           51, 21, 1
-///   sensitivities:              81, 35, 1
-///   velocity:                   45, 26, 1
-///   motion:                     71, 44, 1
-///   sensitivities_and_motion:   118, 59, 1
-///   position_polynomial:        19, 16, 0
-///   complete:                   19, 16, 2
+///   residual:                     22, 22, 0
+///   jacobian:                     22, 14, 0
+///   dimension_jacobian:           12, 6, 0
+///   input_jacobian:               0, 0, 0
+///   velocity_rhs:                 0, 2, 0
+///   acceleration_rhs:             40, 26, 0
+///   jerk_rhs:                     68, 38, 0
+///   curvature_rhs:                82, 46, 0
+///   link_poses:                   12, 10, 0
+///   pose_jacobians:               8, 4, 0
+///   link_velocities:              14, 10, 0
+///   link_accelerations:           25, 16, 0
+///   pose_curvatures:              32, 12, 0
+///   special_point_lines:          28, 13, 0
+///   special_point_lengths:        38, 24, 0
+///   special_point_velocities:     0, 0, 0
+///   special_point_accelerations:  48, 32, 0
+///   degeneracies:                 16, 13, 0
+///   inverse_jacobian:             51, 21, 1
+///   sensitivities:                81, 35, 1
+///   velocity:                     45, 26, 1
+///   motion:                       71, 44, 1
+///   sensitivities_and_motion:     118, 59, 1
+///   position_polynomial:          19, 16, 0
+///   complete:                     19, 16, 2
 struct Model04 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 4;
@@ -61,13 +69,15 @@ struct Model04 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;
+  static constexpr bool has_special_points = true;
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = -1;  ///< of the reduced equations; -1: none
   static constexpr int pivot_count = 3;
   static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
-  static constexpr int determinant_sign = 1;  ///< det J = sign * the pivots' product
+  static constexpr int determinant_sign = 1;  ///< of det J against their product
 
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {
@@ -167,6 +177,8 @@ struct Model04 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 2> kinds = { {
       {"RPR-RPR", { 0, 1, 2, 3, 4, 5 }},
@@ -635,9 +647,162 @@ struct Model04 {
         - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - omega_BCG * BG_y);
   }
 
-  /// What the structured elimination divides by, p, the core's determinant first; the size
-  /// of each that a well-shaped group would have; and the size of the determinant's terms.
-  /// det J = p(0) * p(1) * p(2).
+  /// The lines n . S = c on which the unknowns move a special point in parallel,
+  /// along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the
+  /// link's frame, in the directions of the fixed frame.
+  template <typename Scalar>
+  static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
+    lines.setZero();
+    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
+    const Scalar ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = cos_EDF * q.s_D;
+    const Scalar slide_D_y = sin_EDF * q.s_D;
+    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
+    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    lines(0, 0) = -q.theta_BCG.cos;
+    lines(0, 1) = -q.theta_BCG.sin;
+    lines(0, 2) = q.theta_BCG.cos * (BC_x + slide_C_x) + q.theta_BCG.sin * (BC_y + slide_C_y);
+    lines(1, 0) = -cos_EDF;
+    lines(1, 1) = -sin_EDF;
+    lines(1, 2) = cos_EDF * (ED_x + slide_D_x) + sin_EDF * (ED_y + slide_D_y);
+    lines(2, 0) = -BG_y;
+    lines(2, 1) = BG_x;
+    lines(3, 0) = -EF_y;
+    lines(3, 1) = EF_x;
+    lines(3, 2) = EF_x * GF_y - EF_y * GF_x;
+  }
+
+  /// The signed lengths L: on side i of its link a special point at S moves by
+  /// the sum over k of L(i, k) dq_k/dt along the unit normal n of its line.
+  template <typename Scalar>
+  static void special_point_lengths(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
+      const Matrix<Scalar, 2 * closure_link_count, 2>& n,
+      Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
+    const Scalar S_CD_x = S(0, 0);
+    const Scalar S_CD_y = S(0, 1);
+    const Scalar n_CD_BCG_x = n(0, 0);
+    const Scalar n_CD_BCG_y = n(0, 1);
+    const Scalar n_CD_EDF_x = n(1, 0);
+    const Scalar n_CD_EDF_y = n(1, 1);
+    const Scalar S_GF_x = S(1, 0);
+    const Scalar S_GF_y = S(1, 1);
+    const Scalar n_GF_BCG_x = n(2, 0);
+    const Scalar n_GF_BCG_y = n(2, 1);
+    const Scalar n_GF_EDF_x = n(3, 0);
+    const Scalar n_GF_EDF_y = n(3, 1);
+    L.setZero();
+    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
+    const Scalar ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = cos_EDF * q.s_D;
+    const Scalar slide_D_y = sin_EDF * q.s_D;
+    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
+    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    L(0, 0) = (BC_x + slide_C_x + S_CD_x) * n_CD_BCG_y - (BC_y + slide_C_y + S_CD_y) * n_CD_BCG_x;
+    L(0, 2) = q.theta_BCG.cos * n_CD_BCG_x + q.theta_BCG.sin * n_CD_BCG_y;
+    L(1, 0) = (S_CD_x + ED_x + slide_D_x) * n_CD_EDF_y - (S_CD_y + ED_y + slide_D_y) * n_CD_EDF_x;
+    L(1, 3) = cos_EDF * n_CD_EDF_x + sin_EDF * n_CD_EDF_y;
+    L(2, 0) = BG_x * n_GF_BCG_y - BG_y * n_GF_BCG_x;
+    L(2, 1) = n_GF_BCG_y * S_GF_x - n_GF_BCG_x * S_GF_y;
+    L(3, 0) = EF_x * n_GF_EDF_y - EF_y * n_GF_EDF_x;
+    L(3, 1) = n_GF_EDF_y * (S_GF_x - GF_x) - n_GF_EDF_x * (S_GF_y - GF_y);
+  }
+
+  /// The velocity of each special point by each side, less what dq/dt adds.
+  template <typename Scalar>
+  static void special_point_velocities(const Dimensions<Scalar>&, const Inputs<Scalar>&,
+      const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
+      const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar v_x_E = u_rate(2);
+    const Scalar v_y_E = u_rate(3);
+    v(0, 0) = v_x_B;
+    v(0, 1) = v_y_B;
+    v(1, 0) = v_x_E;
+    v(1, 1) = v_y_E;
+    v(2, 0) = v_x_B;
+    v(2, 1) = v_y_B;
+    v(3, 0) = v_x_E;
+    v(3, 1) = v_y_E;
+  }
+
+  /// The acceleration of each special point by each side, less what d2q/dt2 adds:
+  /// centripetal and Coriolis terms, and the second rates of the inputs.
+  template <typename Scalar>
+  static void special_point_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
+      const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>&,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, 2 * closure_link_count, 2>& a) {
+    const Scalar omega_BCG = q_rate(0);
+    const Scalar omega_GF = q_rate(1);
+    const Scalar v_s_C = q_rate(2);
+    const Scalar v_s_D = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar a_x_E = u_second_rate(2);
+    const Scalar a_y_E = u_second_rate(3);
+    const Scalar S_CD_x = S(0, 0);
+    const Scalar S_CD_y = S(0, 1);
+    const Scalar S_GF_x = S(1, 0);
+    const Scalar S_GF_y = S(1, 1);
+    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
+    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
+    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
+    const Scalar ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = cos_EDF * q.s_D;
+    const Scalar slide_D_y = sin_EDF * q.s_D;
+    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
+    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
+    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar t01 = omega_BCG * omega_BCG;
+    const Scalar t02 = omega_GF * omega_GF;
+    a(0, 0) = a_x_B - omega_BCG * ((BC_x + slide_C_x + S_CD_x) * omega_BCG
+        + Scalar(2) * q.theta_BCG.sin * v_s_C);
+    a(0, 1) = a_y_B - omega_BCG * (omega_BCG * (BC_y + slide_C_y + S_CD_y)
+        - Scalar(2) * q.theta_BCG.cos * v_s_C);
+    a(1, 0) = a_x_E - omega_BCG * (omega_BCG * (S_CD_x + ED_x + slide_D_x)
+        + Scalar(2) * sin_EDF * v_s_D);
+    a(1, 1) = a_y_E - omega_BCG * (omega_BCG * (S_CD_y + ED_y + slide_D_y)
+        - Scalar(2) * cos_EDF * v_s_D);
+    a(2, 0) = a_x_B - BG_x * t01 - S_GF_x * t02;
+    a(2, 1) = a_y_B - BG_y * t01 - S_GF_y * t02;
+    a(3, 0) = a_x_E - EF_x * t01 - (S_GF_x - GF_x) * t02;
+    a(3, 1) = a_y_E - EF_y * t01 - (S_GF_y - GF_y) * t02;
+  }
+
+  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
+  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// det J = BCG_across_GF sin(psi_D_CD) GF
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,

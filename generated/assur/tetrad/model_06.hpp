@@ -27,28 +27,31 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   none: by EDF link GF is moved by theta_BCG alone, which singles out no line
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:                   26, 24, 0
-///   jacobian:                   26, 18, 0
-///   dimension_jacobian:         22, 12, 0
-///   input_jacobian:             0, 0, 0
-///   velocity_rhs:               0, 2, 0
-///   acceleration_rhs:           46, 30, 0
-///   jerk_rhs:                   76, 44, 0
-///   curvature_rhs:              84, 53, 0
-///   link_poses:                 18, 14, 0
-///   pose_jacobians:             14, 8, 0
-///   link_velocities:            22, 16, 0
-///   link_accelerations:         38, 24, 0
-///   pose_curvatures:            44, 23, 0
-///   degeneracies:               6, 8, 0
-///   inverse_jacobian:           37, 18, 1
-///   sensitivities:              59, 31, 1
-///   velocity:                   33, 23, 1
-///   motion:                     57, 41, 1
-///   sensitivities_and_motion:   95, 55, 1
-///   position_polynomial:        12, 9, 0
-///   complete:                   15, 13, 1
+///   residual:                     26, 24, 0
+///   jacobian:                     26, 18, 0
+///   dimension_jacobian:           22, 12, 0
+///   input_jacobian:               0, 0, 0
+///   velocity_rhs:                 0, 2, 0
+///   acceleration_rhs:             46, 30, 0
+///   jerk_rhs:                     76, 44, 0
+///   curvature_rhs:                84, 53, 0
+///   link_poses:                   18, 14, 0
+///   pose_jacobians:               14, 8, 0
+///   link_velocities:              22, 16, 0
+///   link_accelerations:           38, 24, 0
+///   pose_curvatures:              44, 23, 0
+///   degeneracies:                 6, 8, 0
+///   inverse_jacobian:             37, 18, 1
+///   sensitivities:                59, 31, 1
+///   velocity:                     33, 23, 1
+///   motion:                       57, 41, 1
+///   sensitivities_and_motion:     95, 55, 1
+///   position_polynomial:          12, 9, 0
+///   complete:                     15, 13, 1
 struct Model06 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 6;
@@ -61,13 +64,15 @@ struct Model06 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;
+  static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = -1;  ///< of the reduced equations; -1: none
   static constexpr int pivot_count = 2;
   static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
-  static constexpr int determinant_sign = 1;  ///< det J = sign * the pivots' product
+  static constexpr int determinant_sign = 1;  ///< of det J against their product
 
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {
@@ -166,6 +171,8 @@ struct Model06 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 4> kinds = { {
       {"RPP-RPR", { 0, 1, 2, 3, 4, 5 }},
@@ -742,9 +749,9 @@ struct Model06 {
         - omega_G_BCG * (t08 + Scalar(2) * t09);
   }
 
-  /// What the structured elimination divides by, p, the core's determinant first; the size
-  /// of each that a well-shaped group would have; and the size of the determinant's terms.
-  /// det J = p(0) * p(1).
+  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
+  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// det J = -BCG_along_slide_G sin(psi_D_CD)
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,

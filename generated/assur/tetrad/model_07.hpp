@@ -27,21 +27,24 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   none: the group is no structure
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:                   36, 28, 0
-///   jacobian:                   36, 22, 0
-///   dimension_jacobian:         32, 16, 0
-///   input_jacobian:             0, 0, 0
-///   velocity_rhs:               0, 2, 0
-///   acceleration_rhs:           60, 36, 0
-///   jerk_rhs:                   92, 52, 0
-///   curvature_rhs:              109, 68, 0
-///   link_poses:                 16, 12, 0
-///   pose_jacobians:             12, 6, 0
-///   link_velocities:            20, 14, 0
-///   link_accelerations:         36, 22, 0
-///   pose_curvatures:            42, 20, 0
-///   compatibility:              12, 6, 0
+///   residual:                     36, 28, 0
+///   jacobian:                     36, 22, 0
+///   dimension_jacobian:           32, 16, 0
+///   input_jacobian:               0, 0, 0
+///   velocity_rhs:                 0, 2, 0
+///   acceleration_rhs:             60, 36, 0
+///   jerk_rhs:                     92, 52, 0
+///   curvature_rhs:                109, 68, 0
+///   link_poses:                   16, 12, 0
+///   pose_jacobians:               12, 6, 0
+///   link_velocities:              20, 14, 0
+///   link_accelerations:           36, 22, 0
+///   pose_curvatures:              42, 20, 0
+///   compatibility:                12, 6, 0
 struct Model07 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 7;
@@ -54,6 +57,8 @@ struct Model07 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 1;
+  static constexpr int closure_link_count = 2;
+  static constexpr bool has_special_points = false;
 
 
   /// Link dimensions d.
@@ -149,6 +154,8 @@ struct Model07 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 1> kinds = { {
       {"RPP-RPP", { 0, 1, 2, 3, 4, 5 }},

@@ -28,29 +28,37 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   S_CD: by BCG theta_EDF and s_B, by EDF theta_EDF and s_D
+///   S_GF: by BCG theta_GF and s_B, by EDF theta_EDF and theta_GF
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:                   20, 23, 0
-///   jacobian:                   12, 6, 0
-///   dimension_jacobian:         0, 0, 0
-///   input_jacobian:             8, 7, 0
-///   velocity_rhs:               12, 13, 0
-///   acceleration_rhs:           52, 35, 0
-///   jerk_rhs:                   104, 55, 0
-///   curvature_rhs:              76, 40, 0
-///   link_poses:                 8, 9, 0
-///   pose_jacobians:             8, 7, 0
-///   link_velocities:            14, 13, 0
-///   link_accelerations:         28, 21, 0
-///   pose_curvatures:            32, 17, 0
-///   degeneracies:               13, 17, 0
-///   inverse_jacobian:           53, 18, 1
-///   sensitivities:              92, 47, 1
-///   velocity:                   52, 32, 1
-///   motion:                     93, 62, 1
-///   sensitivities_and_motion:   150, 87, 1
-///   position_polynomial:        81, 60, 0
-///   second_equations:           44, 36, 0
-///   complete:                   16, 17, 1
+///   residual:                     20, 23, 0
+///   jacobian:                     12, 6, 0
+///   dimension_jacobian:           0, 0, 0
+///   input_jacobian:               8, 7, 0
+///   velocity_rhs:                 12, 13, 0
+///   acceleration_rhs:             52, 35, 0
+///   jerk_rhs:                     104, 55, 0
+///   curvature_rhs:                76, 40, 0
+///   link_poses:                   8, 9, 0
+///   pose_jacobians:               8, 7, 0
+///   link_velocities:              14, 13, 0
+///   link_accelerations:           28, 21, 0
+///   pose_curvatures:              32, 17, 0
+///   special_point_lines:          16, 8, 0
+///   special_point_lengths:        28, 18, 0
+///   special_point_velocities:     12, 11, 0
+///   special_point_accelerations:  56, 41, 0
+///   degeneracies:                 13, 17, 0
+///   inverse_jacobian:             53, 18, 1
+///   sensitivities:                92, 47, 1
+///   velocity:                     52, 32, 1
+///   motion:                       93, 62, 1
+///   sensitivities_and_motion:     150, 87, 1
+///   position_polynomial:          81, 60, 0
+///   second_equations:             44, 36, 0
+///   complete:                     16, 17, 1
 struct Model09 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 9;
@@ -63,13 +71,15 @@ struct Model09 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;
+  static constexpr bool has_special_points = true;
   static constexpr int max_configurations = 6;
   static constexpr std::size_t polynomial_degree = 3;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = 2;  ///< of the reduced equations; -1: none
   static constexpr int pivot_count = 2;
   static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
-  static constexpr int determinant_sign = -1;  ///< det J = sign * the pivots' product
+  static constexpr int determinant_sign = -1;  ///< of det J against their product
 
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {
@@ -170,6 +180,8 @@ struct Model09 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 4> kinds = { {
       {"PRR-RPR", { 0, 1, 2, 3, 4, 5 }},
@@ -707,9 +719,166 @@ struct Model09 {
         - omega_B * (slide_B_y + BG_y));
   }
 
-  /// What the structured elimination divides by, p, the core's determinant first; the size
-  /// of each that a well-shaped group would have; and the size of the determinant's terms.
-  /// det J = -p(0) * p(1).
+  /// The lines n . S = c on which the unknowns move a special point in parallel,
+  /// along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the
+  /// link's frame, in the directions of the fixed frame.
+  template <typename Scalar>
+  static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
+    lines.setZero();
+    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
+    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
+    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    lines(0, 0) = -u.phi_B.cos;
+    lines(0, 1) = -u.phi_B.sin;
+    lines(1, 0) = -q.theta_EDF.cos;
+    lines(1, 1) = -q.theta_EDF.sin;
+    lines(1, 2) = -q.theta_EDF.cos * (CD_x - ED_x - slide_D_x) - q.theta_EDF.sin * (CD_y - ED_y
+        - slide_D_y);
+    lines(2, 0) = -u.phi_B.cos;
+    lines(2, 1) = -u.phi_B.sin;
+    lines(3, 0) = -EF_y;
+    lines(3, 1) = EF_x;
+    lines(3, 2) = EF_x * GF_y - EF_y * GF_x;
+  }
+
+  /// The signed lengths L: on side i of its link a special point at S moves by
+  /// the sum over k of L(i, k) dq_k/dt along the unit normal n of its line.
+  template <typename Scalar>
+  static void special_point_lengths(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
+      const Matrix<Scalar, 2 * closure_link_count, 2>& n,
+      Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
+    const Scalar S_CD_x = S(0, 0);
+    const Scalar S_CD_y = S(0, 1);
+    const Scalar n_CD_BCG_x = n(0, 0);
+    const Scalar n_CD_BCG_y = n(0, 1);
+    const Scalar n_CD_EDF_x = n(1, 0);
+    const Scalar n_CD_EDF_y = n(1, 1);
+    const Scalar S_GF_x = S(1, 0);
+    const Scalar S_GF_y = S(1, 1);
+    const Scalar n_GF_BCG_x = n(2, 0);
+    const Scalar n_GF_BCG_y = n(2, 1);
+    const Scalar n_GF_EDF_x = n(3, 0);
+    const Scalar n_GF_EDF_y = n(3, 1);
+    L.setZero();
+    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
+    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
+    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    L(0, 0) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
+    L(0, 2) = n_CD_BCG_x * u.phi_B.cos + n_CD_BCG_y * u.phi_B.sin;
+    L(1, 0) = (S_CD_x + ED_x + slide_D_x - CD_x) * n_CD_EDF_y - (S_CD_y + ED_y + slide_D_y
+        - CD_y) * n_CD_EDF_x;
+    L(1, 3) = q.theta_EDF.cos * n_CD_EDF_x + q.theta_EDF.sin * n_CD_EDF_y;
+    L(2, 1) = S_GF_x * n_GF_BCG_y - S_GF_y * n_GF_BCG_x;
+    L(2, 2) = u.phi_B.cos * n_GF_BCG_x + u.phi_B.sin * n_GF_BCG_y;
+    L(3, 0) = EF_x * n_GF_EDF_y - EF_y * n_GF_EDF_x;
+    L(3, 1) = n_GF_EDF_y * (S_GF_x - GF_x) - n_GF_EDF_x * (S_GF_y - GF_y);
+  }
+
+  /// The velocity of each special point by each side, less what dq/dt adds.
+  template <typename Scalar>
+  static void special_point_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>&,
+      const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    v(0, 0) = v_x_B - (slide_B_y + BC_y) * omega_B;
+    v(0, 1) = omega_B * (slide_B_x + BC_x) + v_y_B;
+    v(1, 0) = v_x_E;
+    v(1, 1) = v_y_E;
+    v(2, 0) = v_x_B - omega_B * (slide_B_y + BG_y);
+    v(2, 1) = v_y_B + omega_B * (slide_B_x + BG_x);
+    v(3, 0) = v_x_E;
+    v(3, 1) = v_y_E;
+  }
+
+  /// The acceleration of each special point by each side, less what d2q/dt2 adds:
+  /// centripetal and Coriolis terms, and the second rates of the inputs.
+  template <typename Scalar>
+  static void special_point_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
+      const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, 2 * closure_link_count, 2>& a) {
+    const Scalar omega_EDF = q_rate(0);
+    const Scalar omega_GF = q_rate(1);
+    const Scalar v_s_B = q_rate(2);
+    const Scalar v_s_D = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar S_CD_x = S(0, 0);
+    const Scalar S_CD_y = S(0, 1);
+    const Scalar S_GF_x = S(1, 0);
+    const Scalar S_GF_y = S(1, 1);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
+    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
+    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
+    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar t02 = slide_B_x + BC_x;
+    const Scalar t03 = u.phi_B.sin * v_s_B;
+    const Scalar t04 = slide_B_y + BC_y;
+    const Scalar t05 = omega_EDF * omega_EDF;
+    const Scalar t06 = u.phi_B.cos * v_s_B;
+    const Scalar t07 = slide_B_x + BG_x;
+    const Scalar t08 = slide_B_y + BG_y;
+    const Scalar t09 = omega_GF * omega_GF;
+    a(0, 0) = a_x_B - omega_B * (t02 * omega_B + Scalar(2) * t03) - t04 * alpha_B - S_CD_x * t05;
+    a(0, 1) = t02 * alpha_B + a_y_B - omega_B * (omega_B * t04 - Scalar(2) * t06) - S_CD_y * t05;
+    a(1, 0) = a_x_E - omega_EDF * (omega_EDF * (S_CD_x + ED_x + slide_D_x - CD_x)
+        + Scalar(2) * q.theta_EDF.sin * v_s_D);
+    a(1, 1) = a_y_E - omega_EDF * (omega_EDF * (S_CD_y + ED_y + slide_D_y - CD_y)
+        - Scalar(2) * q.theta_EDF.cos * v_s_D);
+    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t03 + omega_B * t07) - alpha_B * t08 - S_GF_x * t09;
+    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t06 - omega_B * t08) + alpha_B * t07 - S_GF_y * t09;
+    a(3, 0) = a_x_E - EF_x * t05 - (S_GF_x - GF_x) * t09;
+    a(3, 1) = a_y_E - EF_y * t05 - (S_GF_y - GF_y) * t09;
+  }
+
+  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
+  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// det J = -(-s_D cos_phi_B_minus_GF + sin_phi_B_minus_EDF EDF_across_GF) GF
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,

@@ -28,29 +28,37 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   S_CD: by BCG theta_EDF and s_B, by EDF theta_EDF and s_D
+///   S_GF: by BCG theta_EDF and s_B, by EDF theta_EDF and s_F
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:                   24, 25, 0
-///   jacobian:                   16, 10, 0
-///   dimension_jacobian:         10, 6, 0
-///   input_jacobian:             8, 7, 0
-///   velocity_rhs:               12, 13, 0
-///   acceleration_rhs:           58, 39, 0
-///   jerk_rhs:                   112, 61, 0
-///   curvature_rhs:              78, 47, 0
-///   link_poses:                 12, 11, 0
-///   pose_jacobians:             8, 7, 0
-///   link_velocities:            14, 13, 0
-///   link_accelerations:         28, 21, 0
-///   pose_curvatures:            32, 17, 0
-///   degeneracies:               12, 14, 0
-///   inverse_jacobian:           42, 17, 1
-///   sensitivities:              72, 45, 1
-///   velocity:                   44, 31, 1
-///   motion:                     83, 61, 1
-///   sensitivities_and_motion:   129, 85, 1
-///   position_polynomial:        31, 24, 0
-///   second_equations:           26, 21, 0
-///   complete:                   16, 16, 0
+///   residual:                     24, 25, 0
+///   jacobian:                     16, 10, 0
+///   dimension_jacobian:           10, 6, 0
+///   input_jacobian:               8, 7, 0
+///   velocity_rhs:                 12, 13, 0
+///   acceleration_rhs:             58, 39, 0
+///   jerk_rhs:                     112, 61, 0
+///   curvature_rhs:                78, 47, 0
+///   link_poses:                   12, 11, 0
+///   pose_jacobians:               8, 7, 0
+///   link_velocities:              14, 13, 0
+///   link_accelerations:           28, 21, 0
+///   pose_curvatures:              32, 17, 0
+///   special_point_lines:          20, 12, 0
+///   special_point_lengths:        32, 22, 0
+///   special_point_velocities:     12, 11, 0
+///   special_point_accelerations:  63, 45, 0
+///   degeneracies:                 12, 14, 0
+///   inverse_jacobian:             42, 17, 1
+///   sensitivities:                72, 45, 1
+///   velocity:                     44, 31, 1
+///   motion:                       83, 61, 1
+///   sensitivities_and_motion:     129, 85, 1
+///   position_polynomial:          31, 24, 0
+///   second_equations:             26, 21, 0
+///   complete:                     16, 16, 0
 struct Model10 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 10;
@@ -63,13 +71,15 @@ struct Model10 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;
+  static constexpr bool has_special_points = true;
   static constexpr int max_configurations = 4;
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = 1;  ///< of the reduced equations; -1: none
   static constexpr int pivot_count = 1;
   static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
-  static constexpr int determinant_sign = -1;  ///< det J = sign * the pivots' product
+  static constexpr int determinant_sign = -1;  ///< of det J against their product
 
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {
@@ -169,6 +179,8 @@ struct Model10 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 2> kinds = { {
       {"PRR-RPP", { 0, 1, 2, 3, 4, 5 }},
@@ -751,9 +763,186 @@ struct Model10 {
         - omega_B * (slide_B_y + BG_y));
   }
 
-  /// What the structured elimination divides by, p, the core's determinant first; the size
-  /// of each that a well-shaped group would have; and the size of the determinant's terms.
-  /// det J = -p(0).
+  /// The lines n . S = c on which the unknowns move a special point in parallel,
+  /// along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the
+  /// link's frame, in the directions of the fixed frame.
+  template <typename Scalar>
+  static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
+    lines.setZero();
+    const Scalar t01 = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
+    const Scalar sin_GF = t02;
+    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar CD_y = q.theta_EDF.cos * d.h_D_CD;
+    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
+    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
+    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF;
+    const Scalar EF_x = -t02 * d.h_F_EDF;
+    const Scalar EF_y = t01 * d.h_F_EDF;
+    const Scalar slide_F_x = cos_GF * q.s_F;
+    const Scalar slide_F_y = sin_GF * q.s_F;
+    lines(0, 0) = -u.phi_B.cos;
+    lines(0, 1) = -u.phi_B.sin;
+    lines(1, 0) = -q.theta_EDF.cos;
+    lines(1, 1) = -q.theta_EDF.sin;
+    lines(1, 2) = -q.theta_EDF.cos * (CD_x - ED_x - slide_D_x) - q.theta_EDF.sin * (CD_y - ED_y
+        - slide_D_y);
+    lines(2, 0) = -u.phi_B.cos;
+    lines(2, 1) = -u.phi_B.sin;
+    lines(3, 0) = -cos_GF;
+    lines(3, 1) = -sin_GF;
+    lines(3, 2) = -cos_GF * (GF_x - EF_x - slide_F_x) - sin_GF * (GF_y - EF_y - slide_F_y);
+  }
+
+  /// The signed lengths L: on side i of its link a special point at S moves by
+  /// the sum over k of L(i, k) dq_k/dt along the unit normal n of its line.
+  template <typename Scalar>
+  static void special_point_lengths(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
+      const Matrix<Scalar, 2 * closure_link_count, 2>& n,
+      Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
+    const Scalar S_CD_x = S(0, 0);
+    const Scalar S_CD_y = S(0, 1);
+    const Scalar n_CD_BCG_x = n(0, 0);
+    const Scalar n_CD_BCG_y = n(0, 1);
+    const Scalar n_CD_EDF_x = n(1, 0);
+    const Scalar n_CD_EDF_y = n(1, 1);
+    const Scalar S_GF_x = S(1, 0);
+    const Scalar S_GF_y = S(1, 1);
+    const Scalar n_GF_BCG_x = n(2, 0);
+    const Scalar n_GF_BCG_y = n(2, 1);
+    const Scalar n_GF_EDF_x = n(3, 0);
+    const Scalar n_GF_EDF_y = n(3, 1);
+    L.setZero();
+    const Scalar t01 = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
+    const Scalar sin_GF = t02;
+    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar CD_y = q.theta_EDF.cos * d.h_D_CD;
+    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
+    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
+    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF;
+    const Scalar EF_x = -t02 * d.h_F_EDF;
+    const Scalar EF_y = t01 * d.h_F_EDF;
+    const Scalar slide_F_x = cos_GF * q.s_F;
+    const Scalar slide_F_y = sin_GF * q.s_F;
+    L(0, 0) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
+    L(0, 1) = n_CD_BCG_x * u.phi_B.cos + n_CD_BCG_y * u.phi_B.sin;
+    L(1, 0) = (S_CD_x + ED_x + slide_D_x - CD_x) * n_CD_EDF_y - (S_CD_y + ED_y + slide_D_y
+        - CD_y) * n_CD_EDF_x;
+    L(1, 2) = q.theta_EDF.cos * n_CD_EDF_x + q.theta_EDF.sin * n_CD_EDF_y;
+    L(2, 0) = S_GF_x * n_GF_BCG_y - S_GF_y * n_GF_BCG_x;
+    L(2, 1) = u.phi_B.cos * n_GF_BCG_x + u.phi_B.sin * n_GF_BCG_y;
+    L(3, 0) = (S_GF_x + EF_x + slide_F_x - GF_x) * n_GF_EDF_y - (S_GF_y + EF_y + slide_F_y
+        - GF_y) * n_GF_EDF_x;
+    L(3, 3) = cos_GF * n_GF_EDF_x + sin_GF * n_GF_EDF_y;
+  }
+
+  /// The velocity of each special point by each side, less what dq/dt adds.
+  template <typename Scalar>
+  static void special_point_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>&,
+      const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    v(0, 0) = v_x_B - (slide_B_y + BC_y) * omega_B;
+    v(0, 1) = omega_B * (slide_B_x + BC_x) + v_y_B;
+    v(1, 0) = v_x_E;
+    v(1, 1) = v_y_E;
+    v(2, 0) = v_x_B - omega_B * (slide_B_y + BG_y);
+    v(2, 1) = v_y_B + omega_B * (slide_B_x + BG_x);
+    v(3, 0) = v_x_E;
+    v(3, 1) = v_y_E;
+  }
+
+  /// The acceleration of each special point by each side, less what d2q/dt2 adds:
+  /// centripetal and Coriolis terms, and the second rates of the inputs.
+  template <typename Scalar>
+  static void special_point_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
+      const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, 2 * closure_link_count, 2>& a) {
+    const Scalar omega_EDF = q_rate(0);
+    const Scalar v_s_B = q_rate(1);
+    const Scalar v_s_D = q_rate(2);
+    const Scalar v_s_F = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar S_CD_x = S(0, 0);
+    const Scalar S_CD_y = S(0, 1);
+    const Scalar S_GF_x = S(1, 0);
+    const Scalar S_GF_y = S(1, 1);
+    const Scalar t01 = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar cos_GF = t01;
+    const Scalar t02 = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
+    const Scalar sin_GF = t02;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar CD_y = q.theta_EDF.cos * d.h_D_CD;
+    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
+    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
+    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
+    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar t03 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = u.phi_B.sin * t03 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t03;
+    const Scalar GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF;
+    const Scalar EF_x = -t02 * d.h_F_EDF;
+    const Scalar EF_y = t01 * d.h_F_EDF;
+    const Scalar slide_F_x = cos_GF * q.s_F;
+    const Scalar slide_F_y = sin_GF * q.s_F;
+    const Scalar t04 = slide_B_x + BC_x;
+    const Scalar t05 = u.phi_B.sin * v_s_B;
+    const Scalar t06 = slide_B_y + BC_y;
+    const Scalar t07 = omega_EDF * omega_EDF;
+    const Scalar t08 = u.phi_B.cos * v_s_B;
+    const Scalar t09 = slide_B_x + BG_x;
+    const Scalar t10 = slide_B_y + BG_y;
+    a(0, 0) = a_x_B - omega_B * (t04 * omega_B + Scalar(2) * t05) - t06 * alpha_B - S_CD_x * t07;
+    a(0, 1) = t04 * alpha_B + a_y_B - omega_B * (omega_B * t06 - Scalar(2) * t08) - S_CD_y * t07;
+    a(1, 0) = a_x_E - omega_EDF * (omega_EDF * (S_CD_x + ED_x + slide_D_x - CD_x)
+        + Scalar(2) * q.theta_EDF.sin * v_s_D);
+    a(1, 1) = a_y_E - omega_EDF * (omega_EDF * (S_CD_y + ED_y + slide_D_y - CD_y)
+        - Scalar(2) * q.theta_EDF.cos * v_s_D);
+    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t05 + omega_B * t09) - alpha_B * t10 - S_GF_x * t07;
+    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t08 - omega_B * t10) + alpha_B * t09 - S_GF_y * t07;
+    a(3, 0) = a_x_E - omega_EDF * (omega_EDF * (S_GF_x + EF_x + slide_F_x - GF_x)
+        + Scalar(2) * sin_GF * v_s_F);
+    a(3, 1) = a_y_E - omega_EDF * (omega_EDF * (S_GF_y + EF_y + slide_F_y - GF_y)
+        - Scalar(2) * cos_GF * v_s_F);
+  }
+
+  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
+  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// det J = -(-s_D sin_phi_B_minus_psi_F_EDF_minus_EDF + sin_phi_B_minus_EDF s_F)
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,

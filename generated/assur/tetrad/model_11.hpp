@@ -28,29 +28,37 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   S_CD: by BCG theta_CD and s_B, by EDF theta_CD and s_E
+///   S_GF: by BCG theta_GF and s_B, by EDF theta_GF and s_E
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:                   20, 24, 0
-///   jacobian:                   4, 0, 0
-///   dimension_jacobian:         0, 0, 0
-///   input_jacobian:             16, 14, 0
-///   velocity_rhs:               24, 24, 0
-///   acceleration_rhs:           62, 44, 0
-///   jerk_rhs:                   116, 68, 0
-///   curvature_rhs:              84, 46, 0
-///   link_poses:                 12, 13, 0
-///   pose_jacobians:             12, 9, 0
-///   link_velocities:            22, 19, 0
-///   link_accelerations:         44, 31, 0
-///   pose_curvatures:            48, 23, 0
-///   degeneracies:               4, 11, 0
-///   inverse_jacobian:           66, 18, 1
-///   sensitivities:              128, 64, 1
-///   velocity:                   74, 42, 1
-///   motion:                     126, 80, 1
-///   sensitivities_and_motion:   206, 116, 1
-///   position_polynomial:        77, 63, 0
-///   second_equations:           69, 55, 0
-///   complete:                   20, 22, 2
+///   residual:                     20, 24, 0
+///   jacobian:                     4, 0, 0
+///   dimension_jacobian:           0, 0, 0
+///   input_jacobian:               16, 14, 0
+///   velocity_rhs:                 24, 24, 0
+///   acceleration_rhs:             62, 44, 0
+///   jerk_rhs:                     116, 68, 0
+///   curvature_rhs:                84, 46, 0
+///   link_poses:                   12, 13, 0
+///   pose_jacobians:               12, 9, 0
+///   link_velocities:              22, 19, 0
+///   link_accelerations:           44, 31, 0
+///   pose_curvatures:              48, 23, 0
+///   special_point_lines:          8, 2, 0
+///   special_point_lengths:        20, 12, 0
+///   special_point_velocities:     24, 22, 0
+///   special_point_accelerations:  66, 50, 0
+///   degeneracies:                 4, 11, 0
+///   inverse_jacobian:             66, 18, 1
+///   sensitivities:                128, 64, 1
+///   velocity:                     74, 42, 1
+///   motion:                       126, 80, 1
+///   sensitivities_and_motion:     206, 116, 1
+///   position_polynomial:          77, 63, 0
+///   second_equations:             69, 55, 0
+///   complete:                     20, 22, 2
 struct Model11 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 11;
@@ -63,13 +71,15 @@ struct Model11 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;
+  static constexpr bool has_special_points = true;
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 2;    ///< of the final polynomial
   static constexpr int second_unknown = 3;  ///< of the reduced equations; -1: none
   static constexpr int pivot_count = 4;
   static constexpr int core_pivot_count = 2;  ///< the first of them: the core's
-  static constexpr int determinant_sign = -1;  ///< det J = sign * the pivots' product
+  static constexpr int determinant_sign = -1;  ///< of det J against their product
 
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {
@@ -174,6 +184,8 @@ struct Model11 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 1> kinds = { {
       {"PRR-PRR", { 0, 1, 2, 3, 4, 5 }},
@@ -787,9 +799,171 @@ struct Model11 {
         - omega_B * (slide_B_y + BG_y));
   }
 
-  /// What the structured elimination divides by, p, the core's determinant first; the size
-  /// of each that a well-shaped group would have; and the size of the determinant's terms.
-  /// det J = -p(0) * p(1) * p(2) * p(3).
+  /// The lines n . S = c on which the unknowns move a special point in parallel,
+  /// along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the
+  /// link's frame, in the directions of the fixed frame.
+  template <typename Scalar>
+  static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
+    lines.setZero();
+    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_y = d.CD * q.theta_CD.sin;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    lines(0, 0) = -u.phi_B.cos;
+    lines(0, 1) = -u.phi_B.sin;
+    lines(1, 0) = -u.phi_E.cos;
+    lines(1, 1) = -u.phi_E.sin;
+    lines(1, 2) = -u.phi_E.cos * CD_x - u.phi_E.sin * CD_y;
+    lines(2, 0) = -u.phi_B.cos;
+    lines(2, 1) = -u.phi_B.sin;
+    lines(3, 0) = -u.phi_E.cos;
+    lines(3, 1) = -u.phi_E.sin;
+    lines(3, 2) = -u.phi_E.cos * GF_x - u.phi_E.sin * GF_y;
+  }
+
+  /// The signed lengths L: on side i of its link a special point at S moves by
+  /// the sum over k of L(i, k) dq_k/dt along the unit normal n of its line.
+  template <typename Scalar>
+  static void special_point_lengths(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
+      const Matrix<Scalar, 2 * closure_link_count, 2>& n,
+      Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
+    const Scalar S_CD_x = S(0, 0);
+    const Scalar S_CD_y = S(0, 1);
+    const Scalar n_CD_BCG_x = n(0, 0);
+    const Scalar n_CD_BCG_y = n(0, 1);
+    const Scalar n_CD_EDF_x = n(1, 0);
+    const Scalar n_CD_EDF_y = n(1, 1);
+    const Scalar S_GF_x = S(1, 0);
+    const Scalar S_GF_y = S(1, 1);
+    const Scalar n_GF_BCG_x = n(2, 0);
+    const Scalar n_GF_BCG_y = n(2, 1);
+    const Scalar n_GF_EDF_x = n(3, 0);
+    const Scalar n_GF_EDF_y = n(3, 1);
+    L.setZero();
+    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_y = d.CD * q.theta_CD.sin;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    L(0, 0) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
+    L(0, 2) = n_CD_BCG_x * u.phi_B.cos + n_CD_BCG_y * u.phi_B.sin;
+    L(1, 0) = (S_CD_x - CD_x) * n_CD_EDF_y - (S_CD_y - CD_y) * n_CD_EDF_x;
+    L(1, 3) = n_CD_EDF_x * u.phi_E.cos + n_CD_EDF_y * u.phi_E.sin;
+    L(2, 1) = S_GF_x * n_GF_BCG_y - S_GF_y * n_GF_BCG_x;
+    L(2, 2) = u.phi_B.cos * n_GF_BCG_x + u.phi_B.sin * n_GF_BCG_y;
+    L(3, 1) = (S_GF_x - GF_x) * n_GF_EDF_y - (S_GF_y - GF_y) * n_GF_EDF_x;
+    L(3, 3) = u.phi_E.cos * n_GF_EDF_x + u.phi_E.sin * n_GF_EDF_y;
+  }
+
+  /// The velocity of each special point by each side, less what dq/dt adds.
+  template <typename Scalar>
+  static void special_point_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>&,
+      const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
+    const Scalar v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
+    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar EF_x = u.phi_E.sin * t02 + u.phi_E.cos * d.x_F_EDF;
+    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t02;
+    v(0, 0) = v_x_B - (slide_B_y + BC_y) * omega_B;
+    v(0, 1) = omega_B * (slide_B_x + BC_x) + v_y_B;
+    v(1, 0) = v_x_E - (slide_E_y + ED_y) * omega_E;
+    v(1, 1) = omega_E * (slide_E_x + ED_x) + v_y_E;
+    v(2, 0) = v_x_B - omega_B * (slide_B_y + BG_y);
+    v(2, 1) = v_y_B + omega_B * (slide_B_x + BG_x);
+    v(3, 0) = v_x_E - omega_E * (slide_E_y + EF_y);
+    v(3, 1) = v_y_E + omega_E * (slide_E_x + EF_x);
+  }
+
+  /// The acceleration of each special point by each side, less what d2q/dt2 adds:
+  /// centripetal and Coriolis terms, and the second rates of the inputs.
+  template <typename Scalar>
+  static void special_point_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
+      const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>& u_rate,
+      const Vector<Scalar, input_count>& u_second_rate,
+      Matrix<Scalar, 2 * closure_link_count, 2>& a) {
+    const Scalar omega_CD = q_rate(0);
+    const Scalar omega_GF = q_rate(1);
+    const Scalar v_s_B = q_rate(2);
+    const Scalar v_s_E = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2);
+    const Scalar a_x_E = u_second_rate(3);
+    const Scalar a_y_E = u_second_rate(4);
+    const Scalar omega_E = u_rate(5);
+    const Scalar alpha_E = u_second_rate(5);
+    const Scalar S_CD_x = S(0, 0);
+    const Scalar S_CD_y = S(0, 1);
+    const Scalar S_GF_x = S(1, 0);
+    const Scalar S_GF_y = S(1, 1);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
+    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_y = d.CD * q.theta_CD.sin;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
+    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar EF_x = u.phi_E.sin * t02 + u.phi_E.cos * d.x_F_EDF;
+    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t02;
+    const Scalar t03 = slide_B_x + BC_x;
+    const Scalar t04 = u.phi_B.sin * v_s_B;
+    const Scalar t05 = slide_B_y + BC_y;
+    const Scalar t06 = omega_CD * omega_CD;
+    const Scalar t07 = u.phi_B.cos * v_s_B;
+    const Scalar t08 = slide_E_x + ED_x;
+    const Scalar t09 = u.phi_E.sin * v_s_E;
+    const Scalar t10 = slide_E_y + ED_y;
+    const Scalar t11 = u.phi_E.cos * v_s_E;
+    const Scalar t12 = slide_B_x + BG_x;
+    const Scalar t13 = slide_B_y + BG_y;
+    const Scalar t14 = omega_GF * omega_GF;
+    const Scalar t15 = slide_E_x + EF_x;
+    const Scalar t16 = slide_E_y + EF_y;
+    a(0, 0) = a_x_B - omega_B * (t03 * omega_B + Scalar(2) * t04) - t05 * alpha_B - S_CD_x * t06;
+    a(0, 1) = t03 * alpha_B + a_y_B - omega_B * (omega_B * t05 - Scalar(2) * t07) - S_CD_y * t06;
+    a(1, 0) = a_x_E - omega_E * (t08 * omega_E + Scalar(2) * t09) - t10 * alpha_E - (S_CD_x
+        - CD_x) * t06;
+    a(1, 1) = t08 * alpha_E + a_y_E - omega_E * (omega_E * t10 - Scalar(2) * t11) - (S_CD_y
+        - CD_y) * t06;
+    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t04 + omega_B * t12) - alpha_B * t13 - S_GF_x * t14;
+    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t07 - omega_B * t13) + alpha_B * t12 - S_GF_y * t14;
+    a(3, 0) = a_x_E - omega_E * (Scalar(2) * t09 + omega_E * t15) - alpha_E * t16 - (S_GF_x
+        - GF_x) * t14;
+    a(3, 1) = a_y_E + omega_E * (Scalar(2) * t11 - omega_E * t16) + alpha_E * t15 - (S_GF_y
+        - GF_y) * t14;
+  }
+
+  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
+  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// det J = sin(phi_B - phi_E) sin(theta_CD - theta_GF) GF CD
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,

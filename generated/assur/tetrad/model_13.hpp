@@ -28,29 +28,32 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   none: by BCG link CD is only shifted, by s_B and s_C, in parallel nowhere
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:                   22, 24, 0
-///   jacobian:                   12, 4, 0
-///   dimension_jacobian:         10, 6, 0
-///   input_jacobian:             14, 12, 0
-///   velocity_rhs:               18, 18, 0
-///   acceleration_rhs:           52, 36, 0
-///   jerk_rhs:                   98, 56, 0
-///   curvature_rhs:              97, 56, 0
-///   link_poses:                 14, 14, 0
-///   pose_jacobians:             14, 14, 0
-///   link_velocities:            22, 20, 0
-///   link_accelerations:         40, 30, 0
-///   pose_curvatures:            61, 40, 0
-///   degeneracies:               18, 18, 0
-///   inverse_jacobian:           59, 19, 1
-///   sensitivities:              101, 50, 1
-///   velocity:                   58, 34, 1
-///   motion:                     99, 64, 1
-///   sensitivities_and_motion:   158, 90, 1
-///   position_polynomial:        63, 39, 0
-///   second_equations:           39, 28, 0
-///   complete:                   22, 19, 1
+///   residual:                     22, 24, 0
+///   jacobian:                     12, 4, 0
+///   dimension_jacobian:           10, 6, 0
+///   input_jacobian:               14, 12, 0
+///   velocity_rhs:                 18, 18, 0
+///   acceleration_rhs:             52, 36, 0
+///   jerk_rhs:                     98, 56, 0
+///   curvature_rhs:                97, 56, 0
+///   link_poses:                   14, 14, 0
+///   pose_jacobians:               14, 14, 0
+///   link_velocities:              22, 20, 0
+///   link_accelerations:           40, 30, 0
+///   pose_curvatures:              61, 40, 0
+///   degeneracies:                 18, 18, 0
+///   inverse_jacobian:             59, 19, 1
+///   sensitivities:                101, 50, 1
+///   velocity:                     58, 34, 1
+///   motion:                       99, 64, 1
+///   sensitivities_and_motion:     158, 90, 1
+///   position_polynomial:          63, 39, 0
+///   second_equations:             39, 28, 0
+///   complete:                     22, 19, 1
 struct Model13 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 13;
@@ -63,13 +66,15 @@ struct Model13 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;
+  static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 4;
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = 2;  ///< of the reduced equations; -1: none
   static constexpr int pivot_count = 2;
   static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
-  static constexpr int determinant_sign = 1;  ///< det J = sign * the pivots' product
+  static constexpr int determinant_sign = 1;  ///< of det J against their product
 
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {
@@ -170,6 +175,8 @@ struct Model13 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 4> kinds = { {
       {"PPR-RRR", { 0, 1, 2, 3, 4, 5 }},
@@ -831,9 +838,9 @@ struct Model13 {
     p(3, 1) = -t12;
   }
 
-  /// What the structured elimination divides by, p, the core's determinant first; the size
-  /// of each that a well-shaped group would have; and the size of the determinant's terms.
-  /// det J = p(0) * p(1).
+  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
+  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// det J = (EDF_along_slide_C cos_phi_B_minus_GF - sin_psi_C_BCG EDF_across_GF) GF
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,

@@ -28,28 +28,31 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   none: by BCG link CD is only shifted, by s_B and s_C, in parallel nowhere
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:                   42, 34, 0
-///   jacobian:                   20, 10, 0
-///   dimension_jacobian:         38, 22, 0
-///   input_jacobian:             42, 30, 0
-///   velocity_rhs:               46, 36, 0
-///   acceleration_rhs:           72, 50, 0
-///   jerk_rhs:                   104, 68, 0
-///   curvature_rhs:              114, 85, 0
-///   link_poses:                 28, 20, 0
-///   pose_jacobians:             12, 12, 0
-///   link_velocities:            20, 18, 0
-///   link_accelerations:         38, 28, 0
-///   pose_curvatures:            51, 33, 0
-///   degeneracies:               6, 3, 0
-///   inverse_jacobian:           45, 17, 1
-///   sensitivities:              79, 51, 1
-///   velocity:                   57, 39, 1
-///   motion:                     88, 64, 1
-///   sensitivities_and_motion:   131, 87, 1
-///   position_polynomial:        20, 15, 0
-///   complete:                   23, 17, 1
+///   residual:                     42, 34, 0
+///   jacobian:                     20, 10, 0
+///   dimension_jacobian:           38, 22, 0
+///   input_jacobian:               42, 30, 0
+///   velocity_rhs:                 46, 36, 0
+///   acceleration_rhs:             72, 50, 0
+///   jerk_rhs:                     104, 68, 0
+///   curvature_rhs:                114, 85, 0
+///   link_poses:                   28, 20, 0
+///   pose_jacobians:               12, 12, 0
+///   link_velocities:              20, 18, 0
+///   link_accelerations:           38, 28, 0
+///   pose_curvatures:              51, 33, 0
+///   degeneracies:                 6, 3, 0
+///   inverse_jacobian:             45, 17, 1
+///   sensitivities:                79, 51, 1
+///   velocity:                     57, 39, 1
+///   motion:                       88, 64, 1
+///   sensitivities_and_motion:     131, 87, 1
+///   position_polynomial:          20, 15, 0
+///   complete:                     23, 17, 1
 struct Model15 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 15;
@@ -62,13 +65,15 @@ struct Model15 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;
+  static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 1;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = -1;  ///< of the reduced equations; -1: none
   static constexpr int pivot_count = 2;
   static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
-  static constexpr int determinant_sign = 1;  ///< det J = sign * the pivots' product
+  static constexpr int determinant_sign = 1;  ///< of det J against their product
 
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {
@@ -169,6 +174,8 @@ struct Model15 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 4> kinds = { {
       {"PPR-RPP", { 0, 1, 2, 3, 4, 5 }},
@@ -926,9 +933,9 @@ struct Model15 {
     p(3, 1) = -t12;
   }
 
-  /// What the structured elimination divides by, p, the core's determinant first; the size
-  /// of each that a well-shaped group would have; and the size of the determinant's terms.
-  /// det J = p(0) * p(1).
+  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
+  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// det J = sin(psi_C_BCG + psi_D_CD + psi_F_EDF) sin(psi_D_CD)
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>&, Vector<Scalar, pivot_count>& p,

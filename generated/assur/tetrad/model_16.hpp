@@ -28,29 +28,32 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   none: by BCG link CD is only shifted, by s_B and s_C, in parallel nowhere
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:                   24, 27, 0
-///   jacobian:                   6, 2, 0
-///   dimension_jacobian:         10, 6, 0
-///   input_jacobian:             22, 19, 0
-///   velocity_rhs:               30, 29, 0
-///   acceleration_rhs:           67, 49, 0
-///   jerk_rhs:                   127, 75, 0
-///   curvature_rhs:              103, 65, 0
-///   link_poses:                 18, 18, 0
-///   pose_jacobians:             18, 16, 0
-///   link_velocities:            30, 26, 0
-///   link_accelerations:         56, 40, 0
-///   pose_curvatures:            77, 46, 0
-///   degeneracies:               8, 10, 0
-///   inverse_jacobian:           59, 18, 1
-///   sensitivities:              116, 65, 1
-///   velocity:                   70, 43, 1
-///   motion:                     120, 81, 1
-///   sensitivities_and_motion:   192, 117, 1
-///   position_polynomial:        53, 42, 0
-///   second_equations:           52, 42, 0
-///   complete:                   20, 21, 1
+///   residual:                     24, 27, 0
+///   jacobian:                     6, 2, 0
+///   dimension_jacobian:           10, 6, 0
+///   input_jacobian:               22, 19, 0
+///   velocity_rhs:                 30, 29, 0
+///   acceleration_rhs:             67, 49, 0
+///   jerk_rhs:                     127, 75, 0
+///   curvature_rhs:                103, 65, 0
+///   link_poses:                   18, 18, 0
+///   pose_jacobians:               18, 16, 0
+///   link_velocities:              30, 26, 0
+///   link_accelerations:           56, 40, 0
+///   pose_curvatures:              77, 46, 0
+///   degeneracies:                 8, 10, 0
+///   inverse_jacobian:             59, 18, 1
+///   sensitivities:                116, 65, 1
+///   velocity:                     70, 43, 1
+///   motion:                       120, 81, 1
+///   sensitivities_and_motion:     192, 117, 1
+///   position_polynomial:          53, 42, 0
+///   second_equations:             52, 42, 0
+///   complete:                     20, 21, 1
 struct Model16 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 16;
@@ -63,13 +66,15 @@ struct Model16 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;
+  static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 1;    ///< of the final polynomial
   static constexpr int second_unknown = 3;  ///< of the reduced equations; -1: none
   static constexpr int pivot_count = 3;
   static constexpr int core_pivot_count = 2;  ///< the first of them: the core's
-  static constexpr int determinant_sign = 1;  ///< det J = sign * the pivots' product
+  static constexpr int determinant_sign = 1;  ///< of det J against their product
 
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {
@@ -173,6 +178,8 @@ struct Model16 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 4> kinds = { {
       {"PPR-PRR", { 0, 1, 2, 3, 4, 5 }},
@@ -925,9 +932,9 @@ struct Model16 {
     p(3, 1) = -t12;
   }
 
-  /// What the structured elimination divides by, p, the core's determinant first; the size
-  /// of each that a well-shaped group would have; and the size of the determinant's terms.
-  /// det J = p(0) * p(1) * p(2).
+  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
+  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// det J = -cos(phi_B + psi_C_BCG - theta_GF) sin(phi_B - phi_E) GF
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,

@@ -28,29 +28,32 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   none: by BCG link CD is only shifted, by s_B and s_C, in parallel nowhere
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:                   28, 30, 0
-///   jacobian:                   8, 4, 0
-///   dimension_jacobian:         20, 12, 0
-///   input_jacobian:             28, 24, 0
-///   velocity_rhs:               36, 34, 0
-///   acceleration_rhs:           72, 54, 0
-///   jerk_rhs:                   128, 82, 0
-///   curvature_rhs:              122, 84, 0
-///   link_poses:                 22, 20, 0
-///   pose_jacobians:             18, 16, 0
-///   link_velocities:            30, 26, 0
-///   link_accelerations:         56, 40, 0
-///   pose_curvatures:            77, 46, 0
-///   degeneracies:               12, 6, 0
-///   inverse_jacobian:           52, 18, 1
-///   sensitivities:              104, 66, 1
-///   velocity:                   66, 44, 1
-///   motion:                     114, 82, 1
-///   sensitivities_and_motion:   178, 118, 1
-///   position_polynomial:        28, 24, 0
-///   second_equations:           28, 24, 0
-///   complete:                   20, 20, 0
+///   residual:                     28, 30, 0
+///   jacobian:                     8, 4, 0
+///   dimension_jacobian:           20, 12, 0
+///   input_jacobian:               28, 24, 0
+///   velocity_rhs:                 36, 34, 0
+///   acceleration_rhs:             72, 54, 0
+///   jerk_rhs:                     128, 82, 0
+///   curvature_rhs:                122, 84, 0
+///   link_poses:                   22, 20, 0
+///   pose_jacobians:               18, 16, 0
+///   link_velocities:              30, 26, 0
+///   link_accelerations:           56, 40, 0
+///   pose_curvatures:              77, 46, 0
+///   degeneracies:                 12, 6, 0
+///   inverse_jacobian:             52, 18, 1
+///   sensitivities:                104, 66, 1
+///   velocity:                     66, 44, 1
+///   motion:                       114, 82, 1
+///   sensitivities_and_motion:     178, 118, 1
+///   position_polynomial:          28, 24, 0
+///   second_equations:             28, 24, 0
+///   complete:                     20, 20, 0
 struct Model17 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 17;
@@ -63,13 +66,15 @@ struct Model17 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;
+  static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 1;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = 2;  ///< of the reduced equations; -1: none
   static constexpr int pivot_count = 2;
   static constexpr int core_pivot_count = 2;  ///< the first of them: the core's
-  static constexpr int determinant_sign = -1;  ///< det J = sign * the pivots' product
+  static constexpr int determinant_sign = -1;  ///< of det J against their product
 
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {
@@ -172,6 +177,8 @@ struct Model17 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 2> kinds = { {
       {"PPR-PRP", { 0, 1, 2, 3, 4, 5 }},
@@ -991,9 +998,9 @@ struct Model17 {
     p(3, 1) = -t12;
   }
 
-  /// What the structured elimination divides by, p, the core's determinant first; the size
-  /// of each that a well-shaped group would have; and the size of the determinant's terms.
-  /// det J = -p(0) * p(1).
+  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
+  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// det J = sin(phi_B - phi_E) sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF)
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>&, Vector<Scalar, pivot_count>& p,

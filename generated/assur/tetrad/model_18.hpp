@@ -28,21 +28,24 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   none: the group is no structure
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:                   34, 32, 0
-///   jacobian:                   14, 6, 0
-///   dimension_jacobian:         24, 12, 0
-///   input_jacobian:             32, 24, 0
-///   velocity_rhs:               40, 34, 0
-///   acceleration_rhs:           81, 56, 0
-///   jerk_rhs:                   143, 84, 0
-///   curvature_rhs:              135, 84, 0
-///   link_poses:                 16, 16, 0
-///   pose_jacobians:             16, 14, 0
-///   link_velocities:            28, 24, 0
-///   link_accelerations:         54, 38, 0
-///   pose_curvatures:            67, 39, 0
-///   compatibility:              16, 8, 0
+///   residual:                     34, 32, 0
+///   jacobian:                     14, 6, 0
+///   dimension_jacobian:           24, 12, 0
+///   input_jacobian:               32, 24, 0
+///   velocity_rhs:                 40, 34, 0
+///   acceleration_rhs:             81, 56, 0
+///   jerk_rhs:                     143, 84, 0
+///   curvature_rhs:                135, 84, 0
+///   link_poses:                   16, 16, 0
+///   pose_jacobians:               16, 14, 0
+///   link_velocities:              28, 24, 0
+///   link_accelerations:           54, 38, 0
+///   pose_curvatures:              67, 39, 0
+///   compatibility:                16, 8, 0
 struct Model18 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 18;
@@ -55,6 +58,8 @@ struct Model18 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 1;
+  static constexpr int closure_link_count = 2;
+  static constexpr bool has_special_points = false;
 
 
   /// Link dimensions d.
@@ -154,6 +159,8 @@ struct Model18 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 2> kinds = { {
       {"PPR-PPR", { 0, 1, 2, 3, 4, 5 }},

@@ -28,29 +28,32 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   none: by BCG link CD is only shifted, by s_B and s_C, in parallel nowhere
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:                   26, 24, 0
-///   jacobian:                   14, 6, 0
-///   dimension_jacobian:         18, 10, 0
-///   input_jacobian:             20, 14, 0
-///   velocity_rhs:               24, 20, 0
-///   acceleration_rhs:           57, 38, 0
-///   jerk_rhs:                   99, 58, 0
-///   curvature_rhs:              88, 51, 0
-///   link_poses:                 20, 16, 0
-///   pose_jacobians:             20, 14, 0
-///   link_velocities:            32, 26, 0
-///   link_accelerations:         60, 42, 0
-///   pose_curvatures:            68, 41, 0
-///   degeneracies:               20, 17, 0
-///   inverse_jacobian:           52, 19, 1
-///   sensitivities:              84, 43, 1
-///   velocity:                   50, 32, 1
-///   motion:                     89, 62, 1
-///   sensitivities_and_motion:   139, 83, 1
-///   position_polynomial:        30, 18, 0
-///   second_equations:           26, 19, 0
-///   complete:                   22, 18, 0
+///   residual:                     26, 24, 0
+///   jacobian:                     14, 6, 0
+///   dimension_jacobian:           18, 10, 0
+///   input_jacobian:               20, 14, 0
+///   velocity_rhs:                 24, 20, 0
+///   acceleration_rhs:             57, 38, 0
+///   jerk_rhs:                     99, 58, 0
+///   curvature_rhs:                88, 51, 0
+///   link_poses:                   20, 16, 0
+///   pose_jacobians:               20, 14, 0
+///   link_velocities:              32, 26, 0
+///   link_accelerations:           60, 42, 0
+///   pose_curvatures:              68, 41, 0
+///   degeneracies:                 20, 17, 0
+///   inverse_jacobian:             52, 19, 1
+///   sensitivities:                84, 43, 1
+///   velocity:                     50, 32, 1
+///   motion:                       89, 62, 1
+///   sensitivities_and_motion:     139, 83, 1
+///   position_polynomial:          30, 18, 0
+///   second_equations:             26, 19, 0
+///   complete:                     22, 18, 0
 struct Model19 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 19;
@@ -63,13 +66,15 @@ struct Model19 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;
+  static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = 1;  ///< of the reduced equations; -1: none
   static constexpr int pivot_count = 1;
   static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
-  static constexpr int determinant_sign = -1;  ///< det J = sign * the pivots' product
+  static constexpr int determinant_sign = -1;  ///< of det J against their product
 
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {
@@ -169,6 +174,8 @@ struct Model19 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 2> kinds = { {
       {"PPP-RRR", { 0, 1, 2, 3, 4, 5 }},
@@ -843,9 +850,9 @@ struct Model19 {
         + t16)) - omega_G_BCG * (Scalar(2) * t15 + t17);
   }
 
-  /// What the structured elimination divides by, p, the core's determinant first; the size
-  /// of each that a well-shaped group would have; and the size of the determinant's terms.
-  /// det J = -p(0).
+  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
+  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// det J = -(-EDF_along_slide_C sin_psi_G_BCG + sin_psi_C_BCG EDF_along_slide_G)
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,

@@ -28,29 +28,32 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   none: by BCG link CD is only shifted, by s_B and s_C, in parallel nowhere
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:                   28, 27, 0
-///   jacobian:                   8, 4, 0
-///   dimension_jacobian:         18, 10, 0
-///   input_jacobian:             28, 21, 0
-///   velocity_rhs:               36, 31, 0
-///   acceleration_rhs:           72, 51, 0
-///   jerk_rhs:                   128, 77, 0
-///   curvature_rhs:              94, 60, 0
-///   link_poses:                 24, 20, 0
-///   pose_jacobians:             24, 16, 0
-///   link_velocities:            40, 32, 0
-///   link_accelerations:         76, 52, 0
-///   pose_curvatures:            84, 47, 0
-///   degeneracies:               4, 2, 0
-///   inverse_jacobian:           52, 18, 1
-///   sensitivities:              98, 58, 1
-///   velocity:                   62, 41, 1
-///   motion:                     110, 79, 1
-///   sensitivities_and_motion:   172, 110, 1
-///   position_polynomial:        30, 24, 0
-///   second_equations:           30, 24, 0
-///   complete:                   20, 20, 0
+///   residual:                     28, 27, 0
+///   jacobian:                     8, 4, 0
+///   dimension_jacobian:           18, 10, 0
+///   input_jacobian:               28, 21, 0
+///   velocity_rhs:                 36, 31, 0
+///   acceleration_rhs:             72, 51, 0
+///   jerk_rhs:                     128, 77, 0
+///   curvature_rhs:                94, 60, 0
+///   link_poses:                   24, 20, 0
+///   pose_jacobians:               24, 16, 0
+///   link_velocities:              40, 32, 0
+///   link_accelerations:           76, 52, 0
+///   pose_curvatures:              84, 47, 0
+///   degeneracies:                 4, 2, 0
+///   inverse_jacobian:             52, 18, 1
+///   sensitivities:                98, 58, 1
+///   velocity:                     62, 41, 1
+///   motion:                       110, 79, 1
+///   sensitivities_and_motion:     172, 110, 1
+///   position_polynomial:          30, 24, 0
+///   second_equations:             30, 24, 0
+///   complete:                     20, 20, 0
 struct Model22 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 22;
@@ -63,13 +66,15 @@ struct Model22 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 0;
+  static constexpr int closure_link_count = 2;
+  static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 1;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = 3;  ///< of the reduced equations; -1: none
   static constexpr int pivot_count = 2;
   static constexpr int core_pivot_count = 2;  ///< the first of them: the core's
-  static constexpr int determinant_sign = -1;  ///< det J = sign * the pivots' product
+  static constexpr int determinant_sign = -1;  ///< of det J against their product
 
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {
@@ -172,6 +177,8 @@ struct Model22 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 2> kinds = { {
       {"PPP-PRR", { 0, 1, 2, 3, 4, 5 }},
@@ -940,9 +947,9 @@ struct Model22 {
         + t16)) - omega_G_BCG * (Scalar(2) * t15 + t17);
   }
 
-  /// What the structured elimination divides by, p, the core's determinant first; the size
-  /// of each that a well-shaped group would have; and the size of the determinant's terms.
-  /// det J = -p(0) * p(1).
+  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
+  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// det J = sin(phi_B - phi_E) sin(psi_C_BCG - psi_G_BCG)
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>&, Vector<Scalar, pivot_count>& p,

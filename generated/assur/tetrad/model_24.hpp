@@ -32,21 +32,24 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
+/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
+///   none: the group is no structure
+///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:                   44, 32, 0
-///   jacobian:                   24, 12, 0
-///   dimension_jacobian:         40, 20, 0
-///   input_jacobian:             44, 26, 0
-///   velocity_rhs:               52, 36, 0
-///   acceleration_rhs:           96, 60, 0
-///   jerk_rhs:                   156, 90, 0
-///   curvature_rhs:              131, 81, 0
-///   link_poses:                 18, 14, 0
-///   pose_jacobians:             18, 10, 0
-///   link_velocities:            34, 26, 0
-///   link_accelerations:         70, 46, 0
-///   pose_curvatures:            72, 36, 0
-///   compatibility:              28, 14, 0
+///   residual:                     44, 32, 0
+///   jacobian:                     24, 12, 0
+///   dimension_jacobian:           40, 20, 0
+///   input_jacobian:               44, 26, 0
+///   velocity_rhs:                 52, 36, 0
+///   acceleration_rhs:             96, 60, 0
+///   jerk_rhs:                     156, 90, 0
+///   curvature_rhs:                131, 81, 0
+///   link_poses:                   18, 14, 0
+///   pose_jacobians:               18, 10, 0
+///   link_velocities:              34, 26, 0
+///   link_accelerations:           70, 46, 0
+///   pose_curvatures:              72, 36, 0
+///   compatibility:                28, 14, 0
 struct Model24 {
   static constexpr const char* group = "tetrad";
   static constexpr int number = 24;
@@ -59,6 +62,8 @@ struct Model24 {
   static constexpr int dimension_count = 8;
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 2;
+  static constexpr int closure_link_count = 2;
+  static constexpr bool has_special_points = false;
 
 
   /// Link dimensions d.
@@ -162,6 +167,8 @@ struct Model24 {
       {"CD", { 1, 4, -1 }},
       {"GF", { 2, 5, -1 }},
   } };
+  /// The links without external joints; each has a special point where the model has them.
+  static constexpr std::array<int, closure_link_count> closure_links = { 2, 3 };
   /// The kinds that this model serves: joint j of a kind plays the part of joint role[j].
   static constexpr std::array<KindRoles<joint_count>, 1> kinds = { {
       {"PPP-PPP", { 0, 1, 2, 3, 4, 5 }},

@@ -5,11 +5,12 @@ namespace assur {
 
 /// Every operation of the runtime says how far its result can be trusted.
 enum class Status : unsigned char {
-  ok,              ///< the result holds
-  near_singular,   ///< computed, but fewer than six digits may hold
-  singular,        ///< the Jacobian has no inverse here; nothing was computed
-  not_finite,      ///< an input is NaN or infinite; nothing was computed
-  no_convergence,  ///< Newton's iteration did not settle; the last iterate is returned
+  ok,                 ///< the result holds
+  near_singular,      ///< computed, but fewer than six digits may hold
+  singular,           ///< the Jacobian has no inverse here; nothing was computed
+  not_finite,         ///< an input is NaN or infinite; nothing was computed
+  no_convergence,     ///< Newton's iteration did not settle; the last iterate is returned
+  point_at_infinity,  ///< a special point's lines are parallel or nearly; nothing was computed
 };
 
 /// Whether a status comes with a result that was computed.
@@ -29,6 +30,8 @@ enum class Status : unsigned char {
       return "not finite";
     case Status::no_convergence:
       return "no convergence";
+    case Status::point_at_infinity:
+      return "point at infinity";
   }
   return "unknown";
 }
