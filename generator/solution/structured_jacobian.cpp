@@ -265,7 +265,9 @@ void StructuredJacobian::name_core_pivots(const GiNaC::ex& determinant, const Gi
       vocabulary_.define(symbol, determinant, "determinant of the core");
       value = symbol;
     }
-    pivots_.push_back({value, size, core_text(), "a dead centre", "a dead centre" + meaning});
+    const std::string cause =
+        core_rows_.size() == 1 ? text_of(determinant) + " = 0" : std::string("a dead centre");
+    pivots_.push_back({value, size, core_text(), cause, cause + meaning});
   }
   core_pivot_count_ = static_cast<int>(pivots_.size());
 }
@@ -286,6 +288,11 @@ void StructuredJacobian::divide_once() {
   GiNaC::ex product = 1;
   for (const GiNaC::ex& value : values) {
     product *= value;
+  }
+  if (needs_name(product)) {
+    const GiNaC::symbol symbol("pivot_product");
+    vocabulary_.define(symbol, product, "product of the pivots");
+    product = symbol;
   }
   const GiNaC::ex reciprocal = vocabulary_.name_reciprocal("inverse", product, degeneracies);
   for (const GiNaC::ex& value : values) {

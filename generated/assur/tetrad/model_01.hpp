@@ -794,8 +794,8 @@ struct Model01 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
     const Scalar t01 = d.CD * d.GF;
-    const Scalar inverse = Scalar(1) / (determinant * t01);  // zero: a dead centre, or GF = 0, or
-                                                             //     CD = 0
+    const Scalar pivot_product = determinant * t01;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t02;
@@ -861,8 +861,8 @@ struct Model01 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
     const Scalar t01 = d.CD * d.GF;
-    const Scalar inverse = Scalar(1) / (determinant * t01);  // zero: a dead centre, or GF = 0, or
-                                                             //     CD = 0
+    const Scalar pivot_product = determinant * t01;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t02;
@@ -976,8 +976,8 @@ struct Model01 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
     const Scalar t01 = d.CD * d.GF;
-    const Scalar inverse = Scalar(1) / (determinant * t01);  // zero: a dead centre, or GF = 0, or
-                                                             //     CD = 0
+    const Scalar pivot_product = determinant * t01;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t02;
@@ -1042,8 +1042,8 @@ struct Model01 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
     const Scalar t01 = d.CD * d.GF;
-    const Scalar inverse = Scalar(1) / (determinant * t01);  // zero: a dead centre, or GF = 0, or
-                                                             //     CD = 0
+    const Scalar pivot_product = determinant * t01;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t02;
@@ -1134,8 +1134,8 @@ struct Model01 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
     const Scalar t01 = d.CD * d.GF;
-    const Scalar inverse = Scalar(1) / (determinant * t01);  // zero: a dead centre, or GF = 0, or
-                                                             //     CD = 0
+    const Scalar pivot_product = determinant * t01;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t02;

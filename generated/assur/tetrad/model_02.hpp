@@ -844,7 +844,8 @@ struct Model02 {
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
     const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
-    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar pivot_product = d.GF * determinant;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar BCG_per_across_slide_C = -EDF_across_GF * inverse_determinant;
@@ -902,7 +903,8 @@ struct Model02 {
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
     const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
-    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar pivot_product = d.GF * determinant;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar BCG_per_across_slide_C = -EDF_across_GF * inverse_determinant;
@@ -1008,7 +1010,8 @@ struct Model02 {
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
     const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
-    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar pivot_product = d.GF * determinant;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar t01 = v_x_B - v_x_E;
@@ -1065,7 +1068,8 @@ struct Model02 {
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
     const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
-    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar pivot_product = d.GF * determinant;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar t01 = v_x_B - v_x_E;
@@ -1148,7 +1152,8 @@ struct Model02 {
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
     const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
-    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar pivot_product = d.GF * determinant;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar BCG_per_across_slide_C = -EDF_across_GF * inverse_determinant;

@@ -81,7 +81,7 @@ struct Model04 {
 
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {
-      "a dead centre: theta_BCG free to first order",
+      "BCG_across_GF = 0: theta_BCG free to first order",
       "sin(psi_D_CD) = 0: s_D free to first order",
       "GF = 0: theta_GF free to first order",
   } };
@@ -855,8 +855,9 @@ struct Model04 {
     const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG
         - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - cos_psi_D_CD_plus_BCG_minus_GF * d.y_F_EDF;
     const Scalar t01 = d.psi_D_CD.sin * d.GF;
-    const Scalar inverse = Scalar(1) / (BCG_across_GF * t01);  // zero: a dead centre, or
-                                                               //     sin(psi_D_CD) = 0, or GF = 0
+    const Scalar pivot_product = BCG_across_GF * t01;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_across_GF = 0, or sin(psi_D_CD)
+                                                       //     = 0, or GF = 0
     const Scalar inverse_BCG_across_GF = -inverse * t01;
     const Scalar t02 = BCG_across_GF * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.GF * t02;
@@ -908,8 +909,9 @@ struct Model04 {
         + cos_psi_D_CD_plus_BCG_minus_GF * d.y_F_EDF;
     const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG - t02;
     const Scalar t03 = d.psi_D_CD.sin * d.GF;
-    const Scalar inverse = Scalar(1) / (BCG_across_GF * t03);  // zero: a dead centre, or
-                                                               //     sin(psi_D_CD) = 0, or GF = 0
+    const Scalar pivot_product = BCG_across_GF * t03;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_across_GF = 0, or sin(psi_D_CD)
+                                                       //     = 0, or GF = 0
     const Scalar inverse_BCG_across_GF = -inverse * t03;
     const Scalar t04 = BCG_across_GF * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.GF * t04;
@@ -1011,8 +1013,9 @@ struct Model04 {
     const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG
         - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - cos_psi_D_CD_plus_BCG_minus_GF * d.y_F_EDF;
     const Scalar t01 = d.psi_D_CD.sin * d.GF;
-    const Scalar inverse = Scalar(1) / (BCG_across_GF * t01);  // zero: a dead centre, or
-                                                               //     sin(psi_D_CD) = 0, or GF = 0
+    const Scalar pivot_product = BCG_across_GF * t01;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_across_GF = 0, or sin(psi_D_CD)
+                                                       //     = 0, or GF = 0
     const Scalar inverse_BCG_across_GF = -inverse * t01;
     const Scalar t02 = BCG_across_GF * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.GF * t02;
@@ -1068,8 +1071,9 @@ struct Model04 {
     const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG
         - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - cos_psi_D_CD_plus_BCG_minus_GF * d.y_F_EDF;
     const Scalar t01 = d.psi_D_CD.sin * d.GF;
-    const Scalar inverse = Scalar(1) / (BCG_across_GF * t01);  // zero: a dead centre, or
-                                                               //     sin(psi_D_CD) = 0, or GF = 0
+    const Scalar pivot_product = BCG_across_GF * t01;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_across_GF = 0, or sin(psi_D_CD)
+                                                       //     = 0, or GF = 0
     const Scalar inverse_BCG_across_GF = -inverse * t01;
     const Scalar t02 = BCG_across_GF * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.GF * t02;
@@ -1152,8 +1156,9 @@ struct Model04 {
         + cos_psi_D_CD_plus_BCG_minus_GF * d.y_F_EDF;
     const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG - t02;
     const Scalar t03 = d.psi_D_CD.sin * d.GF;
-    const Scalar inverse = Scalar(1) / (BCG_across_GF * t03);  // zero: a dead centre, or
-                                                               //     sin(psi_D_CD) = 0, or GF = 0
+    const Scalar pivot_product = BCG_across_GF * t03;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_across_GF = 0, or sin(psi_D_CD)
+                                                       //     = 0, or GF = 0
     const Scalar inverse_BCG_across_GF = -inverse * t03;
     const Scalar t04 = BCG_across_GF * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.GF * t04;

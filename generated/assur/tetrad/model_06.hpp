@@ -76,7 +76,7 @@ struct Model06 {
 
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {
-      "a dead centre: theta_BCG free to first order",
+      "BCG_along_slide_G = 0: theta_BCG free to first order",
       "sin(psi_D_CD) = 0: s_D free to first order",
   } };
 
@@ -790,10 +790,9 @@ struct Model06 {
         - d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
     const Scalar BCG_across_slide_G = d.h_G_BCG - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
         - cos_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF - d.h_G_GF;
-    const Scalar inverse = Scalar(1) / (-d.psi_D_CD.sin * BCG_along_slide_G);  // zero: a dead
-                                                                               //     centre, or
-                                                                               //     sin(psi_D_CD)
-                                                                               //     = 0
+    const Scalar pivot_product = -d.psi_D_CD.sin * BCG_along_slide_G;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_along_slide_G = 0, or
+                                                       //     sin(psi_D_CD) = 0
     const Scalar inverse_BCG_along_slide_G = -d.psi_D_CD.sin * inverse;
     const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
     const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
@@ -838,10 +837,9 @@ struct Model06 {
     const Scalar t03 = d.h_G_BCG - d.h_G_GF;
     const Scalar BCG_across_slide_G = t03 - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
         - cos_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF;
-    const Scalar inverse = Scalar(1) / (-d.psi_D_CD.sin * BCG_along_slide_G);  // zero: a dead
-                                                                               //     centre, or
-                                                                               //     sin(psi_D_CD)
-                                                                               //     = 0
+    const Scalar pivot_product = -d.psi_D_CD.sin * BCG_along_slide_G;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_along_slide_G = 0, or
+                                                       //     sin(psi_D_CD) = 0
     const Scalar inverse_BCG_along_slide_G = -d.psi_D_CD.sin * inverse;
     const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
     const Scalar t04 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
@@ -935,10 +933,9 @@ struct Model06 {
         - d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
     const Scalar BCG_across_slide_G = d.h_G_BCG - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
         - cos_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF - d.h_G_GF;
-    const Scalar inverse = Scalar(1) / (-d.psi_D_CD.sin * BCG_along_slide_G);  // zero: a dead
-                                                                               //     centre, or
-                                                                               //     sin(psi_D_CD)
-                                                                               //     = 0
+    const Scalar pivot_product = -d.psi_D_CD.sin * BCG_along_slide_G;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_along_slide_G = 0, or
+                                                       //     sin(psi_D_CD) = 0
     const Scalar inverse_BCG_along_slide_G = -d.psi_D_CD.sin * inverse;
     const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
     const Scalar t01 = v_x_B - v_x_E;
@@ -986,10 +983,9 @@ struct Model06 {
         - d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
     const Scalar BCG_across_slide_G = d.h_G_BCG - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
         - cos_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF - d.h_G_GF;
-    const Scalar inverse = Scalar(1) / (-d.psi_D_CD.sin * BCG_along_slide_G);  // zero: a dead
-                                                                               //     centre, or
-                                                                               //     sin(psi_D_CD)
-                                                                               //     = 0
+    const Scalar pivot_product = -d.psi_D_CD.sin * BCG_along_slide_G;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_along_slide_G = 0, or
+                                                       //     sin(psi_D_CD) = 0
     const Scalar inverse_BCG_along_slide_G = -d.psi_D_CD.sin * inverse;
     const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
     const Scalar t01 = v_x_B - v_x_E;
@@ -1065,10 +1061,9 @@ struct Model06 {
     const Scalar t03 = d.h_G_BCG - d.h_G_GF;
     const Scalar BCG_across_slide_G = t03 - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
         - cos_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF;
-    const Scalar inverse = Scalar(1) / (-d.psi_D_CD.sin * BCG_along_slide_G);  // zero: a dead
-                                                                               //     centre, or
-                                                                               //     sin(psi_D_CD)
-                                                                               //     = 0
+    const Scalar pivot_product = -d.psi_D_CD.sin * BCG_along_slide_G;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_along_slide_G = 0, or
+                                                       //     sin(psi_D_CD) = 0
     const Scalar inverse_BCG_along_slide_G = -d.psi_D_CD.sin * inverse;
     const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
     const Scalar t04 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;

@@ -906,8 +906,8 @@ struct Model08 {
     const Scalar determinant = cos_phi_B_minus_CD * EDF_across_GF
         - cos_phi_B_minus_GF * EDF_across_CD;
     const Scalar t01 = d.CD * d.GF;
-    const Scalar inverse = Scalar(1) / (determinant * t01);  // zero: a dead centre, or GF = 0, or
-                                                             //     CD = 0
+    const Scalar pivot_product = determinant * t01;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t02;
@@ -972,8 +972,8 @@ struct Model08 {
     const Scalar determinant = cos_phi_B_minus_CD * EDF_across_GF
         - cos_phi_B_minus_GF * EDF_across_CD;
     const Scalar t03 = d.CD * d.GF;
-    const Scalar inverse = Scalar(1) / (determinant * t03);  // zero: a dead centre, or GF = 0, or
-                                                             //     CD = 0
+    const Scalar pivot_product = determinant * t03;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
     const Scalar inverse_determinant = inverse * t03;
     const Scalar t04 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t04;
@@ -1096,8 +1096,8 @@ struct Model08 {
     const Scalar determinant = cos_phi_B_minus_CD * EDF_across_GF
         - cos_phi_B_minus_GF * EDF_across_CD;
     const Scalar t03 = d.CD * d.GF;
-    const Scalar inverse = Scalar(1) / (determinant * t03);  // zero: a dead centre, or GF = 0, or
-                                                             //     CD = 0
+    const Scalar pivot_product = determinant * t03;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
     const Scalar inverse_determinant = inverse * t03;
     const Scalar t04 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t04;
@@ -1167,8 +1167,8 @@ struct Model08 {
     const Scalar determinant = cos_phi_B_minus_CD * EDF_across_GF
         - cos_phi_B_minus_GF * EDF_across_CD;
     const Scalar t03 = d.CD * d.GF;
-    const Scalar inverse = Scalar(1) / (determinant * t03);  // zero: a dead centre, or GF = 0, or
-                                                             //     CD = 0
+    const Scalar pivot_product = determinant * t03;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
     const Scalar inverse_determinant = inverse * t03;
     const Scalar t04 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t04;
@@ -1267,8 +1267,8 @@ struct Model08 {
     const Scalar determinant = cos_phi_B_minus_CD * EDF_across_GF
         - cos_phi_B_minus_GF * EDF_across_CD;
     const Scalar t03 = d.CD * d.GF;
-    const Scalar inverse = Scalar(1) / (determinant * t03);  // zero: a dead centre, or GF = 0, or
-                                                             //     CD = 0
+    const Scalar pivot_product = determinant * t03;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
     const Scalar inverse_determinant = inverse * t03;
     const Scalar t04 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t04;

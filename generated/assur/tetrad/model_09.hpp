@@ -922,7 +922,8 @@ struct Model09 {
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
     const Scalar determinant = sin_phi_B_minus_EDF * EDF_across_GF - q.s_D * cos_phi_B_minus_GF;
-    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar pivot_product = d.GF * determinant;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar EDF_per_across_slide_D = cos_phi_B_minus_GF * inverse_determinant;
@@ -982,7 +983,8 @@ struct Model09 {
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
     const Scalar determinant = sin_phi_B_minus_EDF * EDF_across_GF - cos_phi_B_minus_GF * q.s_D;
-    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar pivot_product = d.GF * determinant;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar EDF_per_across_slide_D = cos_phi_B_minus_GF * inverse_determinant;
@@ -1100,7 +1102,8 @@ struct Model09 {
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
     const Scalar determinant = sin_phi_B_minus_EDF * EDF_across_GF - cos_phi_B_minus_GF * q.s_D;
-    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar pivot_product = d.GF * determinant;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar t03 = v_x_B - v_x_E;
@@ -1165,7 +1168,8 @@ struct Model09 {
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
     const Scalar determinant = sin_phi_B_minus_EDF * EDF_across_GF - cos_phi_B_minus_GF * q.s_D;
-    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar pivot_product = d.GF * determinant;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar t03 = v_x_B - v_x_E;
@@ -1260,7 +1264,8 @@ struct Model09 {
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
     const Scalar determinant = sin_phi_B_minus_EDF * EDF_across_GF - cos_phi_B_minus_GF * q.s_D;
-    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar pivot_product = d.GF * determinant;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar EDF_per_across_slide_D = cos_phi_B_minus_GF * inverse_determinant;

@@ -1001,9 +1001,10 @@ struct Model11 {
         - q.theta_CD.cos * q.theta_GF.sin;
     const Scalar t01 = d.CD * d.GF;
     const Scalar t02 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
-    const Scalar inverse = Scalar(1) / (-t01 * t02);  // zero: sin(phi_B - phi_E) = 0, or
-                                                      //     sin(theta_CD - theta_GF) = 0, or GF =
-                                                      //     0, or CD = 0
+    const Scalar pivot_product = -t01 * t02;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or
+                                                       //     sin(theta_CD - theta_GF) = 0, or GF =
+                                                       //     0, or CD = 0
     const Scalar t03 = inverse * t01;
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t03;
     const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t03;
@@ -1071,9 +1072,10 @@ struct Model11 {
         - q.theta_CD.cos * q.theta_GF.sin;
     const Scalar t05 = d.CD * d.GF;
     const Scalar t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
-    const Scalar inverse = Scalar(1) / (-t05 * t06);  // zero: sin(phi_B - phi_E) = 0, or
-                                                      //     sin(theta_CD - theta_GF) = 0, or GF =
-                                                      //     0, or CD = 0
+    const Scalar pivot_product = -t05 * t06;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or
+                                                       //     sin(theta_CD - theta_GF) = 0, or GF =
+                                                       //     0, or CD = 0
     const Scalar t07 = inverse * t05;
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
     const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07;
@@ -1211,9 +1213,10 @@ struct Model11 {
         - q.theta_CD.cos * q.theta_GF.sin;
     const Scalar t05 = d.CD * d.GF;
     const Scalar t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
-    const Scalar inverse = Scalar(1) / (-t05 * t06);  // zero: sin(phi_B - phi_E) = 0, or
-                                                      //     sin(theta_CD - theta_GF) = 0, or GF =
-                                                      //     0, or CD = 0
+    const Scalar pivot_product = -t05 * t06;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or
+                                                       //     sin(theta_CD - theta_GF) = 0, or GF =
+                                                       //     0, or CD = 0
     const Scalar t07 = inverse * t05;
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
     const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07;
@@ -1288,9 +1291,10 @@ struct Model11 {
         - q.theta_CD.cos * q.theta_GF.sin;
     const Scalar t05 = d.CD * d.GF;
     const Scalar t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
-    const Scalar inverse = Scalar(1) / (-t05 * t06);  // zero: sin(phi_B - phi_E) = 0, or
-                                                      //     sin(theta_CD - theta_GF) = 0, or GF =
-                                                      //     0, or CD = 0
+    const Scalar pivot_product = -t05 * t06;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or
+                                                       //     sin(theta_CD - theta_GF) = 0, or GF =
+                                                       //     0, or CD = 0
     const Scalar t07 = inverse * t05;
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
     const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07;
@@ -1401,9 +1405,10 @@ struct Model11 {
         - q.theta_CD.cos * q.theta_GF.sin;
     const Scalar t05 = d.CD * d.GF;
     const Scalar t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
-    const Scalar inverse = Scalar(1) / (-t05 * t06);  // zero: sin(phi_B - phi_E) = 0, or
-                                                      //     sin(theta_CD - theta_GF) = 0, or GF =
-                                                      //     0, or CD = 0
+    const Scalar pivot_product = -t05 * t06;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or
+                                                       //     sin(theta_CD - theta_GF) = 0, or GF =
+                                                       //     0, or CD = 0
     const Scalar t07 = inverse * t05;
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
     const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07;

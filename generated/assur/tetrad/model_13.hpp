@@ -891,7 +891,8 @@ struct Model13 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
     const Scalar determinant = cos_phi_B_minus_GF * EDF_along_slide_C
         - d.psi_C_BCG.sin * EDF_across_GF;
-    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar pivot_product = d.GF * determinant;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar EDF_per_across_slide_C = cos_phi_B_minus_GF * inverse_determinant;
@@ -953,7 +954,8 @@ struct Model13 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
     const Scalar determinant = cos_phi_B_minus_GF * EDF_along_slide_C
         - d.psi_C_BCG.sin * EDF_across_GF;
-    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar pivot_product = d.GF * determinant;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar EDF_per_across_slide_C = cos_phi_B_minus_GF * inverse_determinant;
@@ -1071,7 +1073,8 @@ struct Model13 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
     const Scalar determinant = cos_phi_B_minus_GF * EDF_along_slide_C
         - d.psi_C_BCG.sin * EDF_across_GF;
-    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar pivot_product = d.GF * determinant;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar t01 = v_x_B - v_x_E;
@@ -1138,7 +1141,8 @@ struct Model13 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
     const Scalar determinant = cos_phi_B_minus_GF * EDF_along_slide_C
         - d.psi_C_BCG.sin * EDF_across_GF;
-    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar pivot_product = d.GF * determinant;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar t01 = v_x_B - v_x_E;
@@ -1232,7 +1236,8 @@ struct Model13 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
     const Scalar determinant = cos_phi_B_minus_GF * EDF_along_slide_C
         - d.psi_C_BCG.sin * EDF_across_GF;
-    const Scalar inverse = Scalar(1) / (d.GF * determinant);  // zero: a dead centre, or GF = 0
+    const Scalar pivot_product = d.GF * determinant;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar EDF_per_across_slide_C = cos_phi_B_minus_GF * inverse_determinant;

@@ -894,9 +894,9 @@ struct Model14 {
     const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
     const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
     const Scalar t01 = d.psi_D_CD.sin * d.GF;
-    const Scalar inverse = Scalar(1) / (-cos_phi_B_minus_GF * t01);  // zero: cos(phi_B - theta_GF)
-                                                                     //     = 0, or sin(psi_D_CD) =
-                                                                     //     0, or GF = 0
+    const Scalar pivot_product = -cos_phi_B_minus_GF * t01;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B - theta_GF) = 0, or
+                                                       //     sin(psi_D_CD) = 0, or GF = 0
     const Scalar inverse_cos_phi_B_minus_GF = -inverse * t01;
     const Scalar t02 = cos_phi_B_minus_GF * inverse;
     const Scalar inverse_sin_psi_D_CD = d.GF * t02;
@@ -953,7 +953,8 @@ struct Model14 {
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF
         - t06;
     const Scalar t07 = d.psi_D_CD.sin * cos_phi_B_minus_GF;
-    const Scalar inverse = Scalar(1) / (-d.GF * t07);  // zero: cos(phi_B - theta_GF) = 0, or
+    const Scalar pivot_product = -d.GF * t07;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B - theta_GF) = 0, or
                                                        //     sin(psi_D_CD) = 0, or GF = 0
     const Scalar t08 = d.GF * inverse;
     const Scalar inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t08;
@@ -1070,7 +1071,8 @@ struct Model14 {
         - d.x_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
         - cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * d.y_F_EDF;
     const Scalar t03 = d.psi_D_CD.sin * cos_phi_B_minus_GF;
-    const Scalar inverse = Scalar(1) / (-d.GF * t03);  // zero: cos(phi_B - theta_GF) = 0, or
+    const Scalar pivot_product = -d.GF * t03;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B - theta_GF) = 0, or
                                                        //     sin(psi_D_CD) = 0, or GF = 0
     const Scalar t04 = d.GF * inverse;
     const Scalar inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t04;
@@ -1135,7 +1137,8 @@ struct Model14 {
         - d.x_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
         - cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * d.y_F_EDF;
     const Scalar t03 = d.psi_D_CD.sin * cos_phi_B_minus_GF;
-    const Scalar inverse = Scalar(1) / (-d.GF * t03);  // zero: cos(phi_B - theta_GF) = 0, or
+    const Scalar pivot_product = -d.GF * t03;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B - theta_GF) = 0, or
                                                        //     sin(psi_D_CD) = 0, or GF = 0
     const Scalar t04 = d.GF * inverse;
     const Scalar inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t04;
@@ -1231,7 +1234,8 @@ struct Model14 {
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF
         - t06;
     const Scalar t07 = d.psi_D_CD.sin * cos_phi_B_minus_GF;
-    const Scalar inverse = Scalar(1) / (-d.GF * t07);  // zero: cos(phi_B - theta_GF) = 0, or
+    const Scalar pivot_product = -d.GF * t07;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B - theta_GF) = 0, or
                                                        //     sin(psi_D_CD) = 0, or GF = 0
     const Scalar t08 = d.GF * inverse;
     const Scalar inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t08;

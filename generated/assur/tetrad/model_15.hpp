@@ -974,7 +974,10 @@ struct Model15 {
         cos_minus_psi_C_BCG_minus_psi_D_CD + d.psi_F_EDF.sin * sin_minus_psi_C_BCG_minus_psi_D_CD;
     const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
         sin_minus_psi_C_BCG_minus_psi_D_CD - d.psi_F_EDF.sin * cos_minus_psi_C_BCG_minus_psi_D_CD;
-    const Scalar inverse = Scalar(1) / (-d.psi_D_CD.sin * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF);  // zero: sin(psi_C_BCG + psi_D_CD + psi_F_EDF) = 0, or sin(psi_D_CD) = 0
+    const Scalar pivot_product = -d.psi_D_CD.sin *
+        sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_C_BCG + psi_D_CD +
+                                                       //     psi_F_EDF) = 0, or sin(psi_D_CD) = 0
     const Scalar inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = -d.psi_D_CD.sin *
         inverse;
     const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
@@ -1033,7 +1036,10 @@ struct Model15 {
     const Scalar t08 = d.h_F_EDF - d.h_F_GF;
     const Scalar phi_B_across_slide_F = q.s_B * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
         - d.h_B_BCG * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - t08;
-    const Scalar inverse = Scalar(1) / (-d.psi_D_CD.sin * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF);  // zero: sin(psi_C_BCG + psi_D_CD + psi_F_EDF) = 0, or sin(psi_D_CD) = 0
+    const Scalar pivot_product = -d.psi_D_CD.sin *
+        sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_C_BCG + psi_D_CD +
+                                                       //     psi_F_EDF) = 0, or sin(psi_D_CD) = 0
     const Scalar inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = -d.psi_D_CD.sin *
         inverse;
     const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
@@ -1150,7 +1156,10 @@ struct Model15 {
         + d.h_B_BCG * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - q.s_F;
     const Scalar phi_B_across_slide_F = q.s_B * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
         + d.h_F_GF - d.h_B_BCG * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - d.h_F_EDF;
-    const Scalar inverse = Scalar(1) / (-d.psi_D_CD.sin * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF);  // zero: sin(psi_C_BCG + psi_D_CD + psi_F_EDF) = 0, or sin(psi_D_CD) = 0
+    const Scalar pivot_product = -d.psi_D_CD.sin *
+        sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_C_BCG + psi_D_CD +
+                                                       //     psi_F_EDF) = 0, or sin(psi_D_CD) = 0
     const Scalar inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = -d.psi_D_CD.sin *
         inverse;
     const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
@@ -1217,7 +1226,10 @@ struct Model15 {
         + d.h_B_BCG * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - q.s_F;
     const Scalar phi_B_across_slide_F = q.s_B * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
         + d.h_F_GF - d.h_B_BCG * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - d.h_F_EDF;
-    const Scalar inverse = Scalar(1) / (-d.psi_D_CD.sin * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF);  // zero: sin(psi_C_BCG + psi_D_CD + psi_F_EDF) = 0, or sin(psi_D_CD) = 0
+    const Scalar pivot_product = -d.psi_D_CD.sin *
+        sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_C_BCG + psi_D_CD +
+                                                       //     psi_F_EDF) = 0, or sin(psi_D_CD) = 0
     const Scalar inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = -d.psi_D_CD.sin *
         inverse;
     const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
@@ -1316,7 +1328,10 @@ struct Model15 {
     const Scalar t08 = d.h_F_EDF - d.h_F_GF;
     const Scalar phi_B_across_slide_F = q.s_B * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
         - d.h_B_BCG * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - t08;
-    const Scalar inverse = Scalar(1) / (-d.psi_D_CD.sin * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF);  // zero: sin(psi_C_BCG + psi_D_CD + psi_F_EDF) = 0, or sin(psi_D_CD) = 0
+    const Scalar pivot_product = -d.psi_D_CD.sin *
+        sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_C_BCG + psi_D_CD +
+                                                       //     psi_F_EDF) = 0, or sin(psi_D_CD) = 0
     const Scalar inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = -d.psi_D_CD.sin *
         inverse;
     const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *

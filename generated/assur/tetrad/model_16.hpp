@@ -973,10 +973,10 @@ struct Model16 {
         + sin_CD * q.theta_GF.sin;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t01 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
-    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * t01);  // zero: cos(phi_B +
-                                                                        //     psi_C_BCG - theta_GF)
-                                                                        //     = 0, or sin(phi_B -
-                                                                        //     phi_E) = 0, or GF = 0
+    const Scalar pivot_product = -sin_phi_B_minus_phi_E * t01;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BCG - theta_GF) =
+                                                       //     0, or sin(phi_B - phi_E) = 0, or GF =
+                                                       //     0
     const Scalar t02 = sin_phi_B_minus_phi_E * inverse;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t02;
     const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t01;
@@ -1045,10 +1045,10 @@ struct Model16 {
         + sin_CD * q.theta_GF.sin;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t04 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
-    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * t04);  // zero: cos(phi_B +
-                                                                        //     psi_C_BCG - theta_GF)
-                                                                        //     = 0, or sin(phi_B -
-                                                                        //     phi_E) = 0, or GF = 0
+    const Scalar pivot_product = -sin_phi_B_minus_phi_E * t04;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BCG - theta_GF) =
+                                                       //     0, or sin(phi_B - phi_E) = 0, or GF =
+                                                       //     0
     const Scalar t05 = sin_phi_B_minus_phi_E * inverse;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t05;
     const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t04;
@@ -1185,10 +1185,10 @@ struct Model16 {
         + sin_CD * q.theta_GF.sin;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t03 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
-    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * t03);  // zero: cos(phi_B +
-                                                                        //     psi_C_BCG - theta_GF)
-                                                                        //     = 0, or sin(phi_B -
-                                                                        //     phi_E) = 0, or GF = 0
+    const Scalar pivot_product = -sin_phi_B_minus_phi_E * t03;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BCG - theta_GF) =
+                                                       //     0, or sin(phi_B - phi_E) = 0, or GF =
+                                                       //     0
     const Scalar t04 = sin_phi_B_minus_phi_E * inverse;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t04;
     const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t03;
@@ -1264,10 +1264,10 @@ struct Model16 {
         + sin_CD * q.theta_GF.sin;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t03 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
-    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * t03);  // zero: cos(phi_B +
-                                                                        //     psi_C_BCG - theta_GF)
-                                                                        //     = 0, or sin(phi_B -
-                                                                        //     phi_E) = 0, or GF = 0
+    const Scalar pivot_product = -sin_phi_B_minus_phi_E * t03;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BCG - theta_GF) =
+                                                       //     0, or sin(phi_B - phi_E) = 0, or GF =
+                                                       //     0
     const Scalar t04 = sin_phi_B_minus_phi_E * inverse;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t04;
     const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t03;
@@ -1379,10 +1379,10 @@ struct Model16 {
         + sin_CD * q.theta_GF.sin;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t04 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
-    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * t04);  // zero: cos(phi_B +
-                                                                        //     psi_C_BCG - theta_GF)
-                                                                        //     = 0, or sin(phi_B -
-                                                                        //     phi_E) = 0, or GF = 0
+    const Scalar pivot_product = -sin_phi_B_minus_phi_E * t04;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BCG - theta_GF) =
+                                                       //     0, or sin(phi_B - phi_E) = 0, or GF =
+                                                       //     0
     const Scalar t05 = sin_phi_B_minus_phi_E * inverse;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t05;
     const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t04;

@@ -1038,7 +1038,10 @@ struct Model17 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF = sin_CD * cos_GF
         - cos_CD * sin_GF;
-    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF);  // zero: sin(phi_B - phi_E) = 0, or sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0
+    const Scalar pivot_product = -sin_phi_B_minus_phi_E *
+        sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or sin(phi_B
+                                                       //     - phi_E + psi_C_BCG - psi_F_EDF) = 0
     const Scalar inverse_sin_phi_B_minus_phi_E =
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
     const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =
@@ -1111,7 +1114,10 @@ struct Model17 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF = sin_CD * cos_GF
         - cos_CD * sin_GF;
-    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF);  // zero: sin(phi_B - phi_E) = 0, or sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0
+    const Scalar pivot_product = -sin_phi_B_minus_phi_E *
+        sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or sin(phi_B
+                                                       //     - phi_E + psi_C_BCG - psi_F_EDF) = 0
     const Scalar inverse_sin_phi_B_minus_phi_E =
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
     const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =
@@ -1254,7 +1260,10 @@ struct Model17 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF = sin_CD * cos_GF
         - cos_CD * sin_GF;
-    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF);  // zero: sin(phi_B - phi_E) = 0, or sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0
+    const Scalar pivot_product = -sin_phi_B_minus_phi_E *
+        sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or sin(phi_B
+                                                       //     - phi_E + psi_C_BCG - psi_F_EDF) = 0
     const Scalar inverse_sin_phi_B_minus_phi_E =
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
     const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =
@@ -1334,7 +1343,10 @@ struct Model17 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF = sin_CD * cos_GF
         - cos_CD * sin_GF;
-    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF);  // zero: sin(phi_B - phi_E) = 0, or sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0
+    const Scalar pivot_product = -sin_phi_B_minus_phi_E *
+        sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or sin(phi_B
+                                                       //     - phi_E + psi_C_BCG - psi_F_EDF) = 0
     const Scalar inverse_sin_phi_B_minus_phi_E =
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
     const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =
@@ -1450,7 +1462,10 @@ struct Model17 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF = sin_CD * cos_GF
         - cos_CD * sin_GF;
-    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF);  // zero: sin(phi_B - phi_E) = 0, or sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0
+    const Scalar pivot_product = -sin_phi_B_minus_phi_E *
+        sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or sin(phi_B
+                                                       //     - phi_E + psi_C_BCG - psi_F_EDF) = 0
     const Scalar inverse_sin_phi_B_minus_phi_E =
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
     const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =

@@ -912,9 +912,9 @@ struct Model20 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar inverse = Scalar(1) / (d.psi_G_BCG.sin * d.psi_D_CD.sin);  // zero: sin(psi_G_BCG)
-                                                                            //     = 0, or
-                                                                            //     sin(psi_D_CD) = 0
+    const Scalar pivot_product = d.psi_G_BCG.sin * d.psi_D_CD.sin;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_G_BCG) = 0, or sin(psi_D_CD)
+                                                       //     = 0
     const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
     const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
@@ -967,9 +967,9 @@ struct Model20 {
     const Scalar phi_B_across_slide_G = t05 - d.psi_G_BCG.sin * q.s_B
         - d.x_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
         - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF;
-    const Scalar inverse = Scalar(1) / (d.psi_G_BCG.sin * d.psi_D_CD.sin);  // zero: sin(psi_G_BCG)
-                                                                            //     = 0, or
-                                                                            //     sin(psi_D_CD) = 0
+    const Scalar pivot_product = d.psi_G_BCG.sin * d.psi_D_CD.sin;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_G_BCG) = 0, or sin(psi_D_CD)
+                                                       //     = 0
     const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
     const Scalar t06 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
@@ -1083,9 +1083,9 @@ struct Model20 {
     const Scalar phi_B_across_slide_G = d.h_G_BCG - d.psi_G_BCG.sin * q.s_B
         - d.x_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
         - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF - d.h_G_GF;
-    const Scalar inverse = Scalar(1) / (d.psi_G_BCG.sin * d.psi_D_CD.sin);  // zero: sin(psi_G_BCG)
-                                                                            //     = 0, or
-                                                                            //     sin(psi_D_CD) = 0
+    const Scalar pivot_product = d.psi_G_BCG.sin * d.psi_D_CD.sin;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_G_BCG) = 0, or sin(psi_D_CD)
+                                                       //     = 0
     const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
     const Scalar t01 = v_x_B - v_x_E;
@@ -1146,9 +1146,9 @@ struct Model20 {
     const Scalar phi_B_across_slide_G = d.h_G_BCG - d.psi_G_BCG.sin * q.s_B
         - d.x_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
         - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF - d.h_G_GF;
-    const Scalar inverse = Scalar(1) / (d.psi_G_BCG.sin * d.psi_D_CD.sin);  // zero: sin(psi_G_BCG)
-                                                                            //     = 0, or
-                                                                            //     sin(psi_D_CD) = 0
+    const Scalar pivot_product = d.psi_G_BCG.sin * d.psi_D_CD.sin;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_G_BCG) = 0, or sin(psi_D_CD)
+                                                       //     = 0
     const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
     const Scalar t01 = v_x_B - v_x_E;
@@ -1238,9 +1238,9 @@ struct Model20 {
     const Scalar phi_B_across_slide_G = t05 - d.psi_G_BCG.sin * q.s_B
         - d.x_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
         - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF;
-    const Scalar inverse = Scalar(1) / (d.psi_G_BCG.sin * d.psi_D_CD.sin);  // zero: sin(psi_G_BCG)
-                                                                            //     = 0, or
-                                                                            //     sin(psi_D_CD) = 0
+    const Scalar pivot_product = d.psi_G_BCG.sin * d.psi_D_CD.sin;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_G_BCG) = 0, or sin(psi_D_CD)
+                                                       //     = 0
     const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
     const Scalar t06 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;

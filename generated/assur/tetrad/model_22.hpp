@@ -983,7 +983,9 @@ struct Model22 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
         - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
-    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG);  // zero: sin(phi_B - phi_E) = 0, or sin(psi_C_BCG - psi_G_BCG) = 0
+    const Scalar pivot_product = -sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or
+                                                       //     sin(psi_C_BCG - psi_G_BCG) = 0
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
     const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
     const Scalar t01 = inverse_sin_phi_B_minus_phi_E * inverse_sin_psi_C_BCG_minus_psi_G_BCG;
@@ -1052,7 +1054,9 @@ struct Model22 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
         - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
-    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG);  // zero: sin(phi_B - phi_E) = 0, or sin(psi_C_BCG - psi_G_BCG) = 0
+    const Scalar pivot_product = -sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or
+                                                       //     sin(psi_C_BCG - psi_G_BCG) = 0
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
     const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
     const Scalar t04 = inverse_sin_phi_B_minus_phi_E * inverse_sin_psi_C_BCG_minus_psi_G_BCG;
@@ -1188,7 +1192,9 @@ struct Model22 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
         - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
-    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG);  // zero: sin(phi_B - phi_E) = 0, or sin(psi_C_BCG - psi_G_BCG) = 0
+    const Scalar pivot_product = -sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or
+                                                       //     sin(psi_C_BCG - psi_G_BCG) = 0
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
     const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
     const Scalar t03 = v_x_B - v_x_E;
@@ -1263,7 +1269,9 @@ struct Model22 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
         - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
-    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG);  // zero: sin(phi_B - phi_E) = 0, or sin(psi_C_BCG - psi_G_BCG) = 0
+    const Scalar pivot_product = -sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or
+                                                       //     sin(psi_C_BCG - psi_G_BCG) = 0
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
     const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
     const Scalar t03 = v_x_B - v_x_E;
@@ -1375,7 +1383,9 @@ struct Model22 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
         - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
-    const Scalar inverse = Scalar(1) / (-sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG);  // zero: sin(phi_B - phi_E) = 0, or sin(psi_C_BCG - psi_G_BCG) = 0
+    const Scalar pivot_product = -sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG;
+    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or
+                                                       //     sin(psi_C_BCG - psi_G_BCG) = 0
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
     const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
     const Scalar t04 = inverse_sin_phi_B_minus_phi_E * inverse_sin_psi_C_BCG_minus_psi_G_BCG;
