@@ -3,6 +3,7 @@
 #include <assur/assembly.hpp>
 #include <assur/kinematics.hpp>
 #include <assur/normal_form.hpp>
+#include <assur/second_order.hpp>
 #include <assur/tetrad/models.hpp>
 
 static_assert(std::tuple_size_v<assur::tetrad::Models> == 24);
