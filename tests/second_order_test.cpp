@@ -130,6 +130,31 @@ TYPED_TEST(RuntimeSecondOrder, IsTheDifferenceOfFirstDerivatives) {
   EXPECT_LT(worst, 1e-11L);
 }
 
+/// Parameters have units of their own: a direction may be shorter than another by many digits.
+TYPED_TEST(RuntimeSecondOrder, IsBilinearToTheLastDigits) {
+  using Model = TypeParam;
+  const Curve<Model> curve(11);
+  const SecondOrder<Model, Real> order(curve.d, curve.u, curve.q);
+  const Real shrunk = std::ldexp(Real(1), -40);
+  FirstDerivative<Model, Real> x;
+  FirstDerivative<Model, Real> y;
+  FirstDerivative<Model, Real> short_y;
+  SecondDerivative<Model, Real> xy;
+  SecondDerivative<Model, Real> short_xy;
+  ASSERT_EQ(order.first(curve.d_x, curve.u_x, x), Status::ok);
+  ASSERT_EQ(order.first(curve.d_y, curve.u_y, y), Status::ok);
+  ASSERT_EQ(order.first(shrunk * curve.d_y, shrunk * curve.u_y, short_y), Status::ok);
+  ASSERT_EQ(order.second(x, y, xy), Status::ok);
+  ASSERT_EQ(order.second(x, short_y, short_xy), Status::ok);
+  const Real apart = (short_xy.q / shrunk - xy.q).cwiseAbs().maxCoeff();
+  EXPECT_LE(apart, 1e-17L * xy.q.cwiseAbs().maxCoeff());
+  FirstDerivative<Model, Real> rest;
+  ASSERT_EQ(order.first(Real(0) * curve.d_y, Real(0) * curve.u_y, rest), Status::ok);
+  ASSERT_EQ(order.second(x, rest, xy), Status::ok);
+  EXPECT_EQ(xy.q.cwiseAbs().maxCoeff(), 0);
+  EXPECT_EQ(xy.p.cwiseAbs().maxCoeff(), 0);
+}
+
 TEST(RuntimeSecondOrderStatus, SaysWhereNothingWasComputed) {
   using Model = tetrad::Model01;
   Curve<Model> curve(1);

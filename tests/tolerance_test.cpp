@@ -321,7 +321,9 @@ TEST(Covariance, OfAPointIsTheSensitivityTwiceAppliedToThatOfTheParameters) {
   const Json& matrix = scene["covariance"]["matrix"];
   const std::vector<std::string> varying = {"phi", "AG"};
   double worst = 0;
-  for (const Json& configuration : report_of(scene)["configurations"]) {
+  const Json report = report_of(scene);
+  ASSERT_EQ(report["configurations"].size(), 2U);
+  for (const Json& configuration : report["configurations"]) {
     for (const Json& point : configuration["outputs"]) {
       for (std::size_t one = 0; one < 2; ++one) {
         for (std::size_t other = 0; other < 2; ++other) {
@@ -351,7 +353,9 @@ TEST(Covariance, OfIndependentParametersIsTheSquareOfTheRootSumSquare) {
     scene["covariance"]["matrix"][row][row] = tolerance * tolerance;
     ++row;
   }
-  for (const Json& configuration : report_of(scene)["configurations"]) {
+  const Json report = report_of(scene);
+  ASSERT_EQ(report["configurations"].size(), 2U);
+  for (const Json& configuration : report["configurations"]) {
     for (const Json& point : configuration["outputs"]) {
       for (std::size_t axis = 0; axis < 2; ++axis) {
         const double rss = point["rss"][axis].get<double>();
