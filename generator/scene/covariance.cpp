@@ -36,21 +36,21 @@ Eigen::MatrixXd correlations(const Eigen::MatrixXd& matrix, const std::string& f
   }
   const Eigen::VectorXd deviations = matrix.diagonal().cwiseSqrt();
   Eigen::MatrixXd result = Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols());
-  for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
-    for (Eigen::Index column = 0; column < row; ++column) {
-      const double limit = deviations(row) * deviations(column);
-      if (!(std::abs(matrix(row, column) - matrix(column, row)) <= tolerance * limit)) {
-        fail(entry(row, column), "the matrix is not symmetric: " + shown(matrix(row, column)) +
-                                     " here, " + shown(matrix(column, row)) + " in [" +
-                                     std::to_string(column) + "][" + std::to_string(row) + "]");
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    for (Eigen::Index j = 0; j < i; ++j) {
+      const double limit = deviations(i) * deviations(j);
+      if (!(std::abs(matrix(i, j) - matrix(j, i)) <= tolerance * limit)) {
+        fail(entry(i, j), "the matrix is not symmetric: " + shown(matrix(i, j)) + " here, " +
+                              shown(matrix(j, i)) + " in [" + std::to_string(j) + "][" +
+                              std::to_string(i) + "]");
       }
-      if (!(std::abs(matrix(row, column)) <= (1 + tolerance) * limit)) {
-        fail(entry(row, column), "a covariance of " + shown(matrix(row, column)) +
-                                     " is more than its variances allow (at most " + shown(limit) +
-                                     ", the root of their product)");
+      if (!(std::abs(matrix(i, j)) <= (1 + tolerance) * limit)) {
+        fail(entry(i, j), "a covariance of " + shown(matrix(i, j)) +
+                              " is more than its variances allow (at most " + shown(limit) +
+                              ", the root of their product)");
       }
       if (limit > 0) {
-        result(row, column) = result(column, row) = matrix(row, column) / limit;
+        result(i, j) = result(j, i) = matrix(i, j) / limit;
       }
     }
   }

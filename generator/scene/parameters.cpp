@@ -95,7 +95,7 @@ Dual ParameterValues::evaluated(const SceneNumber& number, const std::vector<boo
     throw InputError(scene_->file + ": " + number.where + ": no value for '" + name + "'");
   });
   // A bare number has no gradient.
-  const Dual result = raw.derivatives().size() == 0 ? constant(raw.value()) : raw;
+  Dual result = raw.derivatives().size() == 0 ? constant(raw.value()) : raw;
   if (!std::isfinite(result.value())) {
     throw InputError(scene_->file + ": " + number.where + ": the value is not a finite number");
   }
