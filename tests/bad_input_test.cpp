@@ -46,7 +46,7 @@ TEST_P(BadScene, GetsOneLine) {
   expect_one_line(run_assur("solve " + file.string()), fault.message);
 }
 
-constexpr std::array<Fault, 46> faults = {{
+constexpr std::array<Fault, 65> faults = {{
     {"UnknownTopLevelKey", "/drivrs", "{}",
      "scene.json: unknown key 'drivrs' (did you mean 'drivers'?)"},
     {"LinksMissing", "/links", "", "the key 'links' is missing"},
@@ -102,12 +102,72 @@ constexpr std::array<Fault, 46> faults = {{
      "sweep.count: expected a whole number"},
     {"SweepParameter", "/sweep", "{\"parameter\": \"psi\", \"from\": 0, \"to\": 1, \"count\": 2}",
      "sweep.parameter: no parameter named 'psi' (did you mean 'phi'?)"},
+    {"CovarianceNoObject", "/covariance", "[]", "covariance: expected an object"},
+    {"UnknownCovarianceKey", "/covariance", "{\"parameter\": []}",
+     "covariance: unknown key 'parameter' (did you mean 'parameters'?)"},
+    {"CovarianceWithoutParameters", "/covariance", "{\"matrix\": []}",
+     "covariance: the key 'parameters' is missing"},
+    {"CovarianceWithoutMatrix", "/covariance", "{\"parameters\": [\"AB\"]}",
+     "covariance: the key 'matrix' is missing"},
+    {"CovarianceOfNothing", "/covariance", "{\"parameters\": [], \"matrix\": []}",
+     "covariance.parameters: expected one or more names"},
+    {"CovarianceOfNumber", "/covariance", "{\"parameters\": [1], \"matrix\": [[1]]}",
+     "covariance.parameters[0]: expected a text, found number"},
+    {"CovarianceOfUnknown", "/covariance",
+     "{\"parameters\": [\"AB\", \"AC\"], \"matrix\": [[1, 0], [0, 1]]}",
+     "covariance.parameters[1]: no parameter named 'AC' (did you mean"},
+    {"CovarianceTwice", "/covariance",
+     "{\"parameters\": [\"AB\", \"AB\"], \"matrix\": [[1, 0], [0, 1]]}",
+     "covariance.parameters[1]: the parameter 'AB' stands twice"},
+    {"CovarianceNoMatrix", "/covariance", "{\"parameters\": [\"AB\"], \"matrix\": 1}",
+     "covariance.matrix: expected a row for each of the parameters, 1 in all"},
+    {"CovarianceRowMissing", "/covariance",
+     "{\"parameters\": [\"AB\", \"AG\"], \"matrix\": [[1, 0]]}",
+     "covariance.matrix: expected a row for each of the parameters, 2 in all"},
+    {"CovarianceNumberMissing", "/covariance",
+     "{\"parameters\": [\"AB\", \"AG\"], \"matrix\": [[1, 0], [1]]}",
+     "covariance.matrix[1]: expected a number for each of the parameters, 2 in all"},
+    {"CovarianceNoNumber", "/covariance", "{\"parameters\": [\"AB\"], \"matrix\": [[true]]}",
+     "covariance.matrix[0][0]: expected a number or an expression"},
+    {"CovarianceUnknownName", "/covariance", "{\"parameters\": [\"AB\"], \"matrix\": [[\"s^2\"]]}",
+     "covariance.matrix[0][0]: no parameter named 's'"},
+    {"CovarianceNotFinite", "/covariance",
+     "{\"parameters\": [\"AB\"], \"matrix\": [[\"1/(AB - 100)\"]]}",
+     "covariance.matrix[0][0]: the value is not a finite number"},
+    {"CovarianceNegative", "/covariance",
+     "{\"parameters\": [\"AB\", \"AG\"], \"matrix\": [[1, 0], [0, -1]]}",
+     "covariance.matrix[1][1]: a variance cannot be negative"},
+    {"CovarianceNotSymmetric", "/covariance",
+     "{\"parameters\": [\"AB\", \"AG\"], \"matrix\": [[1, 0.5], [0.4, 1]]}",
+     "covariance.matrix[1][0]: the matrix is not symmetric: 0.4 here, 0.5 in [0][1]"},
+    {"CovarianceTooLarge", "/covariance",
+     "{\"parameters\": [\"AB\", \"AG\"], \"matrix\": [[1, 6.000001], [6.000001, 36]]}",
+     "covariance.matrix[1][0]: a covariance of 6 is more than its variances allow (at most 6,"},
+    {"CovarianceOfConstant", "/covariance",
+     "{\"parameters\": [\"AB\", \"AG\"], \"matrix\": [[1, 1e-9], [1e-9, 0]]}",
+     "covariance.matrix[1][0]: a covariance of 1e-09 is more than"},
+    {"CovarianceIndefinite", "/covariance",
+     "{\"parameters\": [\"AB\", \"AG\", \"BE\"], \"matrix\": [[1, 0.9, 0], [0.9, 1, 0.9], [0, 0.9, "
+     "1]]}",
+     "covariance.matrix: not positive semi-definite"},
     {"UnderConstrained", "/joints/E", "", "under-constrained"},
     {"NoGround", "/links/ground", "", "no link named 'ground'"},
 }};
 
 INSTANTIATE_TEST_SUITE_P(Faults, BadScene, testing::ValuesIn(faults),
                          [](const auto& fault) { return std::string(fault.param.name); });
+
+/// Its gradient is zero there and its second derivative infinite.
+TEST(BadCovariance, NeedsSecondDerivatives) {
+  Json scene = Json::parse(read_file(ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json"));
+  scene["links"]["rod"]["E"] = {"BE", "(AB - 100)^1.5"};
+  const TemporaryDirectory directory;
+  EXPECT_EQ(run_assur("solve " + directory.write("scene.json", scene.dump()).string()).status, 0);
+  scene["covariance"] = {{"parameters", {"AB"}}, {"matrix", Json::parse("[[1]]")}};
+  expect_one_line(run_assur("solve " + directory.write("scene.json", scene.dump()).string()),
+                  "links.rod.E[1]: the second derivative with respect to the parameters is not "
+                  "finite here, and a covariance needs it");
+}
 
 TEST(BadFile, Missing) { expect_one_line(run_assur("solve /no/such/file.json"), "cannot be read"); }
 TEST(BadFile, Directory) {

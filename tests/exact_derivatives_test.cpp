@@ -29,13 +29,18 @@ class ExactDerivatives : public testing::Test {
     q_ = random_.template variables<Configuration>();
   }
 
+  /// How all variables move; at rest where not set.
+  struct AllRates {
+    Rates<UnknownVector> q;
+    Rates<DimensionVector> d;
+    Rates<InputVector> u;
+  };
+
   /// Residual and poses while the variables move.
-  void move(const UnknownVector& q1, const UnknownVector& q2, const DimensionVector& d1,
-            const InputVector& u1, const InputVector& u2) {
-    const auto d = all_moving<typename Model::template Dimensions<Moving>>(
-        d_, d1, DimensionVector(DimensionVector::Zero()));
-    const auto u = all_moving<typename Model::template Inputs<Moving>>(u_, u1, u2);
-    const auto q = all_moving<typename Model::template Configuration<Moving>>(q_, q1, q2);
+  void move(const AllRates& rates) {
+    const auto d = all_moving<typename Model::template Dimensions<Moving>>(d_, rates.d);
+    const auto u = all_moving<typename Model::template Inputs<Moving>>(u_, rates.u);
+    const auto q = all_moving<typename Model::template Configuration<Moving>>(q_, rates.q);
     Model::residual(d, u, q, residual_);
     Model::link_poses(d, u, q, poses_);
   }
@@ -77,9 +82,6 @@ TYPED_TEST_SUITE(ExactDerivatives, AllModels, ModelNames);
 
 TYPED_TEST(ExactDerivatives, JacobiansAreTheFirstCoefficients) {
   using Model = TypeParam;
-  const auto no_q = Vector<Rational, Model::unknown_count>::Zero().eval();
-  const auto no_d = Vector<Rational, Model::dimension_count>::Zero().eval();
-  const auto no_u = Vector<Rational, Model::input_count>::Zero().eval();
   for (int sample = 0; sample < samples; ++sample) {
     this->draw();
     Matrix<Rational, Model::equation_count, Model::unknown_count> f_q;
@@ -93,22 +95,22 @@ TYPED_TEST(ExactDerivatives, JacobiansAreTheFirstCoefficients) {
     Matrix<Rational, 3 * Model::link_count, Model::input_count> p_u;
     Model::pose_jacobians(this->d_, this->u_, this->q_, p_q, p_d, p_u);
     for (int column = 0; column < Model::unknown_count; ++column) {
-      auto along = no_q;
-      along(column) = 1;
-      this->move(along, no_q, no_d, no_u, no_u);
+      typename TestFixture::AllRates along;
+      along.q.first(column) = 1;
+      this->move(along);
       this->check_column(f_q, p_q, column, Model::unknowns[static_cast<std::size_t>(column)].name);
     }
     for (int column = 0; column < Model::dimension_count; ++column) {
-      auto along = no_d;
-      along(column) = 1;
-      this->move(no_q, no_q, along, no_u, no_u);
+      typename TestFixture::AllRates along;
+      along.d.first(column) = 1;
+      this->move(along);
       this->check_column(f_d, p_d, column,
                          Model::dimensions[static_cast<std::size_t>(column)].name);
     }
     for (int column = 0; column < Model::input_count; ++column) {
-      auto along = no_u;
-      along(column) = 1;
-      this->move(no_q, no_q, no_d, along, no_u);
+      typename TestFixture::AllRates along;
+      along.u.first(column) = 1;
+      this->move(along);
       this->check_column(f_u, p_u, column, Model::inputs[static_cast<std::size_t>(column)].name);
     }
   }
@@ -118,30 +120,39 @@ TYPED_TEST(ExactDerivatives, RatesAreTheTimeDerivatives) {
   using Model = TypeParam;
   using Unknowns = Vector<Rational, Model::unknown_count>;
   using InputRates = Vector<Rational, Model::input_count>;
-  const auto no_d = Vector<Rational, Model::dimension_count>::Zero().eval();
   for (int sample = 0; sample < samples; ++sample) {
     this->draw();
-    const auto q1 = this->random_.template vector<Unknowns>();
-    const auto q2 = this->random_.template vector<Unknowns>();
-    const auto u1 = this->random_.template vector<InputRates>();
-    const auto u2 = this->random_.template vector<InputRates>();
-    this->move(q1, q2, no_d, u1, u2);
+    typename TestFixture::AllRates rates;
+    for (Unknowns* drawn : {&rates.q.first, &rates.q.second, &rates.q.third}) {
+      *drawn = this->random_.template vector<Unknowns>();
+    }
+    for (InputRates* drawn : {&rates.u.first, &rates.u.second, &rates.u.third}) {
+      *drawn = this->random_.template vector<InputRates>();
+    }
+    const auto& [q1, q2, q3] = rates.q;
+    const auto& [u1, u2, u3] = rates.u;
+    this->move(rates);
 
     Matrix<Rational, Model::equation_count, Model::unknown_count> jacobian;
     Vector<Rational, Model::equation_count> velocity_rhs;
     Vector<Rational, Model::equation_count> acceleration_rhs;
+    Vector<Rational, Model::equation_count> jerk_rhs;
     Model::jacobian(this->d_, this->u_, this->q_, jacobian);
     Model::velocity_rhs(this->d_, this->u_, this->q_, u1, velocity_rhs);
     Model::acceleration_rhs(this->d_, this->u_, this->q_, q1, u1, u2, acceleration_rhs);
+    Model::jerk_rhs(this->d_, this->u_, this->q_, q1, q2, u1, u2, u3, jerk_rhs);
     for (int row = 0; row < Model::equation_count; ++row) {
       Rational first = -velocity_rhs(row);
       Rational second = -acceleration_rhs(row);
+      Rational third = -jerk_rhs(row);
       for (int column = 0; column < Model::unknown_count; ++column) {
         first = first + jacobian(row, column) * q1(column);
         second = second + jacobian(row, column) * q2(column);
+        third = third + jacobian(row, column) * q3(column);
       }
       EXPECT_EQ(first, this->residual_(row).c1) << "velocity, equation " << row;
       EXPECT_EQ(second, Rational(2) * this->residual_(row).c2) << "acceleration, equation " << row;
+      EXPECT_EQ(third, Rational(6) * this->residual_(row).c3) << "jerk, equation " << row;
     }
 
     Matrix<Rational, Model::link_count, 3> v;
@@ -156,6 +167,34 @@ TYPED_TEST(ExactDerivatives, RatesAreTheTimeDerivatives) {
       EXPECT_EQ(a(link, 0), Rational(2) * pose.x.c2);
       EXPECT_EQ(a(link, 1), Rational(2) * pose.y.c2);
       EXPECT_EQ(a(link, 2), this->second_turning(pose.direction));
+    }
+  }
+}
+
+TYPED_TEST(ExactDerivatives, CurvaturesAreTheSecondCoefficientsAlongALine) {
+  using Model = TypeParam;
+  for (int sample = 0; sample < samples; ++sample) {
+    this->draw();
+    typename TestFixture::AllRates line;
+    line.q.first = this->random_.template vector<Vector<Rational, Model::unknown_count>>();
+    line.d.first = this->random_.template vector<Vector<Rational, Model::dimension_count>>();
+    line.u.first = this->random_.template vector<Vector<Rational, Model::input_count>>();
+    this->move(line);
+
+    Vector<Rational, Model::equation_count> rhs;
+    Matrix<Rational, Model::link_count, 3> p;
+    Model::curvature_rhs(this->d_, this->u_, this->q_, line.q.first, line.d.first, line.u.first,
+                         rhs);
+    Model::pose_curvatures(this->d_, this->u_, this->q_, line.q.first, line.d.first, line.u.first,
+                           p);
+    for (int row = 0; row < Model::equation_count; ++row) {
+      EXPECT_EQ(rhs(row), Rational(-2) * this->residual_(row).c2) << "equation " << row;
+    }
+    for (int link = 0; link < Model::link_count; ++link) {
+      const auto& pose = this->poses_[static_cast<std::size_t>(link)];
+      EXPECT_EQ(p(link, 0), Rational(2) * pose.x.c2) << "x of link " << link;
+      EXPECT_EQ(p(link, 1), Rational(2) * pose.y.c2) << "y of link " << link;
+      EXPECT_EQ(p(link, 2), this->second_turning(pose.direction)) << "angle of link " << link;
     }
   }
 }

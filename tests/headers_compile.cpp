@@ -3,6 +3,8 @@
 #include <assur/assembly.hpp>
 #include <assur/kinematics.hpp>
 #include <assur/normal_form.hpp>
+#include <assur/second_order.hpp>
+#include <assur/singularity.hpp>
 #include <assur/special_points.hpp>
 #include <assur/tetrad/models.hpp>
 

@@ -43,6 +43,7 @@ template <typename Scalar, typename ValueOf>
 Scalar evaluate(const Expression& expression, const ValueOf& value_of) {
   using std::acos;
   using std::asin;
+  using std::atan;
   using std::atan2;
   using std::cos;
   using std::exp;
@@ -67,7 +68,7 @@ Scalar evaluate(const Expression& expression, const ValueOf& value_of) {
     if (name == "tan") return Scalar(tan(first));
     if (name == "asin") return Scalar(asin(first));
     if (name == "acos") return Scalar(acos(first));
-    return Scalar(atan2(first, Scalar(1.0)));
+    return Scalar(atan(first));
   }
   if (name == "^" && is_constant(expression.arguments[1])) {  // no logarithm, so any base
     return Scalar(pow(first, constant_value(expression.arguments[1])));

@@ -2,6 +2,7 @@
 
 #include <assur/assembly.hpp>
 #include <assur/kinematics.hpp>
+#include <assur/second_order.hpp>
 #include <assur/tetrad/models.hpp>
 #include <limits>
 #include <utility>
@@ -43,15 +44,55 @@ Variables filled(const std::vector<DimensionValue<Dual>>& values) {
   return result;
 }
 
-/// d(values)/d(parameters), one row a value; an angle's row is that of the angle.
-Eigen::MatrixXd gradients(const std::vector<DimensionValue<Dual>>& values, Eigen::Index count) {
-  Eigen::MatrixXd rows(static_cast<Eigen::Index>(values.size()), count);
-  for (std::size_t row = 0; row < values.size(); ++row) {
-    const Eigen::VectorXd gradient =
-        values[row].is_angle ? angle_gradient(values[row].angle) : values[row].length.derivatives();
-    rows.row(static_cast<Eigen::Index>(row)) = gradient.transpose();
+/// Some quantities as functions of the parameters: gradients, one row a quantity, and a Hessian for
+/// each where they are carried.
+struct Derivatives {
+  Eigen::MatrixXd gradients;
+  std::vector<Eigen::MatrixXd> hessians;
+
+  /// The Hessians' entries for parameters i and j, a column in the order of the quantities.
+  [[nodiscard]] Eigen::VectorXd mixed(Eigen::Index i, Eigen::Index j) const {
+    Eigen::VectorXd column(gradients.rows());
+    for (Eigen::Index row = 0; row < column.size(); ++row) {
+      column(row) = hessians[static_cast<std::size_t>(row)](i, j);
+    }
+    return column;
   }
-  return rows;
+  void set_mixed(Eigen::Index i, Eigen::Index j, const Eigen::VectorXd& column) {
+    for (Eigen::Index row = 0; row < column.size(); ++row) {
+      Eigen::MatrixXd& hessian = hessians[static_cast<std::size_t>(row)];
+      hessian(i, j) = hessian(j, i) = column(row);
+    }
+  }
+  [[nodiscard]] Dual quantity(double value, Eigen::Index row) const {
+    const auto slot = static_cast<std::size_t>(row);
+    return {value, gradients.row(row).transpose(),
+            hessians.empty() ? Eigen::MatrixXd() : hessians[slot]};
+  }
+};
+
+/// The derivatives of a model's dimensions or inputs; of an angle, those of the angle in radians.
+Derivatives derivatives(const std::vector<DimensionValue<Dual>>& values, Eigen::Index count) {
+  Derivatives result{Eigen::MatrixXd(static_cast<Eigen::Index>(values.size()), count), {}};
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    const Dual quantity = values[row].is_angle ? angle_of(values[row].angle) : values[row].length;
+    result.gradients.row(static_cast<Eigen::Index>(row)) = quantity.derivatives().transpose();
+    if (quantity.has_hessian()) {
+      result.hessians.push_back(quantity.hessian());
+    }
+  }
+  return result;
+}
+
+/// A link's frame from its pose and the derivatives of (x, y, theta), which stand from `row` on.
+LinkState frame_of(const Pose<double>& pose, const Derivatives& p, Eigen::Index row) {
+  const Dual turning = p.quantity(0.0, row + 2);
+  LinkState frame;
+  frame.x = p.quantity(pose.x, row);
+  frame.y = p.quantity(pose.y, row + 1);
+  frame.direction = turned({Dual(pose.direction.cos), Dual(pose.direction.sin)},
+                           Direction<Dual>{cos(turning), sin(turning)});
+  return frame;
 }
 
 /// One model at one configuration, as states with gradients.
@@ -122,32 +163,18 @@ class ModelState {
   void describe(const Motion<Model, double>& rates, const Sensitivities<Model, double>& sensitive,
                 const Vector<double, Model::input_count>& u1,
                 const Vector<double, Model::input_count>& u2, GroupState& state) const {
-    const Eigen::Index count = problem_.links[0].frame.x.derivatives().size();
-    const Eigen::MatrixXd d_gradient = gradients(dimension_values_, count);
-    const Eigen::MatrixXd u_gradient = gradients(problem_.inputs, count);
-    const Eigen::MatrixXd q_gradient =
-        sensitive.to_dimensions * d_gradient + sensitive.to_inputs * u_gradient;
-
     Poses<double, Model::link_count> poses;
     Model::link_poses(d_, u_, q_, poses);
-    Matrix<double, 3 * Model::link_count, Model::unknown_count> p_q;
-    Matrix<double, 3 * Model::link_count, Model::dimension_count> p_d;
-    Matrix<double, 3 * Model::link_count, Model::input_count> p_u;
-    Model::pose_jacobians(d_, u_, q_, p_q, p_d, p_u);
-    const Eigen::MatrixXd p_gradient = p_q * q_gradient + p_d * d_gradient + p_u * u_gradient;
+    Derivatives q;
+    Derivatives p;
+    follow(sensitive, q, p);
     Matrix<double, Model::link_count, 3> v;
     Matrix<double, Model::link_count, 3> a;
     Model::link_velocities(d_, u_, q_, rates.velocity, u1, v);
     Model::link_accelerations(d_, u_, q_, rates.velocity, rates.acceleration, u1, u2, a);
     for (int link = 0; link < Model::link_count; ++link) {
       const Pose<double>& pose = poses[static_cast<std::size_t>(link)];
-      const Eigen::Index row = 3 * Eigen::Index{link};
-      const Eigen::VectorXd turning = p_gradient.row(row + 2);
-      LinkState frame;
-      frame.x = Dual(pose.x, p_gradient.row(row).transpose());
-      frame.y = Dual(pose.y, p_gradient.row(row + 1).transpose());
-      frame.direction = {Dual(pose.direction.cos, -pose.direction.sin * turning),
-                         Dual(pose.direction.sin, pose.direction.cos * turning)};
+      LinkState frame = frame_of(pose, p, 3 * Eigen::Index{link});
       frame.velocity = v.row(link).transpose();
       frame.acceleration = a.row(link).transpose();
       state.frames.push_back(frame);
@@ -162,10 +189,53 @@ class ModelState {
     for (int index = 0; index < Model::unknown_count; ++index) {
       const ModelUnknown& unknown = Model::unknowns[static_cast<std::size_t>(index)];
       if (!unknown.is_angle) {
-        state.slides.push_back(
-            {unknown.owner,
-             Dual(values[static_cast<std::size_t>(index)], q_gradient.row(index).transpose()),
-             rates.velocity(index), rates.acceleration(index)});
+        state.slides.push_back({unknown.owner,
+                                q.quantity(values[static_cast<std::size_t>(index)], index),
+                                rates.velocity(index), rates.acceleration(index)});
+      }
+    }
+  }
+
+  /// How the unknowns and the links' poses follow the parameters, by the chain rule.
+  void follow(const Sensitivities<Model, double>& sensitive, Derivatives& q, Derivatives& p) const {
+    const Dual& any = problem_.links[0].frame.x;
+    const Eigen::Index count = any.derivatives().size();
+    const Derivatives d = derivatives(dimension_values_, count);
+    const Derivatives u = derivatives(problem_.inputs, count);
+    q.gradients = sensitive.to_dimensions * d.gradients + sensitive.to_inputs * u.gradients;
+    Matrix<double, 3 * Model::link_count, Model::unknown_count> p_q;
+    Matrix<double, 3 * Model::link_count, Model::dimension_count> p_d;
+    Matrix<double, 3 * Model::link_count, Model::input_count> p_u;
+    Model::pose_jacobians(d_, u_, q_, p_q, p_d, p_u);
+    p.gradients = p_q * q.gradients + p_d * d.gradients + p_u * u.gradients;
+    if (any.has_hessian()) {
+      follow_twice(d, u, q, p);
+    }
+  }
+
+  void follow_twice(const Derivatives& d, const Derivatives& u, Derivatives& q,
+                    Derivatives& p) const {
+    const Eigen::Index count = d.gradients.cols();
+    const SecondOrder<Model, double> order(d_, u_, q_);
+    std::vector<FirstDerivative<Model, double>> along(static_cast<std::size_t>(count));
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    const Eigen::MatrixXd blank = Eigen::MatrixXd::Constant(count, count, unknown);
+    q.hessians.assign(static_cast<std::size_t>(Model::unknown_count), blank);
+    p.hessians.assign(static_cast<std::size_t>(3 * Model::link_count), blank);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const Status status =
+          order.first(d.gradients.col(i), u.gradients.col(i), along[static_cast<std::size_t>(i)]);
+      if (status != Status::ok && status != Status::near_singular) {
+        return;
+      }
+    }
+    for (Eigen::Index i = 0; i < count; ++i) {
+      for (Eigen::Index j = 0; j <= i; ++j) {
+        SecondDerivative<Model, double> second;
+        (void)order.second(along[static_cast<std::size_t>(i)], along[static_cast<std::size_t>(j)],
+                           d.mixed(i, j), u.mixed(i, j), second);
+        q.set_mixed(i, j, second.q);
+        p.set_mixed(i, j, second.p);
       }
     }
   }

@@ -40,7 +40,8 @@ struct GroupSolution {
   std::vector<GroupState> states;
 };
 
-/// Assembles the tetrad model of a number, with rates and gradients.
+/// Assembles the tetrad model of a number, with rates and gradients, and with Hessians where those
+/// of the problem's numbers are carried; NaN where the Jacobian has no inverse.
 [[nodiscard]] GroupSolution solve_tetrad(int model, const GroupProblem& problem);
 
 /// What a tetrad model is before any numbers: whether it is rigid, and its generic mobility.

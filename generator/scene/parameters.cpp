@@ -4,18 +4,14 @@
 #include <functional>
 
 #include "error.hpp"
+#include "scene/covariance.hpp"
 
 namespace assur::generator {
 
-Eigen::VectorXd angle_gradient(const Direction<Dual>& direction) {
-  return direction.cos.value() * direction.sin.derivatives() -
-         direction.sin.value() * direction.cos.derivatives();
-}
-
 ParameterValues::ParameterValues(const Scene& scene, std::optional<std::pair<int, double>> replaced)
-    : scene_(&scene) {
+    : scene_(&scene), second_order_(scene.covariance && scene.want.sensitivity) {
   const auto count = static_cast<Eigen::Index>(scene.parameters.size());
-  values_.assign(scene.parameters.size(), Dual(0.0, Eigen::VectorXd::Zero(count)));
+  values_.resize(scene.parameters.size());
   tolerances_ = Eigen::VectorXd::Zero(count);
   enum class Mark : unsigned char { untouched, open, known };
   std::vector<Mark> marks(scene.parameters.size(), Mark::untouched);
@@ -31,9 +27,9 @@ ParameterValues::ParameterValues(const Scene& scene, std::optional<std::pair<int
                        ": the parameter depends on itself");
     }
     marks[index] = Mark::open;
-    Dual value = constant(0.0);
+    Dual value;
     if (replaced && replaced->first == static_cast<int>(index)) {
-      value.value() = replaced->second;
+      value = constant(replaced->second);
     } else {
       const std::function<void(const Expression&)> settle_names = [&](const Expression& part) {
         if (part.kind == Expression::Kind::name) {
@@ -50,8 +46,7 @@ ParameterValues::ParameterValues(const Scene& scene, std::optional<std::pair<int
       settle_names(parameter.value.expression);
       value = evaluated(parameter.value, known);
     }
-    value.derivatives()(static_cast<Eigen::Index>(index)) += 1.0;
-    values_[index] = value;
+    values_[index] = value + deviation(index);
     known[index] = true;
     marks[index] = Mark::known;
   };
@@ -69,10 +64,21 @@ ParameterValues::ParameterValues(const Scene& scene, std::optional<std::pair<int
       tolerances_(static_cast<Eigen::Index>(index)) = half_width;
     }
   }
+  if (scene.covariance) {
+    covariance_ = covariance_matrix(scene, *this);
+  }
 }
 
 Dual ParameterValues::constant(double value) const {
-  return {value, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(values_.size()))};
+  const auto count = static_cast<Eigen::Index>(values_.size());
+  const Eigen::Index order = second_order_ ? count : 0;
+  return {value, Eigen::VectorXd::Zero(count), Eigen::MatrixXd::Zero(order, order)};
+}
+
+Dual ParameterValues::deviation(std::size_t index) const {
+  const Dual zero = constant(0.0);
+  return {0.0, Eigen::VectorXd::Unit(zero.derivatives().size(), static_cast<Eigen::Index>(index)),
+          zero.hessian()};
 }
 
 Dual ParameterValues::value(const SceneNumber& number) const {
@@ -88,16 +94,19 @@ Dual ParameterValues::evaluated(const SceneNumber& number, const std::vector<boo
     }
     throw InputError(scene_->file + ": " + number.where + ": no value for '" + name + "'");
   });
-  Dual result = constant(raw.value());
-  if (raw.derivatives().size() != 0) {  // a bare number has none
-    result.derivatives() = raw.derivatives();
-  }
+  // A bare number has no gradient.
+  Dual result = raw.derivatives().size() == 0 ? constant(raw.value()) : raw;
   if (!std::isfinite(result.value())) {
     throw InputError(scene_->file + ": " + number.where + ": the value is not a finite number");
   }
   if (!result.derivatives().allFinite()) {
     throw InputError(scene_->file + ": " + number.where +
                      ": the derivative with respect to the parameters is not finite here");
+  }
+  if (!result.hessian().allFinite()) {
+    throw InputError(scene_->file + ": " + number.where +
+                     ": the second derivative with respect to the parameters is not finite here, "
+                     "and a covariance needs it");
   }
   return result;
 }

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "scene/covariance.hpp"
+
 namespace assur::generator {
 
 namespace {
@@ -98,6 +100,11 @@ Json output_json(const PointState& point, const SolvedScene& solved) {
     entry["worst_case"] = {worst_case(point.x, tolerances), worst_case(point.y, tolerances)};
     entry["rss"] = {root_sum_square(point.x, tolerances), root_sum_square(point.y, tolerances)};
   }
+  if (solved.values->second_order()) {
+    const PointSpread spread = spread_of(point, solved.values->covariance());
+    entry["covariance"] = {list_of(spread.covariance.row(0)), list_of(spread.covariance.row(1))};
+    entry["mean_shift"] = list_of(spread.mean_shift);
+  }
   return entry;
 }
 
@@ -185,6 +192,12 @@ std::string configuration_text(const AssemblyConfiguration& configuration,
                         {worst_case(point.x, tolerances), worst_case(point.y, tolerances)});
       text += table_row(
           "rss", {root_sum_square(point.x, tolerances), root_sum_square(point.y, tolerances)});
+    }
+    if (solved.values->second_order()) {
+      const PointSpread spread = spread_of(point, solved.values->covariance());
+      text += table_row("covariance x", {spread.covariance(0, 0), spread.covariance(0, 1)});
+      text += table_row("covariance y", {spread.covariance(1, 0), spread.covariance(1, 1)});
+      text += table_row("mean shift", {spread.mean_shift(0), spread.mean_shift(1)});
     }
   }
   return text;
@@ -305,6 +318,8 @@ std::string csv_header(const Scene& scene) {
     add(want.velocity, output.name, {"vx", "vy"});
     add(want.acceleration, output.name, {"ax", "ay"});
     add(want.sensitivity, output.name, {"worst_case_x", "worst_case_y", "rss_x", "rss_y"});
+    add(want.sensitivity && scene.covariance, output.name,
+        {"variance_x", "variance_y", "covariance_xy", "mean_shift_x", "mean_shift_y"});
   }
   add(true, "solution", {"regularity", "residual"});
   std::string line;
@@ -347,6 +362,11 @@ std::string csv_rows(const SolvedScene& solved, int step) {
       add(want.sensitivity,
           {worst_case(point.x, tolerances), worst_case(point.y, tolerances),
            root_sum_square(point.x, tolerances), root_sum_square(point.y, tolerances)});
+      if (solved.values->second_order()) {
+        const PointSpread spread = spread_of(point, solved.values->covariance());
+        add(true, {spread.covariance(0, 0), spread.covariance(1, 1), spread.covariance(0, 1),
+                   spread.mean_shift(0), spread.mean_shift(1)});
+      }
     }
     row += std::string(",") + regularity_text(configuration.regularity) + "," +
            csv_number(configuration.residual);

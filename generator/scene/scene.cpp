@@ -51,7 +51,8 @@ class SceneReader {
     const Json root = parsed(text);
     expect_object(root, "");
     expect_keys(root, "",
-                {"name", "parameters", "links", "joints", "drivers", "outputs", "want", "sweep"});
+                {"name", "parameters", "links", "joints", "drivers", "outputs", "want", "sweep",
+                 "covariance"});
     read_name(root);
     read_parameters(root, settings);
     read_links(root);
@@ -60,6 +61,7 @@ class SceneReader {
     read_outputs(root);
     read_want(root);
     read_sweep(root);
+    read_covariance(root);
     return std::move(scene_);
   }
 
@@ -411,6 +413,50 @@ class SceneReader {
     }
     sweep.count = count.get<int>();
     scene_.sweep = std::move(sweep);
+  }
+
+  void read_covariance(const Json& root) {
+    if (!root.contains("covariance")) {
+      return;
+    }
+    const Json& value = root["covariance"];
+    expect_object(value, "covariance");
+    expect_keys(value, "covariance", {"parameters", "matrix"});
+    SceneCovariance covariance;
+    const Json& parameters = required(value, "parameters", "covariance");
+    if (!parameters.is_array() || parameters.empty()) {
+      fail("covariance.parameters", "expected one or more names of parameters [\"AB\", ...]");
+    }
+    for (std::size_t index = 0; index < parameters.size(); ++index) {
+      const std::string where = "covariance.parameters[" + std::to_string(index) + "]";
+      const std::string name = text_of(parameters[index], where);
+      const int parameter = index_of(scene_.parameters, name);
+      if (parameter < 0) {
+        fail(where, "no parameter named " + quoted(name) + suggestion(name, parameter_names_));
+      }
+      if (std::find(covariance.parameters.begin(), covariance.parameters.end(), parameter) !=
+          covariance.parameters.end()) {
+        fail(where, "the parameter " + quoted(name) + " stands twice");
+      }
+      covariance.parameters.push_back(parameter);
+    }
+    const Json& matrix = required(value, "matrix", "covariance");
+    const std::string size = std::to_string(parameters.size());
+    if (!matrix.is_array() || matrix.size() != parameters.size()) {
+      fail("covariance.matrix", "expected a row for each of the parameters, " + size + " in all");
+    }
+    for (std::size_t row = 0; row < matrix.size(); ++row) {
+      const std::string where = "covariance.matrix[" + std::to_string(row) + "]";
+      if (!matrix[row].is_array() || matrix[row].size() != parameters.size()) {
+        fail(where, "expected a number for each of the parameters, " + size + " in all");
+      }
+      covariance.matrix.emplace_back();
+      for (std::size_t column = 0; column < parameters.size(); ++column) {
+        covariance.matrix.back().push_back(
+            number(matrix[row][column], where + "[" + std::to_string(column) + "]"));
+      }
+    }
+    scene_.covariance = std::move(covariance);
   }
 
   Scene scene_;

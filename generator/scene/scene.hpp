@@ -74,6 +74,12 @@ struct SceneSweep {
   int count = 0;
 };
 
+/// Variances and covariances of some parameters; the others do not vary.
+struct SceneCovariance {
+  std::vector<int> parameters;
+  std::vector<std::vector<SceneNumber>> matrix;  ///< square, in the order of `parameters`
+};
+
 /// One planar mechanism. The link named `ground`, if there is any, is the fixed frame.
 struct Scene {
   std::string file;  ///< for messages
@@ -85,6 +91,7 @@ struct Scene {
   std::vector<SceneOutput> outputs;
   SceneWant want;
   std::optional<SceneSweep> sweep;
+  std::optional<SceneCovariance> covariance;
 
   [[nodiscard]] const SceneFeature& feature(const FeatureReference& reference) const {
     return links[static_cast<std::size_t>(reference.link)]

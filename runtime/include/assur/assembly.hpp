@@ -1,8 +1,8 @@
 // Finds every assembly configuration of a generated model in closed form, with a certified count.
 #pragma once
 
-#include <algorithm>
 #include <Eigen/LU>
+#include <algorithm>
 #include <array>
 #include <assur/assembly_order.hpp>
 #include <assur/bounded.hpp>
