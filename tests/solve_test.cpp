@@ -163,7 +163,7 @@ TEST(Solve, SweepWritesARowAStep) {
   const CommandResult result =
       run_assur("solve --format csv " + directory.write("scene.json", scene.dump()).string());
   EXPECT_EQ(result.status, 0);
-  EXPECT_EQ(result.output.rfind("step,configuration,phi,crank.x", 0), 0U);
+  EXPECT_EQ(result.output.rfind("step,configuration,branch,phi,crank.x", 0), 0U);
   EXPECT_GE(std::count(result.output.begin(), result.output.end(), '\n'), 6);
 }
 
