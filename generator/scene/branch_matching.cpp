@@ -8,8 +8,9 @@ namespace assur::generator {
 namespace {
 
 /// Turn + defect of a match may not exceed this, against one plus the size of the point: a branch
-/// that runs to infinity is followed at the scale where it is.
-constexpr double longest_bend = 0.2;
+/// that runs to infinity is followed at the scale where it is. It bounds how wide an S of two folds
+/// on one branch can be and yet be taken for a straight piece.
+constexpr double longest_bend = 0.01;
 
 std::size_t slot(int index) { return static_cast<std::size_t>(index); }
 
@@ -36,12 +37,9 @@ class Matcher {
 
   BranchMatching run() {
     pair_up();
+    drop_bent_pairs();
+    list_alone();
     for (std::size_t one = 0; one < left_.count(); ++one) {
-      if (result_.to_right[one] >= 0 && !(bend(one) <= longest_bend * (1 + size_of(one)))) {
-        result_.coarse = true;
-      }
-    }
-    for (std::size_t one = 0; one < left_.count() && !result_.coarse; ++one) {
       for (std::size_t other = 0; other < one; ++other) {
         const bool both = result_.to_right[one] >= 0 && result_.to_right[other] >= 0;
         if (both && !(clearance(one, other) > bend(one) + bend(other))) {
@@ -64,7 +62,6 @@ class Matcher {
       }
     }
     result_.to_right.assign(left_.count(), -1);
-    std::vector<bool> taken(right_.count(), false);
     for (Eigen::Index row = 0; row < rows && columns > 0; ++row) {
       Eigen::Index best = 0;
       Eigen::Index back = 0;
@@ -72,12 +69,26 @@ class Matcher {
       defects.col(best).minCoeff(&back);
       if (back == row) {
         result_.to_right[static_cast<std::size_t>(row)] = static_cast<int>(best);
-        taken[static_cast<std::size_t>(best)] = true;
       }
     }
+  }
+
+  void drop_bent_pairs() {
+    for (std::size_t index = 0; index < left_.count(); ++index) {
+      int& to = result_.to_right[index];
+      if (to >= 0 && !(bend(index) <= longest_bend * (1 + size_of(index)))) {
+        to = -1;
+      }
+    }
+  }
+
+  void list_alone() {
+    std::vector<bool> taken(right_.count(), false);
     for (std::size_t index = 0; index < left_.count(); ++index) {
       if (result_.to_right[index] < 0) {
         result_.left_alone.push_back(static_cast<int>(index));
+      } else {
+        taken[slot(result_.to_right[index])] = true;
       }
     }
     for (std::size_t index = 0; index < right_.count(); ++index) {

@@ -15,14 +15,13 @@ struct TouchingPair {
 
 /// Which configuration continues which across an interval.
 struct BranchMatching {
-  std::vector<int> to_right;  ///< of each configuration on the left, or -1
-  std::vector<int> left_alone, right_alone;
+  std::vector<int> to_right;                 ///< of each configuration on the left, or -1
+  std::vector<int> left_alone, right_alone;  ///< without a match that can be accepted
   std::vector<TouchingPair> touching;
-  bool coarse = false;  ///< the interval is too long to tell
 
   /// Every branch goes through, and none comes near another.
   [[nodiscard]] bool clear() const {
-    return !coarse && left_alone.empty() && right_alone.empty() && touching.empty();
+    return left_alone.empty() && right_alone.empty() && touching.empty();
   }
 };
 

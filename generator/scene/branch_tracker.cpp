@@ -89,9 +89,6 @@ void BranchTracker::adopt(const SnapshotPointer& set, const std::vector<int>& to
 /// Goes on only with what is matched and touches nothing; the rest ends and begins.
 void BranchTracker::give_up(const SnapshotPointer& set, const BranchMatching& matching) {
   std::vector<int> to_right = matching.to_right;
-  if (matching.coarse) {
-    to_right.assign(to_right.size(), -1);
-  }
   for (const TouchingPair& pair : matching.touching) {
     to_right[slot(pair.one)] = to_right[slot(pair.other)] = -1;
   }

@@ -43,7 +43,7 @@ class Explanation {
 
   [[nodiscard]] std::optional<Events> run(const SnapshotPointer& left,
                                           const SnapshotPointer& right) {
-    if (matching_.coarse || !explain_crossings(left, right) ||
+    if (!explain_crossings(left, right) ||
         !explain_alone({left, right->parameter, true}, matching_.left_alone) ||
         !explain_alone({right, left->parameter, false}, matching_.right_alone)) {
       return std::nullopt;
