@@ -77,6 +77,7 @@ void BranchTracker::adopt(const SnapshotPointer& set, const std::vector<int>& to
       numbers[slot(index)] = ++last_number_;
       named.begun.push_back(last_number_);
     }
+    std::sort(named.ended.begin(), named.ended.end());
     if (event.through >= 0) {
       named.through = branches_[slot(event.through)];
     }

@@ -159,7 +159,7 @@ AssemblyConfiguration unknown_configuration(const Scene& scene) {
 std::optional<EventLocation> locate_fold(const SnapshotSolver& solver,
                                          const ConfigurationPair& near, bool through) {
   // Interpolation over pairs of this separation truncates at its eighth power.
-  const double target = through ? 3e-2 : 1e-3;
+  const double target = through ? 6e-2 : 1e-3;
   const auto start = approached(solver, near, target);
   if (!start) {
     return std::nullopt;

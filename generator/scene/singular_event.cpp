@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace assur::generator {
 
@@ -14,8 +15,8 @@ using Events = std::vector<SingularEvent>;
 /// is below this product is a change of the lengths by rounding.
 constexpr double crossing_limit = 1e-13;
 /// A third branch within a fold: the pair must be as close, and the third as near to its middle.
-constexpr double through_separation = 2e-4;
-constexpr double through_offset = 0.05;
+constexpr double through_separation = 2e-3;
+constexpr double through_offset = 0.02;
 /// Sizes from which on a branch may be on its way to infinity.
 constexpr double far_away = 50;
 
@@ -179,30 +180,49 @@ class Explanation {
   }
 
   [[nodiscard]] bool explain_crossings(const SnapshotPointer& left, const SnapshotPointer& right) {
-    std::vector<bool> used(left->count(), false);
-    for (const TouchingPair& pair : matching_.touching) {
-      if (used[slot(pair.one)] || used[slot(pair.other)]) {
-        return false;
+    for (const std::vector<int>& bundle : bundles(left->count())) {
+      const auto pairs = [&](int one, int other) {
+        const ConfigurationPair before{left, one, other};
+        return std::pair(before, ConfigurationPair{right, matching_.to_right[slot(one)],
+                                                   matching_.to_right[slot(other)]});
+      };
+      for (const int one : bundle) {
+        for (const int other : bundle) {
+          const auto [before, after] = pairs(one, other);
+          if (one < other && !is_crossing(before, after)) {
+            return false;
+          }
+        }
       }
-      used[slot(pair.one)] = used[slot(pair.other)] = true;
-      const ConfigurationPair before{left, pair.one, pair.other};
-      const ConfigurationPair after{right, matching_.to_right[slot(pair.one)],
-                                    matching_.to_right[slot(pair.other)]};
-      if (!is_crossing(before, after)) {
-        return false;
-      }
+      const auto [before, after] = pairs(bundle[0], bundle[1]);
       const auto found = locate_crossing(solver_, before, after);
-      if (!found) {
+      if (!found ||
+          (found->parameter - left->parameter) * (found->parameter - right->parameter) > 0) {
         return false;
       }
-      events_.push_back({EventKind::crossing,
-                         found->parameter,
-                         {pair.one, pair.other},
-                         {},
-                         -1,
-                         found->configuration});
+      events_.push_back(
+          {EventKind::crossing, found->parameter, bundle, {}, -1, found->configuration});
     }
     return true;
+  }
+
+  /// The branches that touch one another, directly or through others; two or more each.
+  [[nodiscard]] std::vector<std::vector<int>> bundles(std::size_t count) const {
+    std::vector<int> leader(count);
+    std::iota(leader.begin(), leader.end(), 0);
+    for (const TouchingPair& pair : matching_.touching) {
+      const int from = leader[slot(pair.one)];
+      const int to = leader[slot(pair.other)];
+      std::replace(leader.begin(), leader.end(), std::max(from, to), std::min(from, to));
+    }
+    std::vector<std::vector<int>> lists(count);
+    for (std::size_t index = 0; index < count; ++index) {
+      lists[slot(leader[index])].push_back(static_cast<int>(index));
+    }
+    lists.erase(std::remove_if(lists.begin(), lists.end(),
+                               [](const auto& list) { return list.size() < 2; }),
+                lists.end());
+    return lists;
   }
 
   /// Both branches go straight through to within rounding, and their difference turns round.

@@ -180,9 +180,11 @@ class Sweeper {
       for (const int index : event.left) {
         named.ended.push_back(tracker_.branches()[static_cast<std::size_t>(index)]);
       }
+      std::sort(named.ended.begin(), named.ended.end());
       for (const int index : event.right) {
         named.begun.push_back(tracker_.branches()[static_cast<std::size_t>(index)]);
       }
+      std::sort(named.begun.begin(), named.begun.end());
       later_.push_back(std::move(named));
     }
   }
