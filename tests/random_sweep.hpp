@@ -68,12 +68,13 @@ inline BodyFeature rounded(const BodyFeature& feature) {
 
 }  // namespace random_sweep_detail
 
-/// A random scene, assembled at p = 0. `count` steps over -pi..pi for a crank, -1.5..1.5 otherwise.
+/// A random scene, assembled at p = 0, lengths in a unit. `count` steps over -pi..pi for a crank,
+/// -1.5..1.5 otherwise.
 inline RandomSweep random_sweep(const std::string& kind, RandomSweep::Swept swept, unsigned seed,
-                                int count) {
+                                int count, double unit = 1) {
   using namespace random_sweep_detail;
   std::mt19937 engine(seed);
-  std::uniform_real_distribution<double> length(-1.5, 1.5);
+  std::uniform_real_distribution<double> length(-1.5 * unit, 1.5 * unit);
   std::uniform_real_distribution<double> angle(-3.1, 3.1);
   RandomSweep made;
   made.kind = kind;
@@ -141,8 +142,8 @@ inline RandomSweep random_sweep(const std::string& kind, RandomSweep::Swept swep
   scene["joints"]["A"] = {{"type", turning ? "revolute" : "prismatic"},
                           {"between", {"ground.A", "crank.A"}}};
   scene["drivers"]["A"]["position"] = turning ? precise.str() : "p";
-  const Json from = swept == RandomSweep::Swept::crank ? Json("-pi") : Json(-1.5);
-  const Json to = swept == RandomSweep::Swept::crank ? Json("pi") : Json(1.5);
+  const Json from = swept == RandomSweep::Swept::crank ? Json("-pi") : Json(-1.5 * unit);
+  const Json to = swept == RandomSweep::Swept::crank ? Json("pi") : Json(1.5 * unit);
   scene["sweep"] = {{"parameter", "p"}, {"from", from}, {"to", to}, {"count", count}};
   scene["links"] = links;
   made.scene = generator::parse_scene(scene.dump(), "random", {});

@@ -9,7 +9,7 @@ namespace assur::generator {
 namespace {
 
 /// The shortest interval, as a part of the sweep and of the parameter's value.
-constexpr double shortest = 1e-11;
+constexpr double shortest = 1e-13;
 
 std::size_t slot(int index) { return static_cast<std::size_t>(index); }
 
@@ -31,7 +31,7 @@ std::vector<int> BranchTracker::stop() {
 std::vector<BranchEvent> BranchTracker::take_events() { return std::exchange(events_, {}); }
 
 void BranchTracker::advance(const SnapshotPointer& set) {
-  const BranchMatching matching = match(*current_, *set);
+  BranchMatching matching = match(*current_, *set);
   if (matching.clear()) {
     adopt(set, matching.to_right, {});
   } else if (auto events = explain(solver_, current_, set, matching)) {

@@ -127,39 +127,9 @@ std::optional<ConfigurationPair> approached(const SnapshotSolver& solver, Config
   return pair;
 }
 
-}  // namespace
-
-const ConfigurationPoint& ConfigurationPair::first() const {
-  return set->points[static_cast<std::size_t>(one)];
-}
-const ConfigurationPoint& ConfigurationPair::second() const {
-  return set->points[static_cast<std::size_t>(other)];
-}
-
-double ConfigurationPair::distance_to_fold() const {
-  const Eigen::VectorXd difference = apart();
-  return -difference.squaredNorm() / (2 * difference.dot(second().slope - first().slope));
-}
-
-AssemblyConfiguration unknown_configuration(const Scene& scene) {
-  const auto count = static_cast<Eigen::Index>(scene.parameters.size());
-  const Dual nothing(unknown, Eigen::VectorXd::Constant(count, unknown));
-  LinkState link{nothing, nothing, {nothing, nothing}, {}, {}};
-  link.velocity.setConstant(unknown);
-  link.acceleration.setConstant(unknown);
-  PointState point{nothing, nothing, {unknown, unknown}, {unknown, unknown}};
-  AssemblyConfiguration configuration;
-  configuration.links.assign(scene.links.size(), link);
-  configuration.outputs.assign(scene.outputs.size(), point);
-  configuration.regularity = Status::near_singular;
-  configuration.residual = unknown;
-  return configuration;
-}
-
-std::optional<EventLocation> locate_fold(const SnapshotSolver& solver,
-                                         const ConfigurationPair& near, bool through) {
-  // Interpolation over pairs of this separation truncates at its eighth power.
-  const double target = through ? 6e-2 : 1e-3;
+/// Interpolates over pairs up to a separation, which truncates at its eighth power.
+std::optional<EventLocation> fold_at_separation(const SnapshotSolver& solver,
+                                                const ConfigurationPair& near, double target) {
   const auto start = approached(solver, near, target);
   if (!start) {
     return std::nullopt;
@@ -199,6 +169,46 @@ std::optional<EventLocation> locate_fold(const SnapshotSolver& solver,
     return std::nullopt;
   }
   return EventLocation{estimate + shift, blend.result()};
+}
+
+}  // namespace
+
+const ConfigurationPoint& ConfigurationPair::first() const {
+  return set->points[static_cast<std::size_t>(one)];
+}
+const ConfigurationPoint& ConfigurationPair::second() const {
+  return set->points[static_cast<std::size_t>(other)];
+}
+
+double ConfigurationPair::distance_to_fold() const {
+  const Eigen::VectorXd difference = apart();
+  return -difference.squaredNorm() / (2 * difference.dot(second().slope - first().slope));
+}
+
+AssemblyConfiguration unknown_configuration(const Scene& scene) {
+  const auto count = static_cast<Eigen::Index>(scene.parameters.size());
+  const Dual nothing(unknown, Eigen::VectorXd::Constant(count, unknown));
+  LinkState link{nothing, nothing, {nothing, nothing}, {}, {}};
+  link.velocity.setConstant(unknown);
+  link.acceleration.setConstant(unknown);
+  PointState point{nothing, nothing, {unknown, unknown}, {unknown, unknown}};
+  AssemblyConfiguration configuration;
+  configuration.links.assign(scene.links.size(), link);
+  configuration.outputs.assign(scene.outputs.size(), point);
+  configuration.regularity = Status::near_singular;
+  configuration.residual = unknown;
+  return configuration;
+}
+
+std::optional<EventLocation> locate_fold(const SnapshotSolver& solver,
+                                         const ConfigurationPair& near, bool through) {
+  // Narrower where the branches bend sharply, at the cost of some rounding.
+  for (const double target : {through ? 6e-2 : 1e-3, through ? 1e-2 : 1e-4, 1e-5}) {
+    if (auto found = fold_at_separation(solver, near, target)) {
+      return found;
+    }
+  }
+  return std::nullopt;
 }
 
 namespace {

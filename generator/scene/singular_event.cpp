@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 namespace assur::generator {
 
@@ -13,7 +14,7 @@ using Events = std::vector<SingularEvent>;
 
 /// A crossing and a gap d between two branches differ by d^2 / separation over an interval. What
 /// is below this product is a change of the lengths by rounding.
-constexpr double crossing_limit = 1e-13;
+constexpr double crossing_limit = 5e-13;
 /// A third branch within a fold: the pair must be as close, and the third as near to its middle.
 constexpr double through_separation = 2e-3;
 constexpr double through_offset = 0.02;
@@ -39,7 +40,7 @@ struct Side {
 
 class Explanation {
  public:
-  Explanation(const SnapshotSolver& solver, const BranchMatching& matching)
+  Explanation(const SnapshotSolver& solver, BranchMatching& matching)
       : solver_(solver), matching_(matching) {}
 
   [[nodiscard]] std::optional<Events> run(const SnapshotPointer& left,
@@ -49,10 +50,7 @@ class Explanation {
         !explain_alone({right, left->parameter, false}, matching_.right_alone)) {
       return std::nullopt;
     }
-    const double sense = right->parameter < left->parameter ? -1 : 1;
-    std::stable_sort(events_.begin(), events_.end(), [sense](const auto& one, const auto& other) {
-      return sense * one.parameter < sense * other.parameter;
-    });
+    put_in_order(right->parameter < left->parameter ? -1 : 1);
     return std::move(events_);
   }
 
@@ -179,22 +177,19 @@ class Explanation {
     return true;
   }
 
+  /// Crossings; other bundles of branches may be folds and births at one place.
   [[nodiscard]] bool explain_crossings(const SnapshotPointer& left, const SnapshotPointer& right) {
     for (const std::vector<int>& bundle : bundles(left->count())) {
-      const auto pairs = [&](int one, int other) {
-        const ConfigurationPair before{left, one, other};
-        return std::pair(before, ConfigurationPair{right, matching_.to_right[slot(one)],
-                                                   matching_.to_right[slot(other)]});
-      };
-      for (const int one : bundle) {
-        for (const int other : bundle) {
-          const auto [before, after] = pairs(one, other);
-          if (one < other && !is_crossing(before, after)) {
-            return false;
-          }
+      if (!is_crossing(bundle, left, right)) {
+        for (const int index : bundle) {
+          int& to = matching_.to_right[slot(index)];
+          matching_.left_alone.push_back(index);
+          matching_.right_alone.push_back(to);
+          to = -1;
         }
+        continue;
       }
-      const auto [before, after] = pairs(bundle[0], bundle[1]);
+      const auto [before, after] = pairs(left, right, bundle[0], bundle[1]);
       const auto found = locate_crossing(solver_, before, after);
       if (!found ||
           (found->parameter - left->parameter) * (found->parameter - right->parameter) > 0) {
@@ -203,7 +198,48 @@ class Explanation {
       events_.push_back(
           {EventKind::crossing, found->parameter, bundle, {}, -1, found->configuration});
     }
+    matching_.touching.clear();
     return true;
+  }
+
+  /// Two matched configurations on both sides.
+  [[nodiscard]] std::pair<ConfigurationPair, ConfigurationPair> pairs(const SnapshotPointer& left,
+                                                                      const SnapshotPointer& right,
+                                                                      int one, int other) const {
+    return {{left, one, other},
+            {right, matching_.to_right[slot(one)], matching_.to_right[slot(other)]}};
+  }
+
+  [[nodiscard]] bool is_crossing(const std::vector<int>& bundle, const SnapshotPointer& left,
+                                 const SnapshotPointer& right) const {
+    for (const int one : bundle) {
+      for (const int other : bundle) {
+        const auto [before, after] = pairs(left, right, one, other);
+        if (one < other && !is_crossing(before, after)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /// By parameter; what differs by rounding alone, folds first, and then as the sets are listed.
+  void put_in_order(double sense) {
+    const double rounding = 1e-10 * std::abs(solver_.to() - solver_.from());
+    const auto before = [=](const SingularEvent& one, const SingularEvent& other) {
+      const double difference = one.parameter - other.parameter;
+      if (std::abs(difference) > rounding) {
+        return sense * difference < 0;
+      }
+      return one.kind != other.kind
+                 ? one.kind < other.kind
+                 : std::tie(one.left, one.right) < std::tie(other.left, other.right);
+    };
+    for (std::size_t last = 1; last < events_.size(); ++last) {
+      for (std::size_t at = last; at > 0 && before(events_[at], events_[at - 1]); --at) {
+        std::swap(events_[at], events_[at - 1]);
+      }
+    }
   }
 
   /// The branches that touch one another, directly or through others; two or more each.
@@ -241,21 +277,21 @@ class Explanation {
   }
 
   const SnapshotSolver& solver_;
-  const BranchMatching& matching_;
+  BranchMatching& matching_;
   Events events_;
 };
 
 }  // namespace
 
 std::optional<Events> explain(const SnapshotSolver& solver, const SnapshotPointer& left,
-                              const SnapshotPointer& right, const BranchMatching& matching) {
+                              const SnapshotPointer& right, BranchMatching& matching) {
   return Explanation(solver, matching).run(left, right);
 }
 
 Events folds_at_end(const SnapshotSolver& solver, const SnapshotPointer& near, double end) {
   const double sense = solver.to() < solver.from() ? -1 : 1;
   const Side side{near, end, sense * (end - near->parameter) > 0};
-  const BranchMatching nothing;
+  BranchMatching nothing;
   Explanation explanation(solver, nothing);
   for (std::size_t one = 0; one < near->count(); ++one) {
     for (std::size_t other = 0; other < one; ++other) {

@@ -29,11 +29,12 @@ struct SingularEvent {
 };
 
 /// The events between two sets, in the order of the sweep; nothing if the interval is too long for
-/// each to be told and located by itself.
+/// each to be told and located by itself. Matches that turn out to be a fold and a birth at one
+/// place are dissolved.
 [[nodiscard]] std::optional<std::vector<SingularEvent>> explain(const SnapshotSolver& solver,
                                                                 const SnapshotPointer& left,
                                                                 const SnapshotPointer& right,
-                                                                const BranchMatching& matching);
+                                                                BranchMatching& matching);
 
 /// The folds and births that lie where the sweep's range ends: `near` is a set inside, `end` the
 /// parameter value, which has no set of its own that could be matched.

@@ -8,7 +8,7 @@ namespace assur::generator {
 namespace {
 
 /// Two configurations this close are not told apart safely: each is known to rounding / distance.
-constexpr double closest = 1e-7;
+constexpr double closest = 5e-7;
 
 /// The longest distance between two features of one link, which no motion changes; where no link
 /// has two, the largest coordinate of a feature.

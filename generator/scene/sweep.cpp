@@ -137,7 +137,7 @@ class Sweeper {
       add_candidates(value, candidates);
     }
     report_events(step - 1, value);
-    report_nearest(step, *set, std::move(candidates));
+    report_nearest(step, *set, candidates);
     report_events(step, std::nullopt);
   }
 
@@ -208,29 +208,30 @@ class Sweeper {
     }
   }
 
-  /// Each row takes the least number of the branches that it is nearest to.
-  void report_nearest(int step, const Snapshot& set, std::vector<Candidate> candidates) {
+  /// A row belongs to the branches that expect nothing nearer than it, and is given the least of
+  /// their numbers; to none if it exists at this step alone.
+  void report_nearest(int step, const Snapshot& set, const std::vector<Candidate>& candidates) {
+    std::vector<int> numbers(set.count(), 0);
+    std::vector<int> used;
     for (std::size_t index = 0; index < set.count(); ++index) {
-      const auto distance = [&](const Candidate& candidate) {
-        return (candidate.place - set.points[index].at).norm();
-      };
-      double least = std::numeric_limits<double>::infinity();
+      int& number = numbers[index];
       for (const Candidate& candidate : candidates) {
-        least = std::min(least, distance(candidate));
-      }
-      int branch = 0;
-      for (const Candidate& candidate : candidates) {
-        const bool near = distance(candidate) <= 2 * least + 1e-6;
-        if (near && (branch == 0 || candidate.branch < branch)) {
-          branch = candidate.branch;
+        const bool taken = std::find(used.begin(), used.end(), candidate.branch) != used.end();
+        if (!taken && is_nearest(candidate, index, set) &&
+            (number == 0 || candidate.branch < number)) {
+          number = candidate.branch;
         }
       }
-      candidates.erase(
-          std::remove_if(candidates.begin(), candidates.end(),
-                         [&](const Candidate& candidate) { return candidate.branch == branch; }),
-          candidates.end());
-      report_row(step, set, index, branch);
+      used.push_back(number);
+      report_row(step, set, index, number);
     }
+  }
+  /// Two rows that are one to rounding count as equally near.
+  static bool is_nearest(const Candidate& candidate, std::size_t index, const Snapshot& set) {
+    const double distance = (candidate.place - set.points[index].at).norm();
+    return std::all_of(set.points.begin(), set.points.end(), [&](const ConfigurationPoint& other) {
+      return distance <= (candidate.place - other.at).norm() + 1e-6;
+    });
   }
 
   void report_row(int step, const Snapshot& set, std::size_t index, int branch) const {
