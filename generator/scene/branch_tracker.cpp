@@ -8,6 +8,9 @@ namespace assur::generator {
 
 namespace {
 
+/// The longest interval, as a part of the sweep, that events may explain: beside a singular
+/// configuration others may be that a longer one does not show.
+constexpr double longest_explained = 1e-4;
 /// The shortest interval, as a part of the sweep and of the parameter's value.
 constexpr double shortest = 1e-13;
 
@@ -34,9 +37,16 @@ void BranchTracker::advance(const SnapshotPointer& set) {
   BranchMatching matching = match(*current_, *set);
   if (matching.clear()) {
     adopt(set, matching.to_right, {});
-  } else if (auto events = explain(solver_, current_, set, matching)) {
-    adopt(set, matching.to_right, std::move(*events));
-  } else if (const SnapshotPointer middle = between(set)) {
+    return;
+  }
+  const double width = std::abs(set->parameter - current_->parameter);
+  if (width <= longest_explained * std::abs(solver_.to() - solver_.from())) {
+    if (auto events = explain(solver_, current_, set, matching)) {
+      adopt(set, matching.to_right, std::move(*events));
+      return;
+    }
+  }
+  if (const SnapshotPointer middle = between(set)) {
     advance(middle);
     advance(set);
   } else {

@@ -48,7 +48,7 @@ ConfigurationPoint point_of_space(const AssemblyConfiguration& configuration,
 }
 
 bool is_separable(const Snapshot& snapshot) {
-  if (snapshot.solution.status == SolutionStatus::degenerate) {
+  if (snapshot.solution.status == SolutionStatus::degenerate || snapshot.solution.undecided > 0) {
     return false;
   }
   for (std::size_t one = 0; one < snapshot.count(); ++one) {

@@ -22,7 +22,7 @@ struct Snapshot {
   ParameterValues values;
   Solution solution;
   std::vector<ConfigurationPoint> points;  ///< in the order of the solution's configurations
-  /// Every configuration is regular and apart from all others, so that each can be followed.
+  /// Every configuration is known, regular and apart from all others, so that each can be followed.
   bool separable = true;
 
   [[nodiscard]] std::size_t count() const { return points.size(); }
