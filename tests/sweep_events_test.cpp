@@ -172,9 +172,10 @@ const std::vector<FlatCase> flat_cases = {{{-2, 4, -6, 1, 7, -9}, 2},  {{-3, 5, 
 TEST(SweepEvents, FlattenedMechanismsCross) {
   double parameter_error = 0;
   double pose_error = 0;
+  int pieces = 0;
   for (const FlatCase& flat : flat_cases) {
     SCOPED_TRACE(flat.x[0]);
-    for (const int count : {8, 20, 21, 200, 2001}) {  // odd ones have a step at the crossing
+    for (const int count : {8, 20, 21, 201, 2000}) {  // odd ones have a step at the crossing
       SCOPED_TRACE(count);
       const SweepKept kept = run_sweep(flat_scene(flat.x, 0, count));
       ASSERT_EQ(kept.count_of("crossing"), 1);
@@ -191,24 +192,38 @@ TEST(SweepEvents, FlattenedMechanismsCross) {
         }
       }
       // Straight through: the slope on both sides of p = 0 is nearly the same on a branch.
-      for (const SweepRowKept& row : kept.rows) {
-        for (const SweepRowKept& next : kept.rows) {
-          if (count > 1000 && row.parameter == -0.001 && std::abs(next.parameter - 0.001) < 1e-9 &&
-              row.branch == next.branch) {
-            EXPECT_LT((row.slope - next.slope).norm(), 0.05 * (1 + row.slope.norm()));
-          }
+      if (count != 2000) {
+        continue;
+      }
+      for (const auto& [row, next] : neighbours(kept)) {
+        const bool beside = std::abs(row->parameter) < 1e-3 && std::abs(next->parameter) < 1e-3;
+        if (beside && row->branch == next->branch) {
+          EXPECT_LT((row->slope - next->slope).norm(), 0.05 * (1 + row->slope.norm()));
+          ++pieces;
         }
       }
     }
   }
   std::cout << "crossings within " << parameter_error << " rad, their poses within " << pose_error
             << '\n';
+  EXPECT_GT(pieces, 20);
   EXPECT_LT(parameter_error, 1e-12);
   EXPECT_LT(pose_error, 1e-11);
 }
 
-/// Where E is moved the crossing opens, on one side of it into a fold and a birth, on the other
-/// into two branches that pass one another. Few steps must see the same as many.
+/// The events' texts, sorted: a fold and a birth at one place have no order.
+std::vector<std::string> texts(const SweepKept& kept) {
+  std::vector<std::string> list;
+  for (const SweepEventKept& event : kept.events) {
+    list.push_back(event.text);
+  }
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+/// Where E is moved the crossing opens: on one side of it into two branches that pass one another,
+/// on the other the mechanism flattens twice, and there two branches end and two others begin at
+/// one configuration. Few steps must see the same as many.
 TEST(SweepEvents, CrossingsThatOpenAreSeenAtAnyStep) {
   int opened = 0;
   int passing = 0;
@@ -225,20 +240,19 @@ TEST(SweepEvents, CrossingsThatOpenAreSeenAtAnyStep) {
         EXPECT_EQ(few.count_of("unresolved"), 0);
         EXPECT_EQ(few.count_of("crossing"), 0);
         ASSERT_EQ(few.events.size(), many.events.size());
-        for (std::size_t index = 0; index < few.events.size(); ++index) {
-          EXPECT_EQ(few.events[index].text, many.events[index].text);
-        }
+        EXPECT_EQ(texts(few), texts(many));
         const SweepDifference found = difference(few, many, 10);
         EXPECT_EQ(found.jumps + found.breaks + found.mismatched, 0);
         int near = 0;
         for (const SweepEventKept& event : few.events) {
-          near += std::abs(event.parameter) < 10 * std::sqrt(std::abs(delta)) ? 1 : 0;
+          near += std::abs(event.parameter) < 2 * std::sqrt(std::abs(delta)) ? 1 : 0;
         }
-        (near == 2 ? opened : passing) += 1;
+        EXPECT_TRUE(near == 0 || near == 4);
+        (near == 4 ? opened : passing) += 1;
       }
     }
   }
-  std::cout << opened << " open into two folds, " << passing << " pass\n";
+  std::cout << opened << " open, " << passing << " pass\n";
   EXPECT_GT(opened, 20);
   EXPECT_GT(passing, 20);
 }

@@ -48,6 +48,22 @@ struct SweepKept {
   }
 };
 
+/// Every pair of a row and one of the next step.
+inline std::vector<std::pair<const SweepRowKept*, const SweepRowKept*>> neighbours(
+    const SweepKept& kept) {
+  std::vector<std::pair<const SweepRowKept*, const SweepRowKept*>> result;
+  for (std::size_t one = 0; one < kept.rows.size(); ++one) {
+    const int step = kept.rows[one].step;
+    for (std::size_t other = one; other < kept.rows.size() && kept.rows[other].step <= step + 1;
+         ++other) {
+      if (kept.rows[other].step == step + 1) {
+        result.emplace_back(&kept.rows[one], &kept.rows[other]);
+      }
+    }
+  }
+  return result;
+}
+
 inline SweepKept run_sweep(const generator::Scene& scene) {
   SweepKept kept;
   const auto coordinates = [&](const generator::SweepRecord& record, bool slopes) {
@@ -106,25 +122,19 @@ struct SweepDifference {
 
 inline SweepDifference difference(const SweepKept& few, const SweepKept& many, int factor) {
   SweepDifference result;
-  const auto few_branches = few.branches();
   const auto many_branches = many.branches();
   for (const SweepRowKept& row : few.rows) {
-    const auto there = many_branches.find({row.step * factor, row.configuration});
-    if (there == many_branches.end()) {
-      ++result.mismatched;
-      continue;
-    }
-    for (const SweepRowKept& next : few.rows) {
-      if (next.step != row.step + 1) {
-        continue;
-      }
-      const auto later = many_branches.find({next.step * factor, next.configuration});
-      const bool joined = row.branch == next.branch;
-      const bool truly = later != many_branches.end() && later->second == there->second;
-      result.joins += joined ? 1 : 0;
-      result.jumps += joined && !truly ? 1 : 0;
-      result.breaks += truly && !joined ? 1 : 0;
-    }
+    result.mismatched += many_branches.count({row.step * factor, row.configuration}) == 0 ? 1 : 0;
+  }
+  for (const auto& [row, next] : neighbours(few)) {
+    const auto there = many_branches.find({row->step * factor, row->configuration});
+    const auto later = many_branches.find({next->step * factor, next->configuration});
+    const bool joined = row->branch == next->branch;
+    const bool truly = there != many_branches.end() && later != many_branches.end() &&
+                       later->second == there->second;
+    result.joins += joined ? 1 : 0;
+    result.jumps += joined && !truly ? 1 : 0;
+    result.breaks += truly && !joined ? 1 : 0;
   }
   result.missed = static_cast<int>(many.events.size()) - static_cast<int>(few.events.size());
   return result;

@@ -116,6 +116,9 @@ class Sweeper {
       }
     } else if (before && last) {
       add_end_events(before, value);
+    } else if (tracker_.running() && kind == EventKind::unresolved) {
+      // The next set that can be followed is connected with the current one, past this step.
+      add_candidates(value, candidates);
     } else if (tracker_.running()) {
       later_.push_back(gap_event(kind, value, tracker_.stop(), {}));
       gap_ = kind;
@@ -133,7 +136,7 @@ class Sweeper {
         add_end_events(after, value);
       }
     }
-    if (after) {
+    if (after && tracker_.current() == after) {
       add_candidates(value, candidates);
     }
     report_events(step - 1, value);
