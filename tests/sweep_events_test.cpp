@@ -232,13 +232,16 @@ TEST(SweepEvents, CrossingsThatOpenAreSeenAtAnyStep) {
       continue;
     }
     for (const double sign : {-1.0, 1.0}) {
-      for (int power = 2; power <= 10; ++power) {
+      for (int power = 2; power <= 11; ++power) {
         SCOPED_TRACE(sign * power);
         const double delta = sign * std::pow(10.0, -power);
         const SweepKept few = run_sweep(flat_scene(flat.x, delta, 20));
         const SweepKept many = run_sweep(flat_scene(flat.x, delta, 191));
-        EXPECT_EQ(few.count_of("unresolved"), 0);
         EXPECT_EQ(few.count_of("crossing"), 0);
+        if (power == 11) {  // rounding may leave it in doubt, but it is no crossing
+          continue;
+        }
+        EXPECT_EQ(few.count_of("unresolved"), 0);
         ASSERT_EQ(few.events.size(), many.events.size());
         EXPECT_EQ(texts(few), texts(many));
         const SweepDifference found = difference(few, many, 10);
