@@ -128,7 +128,8 @@ TEST(SweepEvents, FoldsAreWhereRigidBodiesHaveThem) {
 }
 
 /// All joints on the x-axis at p = 0, at whole numbers: every link is mirrored upon itself, so the
-/// configuration there is its own mirror image, exactly. `delta` moves E.
+/// configuration there is its own mirror image, exactly. `delta` moves E;
+/// then no interval's middle is at p = 0.
 generator::Scene flat_scene(const std::array<int, 6>& x, double delta, int count) {
   const auto [b, c, g, d, f, e] = x;
   std::ostringstream e_text;
@@ -151,11 +152,13 @@ generator::Scene flat_scene(const std::array<int, 6>& x, double delta, int count
                                                {"F", "EDF", "GF"}}) {
     joints[name] = {{"type", "revolute"}, {"between", {one + "." + name, other + "." + name}}};
   }
-  const Json scene = {{"parameters", {{"p", 0}}},
-                      {"links", links},
-                      {"joints", joints},
-                      {"drivers", {{"A", {{"position", "p"}}}}},
-                      {"sweep", {{"parameter", "p"}, {"from", -1}, {"to", 1}, {"count", count}}}};
+  const Json scene = {
+      {"parameters", {{"p", 0}}},
+      {"links", links},
+      {"joints", joints},
+      {"drivers", {{"A", {{"position", "p"}}}}},
+      {"sweep",
+       {{"parameter", "p"}, {"from", -1}, {"to", delta == 0 ? 1 : 1.03}, {"count", count}}}};
   return generator::parse_scene(scene.dump(), "flat", {});
 }
 
