@@ -2,9 +2,12 @@
 // the contract promises of every result.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "command.hpp"
 #include "largest.hpp"
@@ -163,8 +166,87 @@ TEST(Solve, SweepWritesARowAStep) {
   const CommandResult result =
       run_assur("solve --format csv " + directory.write("scene.json", scene.dump()).string());
   EXPECT_EQ(result.status, 0);
-  EXPECT_EQ(result.output.rfind("step,configuration,phi,crank.x", 0), 0U);
+  EXPECT_EQ(result.output.rfind("step,configuration,branch,phi,crank.x", 0), 0U);
   EXPECT_GE(std::count(result.output.begin(), result.output.end(), '\n'), 6);
+}
+
+/// Cells of the lines of a CSV text.
+std::vector<std::vector<std::string>> cells(const std::string& text) {
+  std::vector<std::vector<std::string>> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    lines.emplace_back();
+    std::istringstream parts(line + ",");
+    for (std::string cell; std::getline(parts, cell, ',');) {
+      lines.back().push_back(cell);
+    }
+  }
+  return lines;
+}
+
+TEST(Solve, SweepNamesBranchesAndEvents) {
+  Json scene = Json::parse(read_file(worked));
+  scene["sweep"] = {{"parameter", "phi"}, {"from", 0}, {"to", "2*pi"}, {"count", 37}};
+  const TemporaryDirectory directory;
+  const CommandResult result =
+      run_assur("solve --format csv " + directory.write("scene.json", scene.dump()).string());
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.messages, "");  // no progress bar where there is no terminal
+  const auto lines = cells(result.output);
+  std::vector<std::string> events;
+  double last = -1;
+  int last_step = 0;
+  for (std::size_t index = 1; index < lines.size(); ++index) {
+    const auto& line = lines[index];
+    ASSERT_EQ(line.size(), lines[0].size());
+    EXPECT_GE(std::stod(line[3]), last);
+    EXPECT_GE(std::stoi(line[0]), last_step);
+    last = std::stod(line[3]);
+    last_step = std::stoi(line[0]);
+    if (!line.back().empty()) {
+      events.push_back(line.back());
+      EXPECT_EQ(line[1] + line[2], "");
+      EXPECT_NEAR(std::stod(line[6]), last, last < 3 ? 1e-14 : 10);  // the crank's angle
+    }
+  }
+  EXPECT_EQ(events, (std::vector<std::string>{"birth 3 4", "fold 2 4", "birth 5 6", "fold 3 5"}));
+}
+
+/// The bars are as long as the ground between B and E, and the ternary links are congruent: where
+/// the crank's pin is that far from E, the group turns freely. Beyond, the branches go on.
+TEST(Solve, SweepThroughADegenerateStep) {
+  Json scene;
+  scene["parameters"] = {{"p", 0}};
+  scene["links"] = {{"ground", {{"A", {0, 0}}, {"E", {3, 0}}}},
+                    {"crank", {{"A", {0, 0}}, {"B", {1, 0}}}},
+                    {"BCG", {{"B", {0, 0}}, {"C", {1.25, 0}}, {"G", {0.5, 0.75}}}},
+                    {"EDF", {{"E", {0, 0}}, {"D", {1.25, 0}}, {"F", {0.5, 0.75}}}},
+                    {"CD", {{"C", {0, 0}}, {"D", {2, 0}}}},
+                    {"GF", {{"G", {0, 0}}, {"F", {2, 0}}}}};
+  const std::vector<std::array<std::string, 3>> joints = {
+      {"A", "ground", "crank"}, {"B", "crank", "BCG"}, {"E", "ground", "EDF"}, {"C", "BCG", "CD"},
+      {"G", "BCG", "GF"},       {"D", "EDF", "CD"},    {"F", "EDF", "GF"}};
+  for (const auto& [name, one, other] : joints) {
+    scene["joints"][name] = {{"type", "revolute"},
+                             {"between", {one + "." + name, other + "." + name}}};
+  }
+  scene["drivers"]["A"]["position"] = "p";
+  scene["want"] = {"position"};
+  for (const int count : {20, 21}) {  // odd: a step at p = 0
+    scene["sweep"] = {{"parameter", "p"}, {"from", -1}, {"to", 1}, {"count", count}};
+    const TemporaryDirectory directory;
+    const CommandResult result =
+        run_assur("solve --format csv " + directory.write("scene.json", scene.dump()).string());
+    std::string events;
+    for (const auto& line : cells(result.output)) {
+      events += line.back().empty() ? "" : line[3] + " " + line.back() + "; ";
+    }
+    std::cout << count << " steps: " << events << result.messages << '\n';
+    const bool at_step = count % 2 == 1;
+    EXPECT_EQ(result.status, at_step ? 1 : 0);
+    EXPECT_EQ(events.find("degenerate") != std::string::npos, at_step);
+    EXPECT_EQ(result.messages.find("degenerate: ") == 0, at_step);
+  }
 }
 
 /// A tetrad on the ground, all links in their own odd frames, with a prismatic joint everywhere but

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "command/catalogue.hpp"
+#include "command/progress.hpp"
 #include "emission/emit.hpp"
 #include "error.hpp"
 #include "scene/report.hpp"
@@ -71,36 +72,31 @@ int run_solve(const SolveOptions& options) {
   const Scene scene = read_scene(options.scene, options.settings);
   // The text of a whole run is printed at its end, so that an error leaves no partial result.
   std::string text;
+  std::string messages;
   int verdict = exit_ok;
-  const auto solve_one = [&](const ParameterValues& values, auto print) {
-    const Solution solution = solve(scene, values);
+  const auto judge = [&](const Solution& solution) {
     if (solution.status == SolutionStatus::degenerate) {
       verdict = exit_negative;
       if (options.format == "csv") {
-        std::cerr << "degenerate: " << solution.reason << '\n';
+        messages += "degenerate: " + solution.reason + "\n";
       }
     }
-    text += print(SolvedScene{&scene, &values, &solution});
   };
-  if (options.format != "csv") {
-    solve_one(ParameterValues(scene), options.format == "json" ? report_json : report_text);
-  } else if (!scene.sweep) {
+  if (options.format == "csv" && scene.sweep) {
+    ProgressBar bar(scene.sweep->count);
     text = csv_header(scene);
-    solve_one(ParameterValues(scene),
-              [](const SolvedScene& solved) { return csv_rows(solved, 0); });
+    sweep(scene, {[&](const SweepRecord& record) { text += csv_row(scene, record); }, judge,
+                  [&](int done) { bar.show(done); }});
   } else {
-    text = csv_header(scene);
-    const ParameterValues plain(scene);
-    const double from = plain.value(scene.sweep->from).value();
-    const double to = plain.value(scene.sweep->to).value();
-    for (int step = 0; step < scene.sweep->count; ++step) {
-      const double part =
-          scene.sweep->count == 1 ? 0 : static_cast<double>(step) / (scene.sweep->count - 1);
-      const double value = from + (to - from) * part;
-      solve_one(ParameterValues(scene, std::pair(scene.sweep->parameter, value)),
-                [step](const SolvedScene& solved) { return csv_rows(solved, step); });
-    }
+    const ParameterValues values(scene);
+    const Solution solution = solve(scene, values);
+    const SolvedScene solved{&scene, &values, &solution};
+    judge(solution);
+    text = options.format == "csv"    ? csv_header(scene) + csv_rows(solved)
+           : options.format == "json" ? report_json(solved)
+                                      : report_text(solved);
   }
+  std::cerr << messages;
   std::cout << text;
   return verdict;
 }

@@ -220,6 +220,43 @@ std::string csv_number(double number) {
   return text.data();
 }
 
+/// The cells of a configuration, each with a comma ahead.
+std::string csv_cells(const Scene& scene, const ParameterValues& values,
+                      const AssemblyConfiguration& configuration) {
+  const SceneWant& want = scene.want;
+  std::string row;
+  const auto add = [&](bool wanted, const std::vector<double>& numbers) {
+    for (const double value : numbers) {
+      row += wanted ? "," + csv_number(value) : "";
+    }
+  };
+  for (std::size_t link = 0; link < scene.links.size(); ++link) {
+    if (scene.links[link].name == "ground") {
+      continue;
+    }
+    const LinkState& state = configuration.links[link];
+    add(want.position, {state.x.value(), state.y.value(), angle(state.direction)});
+    add(want.velocity, {state.velocity(0), state.velocity(1), state.velocity(2)});
+    add(want.acceleration, {state.acceleration(0), state.acceleration(1), state.acceleration(2)});
+  }
+  for (const PointState& point : configuration.outputs) {
+    const Eigen::VectorXd& tolerances = values.tolerances();
+    add(want.position, {point.x.value(), point.y.value()});
+    add(want.velocity, {point.velocity(0), point.velocity(1)});
+    add(want.acceleration, {point.acceleration(0), point.acceleration(1)});
+    add(want.sensitivity,
+        {worst_case(point.x, tolerances), worst_case(point.y, tolerances),
+         root_sum_square(point.x, tolerances), root_sum_square(point.y, tolerances)});
+    if (values.second_order()) {
+      const PointSpread spread = spread_of(point, values.covariance());
+      add(true, {spread.covariance(0, 0), spread.covariance(1, 1), spread.covariance(0, 1),
+                 spread.mean_shift(0), spread.mean_shift(1)});
+    }
+  }
+  return row + "," + regularity_text(configuration.regularity) + "," +
+         csv_number(configuration.residual);
+}
+
 }  // namespace
 
 std::string report_json(const SolvedScene& solved) {
@@ -294,6 +331,7 @@ std::string report_text(const SolvedScene& solved) {
 std::string csv_header(const Scene& scene) {
   std::vector<std::string> cells = {"step", "configuration"};
   if (scene.sweep) {
+    cells.emplace_back("branch");
     cells.push_back(scene.parameters[static_cast<std::size_t>(scene.sweep->parameter)].name);
   }
   const auto add = [&](bool wanted, const std::string& name,
@@ -322,6 +360,9 @@ std::string csv_header(const Scene& scene) {
         {"variance_x", "variance_y", "covariance_xy", "mean_shift_x", "mean_shift_y"});
   }
   add(true, "solution", {"regularity", "residual"});
+  if (scene.sweep) {
+    cells.emplace_back("event");
+  }
   std::string line;
   for (const std::string& cell : cells) {
     line += (line.empty() ? "" : ",") + csv_cell(cell);
@@ -329,50 +370,22 @@ std::string csv_header(const Scene& scene) {
   return line + "\n";
 }
 
-std::string csv_rows(const SolvedScene& solved, int step) {
-  const Scene& scene = *solved.scene;
-  const SceneWant& want = scene.want;
+std::string csv_rows(const SolvedScene& solved) {
   std::string rows;
   int number = 0;
   for (const AssemblyConfiguration& configuration : solved.solution->configurations) {
-    std::string row = std::to_string(step) + "," + std::to_string(++number);
-    const auto add = [&](bool wanted, const std::vector<double>& numbers) {
-      for (const double value : numbers) {
-        row += wanted ? "," + csv_number(value) : "";
-      }
-    };
-    if (scene.sweep) {
-      const auto parameter = static_cast<std::size_t>(scene.sweep->parameter);
-      add(true, {solved.values->parameters()[parameter].value()});
-    }
-    for (std::size_t link = 0; link < scene.links.size(); ++link) {
-      if (scene.links[link].name == "ground") {
-        continue;
-      }
-      const LinkState& state = configuration.links[link];
-      add(want.position, {state.x.value(), state.y.value(), angle(state.direction)});
-      add(want.velocity, {state.velocity(0), state.velocity(1), state.velocity(2)});
-      add(want.acceleration, {state.acceleration(0), state.acceleration(1), state.acceleration(2)});
-    }
-    for (const PointState& point : configuration.outputs) {
-      const Eigen::VectorXd& tolerances = solved.values->tolerances();
-      add(want.position, {point.x.value(), point.y.value()});
-      add(want.velocity, {point.velocity(0), point.velocity(1)});
-      add(want.acceleration, {point.acceleration(0), point.acceleration(1)});
-      add(want.sensitivity,
-          {worst_case(point.x, tolerances), worst_case(point.y, tolerances),
-           root_sum_square(point.x, tolerances), root_sum_square(point.y, tolerances)});
-      if (solved.values->second_order()) {
-        const PointSpread spread = spread_of(point, solved.values->covariance());
-        add(true, {spread.covariance(0, 0), spread.covariance(1, 1), spread.covariance(0, 1),
-                   spread.mean_shift(0), spread.mean_shift(1)});
-      }
-    }
-    row += std::string(",") + regularity_text(configuration.regularity) + "," +
-           csv_number(configuration.residual);
-    rows += row + "\n";
+    rows += "0," + std::to_string(++number) +
+            csv_cells(*solved.scene, *solved.values, configuration) + "\n";
   }
   return rows;
+}
+
+std::string csv_row(const Scene& scene, const SweepRecord& record) {
+  const auto number = [](int value) { return value > 0 ? std::to_string(value) : std::string(); };
+  const auto parameter = static_cast<std::size_t>(scene.sweep->parameter);
+  return std::to_string(record.step) + "," + number(record.configuration) + "," +
+         number(record.branch) + "," + csv_number(record.values->parameters()[parameter].value()) +
+         csv_cells(scene, *record.values, *record.state) + "," + record.event + "\n";
 }
 
 }  // namespace assur::generator

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scene/solve.hpp"
+#include "scene/sweep.hpp"
 
 namespace assur::generator {
 
@@ -21,7 +22,9 @@ struct SolvedScene {
 [[nodiscard]] std::string report_text(const SolvedScene& solved);
 /// The head of a table with one row a configuration.
 [[nodiscard]] std::string csv_header(const Scene& scene);
-/// The rows of one solution. `step` numbers the rows of a sweep.
-[[nodiscard]] std::string csv_rows(const SolvedScene& solved, int step);
+/// The rows of one solution, without a sweep.
+[[nodiscard]] std::string csv_rows(const SolvedScene& solved);
+/// One row of a sweep: a configuration on its branch, or an event.
+[[nodiscard]] std::string csv_row(const Scene& scene, const SweepRecord& record);
 
 }  // namespace assur::generator

@@ -189,6 +189,7 @@ class MechanismSolver {
                               : " does not determine a position, and no assembly was found");
       return;
     }
+    solution_.undecided = found.undecided;
     if (found.states.empty() && found.undecided > 0) {
       solution_.status = SolutionStatus::degenerate;
       solution_.reason =

@@ -35,6 +35,7 @@ struct Solution {
   std::vector<FoundGroup> groups;
   std::vector<std::vector<std::string>> group_links;  ///< in the order of the scene
   std::vector<AssemblyConfiguration> configurations;
+  int undecided = 0;  ///< places where no arithmetic here tells whether there are configurations
 };
 
 /// Solves a scene of driven links and at most one group. Throws InputError for a scene of another
