@@ -152,6 +152,7 @@ TEST(ComplexStep, PaysForAssemblingInDoubleNearAFold) {
   }
 }
 
+/// A step of the group's size vanishes beside a coordinate of 1e14.
 TEST(CentralDifferences, LoseTheirStepFarFromTheOrigin) {
   const auto errors = largest_errors<FarAway>(central_differences<Model01>, Quantity::velocity);
   EXPECT_LT(errors.rbegin()->second, 1e-6);

@@ -30,7 +30,7 @@ set logscale xy
 set format x "10^{%T}"
 set format y "10^{%T}"
 set ytics 1e-16, 1e4, 1
-set yrange [1e-17:10.0**(1.3 + 0.95 * methods)]
+set yrange [1e-17:10.0**(1.6 + 0.95 * methods)]
 set mxtics 1
 set mytics 1
 set grid xtics ytics lc rgb "#e4e4e4" lt 1

@@ -37,8 +37,9 @@ template <typename Model>
 }
 
 /// Central differences of configurations that Newton's iteration assembles from the given one. The
-/// step is eps^(1/3) of a length max(|x|, size of the group), or of a radian; of time, in which the
-/// inputs move by about their rates, eps^(1/3) for velocities and eps^(1/4) for accelerations.
+/// step is eps^(1/3) of the size of the group, or of a radian, and the quotient is by what of it
+/// survives the addition; of time, in which the inputs move by about that size, it is eps^(1/3) for
+/// velocities and eps^(1/4) for accelerations.
 template <typename Model>
 class CentralDifferences {
   using Configuration = typename Model::template Configuration<double>;
@@ -85,17 +86,16 @@ class CentralDifferences {
   void by_each(Variables variables, const Table& table, double relative_step, Columns& columns) {
     for (int column = 0; column < columns.cols(); ++column) {
       using Steps = Vector<double, Columns::ColsAtCompileTime>;
-      double largest = 1;
-      if (!table[static_cast<std::size_t>(column)].is_angle) {
-        largest = std::max(std::abs(value(g_.*variables, column)), g_.size);
-      }
-      const Steps way = relative_step * largest * Steps::Unit(column);
+      const bool is_angle = table[static_cast<std::size_t>(column)].is_angle;
+      const Steps way = relative_step * (is_angle ? 1 : g_.size) * Steps::Unit(column);
       Geometry<Model, double> after = g_;
       Geometry<Model, double> before = g_;
       advance(after.*variables, way);
       advance(before.*variables, Steps(-way));
-      columns.col(column) =
-          difference<Model>(assembled(after), assembled(before)) / (2 * way(column));
+      const double width = is_angle
+                               ? 2 * way(column)
+                               : value(after.*variables, column) - value(before.*variables, column);
+      columns.col(column) = difference<Model>(assembled(after), assembled(before)) / width;
     }
   }
 
