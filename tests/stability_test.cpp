@@ -52,7 +52,7 @@ TYPED_TEST(Stability, GeneratedStaysWithinItsConditionTimesRounding) {
   int refused = 0;
   this->on_each([&](double, const Member<Model>& member) {
     const Answer<Model> answer = generated<Model>(member.given);
-    if (!has_result(answer.status)) {
+    if (!is_solvable(answer.status)) {
       ++refused;
       EXPECT_EQ(answer.status, Status::singular);
       EXPECT_GT(epsilon * member.truth_as_given.condition, 0.1) << "refused without need";
@@ -72,6 +72,28 @@ TYPED_TEST(Stability, GeneratedStaysWithinItsConditionTimesRounding) {
   });
   std::cout << TypeParam::name << ", seed " << seed << ": largest error " << worst
             << " eps kappa, refused " << refused << '\n';
+}
+
+/// The error that the runtime's own margin promises, where no acceleration inherits the velocity's.
+TYPED_TEST(Stability, GeneratedStaysWithinItsMargin) {
+  using Model = typename TypeParam::Model;
+  std::array<double, 3> worst{};
+  this->on_each([&](double, const Member<Model>& member) {
+    const Answer<Model> answer = generated<Model>(member.given);
+    if (is_solvable(answer.status)) {
+      const double margin =
+          regularity<Model, double>(member.given.d, member.given.u, member.given.q).margin;
+      for (const Quantity quantity : quantities) {
+        double& so_far = worst[static_cast<std::size_t>(quantity)];
+        const double error = error_of(answer, member.truth, quantity);
+        so_far = test::largest(so_far, error * margin / epsilon);
+      }
+    }
+  });
+  std::cout << TypeParam::name << ": largest error in eps/margin, sensitivities " << worst[0]
+            << ", velocity " << worst[1] << ", acceleration " << worst[2] << '\n';
+  EXPECT_LT(worst[0], derivative_error_constant);
+  EXPECT_LT(worst[1], derivative_error_constant);
 }
 
 /// `ok` promises six digits of what J alone decides. An acceleration also inherits the error of the
@@ -118,8 +140,8 @@ std::map<double, double> largest_errors(
     for (int number = 0; number < members_per_distance; ++number) {
       const auto member = make_member<Family>(number, distance);
       const auto answer = method(member.given);
-      const double error = has_result(answer.status) ? error_of(answer, member.truth, quantity)
-                                                     : std::numeric_limits<double>::infinity();
+      const double error = is_solvable(answer.status) ? error_of(answer, member.truth, quantity)
+                                                      : std::numeric_limits<double>::infinity();
       largest[distance] = std::max(largest[distance], error);
     }
   }

@@ -17,7 +17,7 @@ template <typename Model>
 [[nodiscard]] Answer<Model> generated(const Geometry<Model, double>& g) {
   Answer<Model> answer;
   answer.status = sensitivities<Model, double>(g.d, g.u, g.q, answer.sensitivities);
-  if (answer.status == Status::ok || answer.status == Status::near_singular) {
+  if (is_solvable(answer.status)) {
     answer.status = motion<Model, double>(g.d, g.u, g.q, g.u_rate, g.u_second_rate, answer.motion);
   }
   return answer;

@@ -131,12 +131,30 @@ inline void write_worst(const std::vector<Row>& rows, std::ostream& out) {
   }
 }
 
+/// A line a method: refused, or what it hands back as a result.
 inline void write_bad_input(const std::vector<BadInputRow>& rows, std::ostream& out) {
-  out << "| method | input | status | velocity |\n|---|---|---|---|\n";
+  out << "| method |";
+  std::string line = "\n|---|";
   for (const BadInputRow& row : rows) {
-    out << "| " << row.method << " | " << row.input << " | " << to_string(row.status) << " | "
-        << (row.finite ? "finite" : "not finite") << " |\n";
+    if (row.method == rows.front().method) {
+      out << ' ' << row.input << " |";
+      line += "---|";
+    }
   }
+  out << line;
+  std::string method;
+  for (const BadInputRow& row : rows) {
+    if (row.method != method) {
+      method = row.method;
+      out << "\n| " << method << " |";
+    }
+    if (!is_solvable(row.status)) {
+      out << " refused: " << to_string(row.status) << " |";
+    } else {
+      out << (row.finite ? " a number |" : " NaN |");
+    }
+  }
+  out << '\n';
 }
 
 }  // namespace assur::stability

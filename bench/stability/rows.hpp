@@ -38,7 +38,7 @@ template <typename Model>
 void tally(const Answer<Model>& answer, const Member<Model>& member, Row& row) {
   row.status = std::max(row.status, answer.status);
   row.has_sensitivities = answer.has_sensitivities;
-  if (!has_result(answer.status)) {
+  if (!is_solvable(answer.status)) {
     ++row.refused_members;
     return;
   }

@@ -10,10 +10,6 @@
 
 namespace assur::stability {
 
-[[nodiscard]] inline bool has_result(Status status) {
-  return status == Status::ok || status == Status::near_singular;
-}
-
 /// to - from: angles turn by their difference in (-pi, pi].
 template <typename Model>
 [[nodiscard]] Vector<double, Model::unknown_count> difference(
@@ -69,7 +65,7 @@ class CentralDifferences {
   Configuration assembled(const Geometry<Model, double>& moved) {
     Configuration q = moved.q;
     const Status status = refine<Model, double>(moved.d, moved.u, q);
-    if (answer_.status == Status::ok || !has_result(status)) {
+    if (answer_.status == Status::ok || !is_solvable(status)) {
       answer_.status = status;
     }
     return q;
@@ -215,7 +211,7 @@ template <typename Model>
   advance(g.q, away);
   Answer<Model> answer;
   answer.status = refine<Model, double>(g.d, g.u, g.q);
-  return has_result(answer.status) ? generated<Model>(g) : answer;
+  return is_solvable(answer.status) ? generated<Model>(g) : answer;
 }
 
 }  // namespace assur::stability
