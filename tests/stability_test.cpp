@@ -59,9 +59,9 @@ TYPED_TEST(Stability, GeneratedStaysWithinItsConditionTimesRounding) {
       return;
     }
     for (const Truth<Model>* truth : {&member.truth, &member.truth_as_given}) {
-      for (const Quantity quantity : quantities) {
-        const double unit = epsilon * condition_of(*truth, quantity);
-        if (unit < 1 / allowed_roundings) {  // else the bound exceeds the result itself
+      const double unit = epsilon * truth->condition;
+      if (unit < 1 / allowed_roundings) {  // else the bound exceeds the result itself
+        for (const Quantity quantity : {Quantity::sensitivities, Quantity::velocity}) {
           const double roundings = error_of(answer, *truth, quantity) / unit;
           EXPECT_LE(roundings, allowed_roundings)
               << quantity_names[static_cast<std::size_t>(quantity)];
@@ -72,6 +72,34 @@ TYPED_TEST(Stability, GeneratedStaysWithinItsConditionTimesRounding) {
   });
   std::cout << TypeParam::name << ", seed " << seed << ": largest error " << worst
             << " eps kappa, refused " << refused << '\n';
+}
+
+/// An acceleration inherits the error of the velocity from which it is computed. What it adds is
+/// kappa times the rounding of its right-hand side, whose terms may cancel.
+TYPED_TEST(Stability, AccelerationAddsItsConditionTimesRounding) {
+  using Model = typename TypeParam::Model;
+  double worst = 0;
+  int checked = 0;
+  this->on_each([&](double, const Member<Model>& member) {
+    const Answer<Model> answer = generated<Model>(member.given);
+    if (!is_solvable(answer.status)) {
+      return;
+    }
+    const Vector<Real, Model::unknown_count> velocity =
+        answer.motion.velocity.template cast<Real>();
+    const AccelerationOf<Model> truth = acceleration_of(converted<Real>(member.given), velocity);
+    const double unit = epsilon * member.truth_as_given.condition * truth.cancellation;
+    if (unit < 1 / allowed_roundings) {
+      ++checked;
+      const double roundings = relative_error(answer.motion.acceleration, truth.acceleration,
+                                              member.truth_as_given.weights) /
+                               unit;
+      EXPECT_LE(roundings, allowed_roundings);
+      worst = test::largest(worst, roundings);
+    }
+  });
+  std::cout << TypeParam::name << ", seed " << seed << ": acceleration adds " << worst
+            << " eps kappa of its terms, members checked " << checked << '\n';
 }
 
 /// The error that the runtime's own margin promises, where no acceleration inherits the velocity's.

@@ -62,11 +62,6 @@ template <typename Model>
   return std::numeric_limits<double>::infinity();
 }
 
-template <typename Model>
-[[nodiscard]] double condition_of(const Truth<Model>& truth, Quantity quantity) {
-  return quantity == Quantity::acceleration ? truth.acceleration_condition : truth.condition;
-}
-
 /// An answer with less than two digits is wrong: another branch, or nothing but rounding.
 inline constexpr double wrong_error = 0.01;
 [[nodiscard]] inline bool is_wrong(double error) { return !(error <= wrong_error); }

@@ -1,6 +1,8 @@
 // Turns a geometry in 50 digits into its assembled configuration and the derivatives there.
 #pragma once
 
+#include <algorithm>
+
 #include "problem.hpp"
 
 namespace assur::stability {
@@ -14,9 +16,6 @@ struct Truth {
   /// weighted unknowns, angles and displacements alike, have one unit.
   Vector<Real, Model::unknown_count> weights;
   double condition = 0;  ///< of J in the 1-norm, columns scaled by the weights
-  /// That of the acceleration, which is computed from the velocity: condition (1 + how much larger
-  /// a relative error of the velocity arrives in the acceleration).
-  double acceleration_condition = 0;
 };
 
 template <typename Model>
@@ -46,32 +45,6 @@ template <typename Model>
   return false;
 }
 
-/// |dR/dv'| |v| / |a| for the right-hand side R of J a = R, all weighted, where dR/dv' stands for
-/// the inverse of J times the derivative of R by the velocity; infinity norm. R is quadratic in the
-/// velocity, so a central difference is its derivative exactly.
-template <typename Model>
-[[nodiscard]] Real magnification(const Geometry<Model, Real>& g, const Truth<Model>& truth,
-                                 const RealJacobian<Model>& scaled_inverse) {
-  RealJacobian<Model> by_velocity;
-  for (int column = 0; column < Model::unknown_count; ++column) {
-    Vector<Real, Model::unknown_count> ahead = truth.motion.velocity;
-    Vector<Real, Model::unknown_count> behind = truth.motion.velocity;
-    ahead(column) += Real(1) / truth.weights(column);
-    behind(column) -= Real(1) / truth.weights(column);
-    Vector<Real, Model::equation_count> rhs_ahead;
-    Vector<Real, Model::equation_count> rhs_behind;
-    Model::acceleration_rhs(g.d, g.u, g.q, ahead, g.u_rate, g.u_second_rate, rhs_ahead);
-    Model::acceleration_rhs(g.d, g.u, g.q, behind, g.u_rate, g.u_second_rate, rhs_behind);
-    by_velocity.col(column) = (rhs_ahead - rhs_behind) / Real(2);
-  }
-  const RealJacobian<Model> arriving = scaled_inverse * by_velocity;
-  const Real norm = arriving.cwiseAbs().rowwise().sum().maxCoeff();
-  const Real velocity = truth.weights.cwiseProduct(truth.motion.velocity).cwiseAbs().maxCoeff();
-  const Real acceleration =
-      truth.weights.cwiseProduct(truth.motion.acceleration).cwiseAbs().maxCoeff();
-  return norm * velocity / acceleration;
-}
-
 /// The derivatives at g.q, whether it is assembled or not.
 template <typename Model>
 [[nodiscard]] Truth<Model> derivatives(const Geometry<Model, Real>& g) {
@@ -99,9 +72,42 @@ template <typename Model>
   truth.motion.velocity = inverse * rhs;
   Model::acceleration_rhs(g.d, g.u, g.q, truth.motion.velocity, g.u_rate, g.u_second_rate, rhs);
   truth.motion.acceleration = inverse * rhs;
-  truth.acceleration_condition =
-      truth.condition * (1 + static_cast<double>(magnification(g, truth, scaled_inverse)));
   return truth;
+}
+
+/// The acceleration that belongs to a velocity, right or not.
+template <typename Model>
+struct AccelerationOf {
+  Vector<Real, Model::unknown_count> acceleration;
+  /// How much larger the centripetal and Coriolis terms of the right-hand side R are than R:
+  /// |dR/dv| |v| / |R|, at least one.
+  double cancellation = 1;
+};
+
+template <typename Model>
+[[nodiscard]] AccelerationOf<Model> acceleration_of(
+    const Geometry<Model, Real>& g, const Vector<Real, Model::unknown_count>& velocity) {
+  const auto right_hand_side = [&](const Vector<Real, Model::unknown_count>& v) {
+    Vector<Real, Model::equation_count> rhs;
+    Model::acceleration_rhs(g.d, g.u, g.q, v, g.u_rate, g.u_second_rate, rhs);
+    return rhs;
+  };
+  RealJacobian<Model> jacobian;
+  Model::jacobian(g.d, g.u, g.q, jacobian);
+  const Vector<Real, Model::equation_count> rhs = right_hand_side(velocity);
+  // R is quadratic in the velocity, so a central difference is its derivative exactly.
+  Real terms(0);
+  for (int column = 0; column < Model::unknown_count; ++column) {
+    Vector<Real, Model::unknown_count> step = Vector<Real, Model::unknown_count>::Zero();
+    step(column) = velocity(column);
+    const Vector<Real, Model::equation_count> change =
+        right_hand_side(velocity + step) - right_hand_side(velocity - step);
+    terms += change.cwiseAbs().maxCoeff() / Real(2);
+  }
+  AccelerationOf<Model> result;
+  result.acceleration = Eigen::FullPivLU<RealJacobian<Model>>(jacobian).solve(rhs);
+  result.cancellation = std::max(1.0, static_cast<double>(Real(terms / rhs.cwiseAbs().maxCoeff())));
+  return result;
 }
 
 }  // namespace assur::stability
