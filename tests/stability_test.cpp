@@ -210,7 +210,6 @@ TEST(CentralDifferences, LoseTheirStepFarFromTheOrigin) {
   EXPECT_FALSE(errors.begin()->second < wrong_error);
 }
 
-#ifdef ASSUR_STABILITY_SPECIAL_POINTS
 /// Their lines become parallel while the group stays regular.
 TEST(SpecialPoints, AreLostAtInfinity) {
   for (const Quantity quantity : {Quantity::velocity, Quantity::acceleration}) {
@@ -220,7 +219,6 @@ TEST(SpecialPoints, AreLostAtInfinity) {
     }
   }
 }
-#endif
 
 }  // namespace
 }  // namespace assur::stability

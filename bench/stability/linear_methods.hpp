@@ -1,12 +1,8 @@
 // Methods that take the configuration as it is and solve linear equations for its derivatives.
 #pragma once
 
-#if __has_include(<assur/special_points.hpp>)
-#include <assur/special_points.hpp>
-#define ASSUR_STABILITY_SPECIAL_POINTS
-#endif
-
 #include <Eigen/LU>
+#include <assur/special_points.hpp>
 
 #include "../../tests/taylor.hpp"
 #include "problem.hpp"
@@ -123,7 +119,6 @@ template <typename Model>
   return AutomaticDifferentiation<Model>::answer(g);
 }
 
-#ifdef ASSUR_STABILITY_SPECIAL_POINTS
 /// The two special Assur points; velocity and acceleration alone.
 template <typename Model>
 [[nodiscard]] Answer<Model> special_points(const Geometry<Model, double>& g) {
@@ -133,6 +128,5 @@ template <typename Model>
       special_point_motion<Model, double>(g.d, g.u, g.q, g.u_rate, g.u_second_rate, answer.motion);
   return answer;
 }
-#endif
 
 }  // namespace assur::stability

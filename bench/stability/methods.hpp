@@ -15,7 +15,7 @@ struct Method {
   Answer<Model> (*answer)(const Geometry<Model, double>&);
 };
 
-/// In one order for every model. The special points are defined by turning joints alone.
+/// In one order for every model. Not every model has special points, so they come last.
 template <typename Model>
 [[nodiscard]] std::vector<Method<Model>> methods() {
   std::vector<Method<Model>> list = {
@@ -28,11 +28,9 @@ template <typename Model>
       {"Newton from a neighbour", newton<Model>},
       {"central differences", central_differences<Model>},
   };
-#ifdef ASSUR_STABILITY_SPECIAL_POINTS
-  if constexpr (Model::number == 1) {
+  if constexpr (Model::has_special_points) {
     list.push_back({"special points", special_points<Model>});
   }
-#endif
   return list;
 }
 
