@@ -18,7 +18,8 @@ namespace assur::stability {
   return stream.str();
 }
 
-/// One line a quantity, so that a changed figure is a changed line.
+/// One line a quantity, so that a changed figure is a changed line. An error is null where all
+/// members failed.
 inline void write_json(const std::vector<Row>& rows, const std::vector<BadInputRow>& bad,
                        std::ostream& out) {
   out << "{\"seed\": " << seed << ", \"members_per_distance\": " << members_per_distance
@@ -31,14 +32,17 @@ inline void write_json(const std::vector<Row>& rows, const std::vector<BadInputR
         continue;
       }
       const auto place = static_cast<std::size_t>(quantity);
-      const bool failed = row.wrong[place] + row.refused_members > 0;
+      const int failures = row.wrong[place] + row.refused_members;
+      const auto error = [&](double largest) {
+        return failures < members_per_distance ? text(largest) : std::string("null");
+      };
       out << separator << "{\"family\": \"" << row.family
           << "\", \"distance\": " << text(row.distance) << ", \"kappa\": " << text(row.condition)
           << ", \"method\": \"" << row.method << "\", \"quantity\": \"" << quantity_names[place]
-          << "\", \"error\": " << text(row.error[place])
-          << ", \"error_as_given\": " << text(row.error_as_given[place])
+          << "\", \"error\": " << error(row.error[place])
+          << ", \"error_as_given\": " << error(row.error_as_given[place])
           << ", \"refused\": " << row.refused_members << ", \"wrong\": " << row.wrong[place]
-          << ", \"failed\": " << (failed ? "true" : "false") << ", \"status\": \""
+          << ", \"failed\": " << (failures > 0 ? "true" : "false") << ", \"status\": \""
           << to_string(row.status) << "\"}";
       separator = ",\n";
     }
