@@ -98,12 +98,17 @@ class AutomaticDifferentiation {
   static Residual residual(const Geometry<Model, double>& g, const Unknowns& q_rate,
                            const Lengths& d_rate, const Ends& u_rate, const Ends& u_second_rate) {
     using test::all_moving;
+    using test::Rates;
     const Unknowns rest = Unknowns::Zero();
     const Lengths fixed = Lengths::Zero();
+    const Ends held = Ends::Zero();
     Residual f;
-    Model::residual(all_moving<typename Model::template Dimensions<Moving>>(g.d, d_rate, fixed),
-                    all_moving<typename Model::template Inputs<Moving>>(g.u, u_rate, u_second_rate),
-                    all_moving<typename Model::template Configuration<Moving>>(g.q, q_rate, rest),
+    Model::residual(all_moving<typename Model::template Dimensions<Moving>>(
+                        g.d, Rates<Lengths>{d_rate, fixed, fixed}),
+                    all_moving<typename Model::template Inputs<Moving>>(
+                        g.u, Rates<Ends>{u_rate, u_second_rate, held}),
+                    all_moving<typename Model::template Configuration<Moving>>(
+                        g.q, Rates<Unknowns>{q_rate, rest, rest}),
                     f);
     return f;
   }
