@@ -159,7 +159,7 @@ TEST(Covariance, StandsInTheTableAndInTheTextAsInTheJson) {
   const Solution solution = generator::solve(scene, values);
   const Json point = report_of(json)["configurations"][0]["outputs"]["F"];
   const std::vector<std::string> titles = cells(generator::csv_header(scene));
-  const std::vector<std::string> row = cells(generator::csv_rows({&scene, &values, &solution}, 0));
+  const std::vector<std::string> row = cells(generator::csv_rows({&scene, &values, &solution}));
   ASSERT_EQ(titles.size(), row.size());
   const auto cell = [&](const std::string& title) {
     const auto found = std::find(titles.begin(), titles.end(), title);

@@ -9,6 +9,8 @@ namespace {
 
 /// Two configurations this close are not told apart safely: each is known to rounding / distance.
 constexpr double closest = 5e-7;
+/// A near-singular configuration that moves faster with the parameter than this stands on an event.
+constexpr double steepest = 1e9;
 
 /// The longest distance between two features of one link, which no motion changes; where no link
 /// has two, the largest coordinate of a feature.
@@ -52,8 +54,9 @@ bool is_separable(const Snapshot& snapshot) {
     return false;
   }
   for (std::size_t one = 0; one < snapshot.count(); ++one) {
-    if (snapshot.solution.configurations[one].regularity != Status::ok ||
-        !snapshot.points[one].slope.allFinite()) {
+    const Eigen::VectorXd& slope = snapshot.points[one].slope;
+    const bool suspect = snapshot.solution.configurations[one].regularity != Status::ok;
+    if (!slope.allFinite() || (suspect && slope.norm() > steepest)) {
       return false;
     }
     for (std::size_t other = 0; other < one; ++other) {

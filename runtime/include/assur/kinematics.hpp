@@ -10,9 +10,9 @@
 
 namespace assur {
 
-/// The relative error of a derivative is at most this times eps/margin; see `regularity`. The
-/// stability laboratory measures it.
-inline constexpr int derivative_error_constant = 16;
+/// The relative error of the sensitivities, among unknowns of one unit, is at most this times
+/// eps/margin (see `regularity`), by measurement over all models.
+inline constexpr int derivative_error_constant = 64;
 
 /// How far a configuration is from singular, by the pivots of the model's structured elimination.
 template <typename Scalar>
@@ -20,19 +20,21 @@ struct Regularity {
   /// ok; near_singular where derivatives may keep fewer than six digits; singular where there are
   /// none; not_finite.
   Status status = Status::singular;
-  /// Bound of the derivatives' relative error in units of rounding is 1/margin: the product of
-  /// what the core's determinant keeps of its terms, and of how firmly the closures hold the
-  /// unknowns. One at best, zero where J has no inverse. It does not depend on the unit of length.
+  /// The derivatives' relative error is about rounding/margin: the product of what the core's
+  /// determinant keeps of its terms and of how firmly the closures hold the unknowns. One at best,
+  /// zero where J has no inverse. It does not depend on the unit of length.
   Scalar margin = Scalar(0);
   int weakest = 0;  ///< index in Model::pivots of the pivot nearest to zero
 };
 
 /// The regularity of an assembled configuration, without an inverse or singular values.
 ///
-/// Rounding moves an assembled configuration by about eps/firmness, where firmness is the core's
-/// determinant over its size times the smallest other pivot over its size. That, and rounding in
-/// the determinant, change the derivatives by about eps/(firmness * kept), where kept is the
-/// determinant over the size of its terms. `derivative_error_constant` bounds what "about" hides.
+/// Rounding moves an assembled configuration by about eps/firmness. Firmness is the core's
+/// determinant over the size that it could have, times the square of the smallest other pivot over
+/// its own: the unknown that a small pivot leaves loose is long, and moves by its own rounding.
+/// That, and rounding in the determinant, change the derivatives by about eps/(firmness * kept),
+/// where kept is the determinant over the size of its terms. `derivative_error_constant` is what
+/// "about" hides, as measured.
 template <typename Model, typename Scalar>
 [[nodiscard]] Regularity<Scalar> regularity(
     const typename Model::template Dimensions<Scalar>& d,
@@ -69,7 +71,7 @@ template <typename Model, typename Scalar>
     }
   }
   const Scalar kept = core / terms;
-  const Scalar firmness = core_firmness * other_firmness;
+  const Scalar firmness = core_firmness * other_firmness * other_firmness;
   const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
   if (!(kept > epsilon && firmness > Scalar(0))) {
     return result;
@@ -134,6 +136,19 @@ template <typename Model, typename Scalar>
   return status;
 }
 
+/// The status of a configuration whose inputs move: not_finite if a rate is no number.
+template <typename Model, typename Scalar>
+[[nodiscard]] Status status_of(const typename Model::template Dimensions<Scalar>& d,
+                               const typename Model::template Inputs<Scalar>& u,
+                               const typename Model::template Configuration<Scalar>& q,
+                               const Vector<Scalar, Model::input_count>& u_rate,
+                               const Vector<Scalar, Model::input_count>& u_second_rate) {
+  if (!is_finite(u_rate) || !is_finite(u_second_rate)) {
+    return Status::not_finite;
+  }
+  return regularity<Model, Scalar>(d, u, q).status;
+}
+
 /// Rates of motion: dq/dt and d2q/dt2.
 template <typename Model, typename Scalar>
 struct Motion {
@@ -150,7 +165,7 @@ template <typename Model, typename Scalar>
                             const Vector<Scalar, Model::input_count>& u_rate,
                             const Vector<Scalar, Model::input_count>& u_second_rate,
                             Motion<Model, Scalar>& result) {
-  const Status status = regularity<Model, Scalar>(d, u, q).status;
+  const Status status = status_of<Model, Scalar>(d, u, q, u_rate, u_second_rate);
   if (is_solvable(status)) {
     Model::motion(d, u, q, u_rate, u_second_rate, result.velocity, result.acceleration);
   }
@@ -166,7 +181,7 @@ template <typename Model, typename Scalar>
     const Vector<Scalar, Model::input_count>& u_rate,
     const Vector<Scalar, Model::input_count>& u_second_rate,
     Sensitivities<Model, Scalar>& sensitive, Motion<Model, Scalar>& moving) {
-  const Status status = regularity<Model, Scalar>(d, u, q).status;
+  const Status status = status_of<Model, Scalar>(d, u, q, u_rate, u_second_rate);
   if (is_solvable(status)) {
     Model::sensitivities_and_motion(d, u, q, u_rate, u_second_rate, sensitive.to_dimensions,
                                     sensitive.to_inputs, moving.velocity, moving.acceleration);

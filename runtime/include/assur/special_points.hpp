@@ -202,6 +202,9 @@ template <typename Model, typename Scalar>
                                           const Vector<Scalar, Model::input_count>& u_rate,
                                           const Vector<Scalar, Model::input_count>& u_second_rate,
                                           Motion<Model, Scalar>& result) {
+  if (!is_finite(u_rate) || !is_finite(u_second_rate)) {
+    return Status::not_finite;
+  }
   const SpecialPointSystem<Model, Scalar> system(d, u, q);
   if (system.solvable()) {
     Matrix<Scalar, 2 * Model::closure_link_count, 2> known;

@@ -79,6 +79,17 @@ void advance(Variables& variables, const Vector<Scalar, Count>& step) {
       variables.members());
 }
 
+/// Whether no entry is NaN or infinite.
+template <typename Scalar, int Count>
+[[nodiscard]] bool is_finite(const Vector<Scalar, Count>& vector) {
+  for (int index = 0; index < Count; ++index) {
+    if (!detail::is_finite_member(vector(index))) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// Whether no variable is NaN or infinite.
 template <typename Variables>
 [[nodiscard]] bool is_finite(const Variables& variables) {
