@@ -127,5 +127,60 @@ TYPED_TEST(Regular, SensitivitiesAreAsGoodAsTheMarginSays) {
   }
 }
 
+/// On configurations of ample margin, of which double's own digits are the truth: the error of the
+/// arithmetic alone.
+TEST(Accuracy, OfWellShapedTetradsIsThatOfAFewRoundings) {
+  using Model = tetrad::Model01;
+  constexpr int wanted = 2000;
+  RandomInputs random(seed);
+  const auto to_long = [](const auto& source) {
+    if constexpr (requires { source.cos; }) {
+      return Direction<Long>{source.cos, source.sin};
+    } else {
+      return static_cast<Long>(source);
+    }
+  };
+  const auto error = [](const auto& found, const auto& truth) {
+    return static_cast<double>((found.template cast<Long>() - truth).cwiseAbs().maxCoeff() /
+                               truth.cwiseAbs().maxCoeff());
+  };
+  double of_sensitivities = 0;
+  double of_accelerations = 0;
+  for (int compared = 0; compared < wanted;) {
+    const auto d = random.variables<Model::Dimensions<double>>();
+    const auto u = random.variables<Model::Inputs<double>>();
+    auto q = random.variables<Model::Configuration<double>>();
+    const auto u1 = random.vector<Vector<double, Model::input_count>>();
+    const auto u2 = random.vector<Vector<double, Model::input_count>>();
+    if (refine<Model, double>(d, u, q) != Status::ok ||
+        regularity<Model, double>(d, u, q).margin < 1e-2) {
+      continue;
+    }
+    ++compared;
+    Sensitivities<Model, double> sensitive;
+    Motion<Model, double> moving;
+    ASSERT_EQ((sensitivities_and_motion<Model, double>(d, u, q, u1, u2, sensitive, moving)),
+              Status::ok);
+    Sensitivities<Model, Long> true_sensitive;
+    Motion<Model, Long> true_moving;
+    ASSERT_EQ((sensitivities_and_motion<Model, Long>(
+                  converted<Model::Dimensions<Long>>(d, to_long),
+                  converted<Model::Inputs<Long>>(u, to_long),
+                  converted<Model::Configuration<Long>>(q, to_long), u1.cast<Long>(),
+                  u2.cast<Long>(), true_sensitive, true_moving)),
+              Status::ok);
+    of_sensitivities = largest(
+        of_sensitivities, std::max(error(sensitive.to_dimensions, true_sensitive.to_dimensions),
+                                   error(sensitive.to_inputs, true_sensitive.to_inputs)));
+    of_accelerations =
+        largest(of_accelerations, error(moving.acceleration, true_moving.acceleration));
+  }
+  std::cout << "seed " << seed << ", " << wanted << " RRR-RRR tetrads: relative error of the "
+            << "sensitivities " << of_sensitivities << ", of the accelerations " << of_accelerations
+            << "\n";
+  EXPECT_LE(of_sensitivities, 2e-15);
+  EXPECT_LE(of_accelerations, 1e-14);
+}
+
 }  // namespace
 }  // namespace assur::test
