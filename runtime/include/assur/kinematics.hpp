@@ -218,6 +218,7 @@ template <typename Model, typename Scalar>
                             const typename Model::template Inputs<Scalar>& u,
                             typename Model::template Configuration<Scalar>& q,
                             int max_iterations = 50) {
+  using std::sqrt;
   constexpr int size = Model::unknown_count;
   const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
   Scalar previous = std::numeric_limits<Scalar>::infinity();
@@ -242,8 +243,9 @@ template <typename Model, typename Scalar>
       step *= Scalar(0.5) / largest_turn;
     }
     advance(q, step);
-    // Close to the solution the steps shrink quadratically until rounding stops them.
-    const bool small = largest_turn < Scalar(1e3) * epsilon / jacobian.margin();
+    // Close to the solution the steps shrink quadratically until rounding stops them, at about
+    // eps over the square root of the margin.
+    const bool small = largest_turn < Scalar(1e3) * epsilon / sqrt(jacobian.margin());
     if (longest == Scalar(0) || (small && !(longest < previous / Scalar(2)))) {
       return jacobian.status();
     }
