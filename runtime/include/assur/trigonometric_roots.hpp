@@ -72,7 +72,7 @@ template <class Scalar, std::size_t N>
 class TrigonometricRootSearch {
   static_assert(N >= 1 && N <= 3, "the error bounds are derived for N <= 3");
   static constexpr std::size_t D = 2 * N;
-  static constexpr int max_depth = 128;
+  static constexpr int max_depth = 128;  // two levels at least halve an arc
   static constexpr double two_pi = 6.28318530717958647693;
   using Polynomial = std::array<Scalar, D + 1>;
 
