@@ -6,6 +6,7 @@
 #include <assur/trigonometric_roots.hpp>
 #include <iostream>
 
+#include "cluster_value.hpp"
 #include "sturm.hpp"
 
 namespace assur::test {
@@ -55,6 +56,7 @@ Polynomial product_of(const std::vector<Factor>& factors, double lift) {
 }
 
 struct Outcome {
+  double largest_open = 0;  // |T| where double-double left it undecided, against its error
   int certified = 0;
   int by_double_double = 0;
   int undecided = 0;
@@ -78,13 +80,16 @@ void judge(const Polynomial& T, Outcome& outcome) {
     ++outcome.by_double_double;
   } else {
     ++outcome.undecided;
+    outcome.largest_open = std::max(outcome.largest_open,
+                                    largest_cluster_value<DoubleDouble, 3>(finer, DoubleDouble(0)));
   }
 }
 
 void report(const char* family, const Outcome& outcome) {
   std::cout << family << ", seed " << seed << ": " << outcome.certified << " certified in double, "
             << outcome.by_double_double << " in double-double, " << outcome.undecided
-            << " undecided\n";
+            << " undecided, where T is at most " << outcome.largest_open << " of its error\n";
+  EXPECT_LT(outcome.largest_open, 10);
 }
 
 TEST(TrigonometricRoots, RandomPolynomials) {
@@ -149,6 +154,28 @@ TEST(TrigonometricRoots, NearlyTripleAndQuadrupleRoots) {
     }
   }
   report("nearly triple and quadruple", outcome);
+}
+
+TEST(TrigonometricRoots, FourAndSixRootsOrFewerNearOnePoint) {
+  RandomInputs random(seed + 5);
+  Outcome outcome;
+  for (int exponent = 1; exponent <= 8; ++exponent) {
+    for (int sample = 0; sample < 2000; ++sample) {
+      // Pairs of roots, real or not, within some distances of a point; half the points are close to
+      // where the charts meet.
+      const double distance = std::pow(10.0, -exponent);
+      const auto by_distance = [&] { return distance * random.length(); };
+      const auto lift = [&] { return distance * by_distance() * (1 + sample % 3); };
+      const double a = sample % 2 == 0
+                           ? random.angle()
+                           : 0.25 * std::acos(-1.0) * random.integer(-4, 4) + by_distance();
+      const Factor third =
+          sample % 4 < 2 ? Factor{random.angle(), 0.4} : Factor{a + by_distance(), lift()};
+      const Polynomial T = product_of({{a, lift()}, {a + by_distance(), lift()}, third}, 0);
+      judge(T, outcome);
+    }
+  }
+  report("four or six near one point", outcome);
 }
 
 TEST(TrigonometricRoots, RootAtPi) {

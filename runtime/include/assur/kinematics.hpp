@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <assur/model.hpp>
 #include <assur/status.hpp>
 #include <assur/variables.hpp>
@@ -210,6 +211,44 @@ template <typename Model, typename Scalar>
   return inverse.status();
 }
 
+namespace detail {
+
+/// Shortens a Newton step that turns a link too far for its linearisation: as a whole, so that an
+/// angle moves by at most half a radian, where short levers count less. Such a
+/// link's turn moves no joint far and need not hold back the others; it is cut alone.
+template <typename Model, typename Scalar>
+void limit_turns(const Matrix<Scalar, Model::equation_count, Model::unknown_count>& jacobian,
+                 Vector<Scalar, Model::unknown_count>& step) {
+  using std::abs;
+  using std::max;
+  using std::min;
+  const auto for_each_angle = [](auto use) {
+    for (int index = 0; index < Model::unknown_count; ++index) {
+      if (Model::unknowns[static_cast<std::size_t>(index)].is_angle) {
+        use(index);
+      }
+    }
+  };
+  const auto lever = [&jacobian](int index) {
+    return Scalar(jacobian.col(index).cwiseAbs().maxCoeff());
+  };
+  Scalar longest(0);
+  for_each_angle([&](int index) { longest = max(longest, lever(index)); });
+  Scalar largest(0);
+  for_each_angle([&](int index) {
+    // From a quarter of the longest on a lever counts in full.
+    const Scalar weight = min(Scalar(1), Scalar(4) * lever(index) / longest);
+    largest = max(largest, weight * abs(step(index)));
+  });
+  const Scalar limit = Scalar(0.5);
+  if (largest > limit) {
+    step *= limit / largest;
+  }
+  for_each_angle([&](int index) { step(index) = max(-limit, min(limit, step(index))); });
+}
+
+}  // namespace detail
+
 /// Newton's iteration from a guess to the loop closure, until the step is at rounding level. An
 /// angle moves by at most half a radian a step. On `ok` and `near_singular` the configuration is
 /// assembled; otherwise it is the last iterate. Newton may settle on any branch.
@@ -240,7 +279,9 @@ template <typename Model, typename Scalar>
     }
     const Scalar longest = step.cwiseAbs().maxCoeff();
     if (largest_turn > Scalar(0.5)) {
-      step *= Scalar(0.5) / largest_turn;
+      Matrix<Scalar, Model::equation_count, size> J;
+      Model::jacobian(d, u, q, J);
+      detail::limit_turns<Model, Scalar>(J, step);
     }
     advance(q, step);
     // Close to the solution the steps shrink quadratically until rounding stops them, at about

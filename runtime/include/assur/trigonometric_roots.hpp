@@ -72,7 +72,7 @@ template <class Scalar, std::size_t N>
 class TrigonometricRootSearch {
   static_assert(N >= 1 && N <= 3, "the error bounds are derived for N <= 3");
   static constexpr std::size_t D = 2 * N;
-  static constexpr int max_depth = 64;
+  static constexpr int max_depth = 128;  // two levels at least halve an arc
   static constexpr double two_pi = 6.28318530717958647693;
   using Polynomial = std::array<Scalar, D + 1>;
 
@@ -81,6 +81,7 @@ class TrigonometricRootSearch {
     Scalar left, right;  // in t
     Scalar error;        // of every Bernstein coefficient
     int max_roots, depth;
+    bool wide;  // more than half of the arc it was cut from
   };
 
   const ChartTables<Scalar, N>& tables;
@@ -108,7 +109,7 @@ class TrigonometricRootSearch {
       const int max_roots = count_variations(bernstein[chart], error);
       if (max_roots == 0) continue;
       power[chart] = tables.power.apply(harmonics, chart);
-      isolate(chart, {bernstein[chart], -edge, edge, error, max_roots, 0});
+      isolate(chart, {bernstein[chart], -edge, edge, error, max_roots, 0, false});
     }
     refine();
   }
@@ -180,6 +181,8 @@ class TrigonometricRootSearch {
     bool hopeless = arc.depth == max_depth;
     // Halving soon settles separate roots. What is left is nearly multiple: cut where T is flattest
     // or, if T is too small there, at the distance on either side where it should exceed its error.
+    // Such a cut may take off next to nothing, again and again: then halving comes first.
+    if (arc.wide && !hopeless && cut(chart, arc, Scalar(0.5))) return;
     if (arc.depth >= 2 && !hopeless) {
       const auto [t, coefficient] = flattest(chart, arc);
       if (cut(chart, arc, (t - arc.left) / width)) return;
@@ -223,6 +226,8 @@ class TrigonometricRootSearch {
     left.right = right.left = middle;
     right.right = arc.right;
     left.depth = right.depth = arc.depth + 1;
+    left.wide = lambda > Scalar(0.5);
+    right.wide = lambda < Scalar(0.5);
     if (left.max_roots > 0) isolate(chart, left);
     if (right.max_roots > 0) isolate(chart, right);
     return true;
