@@ -24,7 +24,7 @@ namespace assur::dyad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
-
+///   none: every link has an external joint
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     4, 6, 0
@@ -40,10 +40,6 @@ namespace assur::dyad {
 ///   link_velocities:              4, 2, 0
 ///   link_accelerations:           7, 4, 0
 ///   pose_curvatures:              10, 2, 0
-///   special_point_lines:          0, 0, 0
-///   special_point_lengths:        0, 0, 0
-///   special_point_velocities:     0, 0, 0
-///   special_point_accelerations:  0, 0, 0
 ///   degeneracies:                 3, 2, 0
 ///   inverse_jacobian:             17, 4, 1
 ///   sensitivities:                20, 5, 1
@@ -65,7 +61,7 @@ struct Model01 {
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 0;
-  static constexpr bool has_special_points = true;
+  static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 1;    ///< of the final polynomial
@@ -388,43 +384,6 @@ struct Model01 {
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
     p(1, 0) = omega_CD * (Scalar(2) * q.theta_CD.sin * v_CD - omega_CD * DC_x);
     p(1, 1) = -omega_CD * (Scalar(2) * q.theta_CD.cos * v_CD + omega_CD * DC_y);
-  }
-
-  /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the
-  /// link's frame, in the directions of the fixed frame.
-  template <typename Scalar>
-  static void special_point_lines(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
-
-  }
-
-  /// The signed lengths L: on side i of its link a special point at S moves by
-  /// the sum over k of L(i, k) dq_k/dt along the unit normal n of its line.
-  template <typename Scalar>
-  static void special_point_lengths(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
-      const Matrix<Scalar, 2 * closure_link_count, 2>&,
-      Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
-
-  }
-
-  /// The velocity of each special point by each side, less what dq/dt adds.
-  template <typename Scalar>
-  static void special_point_velocities(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
-      const Vector<Scalar, input_count>&, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
-
-  }
-
-  /// The acceleration of each special point by each side, less what d2q/dt2 adds:
-  /// centripetal and Coriolis terms, and the second rates of the inputs.
-  template <typename Scalar>
-  static void special_point_accelerations(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
-      const Vector<Scalar, unknown_count>&, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>&, Matrix<Scalar, 2 * closure_link_count, 2>& a) {
-
   }
 
   /// What the elimination divides by: p, the core's pivots first. Beside it the size that each

@@ -24,7 +24,7 @@ namespace assur::dyad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
-
+///   none: every link has an external joint
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     10, 10, 0
@@ -40,10 +40,6 @@ namespace assur::dyad {
 ///   link_velocities:              6, 4, 0
 ///   link_accelerations:           14, 8, 0
 ///   pose_curvatures:              10, 2, 0
-///   special_point_lines:          0, 0, 0
-///   special_point_lengths:        0, 0, 0
-///   special_point_velocities:     0, 0, 0
-///   special_point_accelerations:  0, 0, 0
 ///   degeneracies:                 0, 0, 0
 ///   inverse_jacobian:             5, 2, 1
 ///   sensitivities:                16, 9, 1
@@ -65,7 +61,7 @@ struct Model04 {
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 0;
-  static constexpr bool has_special_points = true;
+  static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 1;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 1;    ///< of the final polynomial
@@ -452,43 +448,6 @@ struct Model04 {
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     p(0, 0) = -omega_B * (Scalar(2) * u.phi_B.sin * v_s_B + omega_B * slide_B_x);
     p(0, 1) = omega_B * (Scalar(2) * u.phi_B.cos * v_s_B - omega_B * slide_B_y);
-  }
-
-  /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the
-  /// link's frame, in the directions of the fixed frame.
-  template <typename Scalar>
-  static void special_point_lines(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
-
-  }
-
-  /// The signed lengths L: on side i of its link a special point at S moves by
-  /// the sum over k of L(i, k) dq_k/dt along the unit normal n of its line.
-  template <typename Scalar>
-  static void special_point_lengths(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
-      const Matrix<Scalar, 2 * closure_link_count, 2>&,
-      Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
-
-  }
-
-  /// The velocity of each special point by each side, less what dq/dt adds.
-  template <typename Scalar>
-  static void special_point_velocities(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
-      const Vector<Scalar, input_count>&, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
-
-  }
-
-  /// The acceleration of each special point by each side, less what d2q/dt2 adds:
-  /// centripetal and Coriolis terms, and the second rates of the inputs.
-  template <typename Scalar>
-  static void special_point_accelerations(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
-      const Vector<Scalar, unknown_count>&, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>&, Matrix<Scalar, 2 * closure_link_count, 2>& a) {
-
   }
 
   /// What the elimination divides by: p, the core's pivots first. Beside it the size that each

@@ -24,7 +24,7 @@ namespace assur::dyad {
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
 /// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
-
+///   none: every link has an external joint
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     8, 10, 0
@@ -40,10 +40,6 @@ namespace assur::dyad {
 ///   link_velocities:              16, 12, 0
 ///   link_accelerations:           32, 20, 0
 ///   pose_curvatures:              32, 12, 0
-///   special_point_lines:          0, 0, 0
-///   special_point_lengths:        0, 0, 0
-///   special_point_velocities:     0, 0, 0
-///   special_point_accelerations:  0, 0, 0
 ///   degeneracies:                 2, 1, 0
 ///   inverse_jacobian:             9, 4, 1
 ///   sensitivities:                18, 9, 1
@@ -65,7 +61,7 @@ struct Model05 {
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 0;
-  static constexpr bool has_special_points = true;
+  static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 1;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 1;    ///< of the final polynomial
@@ -515,43 +511,6 @@ struct Model05 {
         - Scalar(2) * u.phi_D.cos * v_h_D_CD);
     p(1, 1) = -omega_D * (omega_D * (slide_D_y + DC_y) - Scalar(2) * u.phi_D.cos * v_s_D
         - Scalar(2) * u.phi_D.sin * v_h_D_CD);
-  }
-
-  /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the
-  /// link's frame, in the directions of the fixed frame.
-  template <typename Scalar>
-  static void special_point_lines(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
-
-  }
-
-  /// The signed lengths L: on side i of its link a special point at S moves by
-  /// the sum over k of L(i, k) dq_k/dt along the unit normal n of its line.
-  template <typename Scalar>
-  static void special_point_lengths(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
-      const Matrix<Scalar, 2 * closure_link_count, 2>&,
-      Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
-
-  }
-
-  /// The velocity of each special point by each side, less what dq/dt adds.
-  template <typename Scalar>
-  static void special_point_velocities(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
-      const Vector<Scalar, input_count>&, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
-
-  }
-
-  /// The acceleration of each special point by each side, less what d2q/dt2 adds:
-  /// centripetal and Coriolis terms, and the second rates of the inputs.
-  template <typename Scalar>
-  static void special_point_accelerations(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
-      const Vector<Scalar, unknown_count>&, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>&, Matrix<Scalar, 2 * closure_link_count, 2>& a) {
-
   }
 
   /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
