@@ -6,6 +6,10 @@
 #include <assur/second_order.hpp>
 #include <assur/singularity.hpp>
 #include <assur/special_points.hpp>
+#include <assur/dyad/models.hpp>
 #include <assur/tetrad/models.hpp>
+#include <assur/triad/models.hpp>
 
+static_assert(std::tuple_size_v<assur::dyad::Models> == 6);
+static_assert(std::tuple_size_v<assur::triad::Models> == 20);
 static_assert(std::tuple_size_v<assur::tetrad::Models> == 24);

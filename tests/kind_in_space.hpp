@@ -145,8 +145,10 @@ struct KindInSpace {
       }
       return forms[slot].shift[place];
     };
-    return bodies.displacement(bodies.joints[player(joint)]) - shift_on(at.second) +
-           shift_on(at.first);
+    // A relabelling may exchange the two links of a joint, and with them the slide's sense.
+    const BodyJoint& played = bodies.joints[player(joint)];
+    const Real sense = played.second == playing_link(at.second) ? 1 : -1;
+    return sense * bodies.displacement(played) - shift_on(at.second) + shift_on(at.first);
   }
 
   /// Where the bodies stand, as a model's unknowns.

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <assur/dyad/models.hpp>
 #include <assur/tetrad/models.hpp>
+#include <assur/triad/models.hpp>
 #include <string>
 #include <tuple>
 
@@ -16,8 +18,9 @@ struct TypesOf<std::tuple<Models...>> {
   using Type = testing::Types<Models...>;
 };
 
-/// Every generated model; a law is one typed suite over these.
-using AllModels = TypesOf<tetrad::Models>::Type;
+/// Every generated model of every group; a law is one typed suite over these.
+using AllModelsTuple = decltype(std::tuple_cat(dyad::Models(), triad::Models(), tetrad::Models()));
+using AllModels = TypesOf<AllModelsTuple>::Type;
 
 template <typename Model>
 std::string model_name() {

@@ -56,9 +56,10 @@ struct Counting {
 };
 
 /// The counts that a model's header states, by function.
-std::map<std::string, Count> stated_counts(int model) {
+std::map<std::string, Count> stated_counts(int model, const std::string& group = "tetrad") {
   std::ostringstream name;
-  name << ASSUR_GENERATED "/assur/tetrad/model_" << (model < 10 ? "0" : "") << model << ".hpp";
+  name << ASSUR_GENERATED "/assur/" << group << "/model_" << (model < 10 ? "0" : "") << model
+       << ".hpp";
   std::ifstream file(name.str());
   const std::regex row(R"(///   (\w+): +(\d+), (\d+), (\d+))");
   std::map<std::string, Count> counts;
@@ -70,6 +71,21 @@ std::map<std::string, Count> stated_counts(int model) {
     }
   }
   return counts;
+}
+
+/// Variables, none of which is a constant of the text.
+template <typename Variables>
+Variables variables() {
+  Variables result;
+  const auto set = [](auto& member) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(member)>, Counting>) {
+      member = Counting();
+    } else {
+      member = {Counting(), Counting()};
+    }
+  };
+  std::apply([&](auto&... member) { (set(member), ...); }, result.members());
+  return result;
 }
 
 template <typename Use>
@@ -86,11 +102,11 @@ TYPED_TEST_SUITE(Operations, AllModels, ModelNames);
 
 TYPED_TEST(Operations, AreAsManyAsTheHeaderStates) {
   using Model = TypeParam;
-  const std::map<std::string, Count> stated = stated_counts(Model::number);
+  const std::map<std::string, Count> stated = stated_counts(Model::number, Model::group);
   ASSERT_FALSE(stated.empty());
-  const typename Model::template Dimensions<Counting> d;
-  const typename Model::template Inputs<Counting> u;
-  const typename Model::template Configuration<Counting> q;
+  const auto d = variables<typename Model::template Dimensions<Counting>>();
+  const auto u = variables<typename Model::template Inputs<Counting>>();
+  const auto q = variables<typename Model::template Configuration<Counting>>();
   Matrix<Counting, Model::equation_count, Model::unknown_count> jacobian;
   Vector<Counting, Model::equation_count> rhs;
   Vector<Counting, Model::unknown_count> q1;

@@ -34,7 +34,11 @@ class SpecialPointDerivation {
       : equations_(equations), derivatives_(derivatives), group_(*equations.model->group) {}
 
   SpecialPoints run() {
-    for (const int link : closure_links(group_)) {
+    const std::vector<int> links = closure_links(group_);
+    if (links.empty()) {
+      return {{}, false, "every link has an external joint"};
+    }
+    for (const int link : links) {
       add_point(link);
       if (!result_.reason.empty()) {
         result_.defined = false;

@@ -117,9 +117,10 @@ class LoopReduction {
 
   void reduce_loop(const LoopVector& loop) {
     const std::vector<const Variable*> slides = own_unknowns(loop, false);
-    if (slides.size() == 2) {
+    // Two slides that are all the unknowns there are: one of them stays for the final polynomial.
+    if (slides.size() == 2 && equations_.unknowns.size() > 2) {
       solve_two_slides(loop, *slides[0], *slides[1]);
-    } else if (slides.size() == 1) {
+    } else if (!slides.empty()) {
       project(loop, *slides[0]);
     } else {
       square(loop);

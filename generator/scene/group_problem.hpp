@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scene/link_state.hpp"
+#include "structure/kind.hpp"
 
 namespace assur::generator {
 
@@ -40,18 +41,17 @@ struct GroupSolution {
   std::vector<GroupState> states;
 };
 
-/// Assembles the tetrad model of a number, with rates and gradients, and with Hessians where those
-/// of the problem's numbers are carried; NaN where the Jacobian has no inverse.
-[[nodiscard]] GroupSolution solve_tetrad(int model, const GroupProblem& problem);
+/// Assembles a group of a model, with rates and gradients.
+[[nodiscard]] GroupSolution solve_group(const Model& model, const GroupProblem& problem);
 
-/// What a tetrad model is before any numbers: whether it is rigid, and its generic mobility.
+/// What a model is before any numbers: whether it is rigid, and its generic mobility.
 struct ModelVerdict {
   bool rigid;
   int mobility;
 };
-[[nodiscard]] ModelVerdict tetrad_verdict(int model);
+[[nodiscard]] ModelVerdict verdict_of(const Model& model);
 
-/// Whether a degenerate tetrad model can be assembled: its angles are compatible.
-[[nodiscard]] bool tetrad_is_compatible(int model, const GroupProblem& problem);
+/// Whether a group of a degenerate model can be assembled: its angles are compatible.
+[[nodiscard]] bool is_compatible(const Model& model, const GroupProblem& problem);
 
 }  // namespace assur::generator

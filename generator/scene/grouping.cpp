@@ -1,6 +1,7 @@
 #include "scene/grouping.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <tuple>
 
@@ -50,8 +51,8 @@ Kind kind_of(const Mechanism& mechanism, const std::vector<int>& joints) {
 
 }  // namespace
 
-std::vector<FoundGroup> find_group(const Mechanism& mechanism, const std::vector<int>& moving,
-                                   const std::vector<int>& joints) {
+std::optional<FoundGroup> find_group(const Mechanism& mechanism, const std::vector<int>& moving,
+                                     const std::vector<int>& joints) {
   for (const Group& group : known_groups()) {
     if (group.links().size() != moving.size() || group.joints().size() != joints.size()) {
       continue;
@@ -80,9 +81,52 @@ std::vector<FoundGroup> find_group(const Mechanism& mechanism, const std::vector
         found.assignments.push_back(std::move(assignment));
       }
     }
-    return {found};
+    return found;
   }
-  return {};
+  return std::nullopt;
+}
+
+int assur_class_of(const Mechanism& mechanism, const std::vector<int>& moving,
+                   const std::vector<int>& joints) {
+  int largest = 2;
+  for (const int link : moving) {
+    const auto count = std::count_if(joints.begin(), joints.end(), [&](int index) {
+      const MechanismJoint& joint = mechanism.joints[static_cast<std::size_t>(index)];
+      return joint.first == link || joint.second == link;
+    });
+    // A link whose joints all lead into the group closes a contour; with one that leads out, the
+    // other two lie on a contour of several links.
+    const bool inner = std::all_of(joints.begin(), joints.end(), [&](int index) {
+      const MechanismJoint& joint = mechanism.joints[static_cast<std::size_t>(index)];
+      const bool own = joint.first == link || joint.second == link;
+      const int other = joint.first == link ? joint.second : joint.first;
+      return !own || std::find(moving.begin(), moving.end(), other) != moving.end();
+    });
+    largest = inner ? std::max(largest, static_cast<int>(count)) : largest;
+  }
+  // The longest walk over different links that comes back to where it began.
+  std::vector<int> walk;
+  const std::function<void(int)> extend = [&](int link) {
+    walk.push_back(link);
+    for (const int index : joints) {
+      const MechanismJoint& joint = mechanism.joints[static_cast<std::size_t>(index)];
+      if (joint.first != link && joint.second != link) {
+        continue;
+      }
+      const int next = joint.first == link ? joint.second : joint.first;
+      if (next == walk.front() && walk.size() > 2) {
+        largest = std::max(largest, static_cast<int>(walk.size()));
+      } else if (std::find(moving.begin(), moving.end(), next) != moving.end() &&
+                 std::find(walk.begin(), walk.end(), next) == walk.end()) {
+        extend(next);
+      }
+    }
+    walk.pop_back();
+  };
+  for (const int link : moving) {
+    extend(link);
+  }
+  return largest;
 }
 
 }  // namespace assur::generator

@@ -1,6 +1,7 @@
 // Turns the links that no driver places into a group of known structure: kind, model and roles.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,11 +24,16 @@ struct FoundGroup {
   std::vector<RoleAssignment> assignments;
 };
 
-/// The group that `moving` links form with `joints`, all others being placed; empty if none of
+/// The group that `moving` links form with `joints`, all others being placed; nothing if none of
 /// the known groups has this graph. The kind is spelled from the first of the group's links in the
 /// scene's order, and then from its first joints.
-[[nodiscard]] std::vector<FoundGroup> find_group(const Mechanism& mechanism,
-                                                 const std::vector<int>& moving,
-                                                 const std::vector<int>& joints);
+[[nodiscard]] std::optional<FoundGroup> find_group(const Mechanism& mechanism,
+                                                   const std::vector<int>& moving,
+                                                   const std::vector<int>& joints);
+
+/// Assur's class of a group: the number of joints on its largest closed contour, where a link of
+/// three joints or more is a contour of its own; two if it has none.
+[[nodiscard]] int assur_class_of(const Mechanism& mechanism, const std::vector<int>& moving,
+                                 const std::vector<int>& joints);
 
 }  // namespace assur::generator

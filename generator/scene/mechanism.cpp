@@ -64,23 +64,18 @@ Mechanism mechanism_of(const Scene& scene, const ParameterValues& values) {
       mechanism.joints.push_back({joint.name, number, false, pin.link, block, local(pin), centre});
       continue;
     }
-    // The links of a pin all join the ground if it is among them, or else the first.
-    std::size_t hub = 0;
-    for (std::size_t part = 0; part < joint.between.size(); ++part) {
-      if (joint.between[part].link == mechanism.ground) {
-        hub = part;
+    if (joint.between.size() > 2) {
+      MechanismPin pin{joint.name, number, {}, {}};
+      for (const FeatureReference& reference : joint.between) {
+        pin.links.push_back(reference.link);
+        pin.features.push_back(local(reference));
       }
+      mechanism.pins.push_back(std::move(pin));
+      continue;
     }
-    const bool pair = joint.between.size() == 2;
-    for (std::size_t part = 0; part < joint.between.size(); ++part) {
-      const std::size_t from = pair ? 0 : hub;
-      if (part == from) {
-        continue;
-      }
-      mechanism.joints.push_back({joint.name, number, joint.type == SceneJointType::prismatic,
-                                  joint.between[from].link, joint.between[part].link,
-                                  local(joint.between[from]), local(joint.between[part])});
-    }
+    mechanism.joints.push_back({joint.name, number, joint.type == SceneJointType::prismatic,
+                                joint.between[0].link, joint.between[1].link,
+                                local(joint.between[0]), local(joint.between[1])});
   }
   return mechanism;
 }

@@ -25,12 +25,22 @@ struct MechanismJoint {
   }
 };
 
-/// A mechanism of elementary joints. A pin of k links has become k - 1 joints, a pin in a slot a
-/// link of no size with a revolute and a prismatic joint, which stands behind the scene's links.
+/// A pin of three links or more. Which two of them each of its k - 1 joints joins is told by the
+/// order in which the links are placed.
+struct MechanismPin {
+  std::string name;
+  int scene_joint;
+  std::vector<int> links;
+  std::vector<LinkFeature<Dual>> features;  ///< in the order of the links
+};
+
+/// A mechanism of elementary joints. A pin in a slot has become a link of no size with a revolute
+/// and a prismatic joint, which stands behind the scene's links.
 struct Mechanism {
   std::vector<std::string> links;
   int ground = -1;  ///< index of the fixed frame, or -1 if the scene names none
   std::vector<MechanismJoint> joints;
+  std::vector<MechanismPin> pins;
 };
 
 /// Throws InputError for a line whose `along` has no length.

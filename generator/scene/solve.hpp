@@ -38,8 +38,9 @@ struct Solution {
   int undecided = 0;  ///< places where no arithmetic here tells whether there are configurations
 };
 
-/// Solves a scene of driven links and at most one group. Throws InputError for a scene of another
-/// structure.
+/// Solves a scene: the driven links, then its Assur groups one after the other; every combination
+/// of their configurations is one of the mechanism. Throws InputError for a scene that is over- or
+/// under-constrained, or holds a group that is not known.
 [[nodiscard]] Solution solve(const Scene& scene, const ParameterValues& values);
 
 }  // namespace assur::generator

@@ -158,6 +158,8 @@ std::string loop_name(const Group& group, const SpanningTree& tree, int chord) {
 
 const std::vector<Group>& known_groups() {
   static const std::vector<Group> groups = {
+      {"dyad", 2, {"BC", "CD"}, "BCD"},
+      {"triad", 3, {"CEG", "BC", "DE", "FG"}, "BC-DE-FG"},
       {"tetrad", 4, {"BCG", "EDF", "CD", "GF"}, "BCG-EDF"},
   };
   return groups;

@@ -1,0 +1,9 @@
+#include <assur/triad/models.hpp>
+
+#include "scene/model_state.hpp"
+
+namespace assur::generator {
+
+GroupFunctions triad_functions() { return functions_of<triad::Models>(); }
+
+}  // namespace assur::generator
