@@ -19,10 +19,12 @@ using generator::Scene;
 using generator::Solution;
 using Json = nlohmann::ordered_json;
 
-inline Json worked() {
-  std::ifstream file(ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json");
+inline Json example(const std::string& name) {
+  std::ifstream file(ASSUR_EXAMPLES "/" + name);
   return Json::parse(file);
 }
+
+inline Json worked() { return example("quintero_2011_rrp_rrr.json"); }
 
 inline std::vector<std::string> parameter_names(const Json& scene) {
   std::vector<std::string> names;
