@@ -277,7 +277,11 @@ std::string report_json(const SolvedScene& solved) {
                               {"links", solution.group_links[index]}});
   }
   root["configurations"] = Json::array();
-  for (const AssemblyConfiguration& configuration : solution.configurations) {
+  for (std::size_t number = 0; number < solution.configurations.size(); ++number) {
+    if (!solved.reports(number)) {
+      continue;
+    }
+    const AssemblyConfiguration& configuration = solution.configurations[number];
     Json entry;
     entry["links"] = Json::object();
     for (std::size_t link = 0; link < scene.links.size(); ++link) {
@@ -317,6 +321,9 @@ std::string report_text(const SolvedScene& solved) {
     text += "\n";
   }
   for (std::size_t index = 0; index < solution.configurations.size(); ++index) {
+    if (!solved.reports(index)) {
+      continue;
+    }
     const AssemblyConfiguration& configuration = solution.configurations[index];
     std::array<char, 32> residual{};
     (void)std::snprintf(residual.data(), residual.size(), "%.1e", configuration.residual);
@@ -372,10 +379,12 @@ std::string csv_header(const Scene& scene) {
 
 std::string csv_rows(const SolvedScene& solved) {
   std::string rows;
-  int number = 0;
-  for (const AssemblyConfiguration& configuration : solved.solution->configurations) {
-    rows += "0," + std::to_string(++number) +
-            csv_cells(*solved.scene, *solved.values, configuration) + "\n";
+  const std::vector<AssemblyConfiguration>& configurations = solved.solution->configurations;
+  for (std::size_t index = 0; index < configurations.size(); ++index) {
+    if (solved.reports(index)) {
+      rows += "0," + std::to_string(index + 1) +
+              csv_cells(*solved.scene, *solved.values, configurations[index]) + "\n";
+    }
   }
   return rows;
 }
