@@ -150,7 +150,8 @@ constexpr std::array<Fault, 65> faults = {{
      "{\"parameters\": [\"AB\", \"AG\", \"BE\"], \"matrix\": [[1, 0.9, 0], [0.9, 1, 0.9], [0, 0.9, "
      "1]]}",
      "covariance.matrix: not positive semi-definite"},
-    {"UnderConstrained", "/joints/E", "", "under-constrained"},
+    {"UnderConstrained", "/joints/E", "",
+     "links: under-constrained by 2: the links rod, lever, slider, bar keep a freedom"},
     {"NoGround", "/links/ground", "", "no link named 'ground'"},
 }};
 
@@ -227,6 +228,13 @@ TEST(BadArguments, UnknownFormat) {
 }
 TEST(BadArguments, UnknownModel) {
   expect_one_line(run_assur("emit --model 25 --output /tmp"), "no tetrad model 25");
+}
+TEST(BadArguments, UnknownModelOfAGroup) {
+  expect_one_line(run_assur("emit --group triad --model 21 --output /tmp"),
+                  "no triad model 21; the models are 1 to 20");
+}
+TEST(BadArguments, UnknownGroup) {
+  expect_one_line(run_assur("emit --group pentad --model 1 --output /tmp"), "--group: pentad");
 }
 TEST(BadArguments, OutputNotWritable) {
   expect_one_line(run_assur("emit --model 1 --output /dev/null/x"), "--output: cannot write");

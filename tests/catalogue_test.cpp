@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -79,12 +80,66 @@ TEST(Catalogue, ShowsWhereTheTablePrintsOtherwise) {
   EXPECT_EQ(disagreeing, (std::set<int>{7, 9, 12, 14, 15, 16, 17, 18, 20, 22}));
 }
 
-TEST(Catalogue, PrintsTextAndMarkdown) {
+/// Every word of R and P is in one orbit, and a model degenerates exactly where prismatic joints
+/// alone lead from ground to ground.
+TEST(Catalogue, HasTheDyadAndTheTriad) {
+  const Json others = catalogue()["other_groups"];
+  ASSERT_EQ(others.size(), 2U);
+  const std::vector<std::pair<const char*, std::array<int, 3>>> expected = {{"dyad", {2, 8, 6}},
+                                                                            {"triad", {3, 64, 20}}};
+  std::map<std::string, int> most;
+  for (std::size_t index = 0; index < expected.size(); ++index) {
+    const Json& group = others[index];
+    EXPECT_EQ(group["group"], expected[index].first);
+    EXPECT_EQ(group["class"], expected[index].second[0]);
+    EXPECT_EQ(group["kinds"], expected[index].second[1]);
+    EXPECT_EQ(group["models"].size(), static_cast<std::size_t>(expected[index].second[2]));
+    std::set<std::string> seen;
+    int number = 0;
+    for (const Json& model : group["models"]) {
+      EXPECT_EQ(model["model"], ++number);
+      EXPECT_FALSE(model.contains("paper"));
+      EXPECT_EQ(model["max_configurations"].is_null(), model["verdict"] == "degenerate");
+      for (const Json& entry : model["kinds"]) {
+        const auto kind = entry.get<std::string>();
+        EXPECT_TRUE(seen.insert(kind).second) << kind;
+        // All joints of the dyad, or every prismatic leg of the triad after the first, close a
+        // loop.
+        int held = kind == "PPP" ? 1 : 0;
+        if (kind.size() == 8) {
+          const int legs = (kind.substr(0, 2) == "PP" ? 1 : 0) +
+                           (kind.substr(3, 2) == "PP" ? 1 : 0) + (kind.substr(6) == "PP" ? 1 : 0);
+          held = std::max(0, legs - 1);
+        }
+        EXPECT_EQ(model["verdict"], held > 0 ? "degenerate" : "rigid") << kind;
+        EXPECT_EQ(model["mobility"], held) << kind;
+        most[kind] = held > 0 ? 0 : model["max_configurations"].get<int>();
+      }
+    }
+    EXPECT_EQ(seen.size(), static_cast<std::size_t>(expected[index].second[1]));
+  }
+  // What two curves have in common at most, one of them drawn by the rest of the group.
+  EXPECT_EQ(most["RRR"], 2);       // two circles
+  EXPECT_EQ(most["RRP"], 2);       // a circle and a line
+  EXPECT_EQ(most["PRP"], 1);       // two lines
+  EXPECT_EQ(most["RR-RR-RR"], 6);  // a coupler curve, tricircular of degree six, and a circle
+  EXPECT_EQ(most["PR-PR-RR"], 4);  // an ellipse and a circle
+  EXPECT_EQ(most["PR-PR-PR"], 2);  // an ellipse and a line
+}
+
+TEST(Catalogue, PrintsTextAndTheDocumentedMarkdown) {
   for (const char* format : {"text", "markdown"}) {
     const CommandResult result = run_assur(std::string("catalogue --format ") + format);
     EXPECT_EQ(result.status, 0);
+    EXPECT_NE(result.output.find("RR-RP-RR"), std::string::npos);
     EXPECT_NE(result.output.find("PPP-PPP"), std::string::npos);
     EXPECT_NE(result.output.find("PPR-PRR belongs to another row"), std::string::npos);
+    if (std::string(format) == "markdown") {
+      const std::string document = read_file(ASSUR_DOCS "/catalogue.md");
+      ASSERT_GT(document.size(), result.output.size());
+      EXPECT_TRUE(document.substr(document.size() - result.output.size()) == result.output)
+          << "docs/catalogue.md is not what `assur catalogue --format markdown` prints";
+    }
   }
 }
 

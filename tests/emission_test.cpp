@@ -43,6 +43,18 @@ TEST(Emission, CheckedInFilesAreCurrent) {
   EXPECT_EQ(result.status, 0) << result.messages;
 }
 
+TEST(Emission, WritesOneModelOfAGroup) {
+  for (const char* path : {"dyad/model_03.hpp", "triad/model_03.hpp", "tetrad/model_03.hpp"}) {
+    const TemporaryDirectory directory;
+    const std::string group = std::string(path).substr(0, std::string(path).find('/'));
+    const std::string chosen = group == "tetrad" ? "" : " --group " + group;
+    ASSERT_EQ(run_assur("emit --model 3 --output " + directory.path().string() + chosen).status, 0);
+    const std::string header = std::string("assur/") + path;
+    EXPECT_EQ(whole_tree(directory.path()),
+              header + "\n" + read_file(fs::path(ASSUR_GENERATED) / header));
+  }
+}
+
 TEST(Emission, CheckFindsAChangeAndWritesNothing) {
   const TemporaryDirectory directory;
   const std::string output = directory.path().string();

@@ -123,14 +123,47 @@ Json group_json(const Group& group) {
   return root;
 }
 
+/// Two tables: the models, with the columns of a printed table where there is one, and where their
+/// Jacobians are singular.
+std::string group_markdown(const Group& group) {
+  const bool printed = printed_table(group) != nullptr;
+  const std::vector<CatalogueEntry> entries = entries_of(group);
+  std::string text = "## " + group.name() + "\n\n" + std::to_string(all_kinds(group).size()) +
+                     " kinds, " + std::to_string(entries.size()) + " models.\n\n" +
+                     "| model | kinds | verdict | mobility | configurations at most |" +
+                     (printed ? " printed family | disagreement |\n|---|---|---|---|---|---|---|\n"
+                              : "\n|---|---|---|---|---|\n");
+  for (const CatalogueEntry& entry : entries) {
+    text +=
+        "| " + std::to_string(entry.model->number) + " | " + joined(entry.kinds, ", ") + " | " +
+        verdict(entry) + " | " + std::to_string(entry.mobility.freedom) + " | " +
+        (entry.mobility.rigid ? std::to_string(entry.max_configurations) : "") + " |" +
+        (printed ? " " + entry.printed->family + " | " + joined(entry.disagreements, "; ") + " |"
+                 : "") +
+        "\n";
+  }
+  text += "\n| model | determinant of the Jacobian | singular where |\n|---|---|---|\n";
+  for (const CatalogueEntry& entry : entries) {
+    if (entry.mobility.rigid) {
+      text += "| " + std::to_string(entry.model->number) + " | `" + entry.determinant + "` | " +
+              joined(entry.singular_where, ", ") + " |\n";
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string catalogue_json() {
-  Json groups = Json::array();
+  const Group& tetrad = group_named("tetrad");
+  Json root = group_json(tetrad);
+  root["other_groups"] = Json::array();
   for (const Group& group : known_groups()) {
-    groups.push_back(group_json(group));
+    if (&group != &tetrad) {
+      root["other_groups"].push_back(group_json(group));
+    }
   }
-  return (groups.size() == 1 ? groups[0] : groups).dump(2) + "\n";
+  return root.dump(2) + "\n";
 }
 
 std::string catalogue_text() {
@@ -142,7 +175,8 @@ std::string catalogue_text() {
       const std::string number = std::to_string(entry.model->number);
       text += std::string(5 - number.size(), ' ') + number + "  " + verdict(entry) + ", " +
               (entry.mobility.rigid
-                   ? "at most " + std::to_string(entry.max_configurations) + " configurations"
+                   ? "at most " + std::to_string(entry.max_configurations) +
+                         (entry.max_configurations == 1 ? " configuration" : " configurations")
                    : "mobility " + std::to_string(entry.mobility.freedom)) +
               "  " + joined(entry.kinds, ", ") + "\n";
       if (!entry.mobility.rigid) {
@@ -159,25 +193,7 @@ std::string catalogue_text() {
 std::string catalogue_markdown() {
   std::string text;
   for (const Group& group : known_groups()) {
-    const std::vector<CatalogueEntry> entries = entries_of(group);
-    text += "## " + group.name() + "\n\n" + std::to_string(all_kinds(group).size()) + " kinds, " +
-            std::to_string(models_of(group).size()) + " models.\n\n" +
-            "| model | kinds | verdict | mobility | configurations at most | printed family | "
-            "disagreement |\n|---|---|---|---|---|---|---|\n";
-    for (const CatalogueEntry& entry : entries) {
-      text += "| " + std::to_string(entry.model->number) + " | " + joined(entry.kinds, ", ") +
-              " | " + verdict(entry) + " | " + std::to_string(entry.mobility.freedom) + " | " +
-              (entry.mobility.rigid ? std::to_string(entry.max_configurations) : "") + " | " +
-              (entry.printed == nullptr ? "" : entry.printed->family) + " | " +
-              joined(entry.disagreements, "; ") + " |\n";
-    }
-    text += "\n| model | determinant of the Jacobian | singular where |\n|---|---|---|\n";
-    for (const CatalogueEntry& entry : entries) {
-      if (entry.mobility.rigid) {
-        text += "| " + std::to_string(entry.model->number) + " | `" + entry.determinant + "` | " +
-                joined(entry.singular_where, ", ") + " |\n";
-      }
-    }
+    text += (text.empty() ? "" : "\n") + group_markdown(group);
   }
   return text;
 }

@@ -5,7 +5,7 @@
 
 namespace assur::generator {
 
-/// One JSON object a group; a list of them if there are several groups.
+/// The JSON object of the tetrad, with those of the other groups in its list `other_groups`.
 [[nodiscard]] std::string catalogue_json();
 /// A table a group. Where a printed table disagrees with the derivation, both are shown.
 [[nodiscard]] std::string catalogue_text();

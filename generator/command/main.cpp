@@ -1,5 +1,6 @@
 // The command `assur`: each subcommand is one pass through the pipeline.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <functional>
 #include <iostream>
 
@@ -31,6 +32,7 @@ int run_catalogue(const CatalogueOptions& options) {
 struct EmitOptions {
   bool all = false;
   int model = 0;
+  std::string group = "tetrad";
   std::string output;
   bool check = false;
 };
@@ -40,14 +42,15 @@ int run_emit(const EmitOptions& options) {
   if (options.all) {
     files = emit_all();
   } else {
-    for (const Model& model : models_of(group_named("tetrad"))) {
+    const std::vector<Model>& models = models_of(group_named(options.group));
+    for (const Model& model : models) {
       if (model.number == options.model) {
         files.push_back(emit_model(model));
       }
     }
     if (files.empty()) {
-      throw InputError("--model: no tetrad model " + std::to_string(options.model) +
-                       "; the models are 1 to 24");
+      throw InputError("--model: no " + options.group + " model " + std::to_string(options.model) +
+                       "; the models are 1 to " + std::to_string(models.size()));
     }
   }
   if (!options.check) {
@@ -66,7 +69,16 @@ struct SolveOptions {
   std::string scene;
   std::vector<std::string> settings;
   std::string format = "text";
+  int branch = 0;
 };
+
+/// `--branch` must name one of `count` configurations or branches.
+void expect_branch(const SolveOptions& options, int count, const std::string& what) {
+  if (options.branch > count) {
+    throw InputError(options.scene + ": --branch: no " + what + " " +
+                     std::to_string(options.branch) + "; there are " + std::to_string(count));
+  }
+}
 
 int run_solve(const SolveOptions& options) {
   const Scene scene = read_scene(options.scene, options.settings);
@@ -85,13 +97,23 @@ int run_solve(const SolveOptions& options) {
   if (options.format == "csv" && scene.sweep) {
     ProgressBar bar(scene.sweep->count);
     text = csv_header(scene);
-    sweep(scene, {[&](const SweepRecord& record) { text += csv_row(scene, record); }, judge,
-                  [&](int done) { bar.show(done); }});
+    int last_branch = 0;
+    const auto record = [&](const SweepRecord& row) {
+      last_branch = std::max(last_branch, row.branch);
+      if (options.branch == 0 || row.branch == options.branch) {
+        text += csv_row(scene, row);
+      }
+    };
+    sweep(scene, {record, judge, [&](int done) { bar.show(done); }});
+    expect_branch(options, last_branch, "branch");
   } else {
     const ParameterValues values(scene);
     const Solution solution = solve(scene, values);
-    const SolvedScene solved{&scene, &values, &solution};
+    const SolvedScene solved{&scene, &values, &solution, options.branch};
     judge(solution);
+    if (solution.status != SolutionStatus::degenerate) {
+      expect_branch(options, static_cast<int>(solution.configurations.size()), "configuration");
+    }
     text = options.format == "csv"    ? csv_header(scene) + csv_rows(solved)
            : options.format == "json" ? report_json(solved)
                                       : report_text(solved);
@@ -99,6 +121,14 @@ int run_solve(const SolveOptions& options) {
   std::cerr << messages;
   std::cout << text;
   return verdict;
+}
+
+std::vector<std::string> group_names() {
+  std::vector<std::string> names;
+  for (const Group& group : known_groups()) {
+    names.push_back(group.name());
+  }
+  return names;
 }
 
 int run(int argc, char** argv) {
@@ -120,8 +150,11 @@ int run(int argc, char** argv) {
   command = app.add_subcommand("emit", "write the C++ of the models");
   auto* what = command->add_option_group("what");
   what->add_flag("--all", emit.all, "every model of every group");
-  what->add_option("--model", emit.model, "one tetrad model, by its number");
+  what->add_option("--model", emit.model, "one model of a group, by its number");
   what->require_option(1);
+  command->add_option("--group", emit.group, "the group that --model means")
+      ->check(CLI::IsMember(group_names()))
+      ->capture_default_str();
   command->add_option("--output", emit.output, "directory to write to")->required();
   command->add_flag("--check", emit.check, "write nothing; exit 1 if what is there differs");
   command->callback([&] { chosen = [&] { return run_emit(emit); }; });
@@ -135,6 +168,11 @@ int run(int argc, char** argv) {
   command->add_option("--format", solve.format)
       ->check(CLI::IsMember({"text", "json", "csv"}))
       ->capture_default_str();
+  command
+      ->add_option("--branch", solve.branch,
+                   "report configuration N alone; of a sweep, the rows of branch N")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
   command->callback([&] { chosen = [&] { return run_solve(solve); }; });
 
   try {

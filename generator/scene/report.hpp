@@ -14,6 +14,11 @@ struct SolvedScene {
   const Scene* scene;
   const ParameterValues* values;
   const Solution* solution;
+  int branch = 0;  ///< number of the one configuration to report, or 0 for all
+
+  [[nodiscard]] bool reports(std::size_t configuration) const {
+    return branch == 0 || configuration + 1 == static_cast<std::size_t>(branch);
+  }
 };
 
 /// The contract's JSON object.

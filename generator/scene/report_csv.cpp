@@ -113,10 +113,12 @@ std::string csv_header(const Scene& scene) {
 
 std::string csv_rows(const SolvedScene& solved) {
   std::string rows;
-  int number = 0;
-  for (const AssemblyConfiguration& configuration : solved.solution->configurations) {
-    rows += "0," + std::to_string(++number) +
-            csv_cells(*solved.scene, *solved.values, configuration) + "\n";
+  const std::vector<AssemblyConfiguration>& configurations = solved.solution->configurations;
+  for (std::size_t index = 0; index < configurations.size(); ++index) {
+    if (solved.reports(index)) {
+      rows += "0," + std::to_string(index + 1) +
+              csv_cells(*solved.scene, *solved.values, configurations[index]) + "\n";
+    }
   }
   return rows;
 }

@@ -107,7 +107,11 @@ std::string report_json(const SolvedScene& solved) {
                               {"links", solution.group_links[index]}});
   }
   root["configurations"] = Json::array();
-  for (const AssemblyConfiguration& configuration : solution.configurations) {
+  for (std::size_t number = 0; number < solution.configurations.size(); ++number) {
+    if (!solved.reports(number)) {
+      continue;
+    }
+    const AssemblyConfiguration& configuration = solution.configurations[number];
     Json entry;
     entry["links"] = Json::object();
     for (std::size_t link = 0; link < scene.links.size(); ++link) {

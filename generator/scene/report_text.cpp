@@ -133,6 +133,9 @@ std::string report_text(const SolvedScene& solved) {
     text += "\n";
   }
   for (std::size_t index = 0; index < solution.configurations.size(); ++index) {
+    if (!solved.reports(index)) {
+      continue;
+    }
     const AssemblyConfiguration& configuration = solution.configurations[index];
     std::array<char, 32> residual{};
     (void)std::snprintf(residual.data(), residual.size(), "%.1e", configuration.residual);

@@ -146,19 +146,21 @@ class MechanismSolver {
 
   void expect_balance(const Decomposition& decomposition) const {
     const Imbalance& over = decomposition.overloaded;
-    if (over.surplus > 0) {
-      fail("joints", "over-constrained by " + std::to_string(over.surplus) + ": the joints " +
-                         listed(over.joints) +
-                         (over.links.empty() ? " join links that are placed already"
-                                             : " hold the links " + listed(over.links) +
-                                                   " more often than they can move") +
-                         "; take a joint or a driver away");
-    }
     const Imbalance& under = decomposition.free;
+    const std::string excess = "over-constrained by " + std::to_string(over.surplus) +
+                               ": the joints " + listed(over.joints) +
+                               (over.links.empty() ? " join links that are placed already"
+                                                   : " hold the links " + listed(over.links) +
+                                                         " more often than they can move") +
+                               "; take a joint or a driver away";
+    const std::string lack = "under-constrained by " + std::to_string(under.surplus) +
+                             ": the links " + listed(under.links) +
+                             " keep a freedom; drive one of their joints, or add a joint";
+    if (over.surplus > 0) {
+      fail("joints", excess + (under.surplus > 0 ? "; elsewhere " + lack : ""));
+    }
     if (under.surplus > 0) {
-      fail("links", "under-constrained by " + std::to_string(under.surplus) + ": the links " +
-                        listed(under.links) +
-                        " keep a freedom; drive one of their joints, or add a joint");
+      fail("links", lack);
     }
   }
 

@@ -1,0 +1,284 @@
+// Checks every example scene, and whatever else is put beside them: it assembles all along its
+// sweep, and rigid bodies that know no groups agree with all that the solver says.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "largest.hpp"
+#include "richardson.hpp"
+#include "rigid_scene.hpp"
+#include "scene/solve.hpp"
+
+namespace assur::test {
+namespace {
+
+namespace fs = std::filesystem;
+using generator::AssemblyConfiguration;
+using generator::ParameterValues;
+using generator::Scene;
+using generator::Solution;
+using generator::SolutionStatus;
+
+std::vector<std::string> example_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(ASSUR_EXAMPLES)) {
+    if (entry.path().extension() == ".json") {
+      names.push_back(entry.path().stem().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string setting(const std::string& name, double value) {
+  std::array<char, 40> text{};
+  (void)std::snprintf(text.data(), text.size(), "=%.17g", value);
+  return name + text.data();
+}
+
+/// An example at one value of its swept parameter, or as it stands.
+struct Position {
+  Scene scene;
+  ParameterValues values;
+
+  Position(const std::string& file, const std::vector<std::string>& settings)
+      : scene(generator::read_scene(file, settings)), values(scene) {}
+};
+
+class Example : public testing::TestWithParam<std::string> {
+ protected:
+  [[nodiscard]] static std::string file() {
+    return (fs::path(ASSUR_EXAMPLES) / (GetParam() + ".json")).string();
+  }
+
+  /// Settings for `count` places along the sweep, away from its ends and from round angles.
+  [[nodiscard]] static std::vector<std::vector<std::string>> places(int count) {
+    const Scene scene = generator::read_scene(file(), {});
+    if (!scene.sweep) {
+      return {{}};
+    }
+    const ParameterValues values(scene);
+    const double from = values.value(scene.sweep->from).value();
+    const double to = values.value(scene.sweep->to).value();
+    const std::string& name =
+        scene.parameters[static_cast<std::size_t>(scene.sweep->parameter)].name;
+    std::vector<std::vector<std::string>> result;
+    for (int place = 0; place < count; ++place) {
+      result.push_back({setting(name, from + (to - from) * (place + 0.37) / count)});
+    }
+    return result;
+  }
+};
+
+/// The pose of every moving link, as rigid bodies have it.
+RealVector coordinates(const RigidScene& rigid, const AssemblyConfiguration& configuration) {
+  RealVector q(rigid.size());
+  for (std::size_t link = 0; link < configuration.links.size(); ++link) {
+    const Eigen::Index first = rigid.coordinate(link);
+    if (first >= 0) {
+      const generator::LinkState& state = configuration.links[link];
+      q(first) = state.x.value();
+      q(first + 1) = state.y.value();
+      q(first + 2) = std::atan2(static_cast<Real>(state.direction.sin.value()),
+                                static_cast<Real>(state.direction.cos.value()));
+    }
+  }
+  return q;
+}
+
+/// Largest difference of poses: lengths as parts of the reach, angles modulo a turn.
+Real distance(const RigidScene& rigid, const RealVector& one, const RealVector& other) {
+  Real worst = 0;
+  for (Eigen::Index index = 0; index < one.size(); ++index) {
+    const Real difference = one(index) - other(index);
+    worst =
+        largest(worst, index % 3 == 2 ? std::abs(std::remainder(difference, 2 * std::acos(-1.0L)))
+                                      : std::abs(difference) / rigid.reach());
+  }
+  return worst;
+}
+
+/// Difference of two vectors as a part of the larger of them.
+template <typename One, typename Other>
+double relative(const One& one, const Other& other, double unit) {
+  const Real size =
+      std::max({static_cast<Real>(one.cwiseAbs().maxCoeff()),
+                static_cast<Real>(other.cwiseAbs().maxCoeff()), static_cast<Real>(unit)});
+  return static_cast<double>((one - other).cwiseAbs().maxCoeff() / size);
+}
+
+TEST_P(Example, AssemblesAllAlongItsSweep) {
+  std::size_t least = 1000;
+  std::size_t most = 0;
+  for (const auto& settings : places(60)) {
+    const Position at(file(), settings);
+    const Solution solution = generator::solve(at.scene, at.values);
+    EXPECT_EQ(solution.status, SolutionStatus::ok) << (settings.empty() ? "" : settings[0]);
+    EXPECT_EQ(solution.undecided, 0);
+    least = std::min(least, solution.configurations.size());
+    most = std::max(most, solution.configurations.size());
+  }
+  std::cout << least << " to " << most << " configurations\n";
+}
+
+TEST_P(Example, AgreesWithRigidBodiesInMotion) {
+  double closure = 0;
+  double pose = 0;
+  double velocity = 0;
+  double acceleration = 0;
+  double joints = 0;
+  double points = 0;
+  int count = 0;
+  for (const auto& settings : places(6)) {
+    const Position at(file(), settings);
+    const RigidScene rigid(at.scene, at.values);
+    const Solution solution = generator::solve(at.scene, at.values);
+    for (const AssemblyConfiguration& configuration : solution.configurations) {
+      SCOPED_TRACE((settings.empty() ? "" : settings[0]) + ", configuration " +
+                   std::to_string(++count));
+      const RealVector listed = coordinates(rigid, configuration);
+      ASSERT_EQ(rigid.values_of(listed).size(), rigid.size());
+      closure = largest(closure, static_cast<double>(rigid.values_of(listed).cwiseAbs().maxCoeff() /
+                                                     rigid.reach()));
+      RealVector q = listed;
+      ASSERT_TRUE(rigid.assemble(q));
+      pose = largest(pose, static_cast<double>(distance(rigid, q, listed)));
+      const RealVector v = rigid.velocity(q);
+      const RealVector a = rigid.acceleration(q, v);
+      RealVector listed_v(rigid.size());
+      RealVector listed_a(rigid.size());
+      for (std::size_t link = 0; link < configuration.links.size(); ++link) {
+        const Eigen::Index first = rigid.coordinate(link);
+        if (first >= 0) {
+          listed_v.segment(first, 3) = configuration.links[link].velocity.cast<Real>();
+          listed_a.segment(first, 3) = configuration.links[link].acceleration.cast<Real>();
+        }
+      }
+      velocity = largest(velocity, relative(listed_v, v, 1e-9));
+      acceleration = largest(acceleration, relative(listed_a, a, 1e-9));
+      for (const generator::JointState& state : configuration.joints) {
+        const auto joint =
+            std::find_if(at.scene.joints.begin(), at.scene.joints.end(),
+                         [&](const auto& candidate) { return candidate.name == state.name; });
+        ASSERT_NE(joint, at.scene.joints.end());
+        const RigidScene::Jet moved = rigid.displacement(*joint, q, v, a);
+        const Eigen::Vector3d listed_joint(state.displacement.value(), state.velocity,
+                                           state.acceleration);
+        const Eigen::Vector3d own(static_cast<double>(moved.c0), static_cast<double>(moved.c1),
+                                  static_cast<double>(2 * moved.c2));
+        joints = largest(joints, relative(listed_joint, own, 1));
+      }
+      ASSERT_EQ(configuration.outputs.size(), at.scene.outputs.size());
+      for (std::size_t output = 0; output < at.scene.outputs.size(); ++output) {
+        const generator::PointState& state = configuration.outputs[output];
+        const auto [x, y] = rigid.point(at.scene.outputs[output].point, q, v, a);
+        Eigen::Matrix<double, 6, 1> own;
+        own << static_cast<double>(x.c0), static_cast<double>(y.c0), static_cast<double>(x.c1),
+            static_cast<double>(y.c1), static_cast<double>(2 * x.c2), static_cast<double>(2 * y.c2);
+        Eigen::Matrix<double, 6, 1> listed_point;
+        listed_point << state.x.value(), state.y.value(), state.velocity, state.acceleration;
+        points = largest(points, relative(listed_point, own, 1));
+      }
+    }
+  }
+  std::cout << count << " configurations; relative errors: closure " << closure << ", pose " << pose
+            << ", velocity " << velocity << ", acceleration " << acceleration << ", joints "
+            << joints << ", points " << points << '\n';
+  EXPECT_GT(count, 0);
+  EXPECT_LT(closure, 1e-15);
+  EXPECT_LT(pose, 1e-13);
+  EXPECT_LT(velocity, 1e-11);
+  EXPECT_LT(acceleration, 1e-11);
+  EXPECT_LT(joints, 1e-11);
+  EXPECT_LT(points, 1e-11);
+}
+
+/// Sensitivities of all outputs against re-assembled bodies with one parameter moved.
+TEST_P(Example, SensitivitiesAreDifferencesOfRigidBodies) {
+  double worst = 0;
+  int count = 0;
+  for (const auto& settings : places(2)) {
+    const Position at(file(), settings);
+    const Solution solution = generator::solve(at.scene, at.values);
+    const RigidScene rigid(at.scene, at.values);
+    for (std::size_t index = 0; index < at.scene.parameters.size(); ++index) {
+      const std::string& name = at.scene.parameters[index].name;
+      const double value = at.values.parameters()[index].value();
+      for (const AssemblyConfiguration& configuration : solution.configurations) {
+        const RealVector start = coordinates(rigid, configuration);
+        const auto outputs = [&](double offset) -> Eigen::VectorXd {
+          std::vector<std::string> moved = settings;
+          moved.push_back(setting(name, value + offset));
+          const Position there(file(), moved);
+          const RigidScene bodies(there.scene, there.values);
+          RealVector q = start;
+          EXPECT_TRUE(bodies.assemble(q));
+          const RealVector zero = RealVector::Zero(q.size());
+          Eigen::VectorXd result(2 * static_cast<Eigen::Index>(at.scene.outputs.size()));
+          for (std::size_t output = 0; output < at.scene.outputs.size(); ++output) {
+            const auto [x, y] = bodies.point(at.scene.outputs[output].point, q, zero, zero);
+            const auto row = 2 * static_cast<Eigen::Index>(output);
+            result(row) = static_cast<double>(x.c0);
+            result(row + 1) = static_cast<double>(y.c0);
+          }
+          return result;
+        };
+        const auto difference =
+            best_richardson<Eigen::VectorXd>(outputs, 1e-3 * std::max(1.0, std::abs(value)), 2);
+        Eigen::VectorXd listed(difference.derivative.size());
+        for (std::size_t output = 0; output < at.scene.outputs.size(); ++output) {
+          const auto row = 2 * static_cast<Eigen::Index>(output);
+          const auto entry = static_cast<Eigen::Index>(index);
+          listed(row) = configuration.outputs[output].x.derivatives()(entry);
+          listed(row + 1) = configuration.outputs[output].y.derivatives()(entry);
+        }
+        worst = largest(worst, relative(listed, difference.derivative, 1));
+        ++count;
+      }
+    }
+  }
+  std::cout << count << " sensitivities of all outputs; relative error " << worst << '\n';
+  EXPECT_GT(count, 0);
+  EXPECT_LT(worst, 1e-9);
+}
+
+/// Newton's method from many places finds nothing that is not listed.
+TEST_P(Example, ListsWhateverNewtonFinds) {
+  constexpr int starts = 120;
+  constexpr unsigned seed = 20;
+  for (const auto& settings : places(2)) {
+    const Position at(file(), settings);
+    const RigidScene rigid(at.scene, at.values);
+    const Solution solution = generator::solve(at.scene, at.values);
+    std::vector<bool> found(solution.configurations.size(), false);
+    std::mt19937 engine(seed);
+    int arrived = 0;
+    for (int start = 0; start < starts; ++start) {
+      RealVector q = rigid.scattered(engine);
+      if (!rigid.assemble(q, 40)) {
+        continue;
+      }
+      ++arrived;
+      bool known = false;
+      for (std::size_t index = 0; index < found.size(); ++index) {
+        if (distance(rigid, q, coordinates(rigid, solution.configurations[index])) < 1e-9) {
+          known = true;
+          found[index] = true;
+        }
+      }
+      EXPECT_TRUE(known) << "start " << start << " of seed " << seed << " found\n" << q.transpose();
+    }
+    const auto reached = std::count(found.begin(), found.end(), true);
+    std::cout << "seed " << seed << ": " << arrived << " of " << starts << " starts arrived at "
+              << reached << " of " << found.size() << " configurations\n";
+    EXPECT_EQ(reached, static_cast<std::ptrdiff_t>(found.size()));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Example, testing::ValuesIn(example_names()),
+                         [](const auto& name) { return std::string(name.param); });
+
+}  // namespace
+}  // namespace assur::test
