@@ -1,15 +1,16 @@
-// Checks every example scene, and whatever else is put beside them: it assembles all along its
+// Checks every example scene, all of which have a sweep: it assembles all along its
 // sweep, and rigid bodies that know no groups agree with all that the solver says.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <map>
 
 #include "largest.hpp"
 #include "richardson.hpp"
 #include "rigid_scene.hpp"
-#include "scene/solve.hpp"
+#include "scene/sweep.hpp"
 
 namespace assur::test {
 namespace {
@@ -38,7 +39,7 @@ std::string setting(const std::string& name, double value) {
   return name + text.data();
 }
 
-/// An example at one value of its swept parameter, or as it stands.
+/// An example at one value of its swept parameter.
 struct Position {
   Scene scene;
   ParameterValues values;
@@ -49,6 +50,8 @@ struct Position {
 
 class Example : public testing::TestWithParam<std::string> {
  protected:
+  void SetUp() override { ASSERT_TRUE(generator::read_scene(file(), {}).sweep.has_value()); }
+
   [[nodiscard]] static std::string file() {
     return (fs::path(ASSUR_EXAMPLES) / (GetParam() + ".json")).string();
   }
@@ -56,9 +59,6 @@ class Example : public testing::TestWithParam<std::string> {
   /// Settings for `count` places along the sweep, away from its ends and from round angles.
   [[nodiscard]] static std::vector<std::vector<std::string>> places(int count) {
     const Scene scene = generator::read_scene(file(), {});
-    if (!scene.sweep) {
-      return {{}};
-    }
     const ParameterValues values(scene);
     const double from = values.value(scene.sweep->from).value();
     const double to = values.value(scene.sweep->to).value();
@@ -115,12 +115,25 @@ TEST_P(Example, AssemblesAllAlongItsSweep) {
   for (const auto& settings : places(60)) {
     const Position at(file(), settings);
     const Solution solution = generator::solve(at.scene, at.values);
-    EXPECT_EQ(solution.status, SolutionStatus::ok) << (settings.empty() ? "" : settings[0]);
+    EXPECT_EQ(solution.status, SolutionStatus::ok) << settings[0];
     EXPECT_EQ(solution.undecided, 0);
     least = std::min(least, solution.configurations.size());
     most = std::max(most, solution.configurations.size());
   }
   std::cout << least << " to " << most << " configurations\n";
+}
+
+/// What a mechanism is for: one way of assembly that goes all the way without a dead centre.
+TEST_P(Example, HasABranchThatLivesThroughout) {
+  const Scene scene = generator::read_scene(file(), {});
+  std::map<int, int> rows;
+  generator::sweep(scene, {[&](const generator::SweepRecord& record) { ++rows[record.branch]; },
+                           [](const Solution&) {}, [](int) {}});
+  const auto lasting = std::count_if(rows.begin(), rows.end(), [&](const auto& branch) {
+    return branch.first > 0 && branch.second == scene.sweep->count;
+  });
+  std::cout << lasting << " branches live throughout\n";
+  EXPECT_GT(lasting, 0);
 }
 
 TEST_P(Example, AgreesWithRigidBodiesInMotion) {
@@ -136,8 +149,7 @@ TEST_P(Example, AgreesWithRigidBodiesInMotion) {
     const RigidScene rigid(at.scene, at.values);
     const Solution solution = generator::solve(at.scene, at.values);
     for (const AssemblyConfiguration& configuration : solution.configurations) {
-      SCOPED_TRACE((settings.empty() ? "" : settings[0]) + ", configuration " +
-                   std::to_string(++count));
+      SCOPED_TRACE(settings[0] + ", configuration " + std::to_string(++count));
       const RealVector listed = coordinates(rigid, configuration);
       ASSERT_EQ(rigid.values_of(listed).size(), rigid.size());
       closure = largest(closure, static_cast<double>(rigid.values_of(listed).cwiseAbs().maxCoeff() /
@@ -244,7 +256,7 @@ TEST_P(Example, SensitivitiesAreDifferencesOfRigidBodies) {
   EXPECT_LT(worst, 1e-9);
 }
 
-/// Newton's method from many places finds nothing that is not listed.
+/// Newton's method from many places finds nothing that is not listed, and all that is, each once.
 TEST_P(Example, ListsWhateverNewtonFinds) {
   constexpr int starts = 120;
   constexpr unsigned seed = 20;
@@ -253,6 +265,14 @@ TEST_P(Example, ListsWhateverNewtonFinds) {
     const RigidScene rigid(at.scene, at.values);
     const Solution solution = generator::solve(at.scene, at.values);
     std::vector<bool> found(solution.configurations.size(), false);
+    for (std::size_t one = 0; one < found.size(); ++one) {
+      for (std::size_t other = 0; other < one; ++other) {
+        EXPECT_GT(distance(rigid, coordinates(rigid, solution.configurations[one]),
+                           coordinates(rigid, solution.configurations[other])),
+                  1e-9)
+            << "configurations " << other + 1 << " and " << one + 1;
+      }
+    }
     std::mt19937 engine(seed);
     int arrived = 0;
     for (int start = 0; start < starts; ++start) {
