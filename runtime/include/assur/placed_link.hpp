@@ -55,19 +55,25 @@ template <typename Scalar, int Order, int Parameters>
   Point<Scalar, Order, Parameters> result;
   result.x = frame.pose.x + arm(0);
   result.y = frame.pose.y + arm(1);
-  for (int order = 0; order < Order; ++order) {
-    result.rates.col(order) = frame.rates.template topRows<2>().col(order) +
-                              frame.rates(2, order) * swept + turn(point.rates.col(order));
+  // Eigen has no columns of a matrix without columns.
+  if constexpr (Order > 0) {
+    for (int order = 0; order < Order; ++order) {
+      const Vector<Scalar, 2> own = point.rates.col(order);
+      result.rates.col(order) =
+          frame.rates.template topRows<2>().col(order) + frame.rates(2, order) * swept + turn(own);
+    }
   }
   if constexpr (Order > 1) {
     const Scalar omega = frame.rates(2, 0);
     const Vector<Scalar, 2> sliding = turn(point.rates.col(0));
     result.rates.col(1) += Scalar(2) * omega * detail::across(sliding) - omega * omega * arm;
   }
-  for (int parameter = 0; parameter < Parameters; ++parameter) {
-    result.gradient.col(parameter) = frame.gradient.template topRows<2>().col(parameter) +
-                                     frame.gradient(2, parameter) * swept +
-                                     turn(point.gradient.col(parameter));
+  if constexpr (Parameters > 0) {
+    for (int parameter = 0; parameter < Parameters; ++parameter) {
+      const Vector<Scalar, 2> own = point.gradient.col(parameter);
+      result.gradient.col(parameter) = frame.gradient.template topRows<2>().col(parameter) +
+                                       frame.gradient(2, parameter) * swept + turn(own);
+    }
   }
   return result;
 }
