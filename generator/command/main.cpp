@@ -7,6 +7,7 @@
 #include "command/catalogue.hpp"
 #include "command/progress.hpp"
 #include "emission/emit.hpp"
+#include "emission/emit_scene.hpp"
 #include "error.hpp"
 #include "scene/report.hpp"
 
@@ -33,6 +34,7 @@ struct EmitOptions {
   bool all = false;
   int model = 0;
   std::string group = "tetrad";
+  std::string scene;
   std::string output;
   bool check = false;
 };
@@ -41,6 +43,8 @@ int run_emit(const EmitOptions& options) {
   std::vector<EmittedFile> files;
   if (options.all) {
     files = emit_all();
+  } else if (!options.scene.empty()) {
+    files.push_back(emit_scene(read_scene(options.scene, {})));
   } else {
     const std::vector<Model>& models = models_of(group_named(options.group));
     for (const Model& model : models) {
@@ -147,10 +151,11 @@ int run(int argc, char** argv) {
   command->callback([&] { chosen = [&] { return run_catalogue(catalogue); }; });
 
   EmitOptions emit;
-  command = app.add_subcommand("emit", "write the C++ of the models");
+  command = app.add_subcommand("emit", "write the C++ of models, or of one scene");
   auto* what = command->add_option_group("what");
   what->add_flag("--all", emit.all, "every model of every group");
   what->add_option("--model", emit.model, "one model of a group, by its number");
+  what->add_option("--scene", emit.scene, "a solver for one scene file (JSON) alone");
   what->require_option(1);
   command->add_option("--group", emit.group, "the group that --model means")
       ->check(CLI::IsMember(group_names()))

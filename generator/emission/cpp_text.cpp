@@ -1,7 +1,11 @@
 #include "emission/cpp_text.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <sstream>
+
+#include "emission/specialise.hpp"
 
 namespace assur::generator {
 
@@ -10,6 +14,7 @@ namespace {
 using Operation = ExpressionGraph::Operation;
 
 constexpr std::size_t line_width = 100;
+constexpr int small = 1000000;  ///< whole numbers below this are printed as such
 
 class CppText {
  public:
@@ -50,13 +55,23 @@ class CppText {
     return program_.graph().node(node);
   }
 
+  /// A small whole number or its half, third ... as it is, any other by the double nearest to it
+  /// and, where that is not all of it, the double nearest to what is left: so that the number is as
+  /// exact in double-double arithmetic as the operations are.
   static std::string literal(const GiNaC::numeric& number) {
-    std::ostringstream text;
-    text << "Scalar(" << number.numer() << ")";
-    if (!number.is_integer()) {
-      text << " / Scalar(" << number.denom() << ")";
+    if (number.numer() < small && number.denom() < 10) {
+      std::ostringstream text;
+      text << "Scalar(" << number.numer() << ")";
+      if (!number.is_integer()) {
+        text << " / Scalar(" << number.denom() << ")";
+      }
+      return text.str();
     }
-    return text.str();
+    const double high = number.to_double();
+    const GiNaC::numeric rest = number - exact(high);
+    return rest.is_zero()
+               ? "Scalar(" + round_trip(high) + ")"
+               : "constant<Scalar>(" + round_trip(high) + ", " + round_trip(rest.to_double()) + ")";
   }
 
   [[nodiscard]] std::string operand(int node, bool inside_product) const {
@@ -131,6 +146,13 @@ std::size_t break_position(const std::string& line, std::size_t start, bool comm
 }
 
 }  // namespace
+
+std::string round_trip(double value) {
+  std::array<char, 32> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+  std::string digits(text.data(), end);
+  return digits.find_first_of(".e") == std::string::npos ? digits + ".0" : digits;
+}
 
 std::vector<std::string> cpp_lines(const Program& program, const Spelling& spelling) {
   const CppText text(program, spelling);

@@ -12,6 +12,9 @@ namespace assur::generator {
 /// How a symbol that a program reads is spelled in C++: `q.theta_BCG.cos`.
 using Spelling = std::function<std::string(const std::string& symbol)>;
 
+/// The shortest decimal number that reads back as the same double.
+[[nodiscard]] std::string round_trip(double value);
+
 /// The program's statements, one a line.
 [[nodiscard]] std::vector<std::string> cpp_lines(const Program& program, const Spelling& spelling);
 

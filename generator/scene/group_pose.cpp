@@ -73,58 +73,71 @@ const MechanismJoint& played_joint(const Mechanism& mechanism, const RoleAssignm
   return mechanism.joints[static_cast<std::size_t>(roles.joints[static_cast<std::size_t>(joint)])];
 }
 
-std::optional<PosedGroup> posed(const Mechanism& mechanism, const FoundGroup& found,
-                                const PlacedLinks& placed, const ParameterValues& values,
-                                std::string& obstacle) {
-  const Group& group = *found.model->group;
+std::optional<PosedGroup> in_normal_form(const Mechanism& mechanism, const FoundGroup& found,
+                                         const ParameterValues& values, std::string& obstacle) {
   for (const RoleAssignment& roles : found.assignments) {
     PosedGroup result{&found, &roles, {}};
-    obstacle = normal_forms(mechanism, group, roles, values, result.problem);
+    obstacle = normal_forms(mechanism, *found.model->group, roles, values, result.problem);
     if (obstacle.empty()) {
-      pose_inputs(mechanism, group, roles, placed, values, result.problem);
       return result;
     }
   }
   return std::nullopt;
 }
 
+std::optional<PosedGroup> posed(const Mechanism& mechanism, const FoundGroup& found,
+                                const PlacedLinks& placed, const ParameterValues& values,
+                                std::string& obstacle) {
+  std::optional<PosedGroup> result = in_normal_form(mechanism, found, values, obstacle);
+  if (result) {
+    pose_inputs(mechanism, *found.model->group, *result->roles, placed, values, result->problem);
+  }
+  return result;
+}
+
+Pose<Dual> own_frame(const Pose<Dual>& local) {
+  return {-(local.direction.cos * local.x) - local.direction.sin * local.y,
+          local.direction.sin * local.x - local.direction.cos * local.y, reversed(local.direction)};
+}
+
 void place_links(const PosedGroup& posed, const GroupState& group_state, PlacedLinks& placed) {
   for (std::size_t link = 0; link < group_state.frames.size(); ++link) {
     const LinkState& frame = group_state.frames[link];
-    const Pose<Dual>& local = posed.problem.links[link].frame;
-    // The link's own origin and axes, seen from its normal frame.
-    const Dual x = -(local.direction.cos * local.x) - local.direction.sin * local.y;
-    const Dual y = local.direction.sin * local.x - local.direction.cos * local.y;
-    const PointState origin = point_of(frame, x, y);
+    const Pose<Dual> own = own_frame(posed.problem.links[link].frame);
+    const PointState origin = point_of(frame, own.x, own.y);
     LinkState state;
     state.x = origin.x;
     state.y = origin.y;
-    state.direction = turned(frame.direction, reversed(local.direction));
+    state.direction = turned(frame.direction, own.direction);
     state.velocity << origin.velocity, frame.velocity(2);
     state.acceleration << origin.acceleration, frame.acceleration(2);
     placed[static_cast<std::size_t>(posed.roles->links[link])] = state;
   }
 }
 
-SlideState mechanism_slide(const Mechanism& mechanism, const PosedGroup& posed,
-                           const SlideState& slide, const ParameterValues& values) {
+SlideMeasure slide_measure(const Mechanism& mechanism, const PosedGroup& posed, int model_joint,
+                           const ParameterValues& values) {
   const Group& group = *posed.group->model->group;
-  const Joint& wanted = group.joints()[static_cast<std::size_t>(slide.joint)];
-  const MechanismJoint& at = played_joint(mechanism, *posed.roles, slide.joint);
+  const Joint& wanted = group.joints()[static_cast<std::size_t>(model_joint)];
+  const MechanismJoint& at = played_joint(mechanism, *posed.roles, model_joint);
   const auto shift_on = [&](int link) -> Dual {
     if (link == base_link) {
       return values.constant(0.0);
     }
     const std::vector<int> joints = group.joints_of(link);
-    const auto place = std::find(joints.begin(), joints.end(), slide.joint) - joints.begin();
+    const auto place = std::find(joints.begin(), joints.end(), model_joint) - joints.begin();
     return posed.problem.links[static_cast<std::size_t>(link)]
         .shift[static_cast<std::size_t>(place)];
   };
   const bool same_sense = at.second == posed.roles->links[static_cast<std::size_t>(wanted.second)];
-  const double sense = same_sense ? 1.0 : -1.0;
-  const Dual between_points = slide.displacement + shift_on(wanted.second) - shift_on(wanted.first);
-  return {posed.roles->joints[static_cast<std::size_t>(slide.joint)], sense * between_points,
-          sense * slide.velocity, sense * slide.acceleration};
+  return {same_sense ? 1.0 : -1.0, shift_on(wanted.second) - shift_on(wanted.first)};
+}
+
+SlideState mechanism_slide(const Mechanism& mechanism, const PosedGroup& posed,
+                           const SlideState& slide, const ParameterValues& values) {
+  const auto [sense, shift] = slide_measure(mechanism, posed, slide.joint, values);
+  return {posed.roles->joints[static_cast<std::size_t>(slide.joint)],
+          sense * (slide.displacement + shift), sense * slide.velocity, sense * slide.acceleration};
 }
 
 }  // namespace assur::generator

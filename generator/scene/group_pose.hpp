@@ -21,14 +21,32 @@ struct PosedGroup {
   GroupProblem problem;
 };
 
+/// The group with its links in normal form, before its neighbours are placed; otherwise nothing,
+/// and `obstacle` says which link has none under any assignment.
+[[nodiscard]] std::optional<PosedGroup> in_normal_form(const Mechanism& mechanism,
+                                                       const FoundGroup& group,
+                                                       const ParameterValues& values,
+                                                       std::string& obstacle);
+
 /// The group's problem where its neighbours are placed; otherwise nothing, and `obstacle` says
 /// which link has no normal form under any assignment.
 [[nodiscard]] std::optional<PosedGroup> posed(const Mechanism& mechanism, const FoundGroup& group,
                                               const PlacedLinks& placed,
                                               const ParameterValues& values, std::string& obstacle);
 
+/// A frame's own origin and axes, seen from a frame that is given in it.
+[[nodiscard]] Pose<Dual> own_frame(const Pose<Dual>& local);
+
 /// Places the group's links, in the mechanism's own frames.
 void place_links(const PosedGroup& posed, const GroupState& state, PlacedLinks& placed);
+
+/// How the mechanism measures a slide of the group: sense * (displacement + shift).
+struct SlideMeasure {
+  double sense;
+  Dual shift;
+};
+[[nodiscard]] SlideMeasure slide_measure(const Mechanism& mechanism, const PosedGroup& posed,
+                                         int model_joint, const ParameterValues& values);
 
 /// A slide of the group as the mechanism measures it: between the points that its features name.
 [[nodiscard]] SlideState mechanism_slide(const Mechanism& mechanism, const PosedGroup& posed,

@@ -5,9 +5,9 @@
 
 #include "error.hpp"
 #include "scene/configuration_order.hpp"
-#include "scene/decomposition.hpp"
 #include "scene/group_pose.hpp"
 #include "scene/names.hpp"
+#include "scene/placement.hpp"
 
 namespace assur::generator {
 
@@ -24,14 +24,12 @@ struct PartialConfiguration {
 class MechanismSolver {
  public:
   MechanismSolver(const Scene& scene, const ParameterValues& values)
-      : scene_(scene), values_(values), mechanism_(mechanism_of(scene, values)) {
-    start_.links.resize(mechanism_.links.size());
-    spent_.assign(mechanism_.joints.size(), false);
-  }
+      : scene_(scene), values_(values), order_(placement_order(scene, values)) {}
 
   Solution run() {
     place_driven_links();
-    find_groups();
+    solution_.groups = order_.groups;
+    solution_.group_links = order_.group_links;
     std::vector<PartialConfiguration> partial = {start_};
     for (std::size_t group = 0; group < solution_.groups.size(); ++group) {
       std::vector<PartialConfiguration> next;
@@ -54,113 +52,23 @@ class MechanismSolver {
     throw InputError(scene_.file + ": " + where + ": " + what);
   }
   [[nodiscard]] const MechanismJoint& joint(int index) const {
-    return mechanism_.joints[static_cast<std::size_t>(index)];
-  }
-  [[nodiscard]] bool placed(int link) const {
-    return start_.links[static_cast<std::size_t>(link)].has_value();
+    return order_.mechanism.joints[static_cast<std::size_t>(index)];
   }
 
   /// The ground, and what drivers move against placed links.
   void place_driven_links() {
-    if (mechanism_.ground < 0) {
-      fail("links", "no link is named 'ground', so nothing holds the mechanism");
-    }
-    start_.links[static_cast<std::size_t>(mechanism_.ground)] = fixed_link(values_);
-    std::vector<const SceneDriver*> waiting;
-    for (const SceneDriver& driver : scene_.drivers) {
-      const SceneJoint& at = scene_.joints[static_cast<std::size_t>(driver.joint)];
-      if (at.type == SceneJointType::pin_in_slot || at.between.size() != 2) {
-        fail("drivers." + at.name, "a driver moves a revolute or prismatic joint of two links");
-      }
-      waiting.push_back(&driver);
-    }
-    while (!waiting.empty()) {
-      const auto ready =
-          std::find_if(waiting.begin(), waiting.end(), [&](const SceneDriver* driver) {
-            const MechanismJoint& at = joint(joint_of(*driver));
-            return placed(at.first) != placed(at.second);
-          });
-      if (ready == waiting.end()) {
-        fail("drivers." + scene_.joints[static_cast<std::size_t>(waiting[0]->joint)].name,
-             "the driven joint must join the ground, or a driven link, to a link that nothing else "
-             "drives");
-      }
-      const SceneDriver& driver = **ready;
-      const int index = joint_of(driver);
-      const MechanismJoint& at = joint(index);
-      const int from = placed(at.first) ? at.first : at.second;
-      const int to = placed(at.first) ? at.second : at.first;
+    start_.links.resize(order_.mechanism.links.size());
+    start_.links[static_cast<std::size_t>(order_.mechanism.ground)] = fixed_link(values_);
+    for (const DrivenLink& link : order_.driven) {
+      const SceneDriver& driver = scene_.drivers[static_cast<std::size_t>(link.driver)];
+      const MechanismJoint& at = joint(link.joint);
       const DriverState law{values_.value(driver.position), values_.value(driver.velocity).value(),
                             values_.value(driver.acceleration).value()};
-      start_.links[static_cast<std::size_t>(to)] =
-          driven_link(at, from, *start_.links[static_cast<std::size_t>(from)], law);
-      spent_[static_cast<std::size_t>(index)] = true;
+      start_.links[static_cast<std::size_t>(link.to)] =
+          driven_link(at, link.from, *start_.links[static_cast<std::size_t>(link.from)], law);
       if (at.prismatic) {
         start_.joints.push_back({at.name, law.position, law.velocity, law.acceleration});
       }
-      waiting.erase(ready);
-    }
-  }
-
-  [[nodiscard]] int joint_of(const SceneDriver& driver) const {
-    const auto found = std::find_if(
-        mechanism_.joints.begin(), mechanism_.joints.end(),
-        [&](const MechanismJoint& candidate) { return candidate.scene_joint == driver.joint; });
-    return static_cast<int>(found - mechanism_.joints.begin());
-  }
-
-  [[nodiscard]] std::vector<std::string> names_of(const std::vector<int>& links) const {
-    std::vector<std::string> names;
-    for (const int link : links) {
-      names.push_back(mechanism_.links[static_cast<std::size_t>(link)]);
-    }
-    return names;
-  }
-
-  void find_groups() {
-    std::vector<bool> placed_links;
-    for (const std::optional<LinkState>& state : start_.links) {
-      placed_links.push_back(state.has_value());
-    }
-    Decomposition decomposition = decompose(mechanism_, placed_links, spent_);
-    expect_balance(decomposition);
-    mechanism_ = std::move(decomposition.mechanism);
-    for (const Component& component : decomposition.components) {
-      std::optional<FoundGroup> found = find_group(mechanism_, component.links, component.joints);
-      if (!found) {
-        std::vector<std::string> known;
-        for (const Group& group : known_groups()) {
-          known.push_back(group.name());
-        }
-        fail("links",
-             "the links " + listed(names_of(component.links)) +
-                 " can only be solved together, as a group of class " +
-                 std::to_string(assur_class_of(mechanism_, component.links, component.joints)) +
-                 " with " + std::to_string(component.links.size()) +
-                 " links, which is not known here (known: " + listed(known) + ")");
-      }
-      solution_.groups.push_back(std::move(*found));
-      solution_.group_links.push_back(names_of(component.links));
-    }
-  }
-
-  void expect_balance(const Decomposition& decomposition) const {
-    const Imbalance& over = decomposition.overloaded;
-    const Imbalance& under = decomposition.free;
-    const std::string excess = "over-constrained by " + std::to_string(over.surplus) +
-                               ": the joints " + listed(over.joints) +
-                               (over.links.empty() ? " join links that are placed already"
-                                                   : " hold the links " + listed(over.links) +
-                                                         " more often than they can move") +
-                               "; take a joint or a driver away";
-    const std::string lack = "under-constrained by " + std::to_string(under.surplus) +
-                             ": the links " + listed(under.links) +
-                             " keep a freedom; drive one of their joints, or add a joint";
-    if (over.surplus > 0) {
-      fail("joints", excess + (under.surplus > 0 ? "; elsewhere " + lack : ""));
-    }
-    if (under.surplus > 0) {
-      fail("links", lack);
     }
   }
 
@@ -169,7 +77,7 @@ class MechanismSolver {
               std::vector<PartialConfiguration>& next) {
     std::string obstacle;
     const std::optional<PosedGroup> question =
-        posed(mechanism_, group, configuration.links, values_, obstacle);
+        posed(order_.mechanism, group, configuration.links, values_, obstacle);
     if (!question) {
       solution_.status = SolutionStatus::degenerate;
       solution_.reason = obstacle;
@@ -193,7 +101,7 @@ class MechanismSolver {
       PartialConfiguration extended = configuration;
       place_links(*question, state, extended.links);
       for (const SlideState& slide : state.slides) {
-        const SlideState own = mechanism_slide(mechanism_, *question, slide, values_);
+        const SlideState own = mechanism_slide(order_.mechanism, *question, slide, values_);
         extended.joints.push_back(
             {joint(own.joint).name, own.displacement, own.velocity, own.acceleration});
       }
@@ -264,18 +172,16 @@ class MechanismSolver {
       }
       return;
     }
-    std::vector<bool> moving;
-    for (std::size_t link = 0; link < scene_.links.size(); ++link) {
-      moving.push_back(!placed(static_cast<int>(link)));
-    }
+    std::vector<bool> moving = order_.placed_by_drivers();
+    moving.resize(scene_.links.size());
+    moving.flip();
     put_in_order(solution_.configurations, moving);
   }
 
   const Scene& scene_;
   const ParameterValues& values_;
-  Mechanism mechanism_;
+  PlacementOrder order_;
   PartialConfiguration start_;  ///< the ground and the driven links
-  std::vector<bool> spent_;
   Solution solution_;
 };
 

@@ -37,15 +37,24 @@ int most_frequent_factor(const Polynomial& polynomial) {
   return best;
 }
 
-/// The positive rational number by which all coefficients can be divided to coprime integers.
+/// The positive rational number by which all coefficients can be divided to coprime integers; one
+/// where these would be large, as they are for decimal fractions that have nothing in common.
 GiNaC::numeric content_of(const Polynomial& polynomial) {
+  constexpr int large = 20;
   GiNaC::numeric numerators = 0;
   GiNaC::numeric denominators = 1;
   for (const auto& [monomial, coefficient] : polynomial) {
     numerators = GiNaC::gcd(numerators, coefficient.numer());
     denominators = GiNaC::lcm(denominators, coefficient.denom());
   }
-  return numerators.is_zero() ? GiNaC::numeric(1) : GiNaC::abs(numerators / denominators);
+  if (numerators.is_zero()) {
+    return 1;
+  }
+  const GiNaC::numeric content = GiNaC::abs(numerators / denominators);
+  const bool in_common = std::all_of(polynomial.begin(), polynomial.end(), [&](const auto& term) {
+    return GiNaC::abs(term.second / content) < large;
+  });
+  return in_common ? content : GiNaC::numeric(1);
 }
 
 template <typename Pair>

@@ -438,6 +438,9 @@ void sort_assemblies(const typename Model::template Dimensions<double>& d,
 template <typename Model>
 [[nodiscard]] double unit_scale(const typename Model::template Dimensions<double>& d,
                                 const typename Model::template Inputs<double>& u) {
+  if constexpr (Model::dimension_count == 0) {  // folded, and in units of the longest already
+    return 1;
+  }
   double longest = 0;
   const auto measure = [&longest](const auto& member) {
     if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {

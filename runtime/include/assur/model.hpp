@@ -37,6 +37,12 @@ struct Pose {
 template <typename Scalar, int Links>
 using Poses = std::array<Pose<Scalar>, static_cast<std::size_t>(Links)>;
 
+/// A number of generated code that is no double: the double nearest to it and what is left.
+template <typename Scalar>
+[[nodiscard]] constexpr Scalar constant(double nearest, double rest) {
+  return Scalar(nearest) + Scalar(rest);
+}
+
 /// A dimension or an input of a model as its vectors and matrices index it.
 struct ModelVariable {
   const char* name;

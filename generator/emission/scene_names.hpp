@@ -1,0 +1,21 @@
+// Turns the names of a scene into identifiers of C++.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace assur::generator {
+
+/// The text with `_` for all but letters and digits, and in front of a leading digit: what CMake's
+/// MAKE_C_IDENTIFIER makes of it.
+[[nodiscard]] std::string c_identifier(const std::string& text);
+
+/// `four-bar_2` as `FourBar2`, with `Scene` in front of a leading digit.
+[[nodiscard]] std::string pascal_case(const std::string& text);
+
+/// Identifiers for the members of one struct: different from each other, from keywords and from
+/// `taken`, in the order of the names.
+[[nodiscard]] std::vector<std::string> member_names(const std::vector<std::string>& names,
+                                                    const std::vector<std::string>& taken);
+
+}  // namespace assur::generator
