@@ -21,9 +21,11 @@ const std::vector<double> steps = {0, 0.05, -0.11, 0.31};
 
 std::vector<fs::path> examples() {
   std::vector<fs::path> list;
-  for (const auto& entry : fs::directory_iterator(ASSUR_EXAMPLES)) {
-    if (entry.path().extension() == ".json") {
-      list.push_back(entry.path());
+  for (const char* directory : {ASSUR_EXAMPLES, ASSUR_SCENES}) {
+    for (const auto& entry : fs::directory_iterator(directory)) {
+      if (entry.path().extension() == ".json") {
+        list.push_back(entry.path());
+      }
     }
   }
   std::sort(list.begin(), list.end());
