@@ -21,9 +21,11 @@ const std::vector<double> steps = {0, 0.05, -0.11, 0.31};
 
 std::vector<fs::path> examples() {
   std::vector<fs::path> list;
-  for (const auto& entry : fs::directory_iterator(ASSUR_EXAMPLES)) {
-    if (entry.path().extension() == ".json") {
-      list.push_back(entry.path());
+  for (const char* directory : {ASSUR_EXAMPLES, ASSUR_SCENES}) {
+    for (const auto& entry : fs::directory_iterator(directory)) {
+      if (entry.path().extension() == ".json") {
+        list.push_back(entry.path());
+      }
     }
   }
   std::sort(list.begin(), list.end());
@@ -45,6 +47,9 @@ std::string struct_of(const fs::path& scene) {
 
 /// The scene with every driver moved on by a step.
 Json stepped(Json scene, double step) {
+  if (!scene.contains("drivers")) {
+    return scene;
+  }
   for (auto& [name, driver] : scene["drivers"].items()) {
     const Json position = driver["position"];
     const std::string text = position.is_string() ? position.get<std::string>() : position.dump();
@@ -175,11 +180,12 @@ std::string program_of(const Expectation& expected, const Json& scene, int numbe
       readings = &configurations.front();
     }
   }
+  const Json drivers = scene.value("drivers", Json::object());
   for (const double step : steps) {
     std::ostringstream text;
     text.precision(17);
     text << "  {\n    S::Drivers<double> drivers;\n";
-    for (const auto& [name, driver] : scene["drivers"].items()) {
+    for (const auto& [name, driver] : drivers.items()) {
       text << "    drivers." << name << ".position += " << step << ";\n";
     }
     text << "    const S::Solution found = S::solve(drivers, states);\n"

@@ -167,8 +167,13 @@ mustache::data function_view(const ModelFunction& function, const Program& progr
   const auto input_text = [&](const Parameter& parameter) {
     return parameter.type + (used.contains(parameter.name) ? " " + parameter.name : "");
   };
-  const auto output_text = [](const Parameter& parameter) {
-    return parameter.type + " " + parameter.name;
+  const auto output_text = [&](const Parameter& parameter) {
+    const bool assigned =
+        zeros == ZeroResults::left_out ||
+        std::any_of(function.results.begin(), function.results.end(), [&](const Result& result) {
+          return result.target.starts_with(parameter.name);
+        });
+    return parameter.type + (assigned ? " " + parameter.name : "");
   };
   mustache::data view;
   view.set("name", function.name);
