@@ -29,8 +29,8 @@ std::string whole_tree(const fs::path& directory) {
 TEST(Emission, IsTheSameInEveryProcess) {
   // Each process has its addresses elsewhere (address-space randomisation is the system's default),
   // and GiNaC orders by address.
-  std::set<std::string> trees;
-  for (int process = 0; process < 4; ++process) {
+  std::set<std::string> trees = {whole_tree(ASSUR_GENERATED)};
+  for (int process = 0; process < 2; ++process) {
     const TemporaryDirectory directory;
     ASSERT_EQ(run_assur("emit --all --output " + directory.path().string()).status, 0);
     trees.insert(whole_tree(directory.path()));

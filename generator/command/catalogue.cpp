@@ -67,7 +67,7 @@ std::vector<CatalogueEntry> entries_of(const Group& group) {
   std::vector<CatalogueEntry> entries;
   for (const Model& model : models_of(group)) {
     const ClosureEquations equations = closure_equations(model);
-    const Mobility mobility = mobility_of(equations, differentiate(equations));
+    const Mobility mobility = mobility_of(equations, closure_jacobian(equations));
     const int most = mobility.rigid ? eliminate(equations).max_configurations : 0;
     CatalogueEntry entry{&model, mobility, most, "", {}, nullptr, {}, {}};
     if (mobility.rigid) {

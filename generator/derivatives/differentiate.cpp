@@ -111,6 +111,10 @@ ExpressionMatrix pose_jacobian(const ClosureEquations& equations,
 
 }  // namespace
 
+ExpressionMatrix closure_jacobian(const ClosureEquations& equations) {
+  return jacobian_of(equations.residuals(), equations.unknowns, equations.vocabulary);
+}
+
 Derivatives differentiate(const ClosureEquations& equations) {
   const Vocabulary& vocabulary = equations.vocabulary;
   const std::vector<GiNaC::ex> residuals = equations.residuals();
@@ -122,7 +126,7 @@ Derivatives differentiate(const ClosureEquations& equations) {
   }
 
   Derivatives result;
-  result.jacobian = jacobian_of(residuals, equations.unknowns, vocabulary);
+  result.jacobian = closure_jacobian(equations);
   result.dimension_jacobian = jacobian_of(residuals, equations.dimensions, vocabulary);
   result.input_jacobian = jacobian_of(residuals, equations.inputs, vocabulary);
   for (const GiNaC::ex& residual : residuals) {

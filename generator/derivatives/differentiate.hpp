@@ -34,6 +34,9 @@ struct Derivatives {
   ExpressionMatrix pose_curvature;           ///< d2p/dt2 for constant q', d' and u', likewise
 };
 
+/// df/dq alone.
+[[nodiscard]] ExpressionMatrix closure_jacobian(const ClosureEquations& equations);
+
 [[nodiscard]] Derivatives differentiate(const ClosureEquations& equations);
 
 }  // namespace assur::generator

@@ -111,20 +111,19 @@ GiNaC::exmap random_assembly(const ClosureEquations& equations, unsigned seed) {
   return values;
 }
 
-Mobility mobility_of(const ClosureEquations& equations, const Derivatives& derivatives) {
-  const auto rows = static_cast<unsigned>(derivatives.jacobian.size());
+Mobility mobility_of(const ClosureEquations& equations, const ExpressionMatrix& jacobian) {
+  const auto rows = static_cast<unsigned>(jacobian.size());
   const auto columns = static_cast<unsigned>(equations.unknowns.size());
   int rank = 0;
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const GiNaC::exmap values = random_assembly(equations, seed);
-    GiNaC::matrix jacobian(rows, columns);
+    GiNaC::matrix at_point(rows, columns);
     for (unsigned row = 0; row < rows; ++row) {
       for (unsigned column = 0; column < columns; ++column) {
-        jacobian(row, column) =
-            equations.vocabulary.expand(derivatives.jacobian[row][column]).subs(values);
+        at_point(row, column) = equations.vocabulary.expand(jacobian[row][column]).subs(values);
       }
     }
-    rank = std::max(rank, static_cast<int>(jacobian.rank()));
+    rank = std::max(rank, static_cast<int>(at_point.rank()));
   }
   Mobility result{static_cast<int>(columns), rank, static_cast<int>(columns) - rank, false, ""};
   result.rigid = result.freedom == 0 && rows == columns && equations.compatibility.empty();

@@ -21,7 +21,7 @@ struct Mobility {
 /// points of the circle for the angles, lengths that solve the (in lengths linear) equations. The
 /// rank at a point is never above the generic rank, so the largest over a few points is taken.
 [[nodiscard]] Mobility mobility_of(const ClosureEquations& equations,
-                                   const Derivatives& derivatives);
+                                   const ExpressionMatrix& jacobian);
 
 /// An assembled configuration in rational numbers: a value for every symbol of the variables.
 [[nodiscard]] GiNaC::exmap random_assembly(const ClosureEquations& equations, unsigned seed);

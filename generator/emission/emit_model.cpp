@@ -72,7 +72,7 @@ EmittedFile emit_model_list(const Group& group) {
 EmittedFile emit_model(const Model& model) {
   const ClosureEquations equations = closure_equations(model);
   const Derivatives derivatives = differentiate(equations);
-  const Mobility mobility = mobility_of(equations, derivatives);
+  const Mobility mobility = mobility_of(equations, derivatives.jacobian);
   ModelSpelling spelling(equations.unknowns, equations.dimensions, equations.inputs);
   SpecialPointFunctions special_functions;
   SpecialPoints special{{}, false, "the group is no structure"};

@@ -59,8 +59,7 @@ GiNaC::ex Vocabulary::expand(const GiNaC::ex& expression) const {
 GiNaC::ex Vocabulary::derivative(const GiNaC::ex& expression, const Variable& variable) const {
   GiNaC::ex total = partial(expression, variable);
   for (const NamedQuantity& quantity : quantities_) {
-    const GiNaC::ex factor = expression.diff(quantity.symbol);
-    if (factor.is_zero()) {
+    if (!expression.has(quantity.symbol)) {
       continue;
     }
     const auto [known, fresh] =
@@ -68,7 +67,7 @@ GiNaC::ex Vocabulary::derivative(const GiNaC::ex& expression, const Variable& va
     if (fresh) {
       known->second = derivative(quantity.definition, variable);
     }
-    total += factor * known->second;
+    total += expression.diff(quantity.symbol) * known->second;
   }
   return recognise(total.expand());
 }
@@ -78,14 +77,13 @@ GiNaC::ex Vocabulary::recognise(const GiNaC::ex& expression) const {
   if (needs_no_name(expanded)) {
     return expanded;
   }
+  const GiNaC::ex negated = (-expanded).expand();
   for (const NamedQuantity& quantity : quantities_) {
-    if (quantity.reciprocal) {
-      continue;
-    }
-    if ((expanded - quantity.expanded).expand().is_zero()) {
+    // Expanded polynomials are in a normal form, so that equal ones look alike.
+    if (!quantity.reciprocal && quantity.expanded.is_equal(expanded)) {
       return quantity.symbol;
     }
-    if ((expanded + quantity.expanded).expand().is_zero()) {
+    if (!quantity.reciprocal && quantity.expanded.is_equal(negated)) {
       return -quantity.symbol;
     }
   }
