@@ -4,6 +4,8 @@
 #include <functional>
 #include <iostream>
 
+#include "audit/audit.hpp"
+#include "audit/audit_report.hpp"
 #include "command/catalogue.hpp"
 #include "command/progress.hpp"
 #include "emission/emit.hpp"
@@ -67,6 +69,24 @@ int run_emit(const EmitOptions& options) {
     ++differing;
   }
   return differing == 0 ? exit_ok : exit_negative;
+}
+
+struct AuditOptions {
+  std::vector<std::string> files;
+  std::string format = "text";
+};
+
+int run_audit(const AuditOptions& options) {
+  std::vector<AuditReport> reports;
+  for (const std::string& file : options.files) {
+    reports.push_back(audit_file(file));
+  }
+  std::cout << (options.format == "json"       ? audit_report_json(reports)
+                : options.format == "markdown" ? audit_report_markdown(reports)
+                                               : audit_report_text(reports));
+  const bool agree = std::all_of(reports.begin(), reports.end(),
+                                 [](const AuditReport& report) { return report.agrees(); });
+  return agree ? exit_ok : exit_negative;
 }
 
 struct SolveOptions {
@@ -179,6 +199,14 @@ int run(int argc, char** argv) {
       ->type_name("N")
       ->check(CLI::PositiveNumber);
   command->callback([&] { chosen = [&] { return run_solve(solve); }; });
+
+  AuditOptions audit;
+  command = app.add_subcommand("audit", "what a source prints against what the derivation says");
+  command->add_option("files", audit.files, "audit files")->required();
+  command->add_option("--format", audit.format)
+      ->check(CLI::IsMember({"text", "markdown", "json"}))
+      ->capture_default_str();
+  command->callback([&] { chosen = [&] { return run_audit(audit); }; });
 
   try {
     app.parse(argc, argv);

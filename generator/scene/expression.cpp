@@ -11,18 +11,14 @@ namespace assur::generator {
 
 namespace {
 
-struct Function {
-  std::string_view name;
-  std::size_t arguments;
-};
-constexpr std::array<Function, 8> functions = {{{"sqrt", 1},
-                                                {"sin", 1},
-                                                {"cos", 1},
-                                                {"tan", 1},
-                                                {"asin", 1},
-                                                {"acos", 1},
-                                                {"atan", 1},
-                                                {"atan2", 2}}};
+constexpr std::array<ExpressionFunction, 8> functions = {{{"sqrt", 1},
+                                                          {"sin", 1},
+                                                          {"cos", 1},
+                                                          {"tan", 1},
+                                                          {"asin", 1},
+                                                          {"acos", 1},
+                                                          {"atan", 1},
+                                                          {"atan2", 2}}};
 struct Constant {
   std::string_view name;
   double value;
@@ -46,7 +42,8 @@ bool is_name_part(char letter) {
 /// power = atom [^ sign]; atom = number | name | function(sum, ...) | (sum).
 class Parser {
  public:
-  explicit Parser(const std::string& text) : text_(text) {}
+  Parser(const std::string& text, std::span<const ExpressionFunction> more)
+      : text_(text), more_(more) {}
 
   Expression whole() {
     if (text_.size() > max_length) {
@@ -76,12 +73,12 @@ class Parser {
     }
     return false;
   }
-  static Expression call(std::string name, std::vector<Expression> arguments) {
-    return {Expression::Kind::call, 0, std::move(name), std::move(arguments)};
+  Expression call(std::string name, std::vector<Expression> arguments) const {
+    return {Expression::Kind::call, 0, std::move(name), std::move(arguments), at_ + 1};
   }
 
   /// Moves its operands: a list of initialisers would copy whole trees for every term.
-  static Expression binary(std::string name, Expression left, Expression right) {
+  [[nodiscard]] Expression binary(std::string name, Expression left, Expression right) const {
     std::vector<Expression> arguments;
     arguments.push_back(std::move(left));
     arguments.push_back(std::move(right));
@@ -169,6 +166,8 @@ class Parser {
     if (error != std::errc()) {
       fail("not a number in the range of double precision");
     }
+    result.name = std::string(begin, end);
+    result.column = at_ + 1;
     at_ += static_cast<std::size_t>(end - begin);
     skip_space();
     return result;
@@ -183,19 +182,17 @@ class Parser {
     skip_space();
     for (const Constant& constant : constants) {
       if (constant.name == name) {
-        return {Expression::Kind::number, constant.value, "", {}};
+        return {Expression::Kind::number, constant.value, name, {}, start + 1};
       }
     }
-    const auto* const function =
-        std::find_if(functions.begin(), functions.end(),
-                     [&](const Function& candidate) { return candidate.name == name; });
+    const ExpressionFunction* const function = function_named(name);
     if (!take('(')) {
-      if (function != functions.end()) {
+      if (function != nullptr) {
         fail("expected '(' after the function " + name);
       }
-      return {Expression::Kind::name, 0, name, {}};
+      return {Expression::Kind::name, 0, name, {}, start + 1};
     }
-    if (function == functions.end()) {
+    if (function == nullptr) {
       at_ = start;
       fail("no function named '" + name + "'");
     }
@@ -210,17 +207,34 @@ class Parser {
       at_ = start;
       fail(name + " takes " + (function->arguments == 1 ? "one argument" : "two arguments"));
     }
-    return call(name, std::move(arguments));
+    Expression result = call(name, std::move(arguments));
+    result.column = start + 1;
+    return result;
+  }
+
+  [[nodiscard]] const ExpressionFunction* function_named(const std::string& name) const {
+    for (const std::span<const ExpressionFunction> table :
+         {std::span<const ExpressionFunction>(functions), more_}) {
+      for (const ExpressionFunction& function : table) {
+        if (function.name == name) {
+          return &function;
+        }
+      }
+    }
+    return nullptr;
   }
 
   const std::string& text_;
+  std::span<const ExpressionFunction> more_;
   std::size_t at_ = 0;
   int depth_ = 0;
 };
 
 }  // namespace
 
-Expression parse_expression(const std::string& text) { return Parser(text).whole(); }
+Expression parse_expression(const std::string& text, std::span<const ExpressionFunction> more) {
+  return Parser(text, more).whole();
+}
 
 bool is_constant(const Expression& expression) {
   return expression.kind != Expression::Kind::name &&

@@ -3,8 +3,10 @@
 
 #include <cmath>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace assur::generator {
@@ -22,12 +24,21 @@ struct Expression {
 
   Kind kind = Kind::number;
   double number = 0;
-  std::string name;  ///< of a parameter, an operator or a function
+  std::string name;  ///< of a parameter, an operator or a function; of a number, its text
   std::vector<Expression> arguments;
+  std::size_t column = 1;  ///< where it begins; of an operator, where its last operand ends
+};
+
+/// A function that a text may call: its name and how many arguments it takes.
+struct ExpressionFunction {
+  std::string_view name;
+  std::size_t arguments;
 };
 
 /// Parses an expression; throws ExpressionError. Powers bind tighter than signs and to the right.
-[[nodiscard]] Expression parse_expression(const std::string& text);
+/// `more` are functions of the caller's beside those above, which `evaluate` does not know.
+[[nodiscard]] Expression parse_expression(const std::string& text,
+                                          std::span<const ExpressionFunction> more = {});
 /// Whether an expression has no names in it.
 [[nodiscard]] bool is_constant(const Expression& expression);
 /// The value of a constant expression.

@@ -143,7 +143,7 @@ class SceneReader {
     if (!value.is_number()) {
       fail(where, std::string("expected a number or an expression, found ") + value.type_name());
     }
-    return {{Expression::Kind::number, value.get<double>(), "", {}}, where};
+    return {{Expression::Kind::number, value.get<double>(), value.dump(), {}, 1}, where};
   }
   void expect_names(const Expression& expression, const std::string& where) const {
     if (expression.kind == Expression::Kind::name &&

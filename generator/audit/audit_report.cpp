@@ -1,0 +1,200 @@
+#include "audit/audit_report.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace assur::generator {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::size_t agreeing(const AuditedStatement& statement) {
+  return static_cast<std::size_t>(
+      std::count_if(statement.findings.begin(), statement.findings.end(),
+                    [](const Finding& finding) { return finding.agrees(); }));
+}
+
+std::string counted(std::size_t agree, std::size_t all) {
+  return agree == all ? (all == 1 ? "agrees" : "all " + std::to_string(all) + " agree")
+                      : std::to_string(agree) + " of " + std::to_string(all) + " agree";
+}
+
+/// One letter for each entry of a matrix, so that a glance finds the wrong ones.
+char mark(const Finding& finding) {
+  switch (finding.comparison.verdict) {
+    case Verdict::agrees:
+      return '.';
+    case Verdict::differs_by_sign:
+      return '-';
+    case Verdict::differs:
+      return 'x';
+    case Verdict::unreadable:
+      return '!';
+    case Verdict::undecided:
+      break;
+  }
+  return '?';
+}
+
+std::string place_text(const AuditReport& report, Place place) {
+  return report.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
+}
+
+/// What is known of a disagreement, as pairs of a word and a text.
+std::vector<std::pair<std::string, std::string>> details(const Finding& finding) {
+  const Comparison& comparison = finding.comparison;
+  std::vector<std::pair<std::string, std::string>> lines;
+  const auto add = [&](const char* word, const std::string& text) {
+    if (!text.empty()) {
+      lines.emplace_back(word, text);
+    }
+  };
+  add("printed", finding.printed);
+  add("derived", finding.derived);
+  add("difference", comparison.difference);
+  add("at", comparison.point);
+  const bool unanswered =
+      comparison.verdict == Verdict::unreadable || comparison.verdict == Verdict::undecided;
+  add("because", unanswered ? comparison.evidence : "");
+  add("note", finding.note);
+  return lines;
+}
+
+std::string statement_text(const AuditReport& report, const AuditedStatement& statement) {
+  const std::size_t agree = agreeing(statement);
+  std::string text = statement.label + ": " + counted(agree, statement.findings.size()) + "\n";
+  if (agree == statement.findings.size()) {
+    return text;
+  }
+  if (statement.columns > 0) {
+    for (std::size_t place = 0; place < statement.findings.size(); ++place) {
+      text += place % statement.columns == 0 ? "    " : " ";
+      text += mark(statement.findings[place]);
+      text += (place + 1) % statement.columns == 0 ? "\n" : "";
+    }
+  }
+  // Cases of one equation that fail alike are told once.
+  const Finding* told = nullptr;
+  for (const Finding& finding : statement.findings) {
+    if (finding.agrees()) {
+      continue;
+    }
+    const bool alike = told != nullptr && finding.printed == told->printed &&
+                       finding.derived == told->derived && finding.note == told->note &&
+                       finding.comparison.verdict == told->comparison.verdict;
+    text += "  " + finding.item + (finding.item.empty() ? "" : ": ") +
+            verdict_text(finding.comparison.verdict) +
+            (alike ? " likewise\n" : " (" + place_text(report, finding.place) + ")\n");
+    if (alike) {
+      continue;
+    }
+    told = &finding;
+    for (const auto& [word, detail] : details(finding)) {
+      text += "    " + word + std::string(12 - word.size(), ' ') + detail + "\n";
+    }
+  }
+  return text;
+}
+
+std::pair<std::size_t, std::size_t> totals(const AuditReport& report) {
+  std::size_t agree = 0;
+  std::size_t all = 0;
+  for (const AuditedStatement& statement : report.statements) {
+    agree += agreeing(statement);
+    all += statement.findings.size();
+  }
+  return {agree, all};
+}
+
+std::string in_cell(std::string text) {
+  for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) {
+    text.replace(at, 1, "\\|");
+  }
+  return text.empty() ? "" : "`" + text + "`";
+}
+
+}  // namespace
+
+std::string audit_report_text(const std::vector<AuditReport>& reports) {
+  std::string text;
+  for (const AuditReport& report : reports) {
+    const auto [agree, all] = totals(report);
+    text += report.file + (report.source.empty() ? "" : ": " + report.source) + "\n";
+    for (const AuditedStatement& statement : report.statements) {
+      text += statement_text(report, statement);
+    }
+    text += "in all: " + counted(agree, all) + "\n";
+  }
+  return text;
+}
+
+std::string audit_report_markdown(const std::vector<AuditReport>& reports) {
+  std::string text;
+  for (const AuditReport& report : reports) {
+    const auto [agree, all] = totals(report);
+    text += "## " + (report.source.empty() ? report.file : report.source) + "\n\n" +
+            counted(agree, all) + ".\n\n| what | agree |\n|---|---|\n";
+    for (const AuditedStatement& statement : report.statements) {
+      text += "| " + statement.label + " | " + std::to_string(agreeing(statement)) + " of " +
+              std::to_string(statement.findings.size()) + " |\n";
+    }
+    if (agree == all) {
+      continue;
+    }
+    text +=
+        "\n| where | verdict | printed | derived | difference | note "
+        "|\n|---|---|---|---|---|---|\n";
+    for (const AuditedStatement& statement : report.statements) {
+      for (const Finding& finding : statement.findings) {
+        if (finding.agrees()) {
+          continue;
+        }
+        const Comparison& comparison = finding.comparison;
+        const std::string at = comparison.point.empty() ? "" : " at " + comparison.point;
+        text += "| " + statement.label + " " + finding.item + " | " +
+                verdict_text(comparison.verdict) + " | " + in_cell(finding.printed) + " | " +
+                in_cell(finding.derived) + " | " + comparison.difference + at + " | " +
+                finding.note + " |\n";
+      }
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string audit_report_json(const std::vector<AuditReport>& reports) {
+  Json files = Json::array();
+  bool agrees = true;
+  for (const AuditReport& report : reports) {
+    Json statements = Json::array();
+    for (const AuditedStatement& statement : report.statements) {
+      Json findings = Json::array();
+      for (const Finding& finding : statement.findings) {
+        const Comparison& comparison = finding.comparison;
+        Json entry = {
+            {"item", finding.item},           {"verdict", verdict_text(comparison.verdict)},
+            {"line", finding.place.line},     {"column", finding.place.column},
+            {"printed", finding.printed},     {"derived", finding.derived},
+            {"evidence", comparison.evidence}};
+        if (!comparison.difference.empty()) {
+          entry["difference"] = comparison.difference;
+          entry["point"] = comparison.point;
+        }
+        if (!finding.note.empty()) {
+          entry["note"] = finding.note;
+        }
+        findings.push_back(std::move(entry));
+      }
+      statements.push_back({{"statement", statement.label}, {"findings", std::move(findings)}});
+    }
+    agrees = agrees && report.agrees();
+    files.push_back({{"file", report.file},
+                     {"source", report.source},
+                     {"agrees", report.agrees()},
+                     {"statements", std::move(statements)}});
+  }
+  return Json{{"agrees", agrees}, {"files", std::move(files)}}.dump(2) + "\n";
+}
+
+}  // namespace assur::generator

@@ -1,0 +1,15 @@
+// Turns audit reports into text for people, Markdown for documents, or JSON for programs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "audit/finding.hpp"
+
+namespace assur::generator {
+
+[[nodiscard]] std::string audit_report_text(const std::vector<AuditReport>& reports);
+[[nodiscard]] std::string audit_report_markdown(const std::vector<AuditReport>& reports);
+[[nodiscard]] std::string audit_report_json(const std::vector<AuditReport>& reports);
+
+}  // namespace assur::generator

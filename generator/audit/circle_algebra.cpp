@@ -1,0 +1,214 @@
+#include "audit/circle_algebra.hpp"
+
+#include <algorithm>
+
+namespace assur::generator {
+
+namespace {
+
+constexpr int max_multiple = 64;
+
+Vector2 turned(const Vector2& by, const Vector2& angle) {
+  return {(by.x * angle.x - by.y * angle.y).expand(), (by.x * angle.y + by.y * angle.x).expand()};
+}
+
+std::string text_of(const GiNaC::ex& expression) {
+  std::ostringstream text;
+  text << expression;
+  return text.str();
+}
+
+}  // namespace
+
+void CircleAlgebra::add_angle(const GiNaC::symbol& angle) {
+  directions_[angle] = {GiNaC::symbol("cos_" + angle.get_name()),
+                        GiNaC::symbol("sin_" + angle.get_name())};
+}
+
+const Vector2& CircleAlgebra::direction(const GiNaC::symbol& angle) const {
+  return directions_.at(angle);
+}
+
+bool CircleAlgebra::under_a_root(const GiNaC::symbol& symbol) const {
+  for (const Root& root : roots_) {
+    if (root.radicand.has(symbol)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+GiNaC::ex CircleAlgebra::algebraic(const GiNaC::ex& expression) {
+  if (GiNaC::is_a<GiNaC::function>(expression)) {
+    const auto& function = GiNaC::ex_to<GiNaC::function>(expression);
+    if (function.get_name() == "cos") {
+      return direction_of(expression.op(0)).x;
+    }
+    if (function.get_name() == "sin") {
+      return direction_of(expression.op(0)).y;
+    }
+    if (function.get_name() == "tan") {
+      const Vector2 direction = direction_of(expression.op(0));
+      return direction.y / direction.x;
+    }
+    throw NotAlgebraic("'" + function.get_name() + "' stands outside a sine or cosine");
+  }
+  if (GiNaC::is_a<GiNaC::power>(expression)) {
+    const GiNaC::ex& exponent = expression.op(1);
+    if (exponent.info(GiNaC::info_flags::integer)) {
+      return GiNaC::pow(algebraic(expression.op(0)), exponent);
+    }
+    if ((2 * exponent).info(GiNaC::info_flags::integer)) {
+      return GiNaC::pow(root_of(algebraic(expression.op(0))), 2 * exponent);
+    }
+    throw NotAlgebraic("the power " + text_of(exponent) + " is not a whole or half number");
+  }
+  if (GiNaC::is_a<GiNaC::constant>(expression)) {
+    throw NotAlgebraic("pi stands outside a sine or cosine");
+  }
+  if (GiNaC::is_a<GiNaC::add>(expression) || GiNaC::is_a<GiNaC::mul>(expression)) {
+    const bool sum = GiNaC::is_a<GiNaC::add>(expression);
+    GiNaC::ex result = sum ? 0 : 1;
+    for (const GiNaC::ex& part : expression) {
+      result = sum ? result + algebraic(part) : result * algebraic(part);
+    }
+    return result;
+  }
+  return expression;
+}
+
+Vector2 CircleAlgebra::direction_of(const GiNaC::ex& angle) {
+  const GiNaC::ex expanded = angle.expand();
+  Vector2 direction{1, 0};
+  const auto add = [&](const GiNaC::ex& term) {
+    if (term.is_zero()) {
+      return;
+    }
+    GiNaC::numeric factor = 1;
+    GiNaC::ex base = 1;
+    const bool product = GiNaC::is_a<GiNaC::mul>(term);
+    for (std::size_t place = 0; place < (product ? term.nops() : 1); ++place) {
+      const GiNaC::ex part = product ? term.op(place) : term;
+      if (GiNaC::is_a<GiNaC::numeric>(part)) {
+        factor *= GiNaC::ex_to<GiNaC::numeric>(part);
+      } else {
+        base *= part;
+      }
+    }
+    const bool quarter_turns = base.is_equal(GiNaC::Pi);
+    factor *= quarter_turns ? 2 : 1;
+    if (!factor.is_integer() || abs(factor) > max_multiple) {
+      throw NotAlgebraic("the angle " + text_of(term) + " is no whole multiple of one declared");
+    }
+    Vector2 step = quarter_turns ? Vector2{0, 1} : direction_of_term(base);
+    if (factor.is_negative()) {
+      step.y = -step.y;
+    }
+    for (int count = abs(factor).to_int(); count > 0; --count) {
+      direction = turned(direction, step);
+    }
+  };
+  if (GiNaC::is_a<GiNaC::add>(expanded)) {
+    for (const GiNaC::ex& term : expanded) {
+      add(term);
+    }
+  } else {
+    add(expanded);
+  }
+  return direction;
+}
+
+Vector2 CircleAlgebra::direction_of_term(const GiNaC::ex& base) {
+  if (const auto known = directions_.find(base); known != directions_.end()) {
+    return known->second;
+  }
+  if (GiNaC::is_a<GiNaC::function>(base)) {
+    const std::string name = GiNaC::ex_to<GiNaC::function>(base).get_name();
+    const GiNaC::ex first = algebraic(base.op(0));
+    if (name == "acos") {
+      return {first, root_of(1 - first * first)};
+    }
+    if (name == "asin") {
+      return {root_of(1 - first * first), first};
+    }
+    if (name == "atan") {
+      const GiNaC::ex size = root_of(1 + first * first);
+      return {1 / size, first / size};
+    }
+    if (name == "atan2") {
+      const GiNaC::ex second = algebraic(base.op(1));
+      const GiNaC::ex size = root_of(first * first + second * second);
+      return {second / size, first / size};
+    }
+  }
+  throw NotAlgebraic("'" + text_of(base) + "' is used as an angle and is not declared as one");
+}
+
+GiNaC::ex CircleAlgebra::root_of(const GiNaC::ex& radicand) {
+  const GiNaC::ex normal = radicand.normal();
+  if (GiNaC::is_a<GiNaC::numeric>(normal)) {
+    return GiNaC::sqrt(normal);
+  }
+  for (const Root& root : roots_) {
+    if (vanishes(root.radicand - normal)) {
+      return root.symbol;
+    }
+  }
+  roots_.push_back({GiNaC::symbol("root_" + std::to_string(roots_.size() + 1)), normal});
+  return roots_.back().symbol;
+}
+
+bool CircleAlgebra::vanishes(const GiNaC::ex& algebraic) const {
+  GiNaC::ex rest = algebraic.normal().numer().expand();
+  for (auto root = roots_.rbegin(); root != roots_.rend() && !rest.is_zero(); ++root) {
+    if (rest.has(root->symbol)) {
+      const GiNaC::ex fraction = root->radicand.normal().numer_denom();
+      const GiNaC::ex relation = fraction.op(1) * GiNaC::pow(root->symbol, 2) - fraction.op(0);
+      rest = GiNaC::prem(rest, relation.expand(), root->symbol).expand();
+    }
+  }
+  for (const auto& [angle, direction] : directions_) {
+    if (rest.is_zero()) {
+      return true;
+    }
+    if (rest.has(direction.y)) {
+      const GiNaC::ex relation = direction.x * direction.x + direction.y * direction.y - 1;
+      rest = GiNaC::rem(rest, relation, direction.y).expand();
+    }
+  }
+  return rest.is_zero();
+}
+
+GiNaC::exmap CircleAlgebra::with_roots(const GiNaC::exmap& point) const {
+  GiNaC::exmap values = point;
+  for (const Root& root : roots_) {
+    const GiNaC::ex radicand = root.radicand.subs(values).expand();
+    const GiNaC::ex number = radicand.evalf();
+    if (!GiNaC::is_a<GiNaC::numeric>(number)) {
+      continue;  // in symbols that the point leaves free
+    }
+    if (GiNaC::ex_to<GiNaC::numeric>(number).is_negative()) {
+      throw NotAlgebraic("the root of a negative number");
+    }
+    values[root.symbol] = GiNaC::sqrt(radicand);
+  }
+  return values;
+}
+
+GiNaC::ex CircleAlgebra::at(const GiNaC::ex& algebraic, const GiNaC::exmap& point) const {
+  try {
+    return algebraic.subs(with_roots(point)).expand();
+  } catch (const GiNaC::pole_error&) {
+    throw NotAlgebraic("division by zero");
+  }
+}
+
+bool CircleAlgebra::roots_are_rational(const GiNaC::exmap& point) const {
+  const GiNaC::exmap values = with_roots(point);
+  return std::all_of(roots_.begin(), roots_.end(), [&](const Root& root) {
+    const auto value = values.find(root.symbol);
+    return value == values.end() || value->second.info(GiNaC::info_flags::rational);
+  });
+}
+
+}  // namespace assur::generator

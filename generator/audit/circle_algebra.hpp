@@ -1,0 +1,60 @@
+// Turns expressions in sines, cosines and square roots into polynomials with side relations.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "equations/variable.hpp"
+
+namespace assur::generator {
+
+/// An expression that no polynomial with c^2 + s^2 = 1 and r^2 = radicand stands for.
+class NotAlgebraic : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The ring of polynomials in lengths, in the cosine c and sine s of each angle, c^2 + s^2 = 1, and
+/// in square roots r, r^2 = radicand. What vanishes there vanishes everywhere.
+class CircleAlgebra {
+ public:
+  void add_angle(const GiNaC::symbol& angle);
+
+  /// The expression with c, s and r in place of sines, cosines and roots; a quotient of polynomials
+  /// where the expression is one. Throws NotAlgebraic.
+  [[nodiscard]] GiNaC::ex algebraic(const GiNaC::ex& expression);
+  /// Whether the algebraic form is zero modulo the relations. False does not prove the contrary
+  /// where roots depend on each other.
+  [[nodiscard]] bool vanishes(const GiNaC::ex& algebraic) const;
+  /// The algebraic form at a point that gives values to lengths, cosines and sines. Throws
+  /// NotAlgebraic where a root is of a negative number or a denominator vanishes.
+  [[nodiscard]] GiNaC::ex at(const GiNaC::ex& algebraic, const GiNaC::exmap& point) const;
+
+  /// Whether all roots have rational values at a point. Throws NotAlgebraic as `at` does.
+  [[nodiscard]] bool roots_are_rational(const GiNaC::exmap& point) const;
+
+  /// (c, s) of an angle that was added.
+  [[nodiscard]] const Vector2& direction(const GiNaC::symbol& angle) const;
+  /// Whether a symbol occurs under a root.
+  [[nodiscard]] bool under_a_root(const GiNaC::symbol& symbol) const;
+
+ private:
+  struct Root {
+    GiNaC::symbol symbol;
+    GiNaC::ex radicand;  ///< algebraic, in roots that come earlier
+  };
+
+  [[nodiscard]] Vector2 direction_of(const GiNaC::ex& angle);
+  [[nodiscard]] Vector2 direction_of_term(const GiNaC::ex& base);
+  [[nodiscard]] GiNaC::exmap with_roots(const GiNaC::exmap& point) const;
+  [[nodiscard]] GiNaC::ex root_of(const GiNaC::ex& radicand);
+
+  std::map<GiNaC::ex, Vector2, GiNaC::ex_is_less> directions_;
+  std::vector<Root> roots_;
+};
+
+}  // namespace assur::generator

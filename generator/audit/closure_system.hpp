@@ -1,0 +1,118 @@
+// Turns declared symbols and closure equations into derivatives and into exact assembled points.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "audit/circle_algebra.hpp"
+
+namespace assur::generator {
+
+/// A symbol that an audit file declares, or that its model has.
+struct AuditSymbol {
+  AuditSymbol(const std::string& name_in, bool angle_in)
+      : name(name_in),
+        angle(angle_in),
+        symbol(name_in),
+        rate("rate(" + name_in + ")"),
+        second_rate("rate2(" + name_in + ")") {}
+
+  std::string name;
+  bool angle;
+  bool unknown = false;  ///< determined by the closures
+  bool moving = false;   ///< a parameter with rates of its own
+  GiNaC::symbol symbol;
+  GiNaC::symbol rate;
+  GiNaC::symbol second_rate;
+};
+
+/// f(q, a) = 0 with unknowns q and parameters a, and expressions in them. Expressions hold sines
+/// and cosines as such, abbreviations as symbols of their own, and total derivatives dq/da, q' and
+/// q'' as symbols whose values belong to a point: J dq/da = -df/da, J q' = -(df/da) a', and so on.
+class ClosureSystem {
+ public:
+  struct Closure {
+    std::string name;
+    GiNaC::ex expression;
+  };
+
+  /// A rational configuration: values of lengths, of cosines and sines, of rates and, as far as
+  /// asked for, of derivatives.
+  struct Point {
+    GiNaC::exmap values;
+    GiNaC::matrix inverse_jacobian;  ///< empty unless the closures hold there
+  };
+
+  AuditSymbol& declare(const std::string& name, bool angle);
+  void abbreviate(const std::string& name, const GiNaC::ex& definition);
+  void close(const std::string& name, const GiNaC::ex& expression);
+  /// The same equation read the other way round.
+  void negate_closure(const std::string& name);
+
+  [[nodiscard]] AuditSymbol* symbol_named(const std::string& name);
+  [[nodiscard]] const GiNaC::ex* closure_named(const std::string& name) const;
+  [[nodiscard]] bool is_known(const std::string& name) const;
+  /// What a name stands for in a formula, or nothing.
+  [[nodiscard]] std::optional<GiNaC::ex> meaning_of(const std::string& name) const;
+  [[nodiscard]] std::vector<std::string> names() const;
+  [[nodiscard]] const std::vector<Closure>& closures() const { return closures_; }
+  [[nodiscard]] const std::deque<AuditSymbol>& symbols() const { return symbols_; }
+
+  /// de/dx with all other symbols held; abbreviations are differentiated through.
+  [[nodiscard]] GiNaC::ex partial(const GiNaC::ex& expression, const GiNaC::symbol& symbol) const;
+  /// de/da where the unknowns follow the closures.
+  [[nodiscard]] GiNaC::ex total(const GiNaC::ex& expression, const AuditSymbol& parameter);
+  /// de/dt along the rates of unknowns and moving parameters; of an expression in rates, the
+  /// second.
+  [[nodiscard]] GiNaC::ex rate(const GiNaC::ex& expression) const;
+
+  /// Abbreviations replaced by what they stand for.
+  [[nodiscard]] GiNaC::ex expanded(const GiNaC::ex& expression) const;
+  /// Whether an expression holds total derivatives, which have values at points alone.
+  [[nodiscard]] bool follows_closures(const GiNaC::ex& expression) const;
+  /// The points that comparisons use, one after the other, drawn by fixed seeds: `assembled`, where
+  /// the closures hold, or anywhere; nullptr when there are no more. Points where all roots are
+  /// rational come first.
+  [[nodiscard]] Point* point(std::size_t index, bool assembled);
+  /// `a3 = 7/10, (cos, sin)(phi1) = (3/5, 4/5)`: the symbols that occur in the expressions.
+  [[nodiscard]] std::string point_text(const Point& point,
+                                       const std::vector<GiNaC::ex>& shown) const;
+  /// Of the expression's algebraic form; throws NotAlgebraic.
+  [[nodiscard]] GiNaC::ex value(const GiNaC::ex& expression, Point& point);
+  [[nodiscard]] bool vanishes(const GiNaC::ex& expression);
+
+ private:
+  struct Sensitivity {
+    const AuditSymbol* unknown;
+    const AuditSymbol* parameter;
+    GiNaC::symbol symbol;
+  };
+
+  struct PointList {
+    std::deque<Point> drawn;
+    unsigned next_seed = 1;
+    bool rational_roots = true;  ///< asked of the points that are still drawn
+  };
+
+  [[nodiscard]] std::optional<Point> draw(unsigned seed, bool assembled, bool rational_roots);
+  [[nodiscard]] bool assemble(GiNaC::exmap& values);
+  void invert_jacobian(Point& point);
+  void solve_sensitivities(const GiNaC::ex& expression, Point& point);
+  void solve_rates(Point& point);
+  [[nodiscard]] GiNaC::matrix solution_of(const std::vector<GiNaC::ex>& slopes, const Point& point);
+  [[nodiscard]] std::vector<const AuditSymbol*> unknowns() const;
+  [[nodiscard]] GiNaC::matrix values_of(const std::vector<GiNaC::ex>& expressions,
+                                        const GiNaC::exmap& values);
+
+  std::deque<AuditSymbol> symbols_;
+  std::vector<std::pair<GiNaC::symbol, GiNaC::ex>> abbreviations_;  ///< each in earlier ones
+  std::vector<Closure> closures_;
+  std::deque<Sensitivity> sensitivities_;
+  CircleAlgebra algebra_;
+  std::map<bool, PointList> points_;  ///< by whether they are assembled
+};
+
+}  // namespace assur::generator

@@ -1,0 +1,25 @@
+// Turns a printed and a derived expression into a verdict, with the evidence for it.
+#pragma once
+
+#include "audit/closure_system.hpp"
+
+namespace assur::generator {
+
+enum class Verdict : unsigned char { agrees, differs_by_sign, differs, unreadable, undecided };
+
+[[nodiscard]] const char* verdict_text(Verdict verdict);
+
+struct Comparison {
+  Verdict verdict;
+  std::string evidence;    ///< how it was decided
+  std::string point;       ///< where the two differ; empty where they agree
+  std::string difference;  ///< printed less derived, there
+};
+
+/// Compares at random rational points, exactly; what agrees at all of them is then proved to zero
+/// where the algebra reaches. `on_closures` asks only for agreement at assembled configurations;
+/// expressions with total derivatives are always compared there.
+[[nodiscard]] Comparison compare(ClosureSystem& system, const GiNaC::ex& printed,
+                                 const GiNaC::ex& derived, bool on_closures);
+
+}  // namespace assur::generator

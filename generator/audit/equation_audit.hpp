@@ -1,0 +1,36 @@
+// Turns printed closures, matrices and equations into findings against a closure system.
+#pragma once
+
+#include "audit/finding.hpp"
+#include "audit/formula.hpp"
+
+namespace assur::generator {
+
+/// One entry of a printed matrix: empty text stands for zero.
+struct PrintedEntry {
+  PlacedText text;
+  LocalNames locals;
+};
+
+/// A printed matrix: rows are closures, or expressions that follow them; columns are symbols.
+struct PrintedMatrix {
+  std::vector<std::string> rows;
+  std::vector<std::string> columns;
+  std::vector<PrintedEntry> entries;  ///< row by row
+};
+
+/// The printed closure against the derived one of that name. An equation may be printed with all
+/// its signs turned round; the system then takes it as printed.
+[[nodiscard]] Finding audit_closure(ClosureSystem& system, const std::string& name,
+                                    const PlacedText& printed);
+
+/// Each entry against the derivative of its row by its column: a partial one if the row is a
+/// closure, else the total one.
+[[nodiscard]] std::vector<Finding> audit_matrix(ClosureSystem& system, const PrintedMatrix& matrix);
+
+/// Both sides of a printed equation against each other, where the closures hold.
+[[nodiscard]] Finding audit_equation(ClosureSystem& system, const std::string& item,
+                                     const PlacedText& left, const PlacedText& right,
+                                     const LocalNames& locals);
+
+}  // namespace assur::generator

@@ -1,0 +1,40 @@
+// The answers of an audit: one for each thing that a source prints.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "audit/comparison.hpp"
+#include "audit/statement.hpp"
+
+namespace assur::generator {
+
+/// One printed entry, equation, kind or number, and what the derivation says of it.
+struct Finding {
+  std::string item;  ///< `(4,3) d f4/d a3`
+  Place place;
+  Comparison comparison;
+  std::string printed;
+  std::string derived;
+  std::string note;  ///< what explains a difference, if anything does
+
+  [[nodiscard]] bool agrees() const { return comparison.verdict == Verdict::agrees; }
+};
+
+/// What one `printed` statement came to. A matrix has its entries row by row.
+struct AuditedStatement {
+  std::string label;  ///< `matrix (8)`
+  Place place;
+  std::size_t columns = 0;  ///< of a matrix; zero for anything else
+  std::vector<Finding> findings;
+};
+
+struct AuditReport {
+  std::string file;
+  std::string source;
+  std::vector<AuditedStatement> statements;
+
+  [[nodiscard]] bool agrees() const;
+};
+
+}  // namespace assur::generator

@@ -1,0 +1,187 @@
+#include "audit/formula.hpp"
+
+#include <array>
+
+#include "scene/expression.hpp"
+#include "scene/suggestion.hpp"
+
+namespace assur::generator {
+
+namespace {
+
+constexpr std::array<ExpressionFunction, 7> functions = {
+    {{"d", 2}, {"D", 2}, {"rate", 1}, {"rate2", 1}, {"pow", 2}, {"point", 2}, {"polar", 2}}};
+
+/// The decimal number that a text spells, exactly.
+GiNaC::numeric exact_number(const std::string& text) {
+  const std::size_t mark = text.find_first_of("eE");
+  const std::string digits = text.substr(0, mark);
+  long exponent = mark == std::string::npos ? 0 : std::stol(text.substr(mark + 1));
+  std::string whole;
+  bool fraction = false;
+  for (const char digit : digits) {
+    if (digit == '.') {
+      fraction = true;
+    } else {
+      whole += digit;
+      exponent -= fraction ? 1 : 0;
+    }
+  }
+  whole.erase(0, std::min(whole.find_first_not_of('0'), whole.size() - 1));
+  const GiNaC::numeric value(whole.c_str());
+  return value * GiNaC::pow(GiNaC::numeric(10), GiNaC::numeric(exponent));
+}
+
+class Reader {
+ public:
+  Reader(const PlacedText& text, ClosureSystem& system, const LocalNames& locals)
+      : text_(text), system_(system), locals_(locals) {
+    if (text.empty()) {
+      throw FormulaError("a formula is missing", text.place);
+    }
+    try {
+      tree_ = parse_expression(text.text, functions);
+    } catch (const ExpressionError& error) {
+      throw FormulaError(error.what(), text.at(error.column));
+    }
+  }
+
+  GiNaC::ex scalar() { return scalar(tree_); }
+  Vector2 vector() { return vector(tree_); }
+
+ private:
+  [[noreturn]] void fail(const std::string& what, const Expression& at) const {
+    throw FormulaError(what, text_.at(at.column));
+  }
+
+  GiNaC::ex number(const Expression& node) const {
+    if (node.name == "pi" || node.name == "deg") {
+      return node.name == "pi" ? GiNaC::ex(GiNaC::Pi) : GiNaC::Pi / 180;
+    }
+    return exact_number(node.name);
+  }
+
+  [[nodiscard]] const std::string& resolved(const std::string& name) const {
+    const auto other = locals_.stands_for.find(name);
+    return other == locals_.stands_for.end() ? name : other->second;
+  }
+
+  GiNaC::ex name(const Expression& node) const {
+    if (const auto local = locals_.meanings.find(node.name); local != locals_.meanings.end()) {
+      return local->second;
+    }
+    if (const std::optional<GiNaC::ex> meaning = system_.meaning_of(resolved(node.name))) {
+      return *meaning;
+    }
+    fail("no symbol named '" + node.name + "'" + suggestion(node.name, system_.names()), node);
+  }
+
+  const AuditSymbol& symbol(const Expression& node) const {
+    const AuditSymbol* found =
+        node.kind == Expression::Kind::name ? system_.symbol_named(resolved(node.name)) : nullptr;
+    if (found == nullptr) {
+      fail("expected a declared symbol to differentiate by", node);
+    }
+    return *found;
+  }
+
+  GiNaC::ex quotient(const GiNaC::ex& above, const GiNaC::ex& below, const Expression& at) const {
+    if (below.is_zero()) {
+      fail("division by zero", at);
+    }
+    return above / below;
+  }
+
+  GiNaC::ex scalar(const Expression& node) {
+    if (node.kind == Expression::Kind::number) {
+      return number(node);
+    }
+    if (node.kind == Expression::Kind::name) {
+      return name(node);
+    }
+    const std::string& called = node.name;
+    if (called == "point" || called == "polar") {
+      fail("a vector stands where a number is expected", node);
+    }
+    const GiNaC::ex first = scalar(node.arguments[0]);
+    if (node.arguments.size() == 1) {
+      if (called == "-") return -first;
+      if (called == "sqrt") return GiNaC::sqrt(first);
+      if (called == "sin") return GiNaC::sin(first);
+      if (called == "cos") return GiNaC::cos(first);
+      if (called == "tan") return GiNaC::tan(first);
+      if (called == "asin") return GiNaC::asin(first);
+      if (called == "acos") return GiNaC::acos(first);
+      if (called == "atan") return GiNaC::atan(first);
+      const GiNaC::ex rate = system_.rate(first);
+      return called == "rate" ? rate : system_.rate(rate);
+    }
+    if (called == "d") return system_.partial(first, symbol(node.arguments[1]).symbol);
+    if (called == "D") return total(first, symbol(node.arguments[1]), node);
+    const GiNaC::ex second = scalar(node.arguments[1]);
+    if (called == "+") return first + second;
+    if (called == "-") return first - second;
+    if (called == "*") return first * second;
+    if (called == "/") return quotient(first, second, node);
+    if (called == "atan2") return GiNaC::atan2(first, second);
+    return power(first, second, node);
+  }
+
+  GiNaC::ex total(const GiNaC::ex& expression, const AuditSymbol& by, const Expression& at) {
+    if (by.unknown) {
+      fail("D differentiates by a parameter, and '" + by.name + "' is an unknown", at);
+    }
+    return system_.total(expression, by);
+  }
+
+  GiNaC::ex power(const GiNaC::ex& base, const GiNaC::ex& exponent, const Expression& at) const {
+    if (!(2 * exponent).info(GiNaC::info_flags::integer)) {
+      fail("only whole and half powers can be compared", at);
+    }
+    if (base.is_zero() && exponent.info(GiNaC::info_flags::negative)) {
+      fail("division by zero", at);
+    }
+    return GiNaC::pow(base, exponent);
+  }
+
+  Vector2 vector(const Expression& node) {
+    const std::string& called = node.name;
+    if (node.kind == Expression::Kind::call && called == "point") {
+      return {scalar(node.arguments[0]), scalar(node.arguments[1])};
+    }
+    if (node.kind == Expression::Kind::call && called == "polar") {
+      const GiNaC::ex length = scalar(node.arguments[0]);
+      const GiNaC::ex angle = scalar(node.arguments[1]);
+      return {length * GiNaC::cos(angle), length * GiNaC::sin(angle)};
+    }
+    const bool sum = node.kind == Expression::Kind::call && (called == "+" || called == "-");
+    if (!sum) {
+      fail("expected a sum of point(x, y) and polar(length, angle)", node);
+    }
+    const Vector2 first = vector(node.arguments[0]);
+    if (node.arguments.size() == 1) {
+      return {-first.x, -first.y};
+    }
+    const Vector2 second = vector(node.arguments[1]);
+    return called == "+" ? Vector2{first.x + second.x, first.y + second.y}
+                         : Vector2{first.x - second.x, first.y - second.y};
+  }
+
+  const PlacedText& text_;
+  ClosureSystem& system_;
+  const LocalNames& locals_;
+  Expression tree_;
+};
+
+}  // namespace
+
+GiNaC::ex read_formula(const PlacedText& text, ClosureSystem& system, const LocalNames& locals) {
+  return Reader(text, system, locals).scalar();
+}
+
+Vector2 read_vector(const PlacedText& text, ClosureSystem& system) {
+  const LocalNames none;
+  return Reader(text, system, none).vector();
+}
+
+}  // namespace assur::generator

@@ -1,0 +1,29 @@
+// Turns the text of a printed formula into an expression in the symbols of a closure system.
+#pragma once
+
+#include "audit/closure_system.hpp"
+#include "audit/statement.hpp"
+
+namespace assur::generator {
+
+/// Something in a formula that cannot be read, and where.
+struct FormulaError : std::runtime_error {
+  FormulaError(const std::string& what, Place at) : std::runtime_error(what), place(at) {}
+  Place place;
+};
+
+/// Names that one formula has beside those of the system.
+struct LocalNames {
+  std::map<std::string, std::string> stands_for;  ///< another name: `j` for `a3`
+  std::map<std::string, GiNaC::ex> meanings;
+};
+
+/// Numbers are exact: 0.1 is 1/10. Beside the functions of scenes a formula may call d(e, x), D(e,
+/// x), rate(e), rate2(e) (see ClosureSystem) and pow(e, n). Throws FormulaError.
+[[nodiscard]] GiNaC::ex read_formula(const PlacedText& text, ClosureSystem& system,
+                                     const LocalNames& locals = {});
+
+/// A sum of vectors point(x, y), polar(length, angle) and multiples of them.
+[[nodiscard]] Vector2 read_vector(const PlacedText& text, ClosureSystem& system);
+
+}  // namespace assur::generator

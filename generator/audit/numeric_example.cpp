@@ -1,0 +1,204 @@
+#include "audit/numeric_example.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+#include "audit/formula.hpp"
+#include "scene/suggestion.hpp"
+
+namespace assur::generator {
+
+namespace {
+
+constexpr double rounding = 1e-9;  // of a scene's own numbers, relative
+
+std::string shown(double value) {
+  std::ostringstream text;
+  text.precision(10);
+  text << value;
+  return text.str();
+}
+
+void collect_names(const Expression& node, std::vector<const Expression*>& names) {
+  if (node.kind == Expression::Kind::name) {
+    names.push_back(&node);
+  }
+  for (const Expression& argument : node.arguments) {
+    collect_names(argument, names);
+  }
+}
+
+bool close(double value, double other, double half_unit) {
+  return std::abs(value - other) <= half_unit * (1 + 1e-6) + rounding * std::abs(other);
+}
+
+}  // namespace
+
+void NumericExample::define(const std::string& name, double value) {
+  values_[name] = {value, value, 0, false};
+}
+
+NumericExample::Value NumericExample::read_number(const PlacedText& number) const {
+  double value = 0;
+  const char* begin = number.text.data();
+  const char* const last = begin + number.text.size();
+  const auto [end, error] = std::from_chars(begin, last, value);
+  if (number.empty() || error != std::errc() || end != last) {
+    throw AuditSyntaxError(file_, number.place, "expected a number, found '" + number.text + "'");
+  }
+  const std::size_t mark = number.text.find_first_of("eE");
+  const std::string digits = number.text.substr(0, mark);
+  const std::size_t point = digits.find('.');
+  const auto decimals =
+      point == std::string::npos ? 0 : static_cast<int>(digits.size() - point - 1);
+  const int exponent = mark == std::string::npos ? 0 : std::stoi(number.text.substr(mark + 1));
+  return {value, value, 0.5 * std::pow(10.0, exponent - decimals), true};
+}
+
+void NumericExample::give(const std::string& name, const PlacedText& number) {
+  values_[name] = read_number(number);
+}
+
+/// Throws ExpressionError, for a name that is not known as well.
+Expression NumericExample::read_tree(const PlacedText& formula) const {
+  Expression tree = parse_expression(formula.text);
+  std::vector<const Expression*> used;
+  collect_names(tree, used);
+  for (const Expression* node : used) {
+    if (!is_known(node->name)) {
+      std::vector<std::string> names;
+      for (const auto& [known, value] : values_) {
+        names.push_back(known);
+      }
+      throw ExpressionError(
+          "no quantity named '" + node->name + "'" + suggestion(node->name, names), node->column);
+    }
+  }
+  return tree;
+}
+
+void NumericExample::define(const std::string& name, const PlacedText& formula) {
+  try {
+    define(name, evaluate(read_tree(formula), Reading::derived));
+  } catch (const ExpressionError& error) {
+    throw AuditSyntaxError(file_, formula.at(error.column), error.what());
+  }
+}
+
+double NumericExample::evaluate(const Expression& formula, Reading reading,
+                                const std::map<std::string, double>& replaced) const {
+  return generator::evaluate<double>(formula, [&](const std::string& name) {
+    if (const auto other = replaced.find(name); other != replaced.end()) {
+      return other->second;
+    }
+    const Value& value = values_.at(name);
+    return reading == Reading::printed && value.is_printed ? value.printed : value.derived;
+  });
+}
+
+Finding NumericExample::audit(const std::string& name, const PlacedText& number,
+                              const PlacedText& formula) {
+  Value result = read_number(number);
+  Finding finding{name, number.place, {}, number.text, "", ""};
+  Expression tree;
+  try {
+    tree = read_tree(formula);
+  } catch (const ExpressionError& error) {
+    finding.place = formula.at(error.column);
+    finding.comparison = {Verdict::unreadable, error.what(), "", ""};
+    return finding;
+  }
+  result.derived = evaluate(tree, Reading::derived);
+  finding.derived = shown(result.derived);
+  Comparison& comparison = finding.comparison;
+  comparison.evidence = "to half a unit of the last digit";
+  if (!std::isfinite(result.derived)) {
+    comparison = {Verdict::undecided, "the formula has no finite value", "", ""};
+  } else if (close(result.printed, result.derived, result.half_unit)) {
+    comparison.verdict = Verdict::agrees;
+  } else {
+    const bool sign = close(-result.printed, result.derived, result.half_unit);
+    comparison.verdict = sign ? Verdict::differs_by_sign : Verdict::differs;
+    comparison.difference = shown(result.printed - result.derived);
+    finding.note = explanation(tree, result);
+  }
+  values_[name] = result;
+  return finding;
+}
+
+/// Which printed number makes a result what is printed, or would have to be another.
+std::string NumericExample::explanation(const Expression& formula, const Value& result) const {
+  std::vector<const Expression*> used;
+  collect_names(formula, used);
+  std::vector<std::string> inputs;
+  for (const Expression* node : used) {
+    const bool fresh = std::find(inputs.begin(), inputs.end(), node->name) == inputs.end();
+    if (fresh && values_.at(node->name).is_printed) {
+      inputs.push_back(node->name);
+    }
+  }
+  if (inputs.empty()) {
+    return "";
+  }
+  std::string culprits;
+  for (const std::string& name : inputs) {
+    const Value& value = values_.at(name);
+    const double with_it = evaluate(formula, Reading::derived, {{name, value.printed}});
+    if (close(result.printed, with_it, result.half_unit)) {
+      culprits += (culprits.empty() ? "" : ", or from ") + name + " = " + shown(value.printed) +
+                  " as printed (derived " + shown(value.derived) + ")";
+    }
+  }
+  if (!culprits.empty()) {
+    return "follows from " + culprits;
+  }
+  const double from_print = evaluate(formula, Reading::printed);
+  if (close(result.printed, from_print, result.half_unit)) {
+    return "follows from the printed numbers together";
+  }
+  double slack = result.half_unit;
+  for (const std::string& name : inputs) {
+    const Value& value = values_.at(name);
+    const double moved =
+        evaluate(formula, Reading::printed, {{name, value.printed + value.half_unit}});
+    slack += std::abs(moved - from_print);
+  }
+  if (close(result.printed, from_print, slack)) {
+    return "follows from the printed numbers within their rounding";
+  }
+  return "the printed numbers give " + shown(from_print) +
+         needed_inputs(formula, result.printed, inputs);
+}
+
+/// The value that each input alone would have to have.
+std::string NumericExample::needed_inputs(const Expression& formula, double result,
+                                          const std::vector<std::string>& inputs) const {
+  std::string text;
+  for (const std::string& name : inputs) {
+    const auto off = [&](double value) {
+      return evaluate(formula, Reading::printed, {{name, value}}) - result;
+    };
+    double last = values_.at(name).printed;
+    double next = last == 0 ? 1e-3 : last * (1 + 1e-3);
+    double last_off = off(last);
+    for (int step = 0; step < 60; ++step) {  // secant
+      const double next_off = off(next);
+      if (next_off == last_off || !std::isfinite(next_off)) {
+        break;
+      }
+      const double after = next - next_off * (next - last) / (next_off - last_off);
+      last = next;
+      last_off = next_off;
+      next = after;
+    }
+    if (std::isfinite(next) && std::abs(off(next)) <= 1e-9 * (1 + std::abs(result))) {
+      text +=
+          (text.empty() ? "; it would be right with " : ", or with ") + name + " = " + shown(next);
+    }
+  }
+  return text;
+}
+
+}  // namespace assur::generator

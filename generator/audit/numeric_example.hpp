@@ -1,0 +1,50 @@
+// Turns the printed numbers of a worked example into findings against values derived anew.
+#pragma once
+
+#include <map>
+
+#include "audit/finding.hpp"
+#include "scene/expression.hpp"
+
+namespace assur::generator {
+
+/// A chain of numbers: inputs, and results printed with a formula each. A formula has two readings:
+/// with the derived values of what it names, which is the truth, and with the printed ones, which
+/// shows where a difference comes from.
+class NumericExample {
+ public:
+  explicit NumericExample(std::string file) : file_(std::move(file)) {}
+
+  /// A value that is derived, not printed: of a scene, or of a group.
+  void define(const std::string& name, double value);
+  /// A value derived by a formula in derived values. Throws AuditSyntaxError.
+  void define(const std::string& name, const PlacedText& formula);
+  /// An input, taken as printed.
+  void give(const std::string& name, const PlacedText& number);
+  /// A printed result: agrees if it is the derived value within half a unit of its last digit.
+  [[nodiscard]] Finding audit(const std::string& name, const PlacedText& number,
+                              const PlacedText& formula);
+  [[nodiscard]] bool is_known(const std::string& name) const { return values_.contains(name); }
+
+ private:
+  struct Value {
+    double derived;
+    double printed;
+    double half_unit = 0;  ///< half a unit of the last printed digit; zero if never printed
+    bool is_printed = false;
+  };
+  enum class Reading : unsigned char { derived, printed };
+
+  [[nodiscard]] Expression read_tree(const PlacedText& formula) const;
+  [[nodiscard]] Value read_number(const PlacedText& number) const;
+  [[nodiscard]] double evaluate(const Expression& formula, Reading reading,
+                                const std::map<std::string, double>& replaced = {}) const;
+  [[nodiscard]] std::string explanation(const Expression& formula, const Value& result) const;
+  [[nodiscard]] std::string needed_inputs(const Expression& formula, double result,
+                                          const std::vector<std::string>& inputs) const;
+
+  std::string file_;
+  std::map<std::string, Value> values_;
+};
+
+}  // namespace assur::generator

@@ -1,0 +1,106 @@
+#include "audit/statement.hpp"
+
+#include <cctype>
+#include <sstream>
+
+namespace assur::generator {
+
+namespace {
+
+bool is_space(char letter) { return std::isspace(static_cast<unsigned char>(letter)) != 0; }
+
+PlacedText part(const PlacedText& text, std::size_t from, std::size_t to) {
+  return {text.text.substr(from, to - from), text.at(from + 1)};
+}
+
+/// The first separator from `from` on that stands outside parentheses.
+std::size_t find_outside(const std::string& text, char separator, std::size_t from) {
+  int depth = 0;
+  for (std::size_t at = from; at < text.size(); ++at) {
+    if (depth == 0 && text[at] == separator) {
+      return at;
+    }
+    depth += text[at] == '(' ? 1 : 0;
+    depth -= text[at] == ')' ? 1 : 0;
+  }
+  return std::string::npos;
+}
+
+}  // namespace
+
+std::vector<Statement> parse_statements(const std::string& text, const std::string& file) {
+  std::vector<Statement> statements;
+  std::istringstream lines(text);
+  std::string line;
+  for (std::size_t number = 1; std::getline(lines, line); ++number) {
+    const bool indented = !line.empty() && is_space(line[0]);
+    const PlacedText content = trimmed({line.substr(0, line.find('#')), {number, 1}});
+    if (content.empty()) {
+      continue;
+    }
+    if (!indented) {
+      statements.push_back({content, {}});
+    } else if (statements.empty()) {
+      throw AuditSyntaxError(file, content.place, "an indented line continues no statement");
+    } else {
+      statements.back().rows.push_back(content);
+    }
+  }
+  return statements;
+}
+
+PlacedText trimmed(const PlacedText& text) {
+  std::size_t from = 0;
+  std::size_t to = text.text.size();
+  while (from < to && is_space(text.text[from])) {
+    ++from;
+  }
+  while (to > from && is_space(text.text[to - 1])) {
+    --to;
+  }
+  return part(text, from, to);
+}
+
+std::vector<PlacedText> split(const PlacedText& text, char separator) {
+  std::vector<PlacedText> parts;
+  std::size_t from = 0;
+  while (true) {
+    const std::size_t at = find_outside(text.text, separator, from);
+    const std::size_t to = at == std::string::npos ? text.text.size() : at;
+    parts.push_back(trimmed(part(text, from, to)));
+    if (at == std::string::npos) {
+      return parts;
+    }
+    from = at + 1;
+  }
+}
+
+std::pair<PlacedText, PlacedText> cut(const PlacedText& text, char separator) {
+  const std::size_t at = find_outside(text.text, separator, 0);
+  if (at == std::string::npos) {
+    return {trimmed(text), {}};
+  }
+  return {trimmed(part(text, 0, at)), trimmed(part(text, at + 1, text.text.size()))};
+}
+
+std::vector<PlacedText> words(const PlacedText& text) {
+  std::vector<PlacedText> list;
+  PlacedText rest = text;
+  for (PlacedText word = take_word(rest); !word.empty(); word = take_word(rest)) {
+    list.push_back(word);
+  }
+  return list;
+}
+
+PlacedText take_word(PlacedText& text) {
+  text = trimmed(text);
+  std::size_t to = 0;
+  while (to < text.text.size() && !is_space(text.text[to])) {
+    ++to;
+  }
+  const PlacedText word = part(text, 0, to);
+  text = trimmed(part(text, to, text.text.size()));
+  return word;
+}
+
+}  // namespace assur::generator
