@@ -43,9 +43,13 @@ std::string amount(const GiNaC::ex& value) {
       GiNaC::ex_to<GiNaC::numeric>(value).numer().int_length() < 40) {
     return formula_text(value);
   }
+  const GiNaC::ex decimal = value.evalf();
+  if (!decimal.info(GiNaC::info_flags::real) || !GiNaC::is_a<GiNaC::numeric>(decimal)) {
+    return formula_text(value);  // an angle may stand outside sines and cosines
+  }
   std::ostringstream text;
   text.precision(12);
-  text << GiNaC::ex_to<GiNaC::numeric>(value.evalf()).to_double();
+  text << GiNaC::ex_to<GiNaC::numeric>(decimal).to_double();
   return text.str();
 }
 

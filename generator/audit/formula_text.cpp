@@ -57,8 +57,13 @@ std::string product_text(const GiNaC::ex& product) {
       above.push_back(text(part, Binding::product));
     }
   }
-  std::sort(above.begin(), above.end());
-  std::sort(below.begin(), below.end());
+  const auto names_first = [](const std::string& left, const std::string& right) {
+    const bool calls = left.find('(') != std::string::npos;
+    const bool other_calls = right.find('(') != std::string::npos;
+    return calls != other_calls ? other_calls : left < right;
+  };
+  std::sort(above.begin(), above.end(), names_first);
+  std::sort(below.begin(), below.end(), names_first);
   const GiNaC::numeric size = abs(factor);
   if (!size.numer().is_equal(1) || above.empty()) {
     above.insert(above.begin(), plain(size.numer()));
