@@ -56,7 +56,7 @@ class SceneEmitter {
                           : scene.want.velocity   ? 1
                                                   : 0),
         file_(std::filesystem::path(scene.file).filename().string()),
-        struct_(pascal_case(std::filesystem::path(scene.file).stem().string())) {
+        struct_(struct_name(std::filesystem::path(scene.file).stem().string())) {
     name_members();
   }
 
@@ -92,31 +92,27 @@ class SceneEmitter {
     return feature + "_on_" + link_name(link);
   }
 
-  /// The words of the templates, which the scene's names must not hide.
+  /// A slide's member of what is placed stands among those of the links.
   void name_members() {
-    const std::vector<std::string> taken = {"Scalar",      "LinkState",   "SlideState",
-                                            "OutputState", "DriverState", "regularity",
-                                            "residual"};
+    const auto name = [](const auto& item) { return item.name; };
+    joint_members_ = members(scene_.joints, {}, name);
+    std::vector<std::string> taken = {"order", "regularity", "residual"};
+    for (const std::string& member : joint_members_) {
+      taken.push_back("slide_" + member);
+    }
+    link_members_ = members(scene_.links, taken, name);
+    driver_members_ = members(scene_.drivers, {}, [&](const SceneDriver& driver) {
+      return scene_.joints[static_cast<std::size_t>(driver.joint)].name;
+    });
+    output_members_ = members(scene_.outputs, {}, name);
+  }
+
+  template <typename Items, typename Name>
+  static std::vector<std::string> members(const Items& items, const std::vector<std::string>& taken,
+                                          Name name) {
     std::vector<std::string> names;
-    for (const SceneLink& link : scene_.links) {
-      names.push_back(link.name);
-    }
-    link_members_ = member_names(names, taken);
-    names.clear();
-    for (const SceneDriver& driver : scene_.drivers) {
-      names.push_back(scene_.joints[static_cast<std::size_t>(driver.joint)].name);
-    }
-    driver_members_ = member_names(names, taken);
-    names.clear();
-    for (const SceneJoint& at : scene_.joints) {
-      names.push_back(at.name);
-    }
-    joint_members_ = member_names(names, taken);
-    names.clear();
-    for (const SceneOutput& output : scene_.outputs) {
-      names.push_back(output.name);
-    }
-    output_members_ = member_names(names, taken);
+    std::transform(items.begin(), items.end(), std::back_inserter(names), name);
+    return member_names(names, taken);
   }
 
   void drive_links() {
