@@ -116,4 +116,11 @@ std::vector<std::string> member_names(const std::vector<std::string>& names,
   return members;
 }
 
+std::string comment_text(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  std::replace(text.begin(), text.end(), '\\', '/');
+  return text;
+}
+
 }  // namespace assur::generator

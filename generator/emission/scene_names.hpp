@@ -1,4 +1,4 @@
-// Turns the names of a scene into identifiers of C++.
+// Turns the names of a scene into identifiers and comments of C++.
 #pragma once
 
 #include <string>
@@ -18,5 +18,8 @@ namespace assur::generator {
 /// words of the templates and `taken`, in the order of the names.
 [[nodiscard]] std::vector<std::string> member_names(const std::vector<std::string>& names,
                                                     const std::vector<std::string>& taken);
+
+/// A text of the scene for a comment: on one line, without a backslash that would continue it.
+[[nodiscard]] std::string comment_text(std::string text);
 
 }  // namespace assur::generator
