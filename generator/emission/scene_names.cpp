@@ -9,35 +9,55 @@ namespace assur::generator {
 
 namespace {
 
-constexpr std::array<std::string_view, 84> keywords = {
-    "alignas",      "alignof",   "and",
-    "and_eq",       "asm",       "auto",
-    "bitand",       "bitor",     "bool",
-    "break",        "case",      "catch",
-    "char",         "char8_t",   "char16_t",
-    "char32_t",     "class",     "compl",
-    "concept",      "const",     "const_cast",
-    "consteval",    "constexpr", "constinit",
-    "continue",     "co_await",  "co_return",
-    "co_yield",     "decltype",  "default",
-    "delete",       "do",        "double",
-    "dynamic_cast", "else",      "enum",
-    "explicit",     "export",    "extern",
-    "false",        "float",     "for",
-    "friend",       "goto",      "if",
-    "inline",       "int",       "long",
-    "mutable",      "namespace", "new",
-    "noexcept",     "not",       "not_eq",
-    "nullptr",      "operator",  "or",
-    "or_eq",        "private",   "protected",
-    "public",       "register",  "reinterpret_cast",
-    "requires",     "return",    "short",
-    "signed",       "sizeof",    "static",
-    "struct",       "switch",    "template",
-    "this",         "throw",     "true",
-    "try",          "typedef",   "typename",
-    "union",        "unsigned",  "using",
-    "virtual",      "void",      "while"};
+constexpr std::array<std::string_view, 92> keywords = {
+    "alignas",       "alignof",     "and",
+    "and_eq",        "asm",         "auto",
+    "bitand",        "bitor",       "bool",
+    "break",         "case",        "catch",
+    "char",          "char8_t",     "char16_t",
+    "char32_t",      "class",       "compl",
+    "concept",       "const",       "const_cast",
+    "consteval",     "constexpr",   "constinit",
+    "continue",      "co_await",    "co_return",
+    "co_yield",      "decltype",    "default",
+    "delete",        "do",          "double",
+    "dynamic_cast",  "else",        "enum",
+    "explicit",      "export",      "extern",
+    "false",         "float",       "for",
+    "friend",        "goto",        "if",
+    "inline",        "int",         "long",
+    "mutable",       "namespace",   "new",
+    "noexcept",      "not",         "not_eq",
+    "nullptr",       "operator",    "or",
+    "or_eq",         "private",     "protected",
+    "public",        "register",    "reinterpret_cast",
+    "requires",      "return",      "short",
+    "signed",        "sizeof",      "static",
+    "static_assert", "static_cast", "struct",
+    "switch",        "template",    "this",
+    "thread_local",  "throw",       "true",
+    "try",           "typedef",     "typeid",
+    "typename",      "union",       "unsigned",
+    "using",         "virtual",     "void",
+    "volatile",      "wchar_t",     "while",
+    "xor",           "xor_eq"};
+
+/// What the headers that a solver includes, or compilers before them, may define.
+constexpr std::array<std::string_view, 15> macros = {
+    "BUFSIZ",   "EOF",   "HUGE_VAL", "INFINITY", "M_E",   "M_PI",   "NAN", "NULL",
+    "RAND_MAX", "errno", "linux",    "stderr",   "stdin", "stdout", "unix"};
+
+/// Types that the templates name: a member or a scene of that name would hide them.
+constexpr std::array<std::string_view, 33> template_words = {
+    "Assemblies", "AssemblyStatus", "Direction",    "DriverState",
+    "Drivers",    "Eigen",          "Frame",        "Group",
+    "HeldJoints", "LinkFrame",      "LinkPoint",    "LinkState",
+    "Links",      "Matrix",         "ModelUnknown", "OutputState",
+    "Outputs",    "ParameterRow",   "Placed",       "PlacedGroup",
+    "Point",      "Pose",           "Poses",        "Scalar",
+    "Search",     "Slide",          "SlideState",   "Slides",
+    "Solution",   "State",          "Status",       "TrigonometricPolynomial",
+    "Vector"};
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -52,10 +72,10 @@ std::string c_identifier(const std::string& text) {
   return result;
 }
 
-std::string pascal_case(const std::string& text) {
+std::string struct_name(const std::string& stem) {
   std::string result;
   bool capital = true;
-  for (const char c : text) {
+  for (const char c : stem) {
     if (!is_letter(c) && !is_digit(c)) {
       capital = true;
       continue;
@@ -63,13 +83,19 @@ std::string pascal_case(const std::string& text) {
     result += capital && c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
     capital = false;
   }
-  return result.empty() || is_digit(result.front()) ? "Scene" + result : result;
+  const auto is_result = [&](std::string_view word) { return word == result; };
+  const bool prefixed = result.empty() || is_digit(result.front()) ||
+                        std::any_of(template_words.begin(), template_words.end(), is_result) ||
+                        std::any_of(macros.begin(), macros.end(), is_result);
+  return prefixed ? "Scene" + result : result;
 }
 
 std::vector<std::string> member_names(const std::vector<std::string>& names,
                                       const std::vector<std::string>& taken) {
   std::set<std::string> used(taken.begin(), taken.end());
   used.insert(keywords.begin(), keywords.end());
+  used.insert(macros.begin(), macros.end());
+  used.insert(template_words.begin(), template_words.end());
   std::vector<std::string> members;
   for (const std::string& name : names) {
     // Names with two underscores, or one in front of a capital, belong to the compiler.
@@ -88,6 +114,13 @@ std::vector<std::string> member_names(const std::vector<std::string>& names,
     members.push_back(member);
   }
   return members;
+}
+
+std::string comment_text(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  std::replace(text.begin(), text.end(), '\\', '/');
+  return text;
 }
 
 }  // namespace assur::generator

@@ -54,9 +54,7 @@ class PlacementPlanner {
             return placed(at.first) != placed(at.second);
           });
       if (ready == waiting.end()) {
-        fail("drivers." + scene_.joints[static_cast<std::size_t>(waiting[0]->joint)].name,
-             "the driven joint must join the ground, or a driven link, to a link that nothing else "
-             "drives");
+        refuse(*waiting[0]);
       }
       const SceneDriver& driver = **ready;
       const int index = joint_of(driver);
@@ -68,6 +66,19 @@ class PlacementPlanner {
       spent_[static_cast<std::size_t>(index)] = true;
       waiting.erase(ready);
     }
+  }
+
+  [[noreturn]] void refuse(const SceneDriver& driver) const {
+    const MechanismJoint& at = joint(joint_of(driver));
+    const std::vector<std::string> links = names_of({at.first, at.second});
+    const std::string where = "drivers." + at.name;
+    const std::string what = "the driven joint joins the links " + listed(links);
+    if (placed(at.first)) {
+      fail(where, what + ", which are placed already; take this driver or another one away");
+    }
+    fail(where, what + ", and neither is the ground or a driven link; drive a joint at the " +
+                    "ground or at a driven link, or make the two one link that has the driven " +
+                    "position as a parameter");
   }
 
   [[nodiscard]] int joint_of(const SceneDriver& driver) const {

@@ -1,0 +1,146 @@
+// Law: an emitted solver holds what its scene wants and no more, in the same bytes everywhere; a
+// scene without a solver is refused by one line.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
+
+#include "command.hpp"
+
+namespace assur::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// The text of a header without comments.
+std::string code_of(const std::string& text) {
+  std::istringstream in(text);
+  std::string code;
+  std::string line;
+  while (std::getline(in, line)) {
+    code += line.substr(0, line.find("//")) + "\n";
+  }
+  return code;
+}
+
+std::string emitted_with(const std::string& want) {
+  const TemporaryDirectory directory;
+  Json scene = Json::parse(read_file(fs::path(ASSUR_EXAMPLES) / "quintero_2011_rrp_rrr.json"));
+  scene["want"] = Json::parse(want);
+  const fs::path file = directory.write("worked.json", scene.dump());
+  const CommandResult result =
+      run_assur("emit --scene " + file.string() + " --output " + directory.path().string());
+  EXPECT_EQ(result.status, 0) << result.messages;
+  const fs::path header = directory.path() / "assur/scenes/worked.hpp";
+  std::istringstream lines(read_file(header));
+  std::string line;
+  while (std::getline(lines, line)) {
+    EXPECT_LE(line.size(), 100U) << line;
+  }
+  return code_of(read_file(header));
+}
+
+TEST(EmitSceneContent, HoldsWhatIsWantedAlone) {
+  const std::vector<std::string> of_rates = {"velocity", "velocities", "u_rate", "omega_"};
+  const std::vector<std::string> of_second_rates = {"acceleration", "motion", "alpha_"};
+  const std::vector<std::string> of_sensitivity = {"parameter_jacobian",
+                                                   "input_jacobian",
+                                                   "pose_jacobians",
+                                                   "tolerances",
+                                                   "sensitivity",
+                                                   "worst_case",
+                                                   "rss"};
+  const auto expect = [](const std::string& text, const std::vector<std::string>& words,
+                         bool present) {
+    for (const std::string& word : words) {
+      EXPECT_EQ(text.find(word) != std::string::npos, present) << word;
+    }
+  };
+  const std::string everything =
+      emitted_with(R"(["position", "velocity", "acceleration", "sensitivity"])");
+  expect(everything, of_rates, true);
+  expect(everything, of_second_rates, true);
+  expect(everything, of_sensitivity, true);
+  const std::string position = emitted_with(R"(["position"])");
+  expect(position, of_rates, false);
+  expect(position, of_second_rates, false);
+  expect(position, of_sensitivity, false);
+  const std::string velocity = emitted_with(R"(["position", "velocity"])");
+  expect(velocity, of_rates, true);
+  expect(velocity, of_second_rates, false);
+  expect(velocity, of_sensitivity, false);
+  const std::string sensitivity = emitted_with(R"(["position", "sensitivity"])");
+  expect(sensitivity, of_rates, false);
+  expect(sensitivity, of_second_rates, false);
+  expect(sensitivity, of_sensitivity, true);
+  // Parameters without a tolerance are not modelled where others have one.
+  EXPECT_EQ(everything.find("\"phi\""), std::string::npos);
+  EXPECT_NE(everything.find("\"AB\""), std::string::npos);
+}
+
+TEST(EmitSceneContent, IsTheSameInEveryProcess) {
+  std::string first;
+  for (int process = 0; process < 4; ++process) {
+    const std::string text = emitted_with(R"(["position", "velocity", "sensitivity"])");
+    first = process == 0 ? text : first;
+    EXPECT_EQ(text, first);
+  }
+}
+
+TEST(EmitSceneContent, CheckFindsAChangeAndWritesNothing) {
+  const TemporaryDirectory directory;
+  const std::string arguments = "emit --scene " ASSUR_EXAMPLES
+                                "/quintero_2011_rrp_rrr.json --output " +
+                                directory.path().string();
+  const std::string name = "assur/scenes/quintero_2011_rrp_rrr.hpp";
+  EXPECT_EQ(run_assur(arguments + " --check").status, 1);
+  EXPECT_FALSE(fs::exists(directory.path() / name));
+  ASSERT_EQ(run_assur(arguments).status, 0);
+  EXPECT_EQ(run_assur(arguments + " --check").status, 0);
+  directory.write(name, "// changed\n");
+  const CommandResult result = run_assur(arguments + " --check");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.messages, "differs: " + name + "\n");
+  EXPECT_EQ(read_file(directory.path() / name), "// changed\n");
+}
+
+/// One line of message, exit status 2 and nothing written.
+void expect_refusal(const std::string& scene, const std::string& words) {
+  const TemporaryDirectory directory;
+  const fs::path file = directory.write("scene.json", scene);
+  const fs::path output = directory.path() / "out";
+  const CommandResult result =
+      run_assur("emit --scene " + file.string() + " --output " + output.string());
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.messages.find(words), std::string::npos) << result.messages;
+  EXPECT_EQ(std::count(result.messages.begin(), result.messages.end(), '\n'), 1);
+  EXPECT_FALSE(fs::exists(output));
+}
+
+TEST(EmitSceneContent, RefusesWhatHasNoSolver) {
+  Json scene = Json::parse(read_file(fs::path(ASSUR_EXAMPLES) / "quintero_2011_rrp_rrr.json"));
+  Json freed = scene;
+  freed["drivers"] = Json::object();
+  expect_refusal(freed.dump(), "under-constrained");
+  Json held = scene;
+  held["joints"]["X"] = {{"type", "revolute"}, {"between", {"ground.A", "bar.F"}}};
+  expect_refusal(held.dump(), "over-constrained");
+  Json groundless = scene;
+  groundless["joints"]["A"]["between"] = {"grund.A", "crank.A"};
+  expect_refusal(groundless.dump(), "no link named");
+  // A dyad of slides alone: its angles are over-determined.
+  expect_refusal(R"({"links": {
+    "ground": {"a": {"through": [0, 0], "along": [1, 0]}, "b": {"through": [1, 0], "along": [0, 1]}},
+    "one": {"a": {"through": [0, 0], "along": [1, 0]}, "c": {"through": [0, 0], "along": [1, 1]}},
+    "two": {"b": {"through": [0, 0], "along": [0, 1]}, "c": {"through": [0, 0], "along": [1, 1]}}},
+    "joints": {"A": {"type": "prismatic", "between": ["ground.a", "one.a"]},
+               "B": {"type": "prismatic", "between": ["ground.b", "two.b"]},
+               "C": {"type": "prismatic", "between": ["one.c", "two.c"]}}})",
+                 "degenerate");
+}
+
+}  // namespace
+}  // namespace assur::test
