@@ -52,7 +52,6 @@ struct Counting {
     counted.divisions += folded ? 0 : 1;
     return {a.value / b.value, folded};
   }
-  friend Counting abs(const Counting& a) { return a; }
 };
 
 /// The counts that a model's header states, by function.

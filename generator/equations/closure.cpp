@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 
 #include "error.hpp"
 
@@ -245,7 +244,8 @@ class ClosureWalk {
       for (const std::string& vector : near.vectors) {
         equation += equation.empty() ? vector.substr(2) : " " + vector;
       }
-      for (const std::string& vector : std::views::reverse(far.vectors)) {
+      std::ranges::reverse(far.vectors);  // the way back along the loop
+      for (const std::string& vector : far.vectors) {
         equation += (vector[0] == '+' ? " - " : " + ") + vector.substr(2);
       }
       result_.loops.push_back({loop_name(group_, tree_, chord), chord, equation + " = 0",
