@@ -37,8 +37,8 @@ char mark(const Finding& finding) {
   return '?';
 }
 
-std::string place_text(const AuditReport& report, Place place) {
-  return report.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
+std::string place_text(const std::string& file, Place place) {
+  return file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
 }
 
 /// What is known of a disagreement, as pairs of a word and a text.
@@ -63,6 +63,7 @@ std::vector<std::pair<std::string, std::string>> details(const Finding& finding)
 
 std::string statement_text(const AuditReport& report, const AuditedStatement& statement) {
   const std::size_t agree = agreeing(statement);
+  const std::string& file = statement.file.empty() ? report.file : statement.file;
   std::string text = statement.label + ": " + counted(agree, statement.findings.size()) + "\n";
   if (agree == statement.findings.size()) {
     return text;
@@ -85,7 +86,7 @@ std::string statement_text(const AuditReport& report, const AuditedStatement& st
                        finding.comparison.verdict == told->comparison.verdict;
     text += "  " + finding.item + (finding.item.empty() ? "" : ": ") +
             verdict_text(finding.comparison.verdict) +
-            (alike ? " likewise\n" : " (" + place_text(report, finding.place) + ")\n");
+            (alike ? " likewise\n" : " (" + place_text(file, finding.place) + ")\n");
     if (alike) {
       continue;
     }
@@ -186,7 +187,12 @@ std::string audit_report_json(const std::vector<AuditReport>& reports) {
         }
         findings.push_back(std::move(entry));
       }
-      statements.push_back({{"statement", statement.label}, {"findings", std::move(findings)}});
+      Json audited = {{"statement", statement.label}};
+      if (!statement.file.empty()) {
+        audited["file"] = statement.file;  // where lines and columns are
+      }
+      audited["findings"] = std::move(findings);
+      statements.push_back(std::move(audited));
     }
     agrees = agrees && report.agrees();
     files.push_back({{"file", report.file},

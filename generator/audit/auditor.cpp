@@ -269,7 +269,7 @@ void Auditor::answer(const std::string& label, Place place, std::size_t columns,
   if (columns == 0 && !statements.empty() && statements.back().label == label) {
     std::move(findings.begin(), findings.end(), std::back_inserter(statements.back().findings));
   } else {
-    statements.push_back({label, place, columns, std::move(findings)});
+    statements.push_back({label, place, columns, std::move(findings), ""});
   }
 }
 
@@ -353,6 +353,7 @@ void Auditor::read_printed_code(const PlacedText& label, PlacedText rest) {
                                     matrix.rows.size(), matrix.columns.size(), system_);
   answer("code " + label.text + " (" + file.text + ")", label.place, matrix.columns.size(),
          audit_matrix(system_, matrix));
+  report_.statements.back().file = (directory_ / file.text).string();
 }
 
 void Auditor::read_printed_equation(const PlacedText& label, PlacedText rest) {

@@ -74,6 +74,9 @@ GiNaC::ex CircleAlgebra::algebraic(const GiNaC::ex& expression) {
     }
     return result;
   }
+  if (directions_.contains(expression)) {
+    throw NotAlgebraic("the angle '" + text_of(expression) + "' stands outside a sine or cosine");
+  }
   return expression;
 }
 

@@ -72,7 +72,7 @@ Finding audit_equation(ClosureSystem& system, const std::string& item, const Pla
     const GiNaC::ex one = read_formula(left, system, locals);
     const GiNaC::ex other = read_formula(right, system, locals);
     Finding finding{item, left.place, compare(system, one, other, true), printed, "", ""};
-    finding.note = finding.agrees() ? "" : "the difference is left less right";
+    finding.note = finding.comparison.difference.empty() ? "" : "the difference is left less right";
     return finding;
   } catch (const FormulaError& error) {
     return unreadable(item, {printed, left.place}, error);

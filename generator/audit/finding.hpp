@@ -27,6 +27,7 @@ struct AuditedStatement {
   Place place;
   std::size_t columns = 0;  ///< of a matrix; zero for anything else
   std::vector<Finding> findings;
+  std::string file;  ///< in which the findings' places are; empty for the audit file itself
 };
 
 struct AuditReport {

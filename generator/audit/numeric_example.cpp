@@ -59,6 +59,7 @@ NumericExample::Value NumericExample::read_number(const PlacedText& number) cons
 
 void NumericExample::give(const std::string& name, const PlacedText& number) {
   values_[name] = read_number(number);
+  values_[name].half_unit = 0;  // a dimension of 300 mm is not one of 299.5 to 300.5
 }
 
 /// Throws ExpressionError, for a name that is not known as well.

@@ -19,7 +19,7 @@ class NumericExample {
   void define(const std::string& name, double value);
   /// A value derived by a formula in derived values. Throws AuditSyntaxError.
   void define(const std::string& name, const PlacedText& formula);
-  /// An input, taken as printed.
+  /// An input, taken as printed and exact.
   void give(const std::string& name, const PlacedText& number);
   /// A printed result: agrees if it is the derived value within half a unit of its last digit.
   [[nodiscard]] Finding audit(const std::string& name, const PlacedText& number,
@@ -30,7 +30,7 @@ class NumericExample {
   struct Value {
     double derived;
     double printed;
-    double half_unit = 0;  ///< half a unit of the last printed digit; zero if never printed
+    double half_unit = 0;  ///< half a unit of the last printed digit; zero for what is exact
     bool is_printed = false;
   };
   enum class Reading : unsigned char { derived, printed };
