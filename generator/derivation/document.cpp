@@ -187,15 +187,16 @@ class DocumentBuilder {
   void derivatives() {
     begin("Derivatives");
     prose(
-        "The Jacobian J of the closures f by the unknowns q, F_d by the dimensions d and F_u by "
-        "the inputs u. The unknowns' sensitivities solve J*dq/dd = -F_d and J*dq/du = -F_u.");
+        "The Jacobian `J` of the closures `f` by the unknowns `q`, F_d by the dimensions `d` and "
+        "F_u by "
+        "the inputs `u`. The unknowns' sensitivities solve `J*dq/dd = -F_d` and `J*dq/du = -F_u`.");
     for (const DerivedMatrix* matrix :
          {&from_.jacobian, &from_.dimension_jacobian, &from_.input_jacobian}) {
       add_fitting(*matrix);
     }
-    right_hand_side("Velocity: the rates of the unknowns solve J times them = b, with", "b",
+    right_hand_side("Velocity: the rates of the unknowns solve `J*dq/dt = b` with", "b",
                     from_.velocity_rhs);
-    right_hand_side("Acceleration: the second rates solve J times them = c, with", "c",
+    right_hand_side("Acceleration: their second rates solve `J*d2q/dt2 = c` with", "c",
                     from_.acceleration_rhs);
   }
 
@@ -255,7 +256,7 @@ class DocumentBuilder {
         "Rows with one unknown and unknowns in one row are expanded first; the rest is the core. "
         "So the determinant is the product");
     formula("det(J) = " + determinant.value);
-    prose("J is singular where one of its factors vanishes:");
+    prose("`J` is singular where one of its factors vanishes:");
     Table table{{{"factor", true}, {"zero where", false}, {"meaning", false}}, {}};
     for (const DerivedPivot& pivot : determinant.pivots) {
       table.rows.push_back({pivot.value, pivot.zero, pivot.meaning});

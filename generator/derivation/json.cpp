@@ -46,9 +46,14 @@ Json closures(const Derivation& derivation) {
   });
 }
 
+std::string without_marks(std::string prose) {
+  std::erase(prose, '`');
+  return prose;
+}
+
 Json step_json(const DerivedStep& step) {
   return Json{{"title", step.title},
-              {"rule", step.rule},
+              {"rule", without_marks(step.rule)},
               {"formulas", step.formulas},
               {"eliminated", step.eliminated},
               {"quantities", quantities(step.quantities)},

@@ -11,16 +11,17 @@ namespace {
 
 constexpr double text_width = 42;  ///< in ems
 
-// Formulas are set as paragraphs in math mode, which TeX breaks before any sign where they are
-// too long for a line.
+// Formulas are paragraphs in math mode, which TeX breaks before signs where they are too long for
+// a line.
 const std::string preamble = R"(\documentclass[10pt,a4paper]{article}
 \usepackage{amsmath}
 \usepackage[margin=22mm]{geometry}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{3pt plus 1pt}
 \setlength{\emergencystretch}{3em}
-\binoppenalty=300
-\relpenalty=200
+\binoppenalty=10000
+\relpenalty=500
+\renewcommand{\arraystretch}{1.15}
 \newcommand{\numbered}[2]{{\raggedright\hangindent=4em\hangafter=1\leftskip=1.5em
   $\displaystyle #1$\hspace*{\fill}\mbox{\quad(#2)}\par}}
 \newcommand{\defined}[2]{{\raggedright\hangindent=4em\hangafter=1\leftskip=1.5em
@@ -56,23 +57,19 @@ class LatexRenderer {
   }
 
   void show(const Table& table) {
-    const auto width_of = [&](std::size_t column) {
+    constexpr double widest_plain = 16;
+    std::string columns;
+    double left = text_width;
+    for (std::size_t column = 0; column < table.columns.size(); ++column) {
       double width = formula_width(table.columns[column].title);
       for (const auto& row : table.rows) {
         width = std::max(width, formula_width(row[column]));
       }
-      return width;
-    };
-    std::string columns;
-    double taken = 0;
-    for (std::size_t column = 0; column < table.columns.size(); ++column) {
-      const double width = std::min(width_of(column), text_width / 3) * 0.85 + 1;
       const bool last = column + 1 == table.columns.size();
-      columns +=
-          "p{" + std::to_string(static_cast<int>(last ? text_width - taken : width) + 1) + "em}";
-      taken += width + 2;
+      columns += last ? paragraph(left) : width <= widest_plain ? "l" : paragraph(widest_plain);
+      left -= std::min(width, widest_plain) + 1;
     }
-    text_ += "\\begin{center}\\begin{tabular}{" + columns + "}\n";
+    text_ += "\\medskip\\begin{tabular}{" + columns + "}\n";
     std::vector<std::string> titles;
     for (const Table::Column& column : table.columns) {
       titles.push_back("\\textit{" + latex_prose(column.title) + "}");
@@ -81,13 +78,18 @@ class LatexRenderer {
     for (const auto& row : table.rows) {
       std::vector<std::string> cells;
       for (std::size_t column = 0; column < row.size(); ++column) {
-        cells.push_back("\\raggedright " + (table.columns[column].formula
-                                                ? "$" + latex_formula(row[column]) + "$"
-                                                : latex_prose(row[column])));
+        cells.push_back((column + 1 == row.size() ? "\\raggedright " : "") +
+                        (table.columns[column].formula ? "$" + latex_formula(row[column]) + "$"
+                                                       : latex_prose(row[column])));
       }
       text_ += joined(cells, " & ") + " \\tabularnewline\n";
     }
-    text_ += "\\end{tabular}\\end{center}\n";
+    text_ += "\\end{tabular}\\par\\medskip\n";
+  }
+
+  /// A column whose cells are broken at a width.
+  static std::string paragraph(double width) {
+    return "p{" + std::to_string(static_cast<int>(std::max(width, 8.0))) + "em}";
   }
 
   void show(const Definitions& definitions) {

@@ -170,7 +170,8 @@ class FormulaReader {
     } else if (c == '^') {
       latex_ += exponent();
     } else {
-      latex_ += c == ',' ? ",\\allowbreak " : std::string(1, c);
+      const bool sign = at_ > 0 && text_[at_ - 1] == ' ' && (c == '+' || c == '-');
+      latex_ += c == ',' ? ",\\allowbreak " : (sign ? "\\allowbreak" : "") + std::string(1, c);
       ++at_;
     }
   }
@@ -259,17 +260,27 @@ std::string latex_vectors(const std::string& equation) {
 std::string latex_prose(const std::string& text) {
   std::string latex;
   for (std::size_t at = 0; at < text.size();) {
+    if (text[at] == '`') {
+      const std::size_t close = text.find('`', at + 1);
+      latex += "$" + latex_formula(text.substr(at + 1, close - at - 1)) + "$";
+      at = close + 1;
+      continue;
+    }
     if (!is_letter(text[at]) && !is_digit(text[at])) {
-      latex += text[at] == '^' ? std::string("\\^{}") : std::string(1, text[at]);
-      ++at;
+      latex += text[at++];
       continue;
     }
     const std::size_t start = at;
     while (at < text.size() && (is_letter(text[at]) || is_digit(text[at]))) {
       ++at;
     }
+    if (at < text.size() && text[at] == '^') {
+      at = text.find_first_not_of("0123456789", at + 1);
+      at = std::min(at, text.size());
+    }
     const std::string token = text.substr(start, at - start);
-    latex += token.find('_') == std::string::npos ? token : "$" + latex_formula(token) + "$";
+    latex +=
+        token.find_first_of("_^") == std::string::npos ? token : "$" + latex_formula(token) + "$";
   }
   return latex;
 }

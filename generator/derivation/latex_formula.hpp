@@ -9,7 +9,7 @@ namespace assur::generator {
 [[nodiscard]] std::string latex_formula(const std::string& formula);
 /// A vector equation such as `B + slide_B + BC - E = 0`.
 [[nodiscard]] std::string latex_vectors(const std::string& equation);
-/// Prose, with what has an underscore in it as a formula's name.
+/// Prose, with what stands in backquotes, or has an underscore or an exponent, as a formula.
 [[nodiscard]] std::string latex_prose(const std::string& text);
 /// The width of a formula in ems, roughly.
 [[nodiscard]] double formula_width(const std::string& formula);

@@ -30,6 +30,12 @@ std::string broken(const std::string& line, const std::string& lead) {
   return text + rest + "\n";
 }
 
+/// Prose without the marks of its formulas.
+std::string plain(std::string text) {
+  std::erase(text, '`');
+  return text;
+}
+
 std::string comment(const std::string& line) { return broken("# " + line, "# "); }
 std::string statement(const std::string& line) { return broken(line, "    "); }
 
@@ -52,7 +58,7 @@ class TextRenderer {
   }
 
  private:
-  void show(const Prose& prose) { text_ += comment(prose.text); }
+  void show(const Prose& prose) { text_ += comment(plain(prose.text)); }
   void show(const Heading& heading) {
     separate();
     text_ += comment(heading.text);

@@ -52,7 +52,7 @@ class BezoutElimination {
   /// What stands for the first unknown x in a series: `w = exp(i x)`, or x itself.
   [[nodiscard]] std::string base() const {
     const std::string& name = result_.first->name;
-    return result_.first->is_angle() ? "powers of w = exp(i " + name + ")" : "powers of " + name;
+    return result_.first->is_angle() ? "powers of `w = exp(i " + name + ")`" : "powers of " + name;
   }
 
   Univariate single() {
@@ -123,8 +123,8 @@ class BezoutElimination {
             .named("V", "Im P1 conj(P2)", result_.vocabulary);
     const std::string& z = result_.second->name;
     RecordedStep step = resultant_step(
-        "with e = exp(i " + z +
-            ") and P = A - i B an equation is P*e + 2 C + conj(P)/e = 0; two of "
+        "with `e = exp(i " + z +
+            ")` and `P = A - i*B` an equation is `P*e + 2*C + conj(P)/e = 0`; two of "
             "them have a common root on the circle where their resultant vanishes. Given here in " +
             base() + "; at its root Cramer's rule gives " + z + " back",
         {"T = U*conj(U) - V^2 = 0", "cos(" + z + ") = (B1*C2 - B2*C1)/(A1*B2 - A2*B1)",
@@ -164,8 +164,8 @@ class BezoutElimination {
     const auto record = [&](const std::string& resultant, const std::string& root,
                             std::vector<RecordedSeries> minors) {
       RecordedStep step = resultant_step(
-          "two polynomials in " + z + ", a*z^2 + b*z + c and d*z^2 + e*z + f with z = " + z +
-              ", have a common root where their resultant vanishes. Given here in " + base(),
+          "two polynomials in " + z + ", `a*z^2 + b*z + c` and `d*z^2 + e*z + f` with `z = " + z +
+              "`, have a common root where their resultant vanishes. Given here in " + base(),
           {"T = " + resultant + " = 0", z + " = " + root});
       step.series = series_of("abc", swapped ? "2" : "1");
       for (const auto& list : {series_of("def", swapped ? "1" : "2"), std::move(minors)}) {

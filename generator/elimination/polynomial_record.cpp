@@ -48,13 +48,14 @@ RecordedStep final_coefficients(const std::vector<Vector2>& polynomial, const Va
                                 int formal_degree) {
   const std::string& x = unknown.name;
   const std::string degrees = up_to_degree(static_cast<int>(polynomial.size()) - 1, formal_degree);
-  RecordedStep step{"the final polynomial in " + x,
-                    (unknown.is_angle() ? "the coefficient T_k of w^k gives 2 Re T_k for cos(k x) "
-                                          "and -2 Im T_k for sin(k x)"
-                                        : "the coefficients of T") +
-                        degrees,
-                    {},
-                    {}};
+  RecordedStep step{
+      "the final polynomial in " + x,
+      (unknown.is_angle() ? "the coefficient T_k of `w^k` gives `2*Re(T_k)` for `cos(k*x)` "
+                            "and `-2*Im(T_k)` for `sin(k*x)`"
+                          : "the coefficients of T") +
+          degrees,
+      {},
+      {}};
   std::string formula;
   for (std::size_t power = 0; power < polynomial.size(); ++power) {
     const Vector2& pair = polynomial[power];
@@ -71,8 +72,8 @@ RecordedStep final_coefficients(const std::vector<Vector2>& polynomial, const Va
       formula = "Tc_0";
       continue;
     }
-    step.record("Tc_" + k, pair.x, "coefficient of cos(" + angle + ")");
-    step.record("Ts_" + k, pair.y, "coefficient of sin(" + angle + ")");
+    step.record("Tc_" + k, pair.x, "coefficient of cos(" + k + " x)");
+    step.record("Ts_" + k, pair.y, "coefficient of sin(" + k + " x)");
     formula += plus + "Tc_" + k + "*cos(" + angle + ") + Ts_" + k + "*sin(" + angle + ")";
   }
   step.formulas.push_back(formula);
@@ -93,12 +94,13 @@ RecordedStep half_angle_form(const std::vector<RecordedQuantity>& coefficients,
     turn = turn * twice_turned;
   }
   sum = sum.expand();
-  RecordedStep step{"the same in the half-angle t = tan(" + unknown.name + "/2)",
-                    "T times (1 + t^2)^" + std::to_string(degree) +
-                        " with cos(x) = (1 - t^2)/(1 + t^2) and sin(x) = 2*t/(1 + t^2); x = pi is "
-                        "t at infinity",
-                    {},
-                    {}};
+  RecordedStep step{
+      "the same in the half-angle t = tan(" + unknown.name + "/2)",
+      "`T*(1 + t^2)^" + std::to_string(degree) +
+          "` with `cos(x) = (1 - t^2)/(1 + t^2)` and `sin(x) = 2*t/(1 + t^2)`; `x = pi` "
+          "is `t` at infinity",
+      {},
+      {}};
   std::string formula;
   for (std::size_t power = 0; power <= 2 * degree; ++power) {
     const std::string name = "p_" + std::to_string(power);

@@ -26,7 +26,7 @@ struct RecordedSeries {
 /// One step from the closures to the final polynomial.
 struct RecordedStep {
   std::string title;                        ///< `BCDEB squared: free of theta_CD`
-  std::string rule;                         ///< why the step is allowed, in words
+  std::string rule;                         ///< why the step is allowed; formulas in backquotes
   std::vector<std::string> formulas;        ///< the rule in symbols, in the syntax of scene files
   std::vector<const Variable*> eliminated;  ///< the unknowns that no later step holds
   std::vector<RecordedQuantity> quantities = {};

@@ -152,9 +152,9 @@ class LoopReduction {
 
     RecordedStep step{
         loop.name + " across the slide: free of " + slide.name,
-        "the loop is r + " + slide.name +
-            "*e = 0 with the unit vector e of its slide: what is across e is free of " +
-            slide.name + ", what is along e gives it back",
+        "the loop is `r + " + slide.name +
+            "*e = 0` with the unit vector `e` of its slide: what is across `e` is free of " +
+            slide.name + ", what is along `e` gives it back",
         {"cross(e, r) = 0", slide.name + " = -dot(e, r)"},
         {&slide}};
     const Vector2 e = step.record("e_" + loop.name, along, "direction of the slide in the loop");
@@ -177,8 +177,8 @@ class LoopReduction {
         {&second, {on_circle(cross(rest, first_along))}, determinant, degeneracy});
 
     RecordedStep step{loop.name + ": solved for " + first.name + " and " + second.name,
-                      "the loop is r + " + first.name + "*e1 + " + second.name +
-                          "*e2 = 0 with the unit vectors of its two slides: two linear equations",
+                      "the loop is `r + " + first.name + "*e1 + " + second.name +
+                          "*e2 = 0` with the unit vectors of its two slides: two linear equations",
                       {first.name + " = cross(e2, r)/cross(e1, e2)",
                        second.name + " = cross(r, e1)/cross(e1, e2)"},
                       {&first, &second}};
@@ -213,8 +213,8 @@ class LoopReduction {
 
       RecordedStep step{
           loop.name + " squared: free of " + angle->name,
-          "the loop is r + v turned by " + angle->name + " = 0, and " + angle->name +
-              " occurs nowhere else: r and v are of one length, and their "
+          "the loop is `r` + (`v` turned by " + angle->name + ") = 0, and " + angle->name +
+              " occurs nowhere else: `r` and `v` are of one length, and their "
               "directions give the angle back",
           {"dot(r, r) - dot(v, v) = 0", "cos(" + angle->name + ") = -dot(v, r)/dot(v, v)",
            "sin(" + angle->name + ") = -cross(v, r)/dot(v, v)"},
