@@ -7,7 +7,9 @@
 #include "audit/audit.hpp"
 #include "audit/audit_report.hpp"
 #include "command/catalogue.hpp"
+#include "command/derive.hpp"
 #include "command/progress.hpp"
+#include "derivation/render.hpp"
 #include "emission/emit.hpp"
 #include "emission/emit_scene.hpp"
 #include "error.hpp"
@@ -30,6 +32,15 @@ int run_catalogue(const CatalogueOptions& options) {
                 : options.format == "markdown" ? catalogue_markdown()
                                                : catalogue_text());
   return exit_ok;
+}
+
+int run_derive(const DeriveOptions& options) {
+  const ChosenKind chosen = chosen_kind(options);
+  const Derivation derivation = derive(*chosen.group, chosen.kind);
+  std::cout << (options.format == "json"    ? derivation_json(derivation)
+                : options.format == "latex" ? derivation_latex(derivation)
+                                            : derivation_text(derivation));
+  return derivation.rigid ? exit_ok : exit_negative;
 }
 
 struct EmitOptions {
@@ -169,6 +180,21 @@ int run(int argc, char** argv) {
       ->check(CLI::IsMember({"text", "markdown", "json"}))
       ->capture_default_str();
   command->callback([&] { chosen = [&] { return run_catalogue(catalogue); }; });
+
+  DeriveOptions derivation;
+  command =
+      app.add_subcommand("derive", "the equations of a model, step by step, to read and audit");
+  command
+      ->add_option("KIND_OR_MODEL", derivation.what, "a kind such as RRP-RRR, or a model's number")
+      ->required();
+  command
+      ->add_option("--group", derivation.group,
+                   "the group of the model (default: tetrad) or of the kind (default: by spelling)")
+      ->check(CLI::IsMember(group_names()));
+  command->add_option("--format", derivation.format)
+      ->check(CLI::IsMember({"text", "latex", "json"}))
+      ->capture_default_str();
+  command->callback([&] { chosen = [&] { return run_derive(derivation); }; });
 
   EmitOptions emit;
   command = app.add_subcommand("emit", "write the C++ of models, or of one scene");

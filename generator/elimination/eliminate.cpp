@@ -1,8 +1,10 @@
 #include "elimination/eliminate.hpp"
 
+#include <array>
 #include <utility>
 
 #include "derivatives/mobility.hpp"
+#include "elimination/polynomial_record.hpp"
 #include "error.hpp"
 
 namespace assur::generator {
@@ -33,7 +35,8 @@ class BezoutElimination {
  public:
   BezoutElimination(const ClosureEquations& equations, const Reduction& reduction,
                     const Vocabulary& vocabulary, const Variable& first, const Variable* second)
-      : equations_(equations), result_{reduction, &first, second, {}, {}, 0, 0, vocabulary} {}
+      : equations_(equations), result_{reduction, &first,     second,           {}, {}, 0,
+                                       0,         vocabulary, reduction.record, {}} {}
 
   Elimination run() {
     const Univariate final_polynomial = result_.second == nullptr ? single() : resultant();
@@ -42,22 +45,39 @@ class BezoutElimination {
   }
 
  private:
+  void finish(RecordedStep step) {
+    step.vocabulary_size = result_.vocabulary.quantities().size();
+    result_.record.push_back(std::move(step));
+  }
+  /// What stands for the first unknown x in a series: `w = exp(i x)`, or x itself.
+  [[nodiscard]] std::string base() const {
+    const std::string& name = result_.first->name;
+    return result_.first->is_angle() ? "powers of `w = exp(i " + name + ")`" : "powers of " + name;
+  }
+
   Univariate single() {
-    return in_unknown(result_.reduction.equations[0], *result_.first)
-        .named("T", "final polynomial", result_.vocabulary);
+    Univariate polynomial = in_unknown(result_.reduction.equations[0], *result_.first)
+                                .named("T", "final polynomial", result_.vocabulary);
+    finish({"the one equation left, in " + base(),
+            "no other unknown is left in it",
+            {"T = 0"},
+            {},
+            {},
+            {{"T", "g1", polynomial}}});
+    return polynomial;
   }
 
   Univariate resultant() {
     std::vector<std::array<Univariate, 3>> coefficients;
     for (const GiNaC::ex& equation : result_.reduction.equations) {
       result_.in_second.push_back(coefficients_in_second(equation));
-      const std::string number = std::to_string(result_.in_second.size());
       std::array<Univariate, 3> row;
       for (std::size_t part = 0; part < 3; ++part) {
         row[part] = in_unknown(result_.in_second.back()[part], *result_.first);
       }
       coefficients.push_back(row);
     }
+    finish(ordered_by_second(result_.in_second, *result_.second, *result_.first));
     return result_.second->is_angle() ? of_angle(coefficients[0], coefficients[1])
                                       : of_displacement(coefficients[0], coefficients[1]);
   }
@@ -70,6 +90,14 @@ class BezoutElimination {
     }
     const GiNaC::ex expanded = equation.expand();
     return {expanded.coeff(z.value, 2), expanded.coeff(z.value, 1), expanded.coeff(z.value, 0)};
+  }
+
+  [[nodiscard]] RecordedStep resultant_step(const std::string& rule,
+                                            std::vector<std::string> formulas) const {
+    return {"Bezout determinant in " + result_.second->name,
+            rule,
+            std::move(formulas),
+            {result_.second}};
   }
 
   /// A cos z + B sin z + C = 0 with P = A - i B is P e + 2 C + conj(P) / e = 0 for e = exp(i z).
@@ -93,12 +121,24 @@ class BezoutElimination {
     const Univariate v =
         (ComplexExpression{0, GiNaC::numeric(-1, 2)} * (product - product.circle_conjugate()))
             .named("V", "Im P1 conj(P2)", result_.vocabulary);
+    const std::string& z = result_.second->name;
+    RecordedStep step = resultant_step(
+        "with `e = exp(i " + z +
+            ")` and `P = A - i*B` an equation is `P*e + 2*C + conj(P)/e = 0`; two of "
+            "them have a common root on the circle where their resultant vanishes. Given here in " +
+            base() + "; at its root Cramer's rule gives " + z + " back",
+        {"T = U*conj(U) - V^2 = 0", "cos(" + z + ") = (B1*C2 - B2*C1)/(A1*B2 - A2*B1)",
+         "sin(" + z + ") = (A2*C1 - A1*C2)/(A1*B2 - A2*B1)"});
+    step.series = {{"P1", "A1 - i*B1", p1}, {"P2", "A2 - i*B2", p2},   {"C1", "C1", c1},
+                   {"C2", "C2", c2},        {"U", "P1*C2 - P2*C1", u}, {"V", "Im(P1*conj(P2))", v}};
+    finish(std::move(step));
     return u * u.circle_conjugate() - v * v;
   }
 
   /// Of a z^2 + b z + c and d z^2 + e z + f, by their degrees in z.
   Univariate of_displacement(std::array<Univariate, 3> one, std::array<Univariate, 3> two) {
-    if (one[0].is_zero() && !two[0].is_zero()) {
+    const bool swapped = one[0].is_zero() && !two[0].is_zero();
+    if (swapped) {
       std::swap(one, two);
     }
     const auto name = [&](std::array<Univariate, 3>& row, const std::string& letters) {
@@ -112,10 +152,33 @@ class BezoutElimination {
     name(two, "def");
     const auto& [a, b, c] = one;
     const auto& [d, e, f] = two;
+    const std::string& z = result_.second->name;
+    const auto series_of = [&](const std::string& letters, const std::string& number) {
+      const std::array<Univariate, 3>& row = letters == "abc" ? one : two;
+      std::vector<RecordedSeries> series;
+      for (std::size_t part = 0; part < 3; ++part) {
+        series.push_back({std::string(1, letters[part]), "ABC"[part] + number, row[part]});
+      }
+      return series;
+    };
+    const auto record = [&](const std::string& resultant, const std::string& root,
+                            std::vector<RecordedSeries> minors) {
+      RecordedStep step = resultant_step(
+          "two polynomials in " + z + ", `a*z^2 + b*z + c` and `d*z^2 + e*z + f` with `z = " + z +
+              "`, have a common root where their resultant vanishes. Given here in " + base(),
+          {"T = " + resultant + " = 0", z + " = " + root});
+      step.series = series_of("abc", swapped ? "2" : "1");
+      for (const auto& list : {series_of("def", swapped ? "1" : "2"), std::move(minors)}) {
+        step.series.insert(step.series.end(), list.begin(), list.end());
+      }
+      finish(std::move(step));
+    };
     if (a.is_zero()) {
+      record("b*f - e*c", "-c/b", {});
       return b * f - e * c;
     }
     if (d.is_zero()) {
+      record("a*f^2 - b*f*e + c*e^2", "-f/e", {});
       return a * f * f - b * f * e + c * e * e;
     }
     // Both quadratic: the Bezout determinant.
@@ -125,6 +188,8 @@ class BezoutElimination {
     const Univariate ac = named(a * f - d * c, "M");
     const Univariate ab = named(a * e - d * b, "N");
     const Univariate bc = named(b * f - e * c, "O");
+    record("M^2 - N*O", "-M/N",
+           {{"M", "a*f - d*c", ac}, {"N", "a*e - d*b", ab}, {"O", "b*f - e*c", bc}});
     return ac * ac - ab * bc;
   }
 
@@ -157,6 +222,14 @@ class BezoutElimination {
     }
     result_.polynomial.resize(static_cast<std::size_t>(result_.degree) + 1);
     result_.max_configurations = trigonometric ? 2 * result_.degree : result_.degree;
+    RecordedStep step = final_coefficients(result_.polynomial, *result_.first, polynomial.degree());
+    result_.polynomial_text = step.formulas.front();
+    const std::vector<RecordedQuantity> coefficients = step.quantities;
+    step.formulas.front() = "T = " + step.formulas.front() + " = 0";
+    finish(std::move(step));
+    if (trigonometric) {
+      finish(half_angle_form(coefficients, *result_.first));
+    }
   }
 
   const ClosureEquations& equations_;

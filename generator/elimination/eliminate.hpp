@@ -23,6 +23,8 @@ struct Elimination {
   int degree;
   int max_configurations;  ///< generic number of complex solutions
   Vocabulary vocabulary;
+  std::vector<RecordedStep> record;  ///< every step from the closures to the polynomial
+  std::string polynomial_text;       ///< the polynomial in the names that `record` gives it
 };
 
 /// The elimination of a rigid model. Of the possible choices of the final unknown the one of lowest

@@ -1,6 +1,7 @@
 #include "elimination/reduction.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "error.hpp"
 
@@ -67,6 +68,15 @@ class LoopReduction {
     return generator::on_circle(expression, equations_);
   }
 
+  void finish(RecordedStep step) {
+    step.vocabulary_size = vocabulary_.quantities().size();
+    result_.record.push_back(std::move(step));
+  }
+  /// `g1`, `g2`: the name of the equation that was found last.
+  [[nodiscard]] std::string equation_name() const {
+    return "g" + std::to_string(result_.equations.size());
+  }
+
   void put_origin_at_last_joint() {
     std::vector<std::string> external;
     for (const Joint& joint : equations_.model->group->joints()) {
@@ -91,12 +101,18 @@ class LoopReduction {
         }
       }
     }
+    RecordedStep step{"joint " + external.back() + " as the origin",
+                      "closure is the same wherever the origin is, so the external joints enter by "
+                      "their differences alone",
+                      {},
+                      {}};
     for (const LoopClosure& loop : equations_.loops) {
       const auto shifted = [&](const GiNaC::ex& component) {
         return equations_.vocabulary.expand(component).subs(shift).expand();
       };
       loops_.push_back({loop.name, {shifted(loop.residual.x), shifted(loop.residual.y)}});
     }
+    finish(std::move(step));
   }
 
   /// Displacements that occur in this loop and in no other.
@@ -133,7 +149,18 @@ class LoopReduction {
     const Vector2 rest = without(loop.closure, slide);
     result_.equations.push_back(on_circle(2 * cross(along, rest)));
     result_.steps.push_back({&slide, {on_circle(-dot(along, rest))}, 1, ""});
-    result_.text.push_back(loop.name + " across the slide: free of " + slide.name);
+
+    RecordedStep step{
+        loop.name + " across the slide: free of " + slide.name,
+        "the loop is `r + " + slide.name +
+            "*e = 0` with the unit vector `e` of its slide: what is across `e` is free of " +
+            slide.name + ", what is along `e` gives it back",
+        {"cross(e, r) = 0", slide.name + " = -dot(e, r)"},
+        {&slide}};
+    const Vector2 e = step.record("e_" + loop.name, along, "direction of the slide in the loop");
+    const Vector2 r = step.record("r_" + loop.name, rest, "the other vectors of loop " + loop.name);
+    step.record_equation(equation_name(), 2 * cross(e, r), "twice the part across the slide");
+    finish(std::move(step));
   }
 
   /// Both components of the loop go into its two displacements.
@@ -148,7 +175,18 @@ class LoopReduction {
         {&first, {on_circle(cross(second_along, rest))}, determinant, degeneracy});
     result_.steps.push_back(
         {&second, {on_circle(cross(rest, first_along))}, determinant, degeneracy});
-    result_.text.push_back(loop.name + ": solved for " + first.name + " and " + second.name);
+
+    RecordedStep step{loop.name + ": solved for " + first.name + " and " + second.name,
+                      "the loop is `r + " + first.name + "*e1 + " + second.name +
+                          "*e2 = 0` with the unit vectors of its two slides: two linear equations",
+                      {first.name + " = cross(e2, r)/cross(e1, e2)",
+                       second.name + " = cross(r, e1)/cross(e1, e2)"},
+                      {&first, &second}};
+    const std::string slide = "direction of the slide of ";
+    step.record("e1_" + loop.name, first_along, slide + first.name);
+    step.record("e2_" + loop.name, second_along, slide + second.name);
+    step.record("r_" + loop.name, rest, "the other vectors of loop " + loop.name);
+    finish(std::move(step));
   }
 
   /// |rest|^2 - |v|^2 = 0 where the loop is rest + R(theta) v and theta occurs nowhere else.
@@ -172,7 +210,20 @@ class LoopReduction {
                                {on_circle(-dot(rest, by)), on_circle(-cross(by, rest))},
                                on_axis ? vector.x : on_circle(dot(vector, vector)),
                                "the link that turns by " + angle->name + " has no length"});
-      result_.text.push_back(loop.name + " squared: free of " + angle->name);
+
+      RecordedStep step{
+          loop.name + " squared: free of " + angle->name,
+          "the loop is `r` + (`v` turned by " + angle->name + ") = 0, and " + angle->name +
+              " occurs nowhere else: `r` and `v` are of one length, and their "
+              "directions give the angle back",
+          {"dot(r, r) - dot(v, v) = 0", "cos(" + angle->name + ") = -dot(v, r)/dot(v, v)",
+           "sin(" + angle->name + ") = -cross(v, r)/dot(v, v)"},
+          {angle}};
+      const Vector2 r =
+          step.record("r_" + loop.name, rest, "the other vectors of loop " + loop.name);
+      const Vector2 v = step.record("v_" + loop.name, vector, "the vector that turns, in its link");
+      step.record_equation(equation_name(), dot(r, r) - dot(v, v), "difference of the squares");
+      finish(std::move(step));
       return;
     }
     throw GeneratorError("elimination", equations_.model->title(),

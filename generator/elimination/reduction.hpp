@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "elimination/record.hpp"
 #include "equations/closure.hpp"
 
 namespace assur::generator {
@@ -23,7 +24,7 @@ struct Reduction {
   std::vector<GiNaC::ex> equations;        ///< as many as `remaining`
   std::vector<const Variable*> remaining;  ///< angles first
   std::vector<BackSubstitution> steps;
-  std::vector<std::string> text;  ///< the steps in words, for reading
+  std::vector<RecordedStep> record;  ///< how the equations came about
 };
 
 /// `vocabulary` receives the names of the reduced quantities, such as `EB_x`.

@@ -201,11 +201,13 @@ std::vector<std::string> closure_lines(const ClosureEquations& equations) {
 }
 
 std::vector<std::string> elimination_steps(const Elimination& elimination) {
-  std::vector<std::string> steps = elimination.reduction.text;
-  const std::string first = elimination.first->name;
-  if (elimination.second != nullptr) {
-    steps.push_back("Bezout determinant in " + elimination.second->name);
+  std::vector<std::string> steps;
+  for (const RecordedStep& step : elimination.record) {
+    if (!step.eliminated.empty()) {
+      steps.push_back(step.title);
+    }
   }
+  const std::string first = elimination.first->name;
   const std::string degree = std::to_string(elimination.degree);
   steps.push_back(elimination.first->is_angle()
                       ? "trigonometric polynomial of degree " + degree + " in " + first

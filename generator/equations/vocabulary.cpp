@@ -2,21 +2,17 @@
 
 namespace assur::generator {
 
-namespace {
-
-bool needs_no_name(const GiNaC::ex& expression) {
-  const auto is_plain = [](const GiNaC::ex& part) {
+bool is_plain(const GiNaC::ex& expression) {
+  const auto is_atom = [](const GiNaC::ex& part) {
     return GiNaC::is_a<GiNaC::numeric>(part) || GiNaC::is_a<GiNaC::symbol>(part);
   };
-  return is_plain(expression) || is_plain(-expression);
+  return is_atom(expression) || is_atom(-expression);
 }
-
-}  // namespace
 
 GiNaC::ex Vocabulary::name(const std::string& name, const GiNaC::ex& definition,
                            const std::string& meaning) {
   GiNaC::ex recognised = recognise(definition);
-  if (needs_no_name(recognised)) {
+  if (is_plain(recognised)) {
     return recognised;
   }
   const GiNaC::symbol symbol(name);
@@ -74,7 +70,7 @@ GiNaC::ex Vocabulary::derivative(const GiNaC::ex& expression, const Variable& va
 
 GiNaC::ex Vocabulary::recognise(const GiNaC::ex& expression) const {
   GiNaC::ex expanded = expand(expression);
-  if (needs_no_name(expanded)) {
+  if (is_plain(expanded)) {
     return expanded;
   }
   const GiNaC::ex negated = (-expanded).expand();

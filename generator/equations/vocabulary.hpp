@@ -10,6 +10,9 @@
 
 namespace assur::generator {
 
+/// Whether an expression is a number or plus or minus a single symbol, and so needs no name.
+[[nodiscard]] bool is_plain(const GiNaC::ex& expression);
+
 /// A quantity with a name of its own: `BC_x`, the x-component of the vector from B to C.
 struct NamedQuantity {
   GiNaC::symbol symbol;

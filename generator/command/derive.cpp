@@ -1,0 +1,71 @@
+#include "command/derive.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <vector>
+
+#include "error.hpp"
+#include "scene/suggestion.hpp"
+
+namespace assur::generator {
+
+namespace {
+
+bool is_number(const std::string& text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char letter) {
+    return std::isdigit(letter) != 0;
+  });
+}
+
+ChosenKind model_kind(const Group& group, const std::string& number) {
+  const std::vector<Model>& models = models_of(group);
+  for (const Model& model : models) {
+    if (std::to_string(model.number) == number) {
+      return {&group, model.representative};
+    }
+  }
+  throw InputError("derive: no " + group.name() + " model " + number + "; the models are 1 to " +
+                   std::to_string(models.size()));
+}
+
+std::string upper_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
+  return text;
+}
+
+}  // namespace
+
+ChosenKind chosen_kind(const DeriveOptions& options) {
+  if (is_number(options.what)) {
+    return model_kind(group_named(options.group.empty() ? "tetrad" : options.group), options.what);
+  }
+  std::vector<ChosenKind> found;
+  std::vector<std::string> spellings;
+  std::vector<std::string> groups;
+  for (const Group& group : known_groups()) {
+    if (!options.group.empty() && options.group != group.name()) {
+      continue;
+    }
+    if (const std::optional<Kind> kind = parse_kind(group, options.what)) {
+      found.push_back({&group, *kind});
+      groups.push_back(group.name());
+    }
+    for (const Kind& kind : all_kinds(group)) {
+      spellings.push_back(spell(group, kind));
+    }
+  }
+  if (found.size() > 1) {
+    throw InputError("derive: '" + options.what + "' is a kind of " + groups[0] + " and of " +
+                     groups[1] + "; say which by --group");
+  }
+  if (found.empty()) {
+    throw InputError("derive: no " + options.group + (options.group.empty() ? "" : " ") + "kind '" +
+                     options.what + "'" + suggestion(upper_case(options.what), spellings) +
+                     "; give a kind such as " + spellings.back() + " or a model's number");
+  }
+  return found.front();
+}
+
+}  // namespace assur::generator

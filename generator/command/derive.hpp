@@ -1,0 +1,24 @@
+// Turns the argument of `assur derive` into the kind that it means.
+#pragma once
+
+#include <string>
+
+#include "structure/kind.hpp"
+
+namespace assur::generator {
+
+struct DeriveOptions {
+  std::string what;   ///< a model's number, or a kind
+  std::string group;  ///< empty: the tetrad for a number, the group that spells it so for a kind
+  std::string format = "text";
+};
+
+struct ChosenKind {
+  const Group* group;
+  Kind kind;
+};
+
+/// The kind that the options name; throws InputError if there is none, or more than one.
+[[nodiscard]] ChosenKind chosen_kind(const DeriveOptions& options);
+
+}  // namespace assur::generator

@@ -1,0 +1,177 @@
+#include <algorithm>
+#include <vector>
+
+#include "derivation/document.hpp"
+#include "derivation/latex_formula.hpp"
+#include "derivation/render.hpp"
+
+namespace assur::generator {
+
+namespace {
+
+constexpr double text_width = 42;  ///< in ems
+
+// Formulas are paragraphs in math mode, which TeX breaks before signs where they are too long for
+// a line.
+const std::string preamble = R"(\documentclass[10pt,a4paper]{article}
+\usepackage{amsmath}
+\usepackage[margin=22mm]{geometry}
+\setlength{\parindent}{0pt}
+\setlength{\parskip}{3pt plus 1pt}
+\setlength{\emergencystretch}{3em}
+\binoppenalty=10000
+\relpenalty=500
+\renewcommand{\arraystretch}{1.15}
+\newcommand{\numbered}[2]{{\raggedright\hangindent=4em\hangafter=1\leftskip=1.5em
+  $\displaystyle #1$\hspace*{\fill}\mbox{\quad(#2)}\par}}
+\newcommand{\defined}[2]{{\raggedright\hangindent=4em\hangafter=1\leftskip=1.5em
+  $\displaystyle #1$\quad{\footnotesize\itshape #2}\par}}
+)";
+
+std::string joined(const std::vector<std::string>& items, const std::string& separator) {
+  std::string result;
+  for (const std::string& item : items) {
+    result += (result.empty() ? "" : separator) + item;
+  }
+  return result;
+}
+
+class LatexRenderer {
+ public:
+  std::string run(const Document& document) {
+    text_ = preamble + "\\begin{document}\n{\\Large\\bfseries " + latex_prose(document.title) +
+            "\\par}\n";
+    for (const Section& section : document.sections) {
+      text_ += "\n\\section{" + section.title + "}\n";
+      for (const Block& block : section.blocks) {
+        std::visit([&](const auto& each) { show(each); }, block);
+      }
+    }
+    return text_ + "\\end{document}\n";
+  }
+
+ private:
+  void show(const Prose& prose) { text_ += latex_prose(prose.text) + "\\par\n"; }
+  void show(const Heading& heading) {
+    text_ += "\\subsection*{" + latex_prose(heading.text) + "}\n";
+  }
+
+  void show(const Table& table) {
+    constexpr double widest_plain = 16;
+    std::string columns;
+    double left = text_width;
+    for (std::size_t column = 0; column < table.columns.size(); ++column) {
+      double width = formula_width(table.columns[column].title);
+      for (const auto& row : table.rows) {
+        width = std::max(width, formula_width(row[column]));
+      }
+      const bool last = column + 1 == table.columns.size();
+      columns += last ? paragraph(left) : width <= widest_plain ? "l" : paragraph(widest_plain);
+      left -= std::min(width, widest_plain) + 1;
+    }
+    text_ += "\\medskip\\begin{tabular}{" + columns + "}\n";
+    std::vector<std::string> titles;
+    for (const Table::Column& column : table.columns) {
+      titles.push_back("\\textit{" + latex_prose(column.title) + "}");
+    }
+    text_ += joined(titles, " & ") + " \\\\\n\\hline\n";
+    for (const auto& row : table.rows) {
+      std::vector<std::string> cells;
+      for (std::size_t column = 0; column < row.size(); ++column) {
+        cells.push_back((column + 1 == row.size() ? "\\raggedright " : "") +
+                        (table.columns[column].formula ? "$" + latex_formula(row[column]) + "$"
+                                                       : latex_prose(row[column])));
+      }
+      text_ += joined(cells, " & ") + " \\tabularnewline\n";
+    }
+    text_ += "\\end{tabular}\\par\\medskip\n";
+  }
+
+  /// A column whose cells are broken at a width.
+  static std::string paragraph(double width) {
+    return "p{" + std::to_string(static_cast<int>(std::max(width, 8.0))) + "em}";
+  }
+
+  void show(const Definitions& definitions) {
+    for (const DerivedQuantity& quantity : definitions.quantities) {
+      text_ += "\\defined{" + latex_formula(quantity.name + " = " + quantity.value) +
+               (quantity.vanishes ? " = 0" : "") + "}{" + latex_prose(quantity.meaning) + "}\n";
+    }
+  }
+
+  void numbered(const std::string& latex, int number) {
+    text_ += "\\numbered{" + latex + "}{" + std::to_string(number) + "}\n";
+  }
+  void show(const Formula& formula) {
+    numbered(formula.vectors ? latex_vectors(formula.text) : latex_formula(formula.text),
+             formula.number);
+  }
+  void show(const ScalarClosure& closure) {
+    numbered(latex_formula(closure.name + " = " + closure.value + " = 0"), closure.number);
+  }
+
+  /// A matrix as an array where it fits, or else a column a line.
+  void show(const MatrixDisplay& display) {
+    const DerivedMatrix& matrix = display.matrix;
+    double width = 8;
+    for (std::size_t column = 0; column < matrix.columns.size(); ++column) {
+      double widest = formula_width(matrix.columns[column]);
+      for (const auto& row : matrix.entries) {
+        widest = std::max(widest, formula_width(row[column]));
+      }
+      width += widest + 1;
+    }
+    const std::string name = latex_formula(matrix.name);
+    if (width > text_width) {
+      columns(display);
+      return;
+    }
+    std::string latex =
+        name + " = \\begin{array}{c|" + std::string(matrix.columns.size(), 'c') + "}\n";
+    for (const std::string& column : matrix.columns) {
+      latex += " & " + latex_formula(column);
+    }
+    latex += " \\\\\n\\hline\n";
+    for (std::size_t row = 0; row < matrix.rows.size(); ++row) {
+      latex += display.derivatives ? latex_formula(matrix.rows[row])
+                                   : "\\text{" + latex_prose(row_words(matrix.rows[row])) + "}";
+      for (const std::string& entry : matrix.entries[row]) {
+        latex += " & " + (entry == "0" ? "" : latex_formula(entry));
+      }
+      latex += " \\\\\n";
+    }
+    numbered(latex + "\\end{array}", display.number);
+  }
+
+  /// `along_slide_C` as `along slide_C`.
+  static std::string row_words(const std::string& row) {
+    const std::size_t at = row.find('_');
+    return row.substr(0, at) + " " + row.substr(at + 1);
+  }
+
+  void columns(const MatrixDisplay& display) {
+    const DerivedMatrix& matrix = display.matrix;
+    for (std::size_t column = 0; column < matrix.columns.size(); ++column) {
+      std::vector<std::string> entries;
+      for (const auto& row : matrix.entries) {
+        entries.push_back(latex_formula(row[column]));
+      }
+      const std::string variable = latex_formula(matrix.columns[column]);
+      const std::string left = display.derivatives
+                                   ? "\\partial f/\\partial " + variable
+                                   : latex_formula(matrix.name) + "_{" + variable + "}";
+      numbered(left + " = \\bigl(" + joined(entries, ",\\allowbreak\\; ") + "\\bigr)^{\\mathrm{T}}",
+               display.number);
+    }
+  }
+
+  std::string text_;
+};
+
+}  // namespace
+
+std::string derivation_latex(const Derivation& derivation) {
+  return LatexRenderer().run(document_of(derivation));
+}
+
+}  // namespace assur::generator

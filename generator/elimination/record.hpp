@@ -1,0 +1,44 @@
+// Keeps what an elimination does, step by step, for people to read and to check.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "elimination/univariate.hpp"
+
+namespace assur::generator {
+
+/// A quantity that a step introduces beside the names of the vocabulary.
+struct RecordedQuantity {
+  GiNaC::symbol symbol;
+  GiNaC::ex value;
+  std::string meaning;
+  bool vanishes = false;  ///< zero wherever the group is assembled
+};
+
+/// A polynomial in the final unknown that a step introduces.
+struct RecordedSeries {
+  std::string name;
+  std::string formula;  ///< what it is in earlier quantities: `P1*C2 - P2*C1`
+  Univariate value;
+};
+
+/// One step from the closures to the final polynomial.
+struct RecordedStep {
+  std::string title;                        ///< `BCDEB squared: free of theta_CD`
+  std::string rule;                         ///< why the step is allowed; formulas in backquotes
+  std::vector<std::string> formulas;        ///< the rule in symbols, in the syntax of scene files
+  std::vector<const Variable*> eliminated;  ///< the unknowns that no later step holds
+  std::vector<RecordedQuantity> quantities = {};
+  std::vector<RecordedSeries> series = {};
+  std::size_t vocabulary_size = 0;  ///< how many names there are once the step is done
+
+  /// Records a quantity and gives its symbol, so that later ones are written in it.
+  GiNaC::symbol record(const std::string& name, const GiNaC::ex& value, const std::string& meaning);
+  /// Likewise both components of a vector, but for those that are plain already.
+  Vector2 record(const std::string& name, const Vector2& value, const std::string& meaning);
+  /// Records an equation, value = 0.
+  void record_equation(const std::string& name, const GiNaC::ex& value, const std::string& meaning);
+};
+
+}  // namespace assur::generator
