@@ -9,7 +9,7 @@ namespace assur::generator {
 
 namespace {
 
-constexpr double text_width = 42;  ///< in ems
+constexpr double text_width = 44;  ///< in ems
 
 // Formulas are paragraphs in math mode, which TeX breaks before signs where they are too long for
 // a line.
@@ -21,7 +21,8 @@ const std::string preamble = R"(\documentclass[10pt,a4paper]{article}
 \setlength{\emergencystretch}{3em}
 \binoppenalty=10000
 \relpenalty=500
-\renewcommand{\arraystretch}{1.15}
+\renewcommand{\arraystretch}{1.2}
+\setlength{\arraycolsep}{3pt}
 \newcommand{\numbered}[2]{{\raggedright\hangindent=4em\hangafter=1\leftskip=1.5em
   $\displaystyle #1$\hspace*{\fill}\mbox{\quad(#2)}\par}}
 \newcommand{\defined}[2]{{\raggedright\hangindent=4em\hangafter=1\leftskip=1.5em
@@ -58,16 +59,19 @@ class LatexRenderer {
 
   void show(const Table& table) {
     constexpr double widest_plain = 16;
+    constexpr double letter = 0.47;
     std::string columns;
     double left = text_width;
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
-      double width = formula_width(table.columns[column].title);
+      const Table::Column& of = table.columns[column];
+      double width = letter * static_cast<double>(of.title.size());
       for (const auto& row : table.rows) {
-        width = std::max(width, formula_width(row[column]));
+        width = std::max(width, of.formula ? formula_width(row[column])
+                                           : letter * static_cast<double>(row[column].size()));
       }
-      const bool last = column + 1 == table.columns.size();
-      columns += last ? paragraph(left) : width <= widest_plain ? "l" : paragraph(widest_plain);
-      left -= std::min(width, widest_plain) + 1;
+      const double most = column + 1 == table.columns.size() ? left - 2 : widest_plain;
+      columns += width <= most ? "l" : paragraph(most);
+      left -= std::min(width, widest_plain) + 1.5;
     }
     text_ += "\\medskip\\begin{tabular}{" + columns + "}\n";
     std::vector<std::string> titles;
@@ -78,8 +82,7 @@ class LatexRenderer {
     for (const auto& row : table.rows) {
       std::vector<std::string> cells;
       for (std::size_t column = 0; column < row.size(); ++column) {
-        cells.push_back((column + 1 == row.size() ? "\\raggedright " : "") +
-                        (table.columns[column].formula ? "$" + latex_formula(row[column]) + "$"
+        cells.push_back((table.columns[column].formula ? "$" + latex_formula(row[column]) + "$"
                                                        : latex_prose(row[column])));
       }
       text_ += joined(cells, " & ") + " \\tabularnewline\n";
@@ -113,28 +116,28 @@ class LatexRenderer {
   /// A matrix as an array where it fits, or else a column a line.
   void show(const MatrixDisplay& display) {
     const DerivedMatrix& matrix = display.matrix;
-    double width = 8;
+    double width = display.derivatives ? 7 : 11;
     for (std::size_t column = 0; column < matrix.columns.size(); ++column) {
       double widest = formula_width(matrix.columns[column]);
       for (const auto& row : matrix.entries) {
         widest = std::max(widest, formula_width(row[column]));
       }
-      width += widest + 1;
+      width += widest + 0.7;
     }
-    const std::string name = latex_formula(matrix.name);
     if (width > text_width) {
-      columns(display);
+      show_columns(display);
       return;
     }
-    std::string latex =
-        name + " = \\begin{array}{c|" + std::string(matrix.columns.size(), 'c') + "}\n";
+    // Names of framed components have marks above and below.
+    std::string latex = display.derivatives ? "" : "\\renewcommand{\\arraystretch}{1.6}";
+    latex += latex_formula(matrix.name) + " = \\begin{array}{c|" +
+             std::string(matrix.columns.size(), 'c') + "}\n";
     for (const std::string& column : matrix.columns) {
       latex += " & " + latex_formula(column);
     }
     latex += " \\\\\n\\hline\n";
     for (std::size_t row = 0; row < matrix.rows.size(); ++row) {
-      latex += display.derivatives ? latex_formula(matrix.rows[row])
-                                   : "\\text{" + latex_prose(row_words(matrix.rows[row])) + "}";
+      latex += row_title(display, row);
       for (const std::string& entry : matrix.entries[row]) {
         latex += " & " + (entry == "0" ? "" : latex_formula(entry));
       }
@@ -143,13 +146,16 @@ class LatexRenderer {
     numbered(latex + "\\end{array}", display.number);
   }
 
-  /// `along_slide_C` as `along slide_C`.
-  static std::string row_words(const std::string& row) {
-    const std::size_t at = row.find('_');
-    return row.substr(0, at) + " " + row.substr(at + 1);
+  /// `f_{1}`, or in words `along slide_C` for `along_slide_C`.
+  static std::string row_title(const MatrixDisplay& display, std::size_t row) {
+    const std::string& name = display.matrix.rows[row];
+    const std::size_t at = name.find('_');
+    return display.derivatives
+               ? latex_formula(name)
+               : "\\text{" + name.substr(0, at) + " $" + latex_formula(name.substr(at + 1)) + "$}";
   }
 
-  void columns(const MatrixDisplay& display) {
+  void show_columns(const MatrixDisplay& display) {
     const DerivedMatrix& matrix = display.matrix;
     for (std::size_t column = 0; column < matrix.columns.size(); ++column) {
       std::vector<std::string> entries;
@@ -160,8 +166,13 @@ class LatexRenderer {
       const std::string left = display.derivatives
                                    ? "\\partial f/\\partial " + variable
                                    : latex_formula(matrix.name) + "_{" + variable + "}";
-      numbered(left + " = \\bigl(" + joined(entries, ",\\allowbreak\\; ") + "\\bigr)^{\\mathrm{T}}",
-               display.number);
+      const std::string latex =
+          left + " = (" + joined(entries, ",\\allowbreak\\; ") + ")^{\\mathrm{T}}";
+      if (column == 0) {
+        numbered(latex, display.number);
+      } else {
+        text_ += "\\defined{" + latex + "}{}\n";
+      }
     }
   }
 

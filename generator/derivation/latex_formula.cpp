@@ -96,6 +96,12 @@ LatexName latex_name(const std::string& name) {
   static const std::map<std::string, std::string> greek = {
       {"theta", "\\theta"}, {"psi", "\\psi"},     {"phi", "\\varphi"},
       {"omega", "\\omega"}, {"alpha", "\\alpha"}, {"determinant", "\\Delta"}};
+  static const std::map<std::string, std::string> differentials = {
+      {"dq", "\\mathrm{d}q"},      {"dd", "\\mathrm{d}d"}, {"du", "\\mathrm{d}u"},
+      {"d2q", "\\mathrm{d}^{2}q"}, {"dt", "\\mathrm{d}t"}, {"dt2", "\\mathrm{d}t^{2}"}};
+  if (const auto found = differentials.find(name); found != differentials.end()) {
+    return {found->second, ""};
+  }
   for (const std::string function : {"cos", "sin"}) {
     if (name.starts_with(function + "_")) {
       return direction_name("\\" + function, name.substr(4));
@@ -287,11 +293,17 @@ std::string latex_prose(const std::string& text) {
 
 double formula_width(const std::string& formula) {
   double width = 0;
+  for (const std::string function : {"cos", "sin"}) {
+    width += 0.9 * static_cast<double>(split(formula, function).size() - 1);
+  }
   bool low = false;  // behind an underscore letters are small
   for (const char c : formula) {
     const bool part = is_letter(c) || is_digit(c);
     low = part && (low || c == '_');
-    width += c == '_' || c == '*' || c == '(' || c == ')' ? 0.1 : low ? 0.5 : 0.75;
+    const bool upper = std::isupper(static_cast<unsigned char>(c)) != 0;
+    const bool mark = c == '_' || c == '*' || c == '(' || c == ')';
+    // Names in lower case are mostly those of one Greek letter.
+    width += mark ? 0.1 : upper ? (low ? 0.5 : 0.75) : is_letter(c) ? 0.25 : 0.5;
   }
   return width;
 }
