@@ -22,7 +22,7 @@ std::string SceneLines::point(const std::string& name, const Dual& x, const Dual
   const std::string values = round_trip(x.value()) + ", " + round_trip(y.value());
   if (!varies({x, y})) {
     const bool origin = x.value() == 0 && y.value() == 0;
-    return origin ? "LinkPoint{}" : "LinkPoint{" + values + ", {}, {}}";
+    return origin ? "LinkPoint{}" : "LinkPoint{" + values + "}";
   }
   const std::string point = declared(name);
   add("LinkPoint " + point + ";");
