@@ -21,7 +21,7 @@ const std::string preamble = R"(\documentclass[10pt,a4paper]{article}
 \setlength{\emergencystretch}{3em}
 \binoppenalty=10000
 \relpenalty=500
-\renewcommand{\arraystretch}{1.2}
+\renewcommand{\arraystretch}{1.35}
 \setlength{\arraycolsep}{3pt}
 \newcommand{\numbered}[2]{{\raggedright\hangindent=4em\hangafter=1\leftskip=1.5em
   $\displaystyle #1$\hspace*{\fill}\mbox{\quad(#2)}\par}}
