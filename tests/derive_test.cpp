@@ -2,12 +2,14 @@
 // generated code, its text mentions what it must, and its LaTeX compiles.
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "command.hpp"
 #include "exact_assembly.hpp"

@@ -1,63 +1,13 @@
 #include "derivation/document.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
+
+#include "derivation/phrases.hpp"
 
 namespace assur::generator {
 
 namespace {
-
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
-template <typename Items, typename Text>
-std::string joined(const Items& items, const std::string& separator, const Text& text) {
-  std::string result;
-  for (const auto& item : items) {
-    result += (result.empty() ? "" : separator) + text(item);
-  }
-  return result;
-}
-
-std::string joined(const std::vector<std::string>& items, const std::string& separator) {
-  return joined(items, separator, [](const std::string& item) { return item; });
-}
-
-/// `(re + i*im)*w^(-1)`, without the parts that are zero.
-std::string term_text(const DerivedTerm& term, const std::string& base) {
-  std::string text = term.re == "0" ? "" : term.re;
-  if (term.im != "0") {
-    const bool negative = term.im[0] == '-';
-    text += text.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ");
-    text += "i*" + term.im.substr(negative ? 1 : 0);
-  }
-  const bool plain = text.find_first_of("+- ") == std::string::npos;
-  const std::string exponent = std::to_string(term.power);
-  const std::string power = term.power == 0   ? ""
-                            : term.power == 1 ? "*" + base
-                            : term.power < 0  ? "*" + base + "^(" + exponent + ")"
-                                              : "*" + base + "^" + exponent;
-  return (plain ? text : "(" + text + ")") + power;
-}
-
-std::string series_text(const DerivedSeries& series) {
-  const std::string sum = joined(
-      series.terms, " + ", [&](const DerivedTerm& term) { return term_text(term, series.base); });
-  return series.name + (series.formula == series.name ? "" : " = " + series.formula) + " = " +
-         (sum.empty() ? "0" : sum);
-}
-
-/// The text in brackets where it is a sum.
-std::string bracketed(const std::string& formula) {
-  return formula.find(' ') == std::string::npos ? formula : "(" + formula + ")";
-}
-
-std::string sentence(std::string text) {
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text + ".";
-}
 
 class DocumentBuilder {
  public:

@@ -3,6 +3,7 @@
 
 #include "derivation/document.hpp"
 #include "derivation/latex_formula.hpp"
+#include "derivation/phrases.hpp"
 #include "derivation/render.hpp"
 
 namespace assur::generator {
@@ -21,21 +22,13 @@ const std::string preamble = R"(\documentclass[10pt,a4paper]{article}
 \setlength{\emergencystretch}{3em}
 \binoppenalty=10000
 \relpenalty=500
-\renewcommand{\arraystretch}{1.2}
+\renewcommand{\arraystretch}{1.35}
 \setlength{\arraycolsep}{3pt}
 \newcommand{\numbered}[2]{{\raggedright\hangindent=4em\hangafter=1\leftskip=1.5em
   $\displaystyle #1$\hspace*{\fill}\mbox{\quad(#2)}\par}}
 \newcommand{\defined}[2]{{\raggedright\hangindent=4em\hangafter=1\leftskip=1.5em
   $\displaystyle #1$\quad{\footnotesize\itshape #2}\par}}
 )";
-
-std::string joined(const std::vector<std::string>& items, const std::string& separator) {
-  std::string result;
-  for (const std::string& item : items) {
-    result += (result.empty() ? "" : separator) + item;
-  }
-  return result;
-}
 
 class LatexRenderer {
  public:

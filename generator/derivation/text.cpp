@@ -2,6 +2,7 @@
 #include <sstream>
 
 #include "derivation/document.hpp"
+#include "derivation/phrases.hpp"
 #include "derivation/render.hpp"
 
 namespace assur::generator {
@@ -141,14 +142,6 @@ class TextRenderer {
                                matrix.entries[row].end());
     }
     show(table);
-  }
-
-  static std::string joined(const std::vector<std::string>& items, const std::string& separator) {
-    std::string result;
-    for (const std::string& item : items) {
-      result += (result.empty() ? "" : separator) + item;
-    }
-    return result;
   }
 
   std::string text_;
