@@ -108,6 +108,9 @@ class TextRenderer {
       } else {
         text_ += comment(quantity.name + ": " + meaning) + statement(line);
       }
+      if (quantity.vanishes) {
+        text_ += "printed equation " + quantity.name + " : " + quantity.name + " = 0\n";
+      }
     }
   }
 
@@ -117,7 +120,7 @@ class TextRenderer {
   }
   void show(const ScalarClosure& closure) {
     text_ += statement("printed closure (" + std::to_string(closure.number) + ") " + closure.name +
-                       " = " + closure.value);
+                       " : " + closure.value + " = 0");
   }
 
   void show(const MatrixDisplay& display) {
