@@ -323,7 +323,7 @@ PrintedMatrix Auditor::matrix_frame(const PlacedText& rest) {
 }
 
 void Auditor::read_printed_matrix(const Statement& statement, const PlacedText& label,
-                                  PlacedText rest) {
+                                  const PlacedText& rest) {
   PrintedMatrix matrix = matrix_frame(rest);
   if (statement.rows.size() != matrix.rows.size()) {
     fail(statement.head.place, "expected " + std::to_string(matrix.rows.size()) + " rows, found " +

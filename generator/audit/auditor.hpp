@@ -46,7 +46,8 @@ class Auditor {
 
   void read_printed(const Statement& statement, PlacedText rest);
   void read_printed_closure(const PlacedText& label, PlacedText rest);
-  void read_printed_matrix(const Statement& statement, const PlacedText& label, PlacedText rest);
+  void read_printed_matrix(const Statement& statement, const PlacedText& label,
+                           const PlacedText& rest);
   void read_printed_code(const PlacedText& label, PlacedText rest);
   void read_printed_equation(const PlacedText& label, PlacedText rest);
   void read_printed_kinds(const Statement& statement, const PlacedText& label, PlacedText rest);

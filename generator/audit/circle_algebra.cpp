@@ -30,12 +30,8 @@ const Vector2& CircleAlgebra::direction(const GiNaC::symbol& angle) const {
 }
 
 bool CircleAlgebra::under_a_root(const GiNaC::symbol& symbol) const {
-  for (const Root& root : roots_) {
-    if (root.radicand.has(symbol)) {
-      return true;
-    }
-  }
-  return false;
+  return std::any_of(roots_.begin(), roots_.end(),
+                     [&](const Root& root) { return root.radicand.has(symbol); });
 }
 
 GiNaC::ex CircleAlgebra::algebraic(const GiNaC::ex& expression) {
