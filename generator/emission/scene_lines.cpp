@@ -24,7 +24,7 @@ std::string SceneLines::point(const std::string& name, const Dual& x, const Dual
     const bool origin = x.value() == 0 && y.value() == 0;
     return origin ? "LinkPoint{}" : "LinkPoint{" + values + "}";
   }
-  const std::string point = declared(name);
+  std::string point = declared(name);
   add("LinkPoint " + point + ";");
   add(point + ".x = " + round_trip(x.value()) + ";");
   add(point + ".y = " + round_trip(y.value()) + ";");
@@ -38,7 +38,7 @@ std::string SceneLines::frame(const std::string& name, const Pose<Dual>& pose) {
   if (constant && pose.x.value() == 0 && pose.y.value() == 0 && angle.value() == 0) {
     return "";
   }
-  const std::string frame = declared(name);
+  std::string frame = declared(name);
   add("LinkFrame " + frame + ";");
   add(frame + ".pose = {" + round_trip(pose.x.value()) + ", " + round_trip(pose.y.value()) + ", {" +
       round_trip(pose.direction.cos.value()) + ", " + round_trip(pose.direction.sin.value()) +
@@ -53,7 +53,7 @@ std::string SceneLines::gradient(const std::string& name, const Dual& number) {
   if (!varies({number})) {
     return "ParameterRow::Zero()";
   }
-  const std::string row = declared(name);
+  std::string row = declared(name);
   add("ParameterRow " + row + " = ParameterRow::Zero();");
   const Eigen::VectorXd gradient = parameters_.gradient(number);
   for (int place = 0; place < parameters_.count(); ++place) {

@@ -28,6 +28,7 @@ std::vector<double> order_key(const AssemblyConfiguration& configuration,
 void put_in_order(std::vector<AssemblyConfiguration>& configurations,
                   const std::vector<bool>& moving) {
   std::vector<std::vector<double>> keys;
+  keys.reserve(configurations.size());
   for (const AssemblyConfiguration& configuration : configurations) {
     keys.push_back(order_key(configuration, moving));
   }
