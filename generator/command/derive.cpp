@@ -63,7 +63,7 @@ ChosenKind chosen_kind(const DeriveOptions& options) {
   if (found.empty()) {
     throw InputError("derive: no " + options.group + (options.group.empty() ? "" : " ") + "kind '" +
                      options.what + "'" + suggestion(upper_case(options.what), spellings) +
-                     "; give a kind such as " + spellings.back() + " or a model's number");
+                     "; give a kind such as " + spellings.front() + " or a model's number");
   }
   return found.front();
 }

@@ -14,6 +14,7 @@ namespace {
 
 std::vector<std::string> names_of(const std::vector<DerivedVariable>& variables) {
   std::vector<std::string> names;
+  names.reserve(variables.size());
   for (const DerivedVariable& variable : variables) {
     names.push_back(variable.name);
   }
@@ -22,6 +23,7 @@ std::vector<std::string> names_of(const std::vector<DerivedVariable>& variables)
 
 std::vector<DerivedVariable> described(const std::deque<Variable>& variables) {
   std::vector<DerivedVariable> list;
+  list.reserve(variables.size());
   for (const Variable& variable : variables) {
     list.push_back({variable.name, variable.is_angle(), variable.rate.get_name(),
                     variable.second_rate.get_name(), variable.meaning});
@@ -183,6 +185,7 @@ class DerivationGatherer {
 
   [[nodiscard]] std::vector<std::string> written(const std::vector<GiNaC::ex>& list) const {
     std::vector<std::string> texts;
+    texts.reserve(list.size());
     for (const GiNaC::ex& expression : list) {
       texts.push_back(write_(expression));
     }
@@ -202,14 +205,15 @@ class DerivationGatherer {
                                           std::vector<GiNaC::ex> used) {
     std::vector<DerivedQuantity> list;
     const std::vector<NamedQuantity>& quantities = vocabulary.quantities();
-    for (auto quantity = quantities.rbegin(); quantity != quantities.rend(); ++quantity) {
+    for (std::size_t at = quantities.size(); at-- > 0;) {
+      const NamedQuantity& quantity = quantities[at];
       const bool needed = std::any_of(used.begin(), used.end(), [&](const GiNaC::ex& expression) {
-        return expression.has(quantity->symbol);
+        return expression.has(quantity.symbol);
       });
-      if (needed && given_.insert(quantity->symbol.get_name()).second) {
-        used.push_back(quantity->definition);
+      if (needed && given_.insert(quantity.symbol.get_name()).second) {
+        used.push_back(quantity.definition);
         list.push_back(
-            {quantity->symbol.get_name(), write_(quantity->definition), quantity->meaning, false});
+            {quantity.symbol.get_name(), write_(quantity.definition), quantity.meaning, false});
       }
     }
     std::reverse(list.begin(), list.end());
