@@ -90,6 +90,7 @@ class PlacementPlanner {
 
   [[nodiscard]] std::vector<std::string> names_of(const std::vector<int>& links) const {
     std::vector<std::string> names;
+    names.reserve(links.size());
     for (const int link : links) {
       names.push_back(order_.mechanism.links[static_cast<std::size_t>(link)]);
     }

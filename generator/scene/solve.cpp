@@ -31,10 +31,10 @@ class MechanismSolver {
     solution_.groups = order_.groups;
     solution_.group_links = order_.group_links;
     std::vector<PartialConfiguration> partial = {start_};
-    for (std::size_t group = 0; group < solution_.groups.size(); ++group) {
+    for (const FoundGroup& group : solution_.groups) {
       std::vector<PartialConfiguration> next;
       for (const PartialConfiguration& configuration : partial) {
-        if (!extend(configuration, solution_.groups[group], next)) {
+        if (!extend(configuration, group, next)) {
           return std::move(solution_);
         }
       }

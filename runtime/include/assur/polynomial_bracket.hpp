@@ -26,7 +26,9 @@ inline void improve(Bracket<Scalar>& b, const std::array<Scalar, Size>& power, S
                     int iteration) {
   using std::abs;
   using std::sqrt;
-  Scalar value(0), slope(0), bend(0);  // p, p', p''/2
+  Scalar value(0);  // p
+  Scalar slope(0);  // p'
+  Scalar bend(0);   // p''/2
   for (std::size_t i = Size; i-- > 0;) {
     bend = bend * b.t + slope;
     slope = slope * b.t + value;

@@ -29,9 +29,7 @@
 #include <cmath>
 #include <limits>
 
-namespace assur {
-
-namespace detail {
+namespace assur::detail {
 
 template <class Scalar>
 inline Scalar magnitude(Scalar value) {
@@ -58,11 +56,11 @@ struct Harmonic {
 
   // An angle, less `shift`. For coefficients: those of the function as seen from a chart centred at
   // `shift`.
-  Harmonic less(Harmonic shift) const {
+  [[nodiscard]] Harmonic less(Harmonic shift) const {
     return {cosine * shift.cosine + sine * shift.sine, sine * shift.cosine - cosine * shift.sine};
   }
   // The same for right angles, exactly.
-  Harmonic less_quarters(std::size_t quarters) const {
+  [[nodiscard]] Harmonic less_quarters(std::size_t quarters) const {
     switch (quarters % 4) {
       case 0:
         return *this;
@@ -86,20 +84,23 @@ struct ChartTables {
   static constexpr std::size_t degree = 2 * N;
   using Polynomial = std::array<Scalar, degree + 1>;
   struct Map {
-    std::array<Polynomial, N + 1> cosine{}, sine{};
+    std::array<Polynomial, N + 1> cosine{};
+    std::array<Polynomial, N + 1> sine{};
 
     // On the chart centred at chart * pi/2.
-    Polynomial apply(const Harmonics<Scalar, N>& harmonics, std::size_t chart) const {
+    [[nodiscard]] Polynomial apply(const Harmonics<Scalar, N>& harmonics, std::size_t chart) const {
       Polynomial image{};
       for (std::size_t k = 0; k <= N; ++k) {
         const Harmonic<Scalar> h = harmonics[k].less_quarters(k * chart);
-        for (std::size_t i = 0; i <= degree; ++i)
+        for (std::size_t i = 0; i <= degree; ++i) {
           image[i] += h.cosine * cosine[k][i] + h.sine * sine[k][i];
+        }
       }
       return image;
     }
   };
-  Map bernstein, power;
+  Map bernstein;
+  Map power;
 
   // With z = x + i y, cos k th and sin k th are the real and imaginary parts of z^(N+k)
   // conj(z)^(N-k). Its symmetric form at 2N - i vectors of angle -pi/8 and i of angle pi/8 is the
@@ -108,14 +109,15 @@ struct ChartTables {
     using std::sqrt;
     const Scalar half_root = sqrt(Scalar(0.5));
     const auto cosine_of_eighths = [half_root](std::size_t eighths) {
-      constexpr std::array<int, 8> rational{1, 0, 0, 0, -1, 0, 0, 0},
-          irrational{0, 1, 0, -1, 0, -1, 0, 1};
+      constexpr std::array<int, 8> rational{1, 0, 0, 0, -1, 0, 0, 0};
+      constexpr std::array<int, 8> irrational{0, 1, 0, -1, 0, -1, 0, 1};
       return Scalar(rational[eighths % 8]) + Scalar(irrational[eighths % 8]) * half_root;
     };
     for (std::size_t k = 0; k <= N; ++k) {
       const Scalar choices(binomial(degree, N - k));
       for (std::size_t i = 0; i <= degree; ++i) {
-        Scalar cosine(0), sine(0);
+        Scalar cosine(0);
+        Scalar sine(0);
         for (std::size_t j = 0; j <= N - k; ++j) {
           const Scalar weight(binomial(i, j) * binomial(degree - i, N - k - j));
           cosine += weight * cosine_of_eighths(32 + i - 2 * j - k);
@@ -196,5 +198,4 @@ inline void cut_at(Scalar lambda, const std::array<Scalar, Size>& b,
   for (std::size_t i = 0; i < Size; ++i) after[i] = edge[Size - 1 - i];
 }
 
-}  // namespace detail
-}  // namespace assur
+}  // namespace assur::detail

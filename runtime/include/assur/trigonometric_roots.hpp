@@ -118,11 +118,13 @@ class TrigonometricRootSearch {
   // Copies and scales the coefficients.
   RootStatus prepare(const TrigonometricPolynomial<Scalar, N>& polynomial,
                      Scalar coefficient_error) {
-    for (std::size_t k = 0; k <= N; ++k)
+    for (std::size_t k = 0; k <= N; ++k) {
       harmonics[k] = {polynomial.cosine[k], k == 0 ? Scalar(0) : polynomial.sine[k]};
+    }
     Scalar not_finite(0);
-    for (const Harmonic<Scalar>& h : harmonics)
+    for (const Harmonic<Scalar>& h : harmonics) {
       not_finite += h.cosine * Scalar(0) + h.sine * Scalar(0);
+    }
     if (!(not_finite == Scalar(0)) || !(coefficient_error >= Scalar(0))) return RootStatus::invalid;
     add_up();
     // All that follows is linear in T, but for ratios of degree four: keep them far from overflow
@@ -188,14 +190,15 @@ class TrigonometricRootSearch {
       if (cut(chart, arc, (t - arc.left) / width)) return;
       const Scalar reach(3.0 *
                          std::pow(std::abs(double(arc.error / coefficient)), 1.0 / arc.max_roots));
-      const bool left_near = t - arc.left < Scalar(2) * reach,
-                 right_near = arc.right - t < Scalar(2) * reach;
+      const bool left_near = t - arc.left < Scalar(2) * reach;
+      const bool right_near = arc.right - t < Scalar(2) * reach;
       if (!left_near && cut(chart, arc, (t - reach - arc.left) / width)) return;
       if (!right_near && cut(chart, arc, (t + reach - arc.left) / width)) return;
       hopeless = arc.max_roots == 2 && left_near && right_near;
     }
-    for (const double lambda : {0.5, 0.375, 0.6875})
+    for (const double lambda : {0.5, 0.375, 0.6875}) {
       if (!hopeless && cut(chart, arc, Scalar(lambda))) return;
+    }
     const Scalar t = flattest(chart, arc)[0];
     const Scalar reach = t - arc.left > arc.right - t ? t - arc.left : arc.right - t;
     report_cluster(angle_at(chart, t), 2.0 * double(reach), arc.max_roots);
@@ -203,23 +206,27 @@ class TrigonometricRootSearch {
 
   void report_cluster(double angle, double half_width, int max_roots) {
     result.status = RootStatus::undecided;
-    if (result.cluster_count < D)
+    if (result.cluster_count < D) {
       result.clusters[result.cluster_count++] = {angle, half_width, max_roots};
+    }
   }
 
   // Searches both parts of the arc, cut at the fraction lambda, unless the sign there is uncertain.
   bool cut(std::size_t chart, const Arc& arc, Scalar lambda) {
     const Scalar middle = arc.left + lambda * (arc.right - arc.left);
-    if (!(lambda > Scalar(0) && lambda < Scalar(1) && middle > arc.left && middle < arc.right))
+    if (!(lambda > Scalar(0) && lambda < Scalar(1) && middle > arc.left && middle < arc.right)) {
       return false;
-    Arc left, right;
+    }
+    Arc left;
+    Arc right;
     cut_at(lambda, arc.bernstein, left.bernstein, right.bernstein);
     left.error = right.error = arc.error + cut_error(arc.bernstein);
     if (!(magnitude(right.bernstein[0]) > right.error)) return false;
     // The parts together hold no more roots than the whole, and an odd number is at least one.
     const int on_left = count_variations(left.bernstein, left.error);
     const int on_right = count_variations(right.bernstein, right.error);
-    const int most_left = arc.max_roots - on_right % 2, most_right = arc.max_roots - on_left % 2;
+    const int most_left = arc.max_roots - on_right % 2;
+    const int most_right = arc.max_roots - on_left % 2;
     left.max_roots = on_left < most_left ? on_left : most_left;
     right.max_roots = on_right < most_right ? on_right : most_right;
     left.left = arc.left;
@@ -234,9 +241,10 @@ class TrigonometricRootSearch {
   }
 
   // With m = max_roots: a zero of p^(m-1) in the arc, found from the middle, and p^(m)/m! there.
-  std::array<Scalar, 2> flattest(std::size_t chart, const Arc& arc) const {
+  [[nodiscard]] std::array<Scalar, 2> flattest(std::size_t chart, const Arc& arc) const {
     const std::size_t order = static_cast<std::size_t>(arc.max_roots) - 1;
-    Scalar t = (arc.left + arc.right) / Scalar(2), slope(0);
+    Scalar t = (arc.left + arc.right) / Scalar(2);
+    Scalar slope(0);
     for (int step = 0; step < 6; ++step) {
       Scalar value(0);
       slope = Scalar(0);
@@ -278,7 +286,7 @@ class TrigonometricRootSearch {
     for (std::size_t r = 0; r < bracket_count; ++r) store(brackets[r].chart, brackets[r].t);
   }
 
-  double angle_at(std::size_t chart, Scalar t) const {
+  [[nodiscard]] double angle_at(std::size_t chart, Scalar t) const {
     double angle =
         2.0 * std::atan(double(t)) + (static_cast<double>(chart) * (two_pi / 4.0) + turn_angle);
     if (angle < 0.0) angle += two_pi;
@@ -287,16 +295,19 @@ class TrigonometricRootSearch {
 
   void store(std::size_t chart, Scalar t) {
     Scalar slope(0);
-    for (std::size_t i = D; i > 0; --i)
+    for (std::size_t i = D; i > 0; --i) {
       slope = slope * t + power[chart][i] * Scalar(static_cast<int>(i));
-    const Scalar square = t * t, norm = Scalar(1) + square;
+    }
+    const Scalar square = t * t;
+    const Scalar norm = Scalar(1) + square;
     for (std::size_t k = 1; k < N; ++k) slope = slope / norm;
     const Harmonic<Scalar> local{(Scalar(1) - square) / norm, (t + t) / norm};
     const Harmonic<Scalar> point = local.less_quarters(4 - chart).less(turn_back);
     const double angle = angle_at(chart, t);
     std::size_t place = result.root_count++;
-    for (; place > 0 && result.roots[place - 1].angle > angle; --place)
+    for (; place > 0 && result.roots[place - 1].angle > angle; --place) {
       result.roots[place] = result.roots[place - 1];
+    }
     result.roots[place] = {angle, point.cosine, point.sine, slope * unscale / Scalar(2)};
   }
 };
