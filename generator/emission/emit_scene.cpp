@@ -20,14 +20,6 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-/// A text of the scene for a comment: on one line, without a backslash that would continue it.
-std::string comment_text(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
-  std::replace(text.begin(), text.end(), '\\', '/');
-  return text;
-}
-
 /// Those that have a tolerance, all if none has, and none if no sensitivity is wanted.
 ModelledParameters modelled_parameters(const Scene& scene) {
   const bool any =
@@ -405,8 +397,7 @@ class SceneEmitter {
 
   void show_scene() {
     const SceneWant& want = scene_.want;
-    view_.set("model_struct",
-              mustache::partial([] { return without_tag_lines(templates::model_struct_hpp); }));
+    show_partials(view_);
     view_.set("groups", groups_);
     view_.set("file", comment_text(file_));
     view_.set("name", comment_text(scene_.name.empty() ? file_ : scene_.name));
