@@ -37,8 +37,13 @@ char mark(const Finding& finding) {
   return '?';
 }
 
-std::string place_text(const AuditReport& report, Place place) {
-  return report.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
+const std::string& file_of(const AuditReport& report, const Finding& finding) {
+  return finding.file.empty() ? report.file : finding.file;
+}
+
+std::string place_text(const AuditReport& report, const Finding& finding) {
+  return file_of(report, finding) + ":" + std::to_string(finding.place.line) + ":" +
+         std::to_string(finding.place.column);
 }
 
 /// What is known of a disagreement, as pairs of a word and a text.
@@ -85,7 +90,7 @@ std::string statement_text(const AuditReport& report, const AuditedStatement& st
                        finding.comparison.verdict == told->comparison.verdict;
     text += "  " + finding.item + (finding.item.empty() ? "" : ": ") +
             verdict_text(finding.comparison.verdict) +
-            (alike ? " likewise\n" : " (" + place_text(report, finding.place) + ")\n");
+            (alike ? " likewise\n" : " (" + place_text(report, finding) + ")\n");
     if (alike) {
       continue;
     }
@@ -172,11 +177,14 @@ std::string audit_report_json(const std::vector<AuditReport>& reports) {
       Json findings = Json::array();
       for (const Finding& finding : statement.findings) {
         const Comparison& comparison = finding.comparison;
-        Json entry = {
-            {"item", finding.item},           {"verdict", verdict_text(comparison.verdict)},
-            {"line", finding.place.line},     {"column", finding.place.column},
-            {"printed", finding.printed},     {"derived", finding.derived},
-            {"evidence", comparison.evidence}};
+        Json entry = {{"item", finding.item},
+                      {"verdict", verdict_text(comparison.verdict)},
+                      {"file", file_of(report, finding)},
+                      {"line", finding.place.line},
+                      {"column", finding.place.column},
+                      {"printed", finding.printed},
+                      {"derived", finding.derived},
+                      {"evidence", comparison.evidence}};
         if (!comparison.difference.empty()) {
           entry["difference"] = comparison.difference;
           entry["point"] = comparison.point;

@@ -16,7 +16,8 @@ struct Finding {
   Comparison comparison;
   std::string printed;
   std::string derived;
-  std::string note;  ///< what explains a difference, if anything does
+  std::string note;    ///< what explains a difference, if anything does
+  std::string file{};  ///< where the place is, if not in the audit file
 
   [[nodiscard]] bool agrees() const { return comparison.verdict == Verdict::agrees; }
 };
