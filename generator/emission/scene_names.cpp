@@ -52,7 +52,7 @@ std::string c_identifier(const std::string& text) {
   return result;
 }
 
-std::string pascal_case(const std::string& text) {
+std::string pascal_case(const std::string& text, const std::string& word) {
   std::string result;
   bool capital = true;
   for (const char c : text) {
@@ -63,7 +63,7 @@ std::string pascal_case(const std::string& text) {
     result += capital && c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
     capital = false;
   }
-  return result.empty() || is_digit(result.front()) ? "Scene" + result : result;
+  return result.empty() || is_digit(result.front()) ? word + result : result;
 }
 
 std::vector<std::string> member_names(const std::vector<std::string>& names,

@@ -10,8 +10,8 @@ namespace assur::generator {
 /// MAKE_C_IDENTIFIER makes of it.
 [[nodiscard]] std::string c_identifier(const std::string& text);
 
-/// `four-bar_2` as `FourBar2`, with `Scene` in front of a leading digit.
-[[nodiscard]] std::string pascal_case(const std::string& text);
+/// `four-bar_2` as `FourBar2`, with a word in front of a leading digit.
+[[nodiscard]] std::string pascal_case(const std::string& text, const std::string& word = "Scene");
 
 /// Identifiers for the members of one struct: different from each other, from keywords and from
 /// `taken`, in the order of the names.
