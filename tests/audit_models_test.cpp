@@ -34,7 +34,7 @@ class PrintedModel {
     for (const NamedQuantity& quantity : equations_.vocabulary.quantities()) {
       text_ += "let " + quantity.symbol.get_name() + " = " + formula(quantity.definition) + "\n";
     }
-    const std::vector<GiNaC::ex> residuals = equations_.residuals();
+    const std::vector<GiNaC::ex> residuals = equations_.residuals;
     for (std::size_t row = 0; row < residuals.size(); ++row) {
       names_ += " f" + std::to_string(row + 1);
       text_ += "printed closure (1) f" + std::to_string(row + 1) + " : " + formula(residuals[row]) +

@@ -8,6 +8,7 @@
 
 #include "audit/audit.hpp"
 #include "audit/code_matrix.hpp"
+#include "audit/code_text.hpp"
 #include "audit/kind_audit.hpp"
 #include "audit/model_symbols.hpp"
 #include "audit/scene_values.hpp"
@@ -163,9 +164,10 @@ void Auditor::read_model(const PlacedText& kind) {
 }
 
 void Auditor::read_symbols(const PlacedText& rest, bool angles) {
-  for (const PlacedText& name : words(cut(rest, ':').first)) {
+  const auto [names, meaning] = cut(rest, ':');
+  for (const PlacedText& name : words(names)) {
     expect_new(name);
-    system_.declare(name.text, angles);
+    system_.declare(name.text, angles, meaning.text);
   }
 }
 
@@ -349,11 +351,21 @@ void Auditor::read_printed_code(const PlacedText& label, PlacedText rest) {
     fail(array.place, "expected the name of a matrix in the code");
   }
   PrintedMatrix matrix = matrix_frame(rest);
-  matrix.entries = read_code_matrix(read_file_beside(file), file.text, array.text,
-                                    matrix.rows.size(), matrix.columns.size(), system_);
+  const std::string code = read_file_beside(file);
+  const std::string path = (directory_ / file.text).string();
+  matrix.entries =
+      read_code_matrix(code, path, array.text, matrix.rows.size(), matrix.columns.size(), system_);
+  std::vector<Finding> findings = audit_matrix(system_, matrix);
+  for (std::size_t place = 0; place < findings.size(); ++place) {
+    Finding& finding = findings[place];
+    finding.place = place_in_code(code, finding.place);
+    if (matrix.entries[place].text.empty() && !finding.agrees()) {
+      finding.note = "nothing is assigned to it, so it counts as zero";
+    }
+  }
   answer("code " + label.text + " (" + file.text + ")", label.place, matrix.columns.size(),
-         audit_matrix(system_, matrix));
-  report_.statements.back().file = (directory_ / file.text).string();
+         std::move(findings));
+  report_.statements.back().file = path;
 }
 
 void Auditor::read_printed_equation(const PlacedText& label, PlacedText rest) {

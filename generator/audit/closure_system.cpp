@@ -36,8 +36,9 @@ class FewDigits {
 
 }  // namespace
 
-AuditSymbol& ClosureSystem::declare(const std::string& name, bool angle) {
-  AuditSymbol& made = symbols_.emplace_back(name, angle);
+AuditSymbol& ClosureSystem::declare(const std::string& name, bool angle,
+                                    const std::string& meaning) {
+  AuditSymbol& made = symbols_.emplace_back(name, angle, meaning);
   if (angle) {
     algebra_.add_angle(made.symbol);
   }

@@ -13,15 +13,17 @@ namespace assur::generator {
 
 /// A symbol that an audit file declares, or that its model has.
 struct AuditSymbol {
-  AuditSymbol(const std::string& name_in, bool angle_in)
+  AuditSymbol(const std::string& name_in, bool angle_in, std::string meaning_in)
       : name(name_in),
         angle(angle_in),
+        meaning(std::move(meaning_in)),
         symbol(name_in),
         rate("rate(" + name_in + ")"),
         second_rate("rate2(" + name_in + ")") {}
 
   std::string name;
   bool angle;
+  std::string meaning;   ///< what the file says of it, for people
   bool unknown = false;  ///< determined by the closures
   bool moving = false;   ///< a parameter with rates of its own
   GiNaC::symbol symbol;
@@ -46,7 +48,7 @@ class ClosureSystem {
     GiNaC::matrix inverse_jacobian;  ///< empty unless the closures hold there
   };
 
-  AuditSymbol& declare(const std::string& name, bool angle);
+  AuditSymbol& declare(const std::string& name, bool angle, const std::string& meaning = "");
   void abbreviate(const std::string& name, const GiNaC::ex& definition);
   void close(const std::string& name, const GiNaC::ex& expression);
   /// The same equation read the other way round.
@@ -60,6 +62,10 @@ class ClosureSystem {
   [[nodiscard]] std::vector<std::string> names() const;
   [[nodiscard]] const std::vector<Closure>& closures() const { return closures_; }
   [[nodiscard]] const std::deque<AuditSymbol>& symbols() const { return symbols_; }
+  /// Names with what they stand for, each in earlier ones.
+  [[nodiscard]] const std::vector<std::pair<GiNaC::symbol, GiNaC::ex>>& abbreviations() const {
+    return abbreviations_;
+  }
 
   /// de/dx with all other symbols held; abbreviations are differentiated through.
   [[nodiscard]] GiNaC::ex partial(const GiNaC::ex& expression, const GiNaC::symbol& symbol) const;
@@ -108,7 +114,7 @@ class ClosureSystem {
                                         const GiNaC::exmap& values);
 
   std::deque<AuditSymbol> symbols_;
-  std::vector<std::pair<GiNaC::symbol, GiNaC::ex>> abbreviations_;  ///< each in earlier ones
+  std::vector<std::pair<GiNaC::symbol, GiNaC::ex>> abbreviations_;
   std::vector<Closure> closures_;
   std::deque<Sensitivity> sensitivities_;
   CircleAlgebra algebra_;

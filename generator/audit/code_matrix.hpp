@@ -5,10 +5,12 @@
 
 namespace assur::generator {
 
-/// Finds the assignments `ARRAY(i, j) = EXPR;` or `ARRAY[i][j] = EXPR;`, indices from 0, and the
-/// local variables `double name = EXPR;` that they use. An entry that is not assigned is zero.
-/// `a.b` is read as a_b and `a[2]` as a_2; `std::` is skipped. Throws AuditSyntaxError with a place
-/// in the code for what is assigned to the array in another way.
+/// Finds what straight-line code assigns to a matrix: `ARRAY(i, j) = EXPR;`, `ARRAY[i][j] = EXPR;`,
+/// indices from 0, or all entries by `ARRAY << EXPR, EXPR, ...;`; and the local variables
+/// `double name = EXPR;` that the expressions use. An entry that is not assigned is zero, with the
+/// place where the matrix is first used. Expressions are read by code_as_formula; their places may
+/// count on over the ends of lines, see place_in_code. Throws AuditSyntaxError with a place in the
+/// code for what is assigned to the matrix in another way, or cannot be read.
 [[nodiscard]] std::vector<PrintedEntry> read_code_matrix(const std::string& code,
                                                          const std::string& file,
                                                          const std::string& array, std::size_t rows,

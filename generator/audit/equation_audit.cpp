@@ -6,8 +6,8 @@ namespace assur::generator {
 
 namespace {
 
-Finding unreadable(const std::string& item, const PlacedText& printed, const FormulaError& error) {
-  return {item, error.place, {Verdict::unreadable, error.what(), "", ""}, printed.text, "", ""};
+Finding unreadable(const std::string& item, const std::string& printed, const FormulaError& error) {
+  return {item, error.place, {Verdict::unreadable, error.what(), "", ""}, printed, "", ""};
 }
 
 /// `a`, or `a - b` for `a = b`.
@@ -34,7 +34,7 @@ Finding audit_closure(ClosureSystem& system, const std::string& name, const Plac
       finding.note = "printed less derived: " + formula_text((read - derived).expand());
     }
   } catch (const FormulaError& error) {
-    return unreadable(name, printed, error);
+    return unreadable(name, printed.text, error);
   }
   return finding;
 }
@@ -57,9 +57,9 @@ std::vector<Finding> audit_matrix(ClosureSystem& system, const PrintedMatrix& ma
       const GiNaC::ex derived = closure == nullptr ? system.total(*system.meaning_of(row), by)
                                                    : system.partial(*closure, by.symbol);
       findings.push_back({item, entry.text.place, compare(system, printed, derived, false),
-                          entry.text.empty() ? "0" : entry.text.text, formula_text(derived), ""});
+                          entry.printed(), formula_text(derived), ""});
     } catch (const FormulaError& error) {
-      findings.push_back(unreadable(item, entry.text, error));
+      findings.push_back(unreadable(item, entry.printed(), error));
     }
   }
   return findings;
@@ -75,7 +75,7 @@ Finding audit_equation(ClosureSystem& system, const std::string& item, const Pla
     finding.note = finding.comparison.difference.empty() ? "" : "the difference is left less right";
     return finding;
   } catch (const FormulaError& error) {
-    return unreadable(item, {printed, left.place}, error);
+    return unreadable(item, printed, error);
   }
 }
 

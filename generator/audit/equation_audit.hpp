@@ -10,6 +10,11 @@ namespace assur::generator {
 struct PrintedEntry {
   PlacedText text;
   LocalNames locals;
+  std::string source{};  ///< what the text was made from; empty: the text is as printed
+
+  [[nodiscard]] std::string printed() const {
+    return text.empty() ? "0" : source.empty() ? text.text : source;
+  }
 };
 
 /// A printed matrix: rows are closures, or expressions that follow them; columns are symbols.

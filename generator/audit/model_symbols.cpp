@@ -39,7 +39,7 @@ void declare_model(const std::string& kind, ClosureSystem& system) {
     }
   }
   int number = 0;
-  for (const GiNaC::ex& residual : equations.residuals()) {
+  for (const GiNaC::ex& residual : equations.residuals) {
     system.close("f" + std::to_string(++number),
                  equations.vocabulary.expand(residual).subs(in_angles));
   }

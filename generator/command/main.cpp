@@ -11,6 +11,7 @@
 #include "command/progress.hpp"
 #include "derivation/render.hpp"
 #include "emission/emit.hpp"
+#include "emission/emit_closures.hpp"
 #include "emission/emit_scene.hpp"
 #include "error.hpp"
 #include "scene/report.hpp"
@@ -48,6 +49,7 @@ struct EmitOptions {
   int model = 0;
   std::string group = "tetrad";
   std::string scene;
+  std::string closures;
   std::string output;
   bool check = false;
 };
@@ -58,6 +60,8 @@ int run_emit(const EmitOptions& options) {
     files = emit_all();
   } else if (!options.scene.empty()) {
     files.push_back(emit_scene(read_scene(options.scene, {})));
+  } else if (!options.closures.empty()) {
+    files.push_back(emit_closures(read_typed_closures(options.closures)));
   } else {
     const std::vector<Model>& models = models_of(group_named(options.group));
     for (const Model& model : models) {
@@ -197,11 +201,12 @@ int run(int argc, char** argv) {
   command->callback([&] { chosen = [&] { return run_derive(derivation); }; });
 
   EmitOptions emit;
-  command = app.add_subcommand("emit", "write the C++ of models, or of one scene");
+  command = app.add_subcommand("emit", "write the C++ of models, of one scene, or of closures");
   auto* what = command->add_option_group("what");
   what->add_flag("--all", emit.all, "every model of every group");
   what->add_option("--model", emit.model, "one model of a group, by its number");
   what->add_option("--scene", emit.scene, "a solver for one scene file (JSON) alone");
+  what->add_option("--closures", emit.closures, "the closures that an audit file types");
   what->require_option(1);
   command->add_option("--group", emit.group, "the group that --model means")
       ->check(CLI::IsMember(group_names()))

@@ -78,7 +78,7 @@ class DerivationGatherer {
   }
 
   void gather_closures(const Derivatives& derivatives) {
-    const std::vector<GiNaC::ex> residuals = equations_.residuals();
+    const std::vector<GiNaC::ex> residuals = equations_.residuals;
     std::vector<std::string> rows;
     for (std::size_t loop = 0; loop < equations_.loops.size(); ++loop) {
       DerivedClosure closure{equations_.loops[loop].name, equations_.loops[loop].equation, {}, {}};

@@ -24,6 +24,13 @@ VariableList joined(const std::deque<Variable>& first, const std::deque<Variable
   return list;
 }
 
+VariableList with_dimensions(VariableList variables, const ImplicitEquations& equations) {
+  for (const Variable& dimension : equations.dimensions) {
+    variables.push_back(&dimension);
+  }
+  return variables;
+}
+
 ExpressionMatrix jacobian_of(const std::vector<GiNaC::ex>& functions,
                              const std::deque<Variable>& variables, const Vocabulary& vocabulary) {
   ExpressionMatrix matrix;
@@ -111,21 +118,18 @@ ExpressionMatrix pose_jacobian(const ClosureEquations& equations,
 
 }  // namespace
 
-ExpressionMatrix closure_jacobian(const ClosureEquations& equations) {
-  return jacobian_of(equations.residuals(), equations.unknowns, equations.vocabulary);
+ExpressionMatrix closure_jacobian(const ImplicitEquations& equations) {
+  return jacobian_of(equations.residuals, equations.unknowns, equations.vocabulary);
 }
 
-Derivatives differentiate(const ClosureEquations& equations) {
+ResidualDerivatives differentiate_residuals(const ImplicitEquations& equations) {
   const Vocabulary& vocabulary = equations.vocabulary;
-  const std::vector<GiNaC::ex> residuals = equations.residuals();
+  const std::vector<GiNaC::ex>& residuals = equations.residuals;
   const VariableList inputs = listed(equations.inputs);
   const VariableList moving = joined(equations.unknowns, equations.inputs);
-  VariableList everything = moving;
-  for (const Variable& dimension : equations.dimensions) {
-    everything.push_back(&dimension);
-  }
+  const VariableList everything = with_dimensions(moving, equations);
 
-  Derivatives result;
+  ResidualDerivatives result;
   result.jacobian = closure_jacobian(equations);
   result.dimension_jacobian = jacobian_of(residuals, equations.dimensions, vocabulary);
   result.input_jacobian = jacobian_of(residuals, equations.inputs, vocabulary);
@@ -136,7 +140,15 @@ Derivatives differentiate(const ClosureEquations& equations) {
     result.jerk_rhs.push_back(-third_time_derivative(residual, moving, inputs, vocabulary));
     result.curvature_rhs.push_back(-second_time_derivative(residual, everything, {}, vocabulary));
   }
+  return result;
+}
 
+Derivatives differentiate(const ClosureEquations& equations) {
+  const Vocabulary& vocabulary = equations.vocabulary;
+  const VariableList moving = joined(equations.unknowns, equations.inputs);
+  const VariableList everything = with_dimensions(moving, equations);
+
+  Derivatives result{differentiate_residuals(equations), {}, {}, {}, {}, {}, {}};
   result.pose_unknown_jacobian = pose_jacobian(equations, equations.unknowns);
   result.pose_dimension_jacobian = pose_jacobian(equations, equations.dimensions);
   result.pose_input_jacobian = pose_jacobian(equations, equations.inputs);

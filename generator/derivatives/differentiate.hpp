@@ -11,13 +11,12 @@ namespace assur::generator {
 /// Row-major matrix of expressions in the names of the equations' vocabulary.
 using ExpressionMatrix = std::vector<std::vector<GiNaC::ex>>;
 
-/// Derivatives of f(q, d, u) = 0 with unknowns q, link dimensions d and inputs u, and of the link
-/// poses p = (x, y, theta). With q' for dq/dt:
+/// Derivatives of f(q, d, u) = 0 with unknowns q, dimensions d and inputs u. With q' for dq/dt:
 ///   J q' = velocity_rhs,  J q'' = acceleration_rhs,  J q''' = jerk_rhs,
 ///   J dq/dd = -dimension_jacobian,  J dq/du = -input_jacobian,
 /// and where the dimensions move as well, with d' and u' constant,
 ///   J q'' = curvature_rhs.
-struct Derivatives {
+struct ResidualDerivatives {
   ExpressionMatrix jacobian;            ///< df/dq
   ExpressionMatrix dimension_jacobian;  ///< df/dd
   ExpressionMatrix input_jacobian;      ///< df/du
@@ -25,7 +24,10 @@ struct Derivatives {
   std::vector<GiNaC::ex> acceleration_rhs;
   std::vector<GiNaC::ex> jerk_rhs;
   std::vector<GiNaC::ex> curvature_rhs;
+};
 
+/// Derivatives of a model: of its closures, and of the link poses p = (x, y, theta).
+struct Derivatives : ResidualDerivatives {
   ExpressionMatrix pose_unknown_jacobian;    ///< dp/dq, three rows a link
   ExpressionMatrix pose_dimension_jacobian;  ///< dp/dd
   ExpressionMatrix pose_input_jacobian;      ///< dp/du
@@ -35,7 +37,8 @@ struct Derivatives {
 };
 
 /// df/dq alone.
-[[nodiscard]] ExpressionMatrix closure_jacobian(const ClosureEquations& equations);
+[[nodiscard]] ExpressionMatrix closure_jacobian(const ImplicitEquations& equations);
+[[nodiscard]] ResidualDerivatives differentiate_residuals(const ImplicitEquations& equations);
 
 [[nodiscard]] Derivatives differentiate(const ClosureEquations& equations);
 

@@ -94,7 +94,7 @@ GiNaC::exmap random_assembly(const ClosureEquations& equations, unsigned seed) {
     values[angle.sine] = (-factor * direction.y).subs(values);
   }
   GiNaC::lst closures;
-  for (const GiNaC::ex& residual : equations.residuals()) {
+  for (const GiNaC::ex& residual : equations.residuals) {
     closures.append(equations.vocabulary.expand(residual).subs(values) == 0);
   }
   const GiNaC::ex solution = GiNaC::lsolve(closures, lengths);

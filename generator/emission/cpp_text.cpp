@@ -40,7 +40,10 @@ class CppText {
 
   /// The right-hand side of the step that computes a node itself.
   [[nodiscard]] std::string computed(const Program::Step& step) const {
-    if (step.reciprocal) {
+    if (step.form == NamedQuantity::Form::square_root) {
+      return "sqrt(" + scaled(step.value) + ")";
+    }
+    if (step.form == NamedQuantity::Form::reciprocal) {
       const bool simple = !program_.name_of(step.value.node).empty();
       return "Scalar(1) / " + (simple ? scaled(step.value) : "(" + scaled(step.value) + ")");
     }
@@ -158,7 +161,10 @@ std::vector<std::string> cpp_lines(const Program& program, const Spelling& spell
   const CppText text(program, spelling);
   std::vector<std::string> lines;
   for (const Program::Step& step : program.steps()) {
-    const std::string comment = step.comment.empty() ? "" : "  // zero: " + step.comment;
+    const bool root = step.form == NamedQuantity::Form::square_root;
+    const std::string comment =
+        step.degeneracy.empty() ? ""
+                                : (root ? "  // not positive: " : "  // zero: ") + step.degeneracy;
     lines.push_back("const Scalar " + step.name + " = " + text.computed(step) + ";" + comment);
   }
   for (const Program::Assignment& assignment : program.assignments()) {

@@ -103,8 +103,7 @@ EmittedFile emit_model(const Model& model) {
 
   mustache::data view;
   view.set("general", true);
-  view.set("model_struct",
-           mustache::partial([] { return std::string(templates::model_struct_hpp); }));
+  show_partials(view);
   view.set("dimensions_doc", "Link dimensions d.");
   view.set("inputs_doc", "Inputs u: where the base holds the external joints.");
   view.set("group", model.group->name());
@@ -156,7 +155,7 @@ EmittedFile emit_model(const Model& model) {
   view.set("joints", joint_list(model));
   view.set("kind_roles", kind_list(model));
   return {std::filesystem::path("assur") / model.group->name() / file_name(model),
-          rendered(templates::model_hpp, view)};
+          rendered(without_tag_lines(templates::model_hpp), view)};
 }
 
 std::vector<EmittedFile> emit_all() {

@@ -130,8 +130,7 @@ class SceneEmitter {
     const std::string& name = solver_.scene.name;
     std::vector<std::string> steps;
     std::transform(steps_.begin(), steps_.end(), std::back_inserter(steps), comment_text);
-    view_.set("model_struct",
-              mustache::partial([] { return without_tag_lines(templates::model_struct_hpp); }));
+    show_partials(view_);
     view_.set("groups", groups_);
     view_.set("first_call", solver_.order.groups.empty() ? "list(placed, search)"
                                                          : "solve_group_1(placed, search)");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "emission/model_view.hpp"
 #include "emission/scene_names.hpp"
 #include "error.hpp"
 #include "scene/model_values.hpp"

@@ -33,74 +33,88 @@ std::vector<Result> results_of(const std::string& target, const Values& values) 
   return results;
 }
 
+/// What functions take: where they are evaluated, and rates.
+struct FunctionParameters {
+  Parameter dimensions{"const Dimensions<Scalar>&", "d"};
+  Parameter inputs{"const Inputs<Scalar>&", "u"};
+  Parameter configuration{"const Configuration<Scalar>&", "q"};
+  Parameter rates{"const Vector<Scalar, unknown_count>&", "q_rate"};
+  Parameter second_rates{"const Vector<Scalar, unknown_count>&", "q_second_rate"};
+  Parameter input_rates{"const Vector<Scalar, input_count>&", "u_rate"};
+  Parameter input_second_rates{"const Vector<Scalar, input_count>&", "u_second_rate"};
+  Parameter input_third_rates{"const Vector<Scalar, input_count>&", "u_third_rate"};
+  Parameter dimension_rates{"const Vector<Scalar, dimension_count>&", "d_rate"};
+
+  [[nodiscard]] std::vector<Parameter> place() const { return {dimensions, inputs, configuration}; }
+  [[nodiscard]] std::vector<Parameter> place_with(const std::vector<Parameter>& more) const {
+    std::vector<Parameter> list = place();
+    list.insert(list.end(), more.begin(), more.end());
+    return list;
+  }
+};
+
 }  // namespace
 
-std::vector<ModelFunction> model_functions(const ClosureEquations& equations,
-                                           const Derivatives& derivatives) {
-  const Parameter dimensions{"const Dimensions<Scalar>&", "d"};
-  const Parameter inputs{"const Inputs<Scalar>&", "u"};
-  const Parameter configuration{"const Configuration<Scalar>&", "q"};
-  const Parameter rates{"const Vector<Scalar, unknown_count>&", "q_rate"};
-  const Parameter second_rates{"const Vector<Scalar, unknown_count>&", "q_second_rate"};
-  const Parameter input_rates{"const Vector<Scalar, input_count>&", "u_rate"};
-  const Parameter input_second_rates{"const Vector<Scalar, input_count>&", "u_second_rate"};
-  const Parameter dimension_rates{"const Vector<Scalar, dimension_count>&", "d_rate"};
-  const Parameter input_third_rates{"const Vector<Scalar, input_count>&", "u_third_rate"};
-  const std::vector<Parameter> place = {dimensions, inputs, configuration};
-  const auto with = [&](std::vector<Parameter> more) {
-    more.insert(more.begin(), place.begin(), place.end());
-    return more;
-  };
-
+std::vector<ModelFunction> residual_functions(const ImplicitEquations& equations,
+                                              const ResidualDerivatives& derivatives) {
+  const FunctionParameters in;
   std::vector<ModelFunction> functions;
   functions.push_back({"residual",
-                       {"f(q, d, u): the x and y of each loop closure, zero when assembled."},
-                       place,
+                       {"f(q, d, u): " + equations.residuals_meaning + ", zero when assembled."},
+                       in.place(),
                        {{"Vector<Scalar, equation_count>&", "f"}},
-                       results_of("f", equations.residuals())});
+                       results_of("f", equations.residuals)});
   functions.push_back({"jacobian",
                        {"J = df/dq."},
-                       place,
+                       in.place(),
                        {{"Matrix<Scalar, equation_count, unknown_count>&", "J"}},
                        results_of("J", derivatives.jacobian)});
   functions.push_back({"dimension_jacobian",
                        {"F_d = df/dd; the sensitivities solve J dq/dd = -F_d."},
-                       place,
+                       in.place(),
                        {{"Matrix<Scalar, equation_count, dimension_count>&", "F_d"}},
                        results_of("F_d", derivatives.dimension_jacobian)});
   functions.push_back({"input_jacobian",
                        {"F_u = df/du; the sensitivities solve J dq/du = -F_u."},
-                       place,
+                       in.place(),
                        {{"Matrix<Scalar, equation_count, input_count>&", "F_u"}},
                        results_of("F_u", derivatives.input_jacobian)});
   functions.push_back({"velocity_rhs",
                        {"Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs."},
-                       with({input_rates}),
+                       in.place_with({in.input_rates}),
                        {{"Vector<Scalar, equation_count>&", "rhs"}},
                        results_of("rhs", derivatives.velocity_rhs)});
   functions.push_back({"acceleration_rhs",
                        {"Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the",
                         "rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs."},
-                       with({rates, input_rates, input_second_rates}),
+                       in.place_with({in.rates, in.input_rates, in.input_second_rates}),
                        {{"Vector<Scalar, equation_count>&", "rhs"}},
                        results_of("rhs", derivatives.acceleration_rhs)});
   functions.push_back(
       {"jerk_rhs",
        {"Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the",
         "inputs up to the third."},
-       with({rates, second_rates, input_rates, input_second_rates, input_third_rates}),
+       in.place_with({in.rates, in.second_rates, in.input_rates, in.input_second_rates,
+                      in.input_third_rates}),
        {{"Vector<Scalar, equation_count>&", "rhs"}},
        results_of("rhs", derivatives.jerk_rhs)});
   functions.push_back(
       {"curvature_rhs",
        {"Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and",
         "du/dt are constant: second derivatives along a line in (d, u)."},
-       with({rates, dimension_rates, input_rates}),
+       in.place_with({in.rates, in.dimension_rates, in.input_rates}),
        {{"Vector<Scalar, equation_count>&", "rhs"}},
        results_of("rhs", derivatives.curvature_rhs)});
+  return functions;
+}
+
+std::vector<ModelFunction> model_functions(const ClosureEquations& equations,
+                                           const Derivatives& derivatives) {
+  const FunctionParameters in;
+  std::vector<ModelFunction> functions = residual_functions(equations, derivatives);
   ModelFunction poses{"link_poses",
                       {"Frames of the links in the fixed frame."},
-                      place,
+                      in.place(),
                       {{"Poses<Scalar, link_count>&", "poses"}},
                       {}};
   for (std::size_t link = 0; link < equations.poses.size(); ++link) {
@@ -116,7 +130,7 @@ std::vector<ModelFunction> model_functions(const ClosureEquations& equations,
       "pose_jacobians",
       {"Partial derivatives of the link frames p, rows (x, y, theta) link by link:",
        "P_q = dp/dq, P_d = dp/dd, P_u = dp/du, each with the other two held."},
-      place,
+      in.place(),
       {{"Matrix<Scalar, 3 * link_count, unknown_count>&", "P_q"},
        {"Matrix<Scalar, 3 * link_count, dimension_count>&", "P_d"},
        {"Matrix<Scalar, 3 * link_count, input_count>&", "P_u"}},
@@ -126,26 +140,27 @@ std::vector<ModelFunction> model_functions(const ClosureEquations& equations,
   functions.push_back(std::move(pose_jacobians));
   functions.push_back({"link_velocities",
                        {"Velocity (vx, vy, omega) of each link's frame, one row a link."},
-                       with({rates, input_rates}),
+                       in.place_with({in.rates, in.input_rates}),
                        {{"Matrix<Scalar, link_count, 3>&", "v"}},
                        results_of("v", derivatives.pose_velocity)});
-  functions.push_back({"link_accelerations",
-                       {"Acceleration (ax, ay, alpha) of each link's frame, one row a link."},
-                       with({rates, second_rates, input_rates, input_second_rates}),
-                       {{"Matrix<Scalar, link_count, 3>&", "a"}},
-                       results_of("a", derivatives.pose_acceleration)});
+  functions.push_back(
+      {"link_accelerations",
+       {"Acceleration (ax, ay, alpha) of each link's frame, one row a link."},
+       in.place_with({in.rates, in.second_rates, in.input_rates, in.input_second_rates}),
+       {{"Matrix<Scalar, link_count, 3>&", "a"}},
+       results_of("a", derivatives.pose_acceleration)});
   functions.push_back(
       {"pose_curvatures",
        {"d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;",
         "what second rates add goes by the pose Jacobians."},
-       with({rates, dimension_rates, input_rates}),
+       in.place_with({in.rates, in.dimension_rates, in.input_rates}),
        {{"Matrix<Scalar, link_count, 3>&", "p"}},
        results_of("p", derivatives.pose_curvature)});
   if (!equations.compatibility.empty()) {
     ModelFunction compatibility{
         "compatibility",
         {"(cos, sin) of each sum of angles that must vanish: assembled only at (1, 0)."},
-        {dimensions, inputs},
+        {in.dimensions, in.inputs},
         {{"Matrix<Scalar, compatibility_count, 2>&", "c"}},
         {}};
     for (std::size_t row = 0; row < equations.compatibility.size(); ++row) {
@@ -231,7 +246,7 @@ std::vector<ModelFunction> position_functions(const ClosureEquations& /*equation
   return functions;
 }
 
-SymbolOrder symbol_order(const ClosureEquations& equations, const Vocabulary& vocabulary) {
+SymbolOrder symbol_order(const ImplicitEquations& equations, const Vocabulary& vocabulary) {
   SymbolOrder order;
   const auto lists = {&equations.unknowns, &equations.dimensions, &equations.inputs};
   for (const std::deque<Variable>* list : lists) {

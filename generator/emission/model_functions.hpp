@@ -26,6 +26,10 @@ struct ModelFunction {
   std::vector<Result> results;
 };
 
+/// Residual, Jacobians and right-hand sides.
+[[nodiscard]] std::vector<ModelFunction> residual_functions(const ImplicitEquations& equations,
+                                                            const ResidualDerivatives& derivatives);
+/// The same, and the poses of the links with their derivatives.
 [[nodiscard]] std::vector<ModelFunction> model_functions(const ClosureEquations& equations,
                                                          const Derivatives& derivatives);
 
@@ -35,7 +39,7 @@ struct ModelFunction {
                                                             Elimination& elimination);
 
 /// Ranks the symbols of a model: unknowns, dimensions, inputs, rates, then named quantities.
-[[nodiscard]] SymbolOrder symbol_order(const ClosureEquations& equations,
+[[nodiscard]] SymbolOrder symbol_order(const ImplicitEquations& equations,
                                        const Vocabulary& vocabulary);
 
 }  // namespace assur::generator

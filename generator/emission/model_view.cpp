@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "emission/cpp_text.hpp"
+#include "emission/templates.hpp"
 #include "error.hpp"
 
 namespace assur::generator {
@@ -44,7 +45,7 @@ mustache::data variable_list(const std::deque<Variable>& variables,
     }
     entry.set("type", variable.is_angle() ? "Direction<Scalar>" : "Scalar");
     entry.set("name", variable.name);
-    entry.set("meaning", variable.meaning);
+    entry.set("meaning", comment_text(variable.meaning));
     entry.set("is_angle", boolean(variable.is_angle()));
     list << entry;
   }
@@ -58,6 +59,13 @@ std::string names_of(const std::deque<Variable>& variables) {
 }  // namespace
 
 std::string boolean(bool value) { return value ? "true" : "false"; }
+
+std::string comment_text(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  std::replace(text.begin(), text.end(), '\\', '/');
+  return text;
+}
 
 std::string without_tag_lines(const char* text) {
   std::istringstream in(text);
@@ -80,6 +88,16 @@ std::string rendered(const std::string& text, const mustache::data& view) {
   std::string result = page.render(view);
   std::erase(result, blank_line.front());
   return fitted_to_width(result);
+}
+
+void show_partials(mustache::data& view) {
+  const std::pair<const char*, const char*> partials[] = {
+      {"model_struct", templates::model_struct_hpp},
+      {"model_variables", templates::model_variables_hpp},
+      {"model_functions", templates::model_functions_hpp}};
+  for (const auto& [name, text] : partials) {
+    view.set(name, mustache::partial([text = text] { return without_tag_lines(text); }));
+  }
 }
 
 void ModelSpelling::add(const std::deque<Variable>& variables, const std::string& argument) {
@@ -146,8 +164,12 @@ mustache::data function_view(const ModelFunction& function, const Program& progr
       body.push_back(alias);
     }
   }
+  const OperationCount count = program.count();
   if (sizes) {
     body.insert(body.begin(), "using std::abs;");
+  }
+  if (count.square_roots > 0) {
+    body.insert(body.begin(), "using std::sqrt;");
   }
   for (const Parameter& output : function.outputs) {
     if (mostly_zero(function, output)) {
@@ -181,11 +203,11 @@ mustache::data function_view(const ModelFunction& function, const Program& progr
   view.set("parameters", joined(function.inputs, ", ", input_text) + ", " +
                              joined(function.outputs, ", ", output_text));
   view.set("body", line_list(body, "    "));
-  const OperationCount count = program.count();
   view.set("padded_name", function.name + ":" + std::string(28 - function.name.size(), ' '));
   view.set("multiplications", std::to_string(count.multiplications));
   view.set("additions", std::to_string(count.additions));
   view.set("divisions", std::to_string(count.divisions));
+  view.set("square_roots", std::to_string(count.square_roots));
   return view;
 }
 

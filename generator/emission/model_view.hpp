@@ -23,12 +23,18 @@ template <typename Items, typename Text>
   return result;
 }
 
+/// A text of a user's for a comment: on one line, without a backslash that would continue it.
+[[nodiscard]] std::string comment_text(std::string text);
+
 /// A template without the ends of lines that hold nothing but a tag. The library keeps these ends
 /// where a section is hidden, which leaves a blank line.
 [[nodiscard]] std::string without_tag_lines(const char* text);
 
 /// A template filled in, with its lines broken at 100 columns.
 [[nodiscard]] std::string rendered(const std::string& text, const kainjow::mustache::data& view);
+
+/// The templates that others contain.
+void show_partials(kainjow::mustache::data& view);
 
 /// C++ spellings of the symbols that a model's programs read. Rates keep their own names: the
 /// function's first lines take them out of the vectors.

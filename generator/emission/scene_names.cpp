@@ -72,7 +72,7 @@ std::string c_identifier(const std::string& text) {
   return result;
 }
 
-std::string struct_name(const std::string& stem) {
+std::string struct_name(const std::string& stem, const std::string& word) {
   std::string result;
   bool capital = true;
   for (const char c : stem) {
@@ -83,11 +83,11 @@ std::string struct_name(const std::string& stem) {
     result += capital && c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
     capital = false;
   }
-  const auto is_result = [&](std::string_view word) { return word == result; };
+  const auto is_result = [&](std::string_view taken) { return taken == result; };
   const bool prefixed = result.empty() || is_digit(result.front()) ||
                         std::any_of(template_words.begin(), template_words.end(), is_result) ||
                         std::any_of(macros.begin(), macros.end(), is_result);
-  return prefixed ? "Scene" + result : result;
+  return prefixed ? word + result : result;
 }
 
 std::vector<std::string> member_names(const std::vector<std::string>& names,
@@ -114,13 +114,6 @@ std::vector<std::string> member_names(const std::vector<std::string>& names,
     members.push_back(member);
   }
   return members;
-}
-
-std::string comment_text(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
-  std::replace(text.begin(), text.end(), '\\', '/');
-  return text;
 }
 
 }  // namespace assur::generator

@@ -10,16 +10,13 @@ namespace assur::generator {
 /// MAKE_C_IDENTIFIER makes of it.
 [[nodiscard]] std::string c_identifier(const std::string& text);
 
-/// The struct for a scene's file: `four-bar_2` as `FourBar2`, with `Scene` in front of a leading
-/// digit and of a word that the templates or a macro have taken.
-[[nodiscard]] std::string struct_name(const std::string& stem);
+/// The struct for a file: `four-bar_2` as `FourBar2`, with a word in front of a leading digit and
+/// of a word that the templates or a macro have taken.
+[[nodiscard]] std::string struct_name(const std::string& stem, const std::string& word = "Scene");
 
 /// Identifiers for the members of one struct: different from each other, from keywords, macros,
 /// words of the templates and `taken`, in the order of the names.
 [[nodiscard]] std::vector<std::string> member_names(const std::vector<std::string>& names,
                                                     const std::vector<std::string>& taken);
-
-/// A text of the scene for a comment: on one line, without a backslash that would continue it.
-[[nodiscard]] std::string comment_text(std::string text);
 
 }  // namespace assur::generator

@@ -34,12 +34,14 @@ NamedResults specialised(const std::vector<NamedQuantity>& quantities,
   NamedResults special;
   for (const NamedQuantity& quantity : quantities) {
     const GiNaC::ex definition = folded(quantity.definition);
-    if (quantity.reciprocal && definition.is_zero()) {
+    const bool reciprocal = quantity.form == NamedQuantity::Form::reciprocal;
+    const bool itself = quantity.form == NamedQuantity::Form::itself;
+    if (reciprocal && definition.is_zero()) {
       throw InputError("the group has no closed form with these dimensions (" + quantity.meaning +
                        ")");
     }
-    if (quantity.reciprocal ? is_number(definition) : needs_no_name(definition)) {
-      values[quantity.symbol] = quantity.reciprocal ? GiNaC::ex(1 / definition) : definition;
+    if (itself ? needs_no_name(definition) : reciprocal && is_number(definition)) {
+      values[quantity.symbol] = reciprocal ? GiNaC::ex(1 / definition) : definition;
     } else {
       special.quantities.push_back(quantity);
       special.quantities.back().definition = definition;

@@ -250,6 +250,8 @@ class ClosureWalk {
       }
       result_.loops.push_back({loop_name(group_, tree_, chord), chord, equation + " = 0",
                                near.position - far.position});
+      result_.residuals.push_back(result_.loops.back().residual.x.expand());
+      result_.residuals.push_back(result_.loops.back().residual.y.expand());
     }
   }
 
@@ -260,13 +262,8 @@ class ClosureWalk {
 
 }  // namespace
 
-std::vector<GiNaC::ex> ClosureEquations::residuals() const {
-  std::vector<GiNaC::ex> scalars;
-  for (const LoopClosure& loop : loops) {
-    scalars.push_back(loop.residual.x.expand());
-    scalars.push_back(loop.residual.y.expand());
-  }
-  return scalars;
+ClosureEquations::ClosureEquations(const Model& of_model) : model(&of_model) {
+  residuals_meaning = "the x and y of each loop closure";
 }
 
 ClosureEquations closure_equations(const Model& model) { return ClosureWalk(model).run(); }

@@ -1,13 +1,11 @@
 // Turns a kinematic model into its loop-closure equations by walking the loops of its graph.
 #pragma once
 
-#include <deque>
 #include <string>
 #include <vector>
 
+#include "equations/implicit_equations.hpp"
 #include "equations/link_frame.hpp"
-#include "equations/variable.hpp"
-#include "equations/vocabulary.hpp"
 
 namespace assur::generator {
 
@@ -28,31 +26,19 @@ struct LinkPose {
 
 /// The loop-closure equations of a model. Angles that prismatic joints tie together are merged, so
 /// the unknowns are one angle for each set of links that turn together and one displacement for
-/// each prismatic joint. Non-copyable: poses and features refer to the variables.
-struct ClosureEquations {
-  explicit ClosureEquations(const Model& of_model) : model(&of_model) {}
-  ClosureEquations(const ClosureEquations&) = delete;
-  ClosureEquations& operator=(const ClosureEquations&) = delete;
-  ClosureEquations(ClosureEquations&&) = default;
-  ClosureEquations& operator=(ClosureEquations&&) = default;
-  ~ClosureEquations() = default;
-
-  /// The scalar equations: x and y of each loop.
-  [[nodiscard]] std::vector<GiNaC::ex> residuals() const;
+/// each prismatic joint. The residuals are x and y of each loop.
+struct ClosureEquations : ImplicitEquations {
+  explicit ClosureEquations(const Model& of_model);
 
   const Model* model;
-  std::deque<Variable> unknowns;
   std::vector<int>
       owners;  ///< for each unknown the link whose angle, or the joint whose slide it is
-  std::deque<Variable> dimensions;
-  std::deque<Variable> inputs;
   std::vector<LinkFrame> frames;
   std::vector<LinkPose> poses;
   std::vector<LoopClosure> loops;
   /// Sums of angles that must vanish because prismatic joints alone close a loop. They hold no
   /// unknown: a model that has any over-determines its angles.
   std::vector<AngleSum> compatibility;
-  Vocabulary vocabulary;
 };
 
 [[nodiscard]] ClosureEquations closure_equations(const Model& model);

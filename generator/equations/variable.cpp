@@ -4,6 +4,16 @@
 
 namespace assur::generator {
 
+namespace {
+
+/// `_BCG` of `theta_BCG`, `_turn` of `turn`.
+std::string angle_suffix(const std::string& name) {
+  const std::size_t at = name.find('_');
+  return at == std::string::npos ? "_" + name : name.substr(at);
+}
+
+}  // namespace
+
 Variable::Variable(std::string name_in, Quantity quantity_in, std::string meaning_in)
     : name(std::move(name_in)),
       quantity(quantity_in),
@@ -12,9 +22,9 @@ Variable::Variable(std::string name_in, Quantity quantity_in, std::string meanin
       size("size_" + name),
       cosine("cos_" + name),
       sine("sin_" + name),
-      rate(is_angle() ? "omega" + name.substr(name.find('_')) : "v_" + name),
-      second_rate(is_angle() ? "alpha" + name.substr(name.find('_')) : "a_" + name),
-      third_rate(is_angle() ? "jerk" + name.substr(name.find('_')) : "j_" + name) {}
+      rate(is_angle() ? "omega" + angle_suffix(name) : "v_" + name),
+      second_rate(is_angle() ? "alpha" + angle_suffix(name) : "a_" + name),
+      third_rate(is_angle() ? "jerk" + angle_suffix(name) : "j_" + name) {}
 
 GiNaC::ex partial(const GiNaC::ex& expression, const Variable& variable) {
   if (variable.is_angle()) {

@@ -1,6 +1,14 @@
 #include "equations/vocabulary.hpp"
 
+#include <algorithm>
+
 namespace assur::generator {
+
+namespace {
+
+using Form = NamedQuantity::Form;
+
+}  // namespace
 
 bool is_plain(const GiNaC::ex& expression) {
   const auto is_atom = [](const GiNaC::ex& part) {
@@ -38,14 +46,36 @@ GiNaC::ex Vocabulary::name_reciprocal(const std::string& name, const GiNaC::ex& 
     return 1 / denominator;
   }
   const GiNaC::ex expanded = expand(denominator);
-  for (const NamedQuantity& quantity : quantities_) {
-    if (quantity.reciprocal && (expanded - quantity.expanded).expand().is_zero()) {
-      return quantity.symbol;
-    }
+  if (const NamedQuantity* known = find(Form::reciprocal, expanded)) {
+    return known->symbol;
   }
   const GiNaC::symbol symbol(name);
-  quantities_.push_back({symbol, denominator, expanded, degeneracy, true});
+  quantities_.push_back({symbol, denominator, expanded, degeneracy, Form::reciprocal});
   return symbol;
+}
+
+GiNaC::ex Vocabulary::name_root(const std::string& name, const GiNaC::ex& radicand,
+                                const std::string& degeneracy) {
+  const GiNaC::ex expanded = expand(radicand);
+  if (const GiNaC::ex number = GiNaC::sqrt(expanded);
+      number.info(GiNaC::info_flags::nonnegative) && number.info(GiNaC::info_flags::rational)) {
+    return number;
+  }
+  if (const NamedQuantity* known = find(Form::square_root, expanded)) {
+    return known->symbol;
+  }
+  const GiNaC::symbol symbol(name);
+  quantities_.push_back({symbol, radicand, expanded, degeneracy, Form::square_root});
+  name_reciprocal("inverse_" + name, symbol, degeneracy);
+  return symbol;
+}
+
+const NamedQuantity* Vocabulary::find(Form form, const GiNaC::ex& expanded) const {
+  const auto found =
+      std::find_if(quantities_.begin(), quantities_.end(), [&](const NamedQuantity& quantity) {
+        return quantity.form == form && (expanded - quantity.expanded).expand().is_zero();
+      });
+  return found == quantities_.end() ? nullptr : &*found;
 }
 
 GiNaC::ex Vocabulary::expand(const GiNaC::ex& expression) const {
@@ -61,11 +91,24 @@ GiNaC::ex Vocabulary::derivative(const GiNaC::ex& expression, const Variable& va
     const auto [known, fresh] =
         derivatives_.try_emplace({quantity.symbol.get_name(), variable.name});
     if (fresh) {
-      known->second = derivative(quantity.definition, variable);
+      known->second = slope(quantity, variable);
     }
     total += expression.diff(quantity.symbol) * known->second;
   }
   return recognise(total.expand());
+}
+
+GiNaC::ex Vocabulary::slope(const NamedQuantity& quantity, const Variable& variable) const {
+  const GiNaC::ex inner = derivative(quantity.definition, variable);
+  switch (quantity.form) {
+    case Form::reciprocal:
+      return -inner * quantity.symbol * quantity.symbol;
+    case Form::square_root:
+      return inner * find(Form::reciprocal, quantity.symbol)->symbol / 2;
+    case Form::itself:
+      break;
+  }
+  return inner;
 }
 
 GiNaC::ex Vocabulary::recognise(const GiNaC::ex& expression) const {
@@ -76,10 +119,10 @@ GiNaC::ex Vocabulary::recognise(const GiNaC::ex& expression) const {
   const GiNaC::ex negated = (-expanded).expand();
   for (const NamedQuantity& quantity : quantities_) {
     // Expanded polynomials are in a normal form, so that equal ones look alike.
-    if (!quantity.reciprocal && quantity.expanded.is_equal(expanded)) {
+    if (quantity.form == Form::itself && quantity.expanded.is_equal(expanded)) {
       return quantity.symbol;
     }
-    if (!quantity.reciprocal && quantity.expanded.is_equal(negated)) {
+    if (quantity.form == Form::itself && quantity.expanded.is_equal(negated)) {
       return -quantity.symbol;
     }
   }

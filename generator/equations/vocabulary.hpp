@@ -15,11 +15,14 @@ namespace assur::generator {
 
 /// A quantity with a name of its own: `BC_x`, the x-component of the vector from B to C.
 struct NamedQuantity {
+  /// What the quantity is of its definition.
+  enum class Form : unsigned char { itself, reciprocal, square_root };
+
   GiNaC::symbol symbol;
   GiNaC::ex definition;  ///< in variables and quantities named earlier
   GiNaC::ex expanded;    ///< in variables alone
   std::string meaning;
-  bool reciprocal = false;  ///< the quantity is one over its definition
+  Form form = Form::itself;
 };
 
 /// The names that the equations of one model use. Because a rotated vector differentiates to the
@@ -40,7 +43,13 @@ class Vocabulary {
   GiNaC::ex name_reciprocal(const std::string& name, const GiNaC::ex& denominator,
                             const std::string& degeneracy);
 
-  /// The expression in variables alone, expanded; reciprocals stay as they are.
+  /// Names a square root and one over it, which its derivatives need; `degeneracy` says what it
+  /// means that the radicand vanishes or is negative. A root that has a name already is returned
+  /// under that name, and that of a square number as it is.
+  GiNaC::ex name_root(const std::string& name, const GiNaC::ex& radicand,
+                      const std::string& degeneracy);
+
+  /// The expression in variables alone, expanded; reciprocals and roots stay as they are.
   [[nodiscard]] GiNaC::ex expand(const GiNaC::ex& expression) const;
   /// The total derivative, through the definitions, in names wherever names serve.
   [[nodiscard]] GiNaC::ex derivative(const GiNaC::ex& expression, const Variable& variable) const;
@@ -48,6 +57,9 @@ class Vocabulary {
   [[nodiscard]] const std::vector<NamedQuantity>& quantities() const { return quantities_; }
 
  private:
+  [[nodiscard]] const NamedQuantity* find(NamedQuantity::Form form,
+                                          const GiNaC::ex& expanded) const;
+  [[nodiscard]] GiNaC::ex slope(const NamedQuantity& quantity, const Variable& variable) const;
   [[nodiscard]] GiNaC::ex recognise(const GiNaC::ex& expression) const;
 
   std::vector<NamedQuantity> quantities_;

@@ -71,6 +71,7 @@ OperationCount& OperationCount::operator+=(const OperationCount& other) {
   multiplications += other.multiplications;
   additions += other.additions;
   divisions += other.divisions;
+  square_roots += other.square_roots;
   return *this;
 }
 

@@ -11,11 +11,13 @@
 
 namespace assur::generator {
 
-/// Additions (subtractions among them), multiplications and divisions; changes of sign are free.
+/// Additions (subtractions among them), multiplications, divisions and
+/// square roots; changes of sign are free.
 struct OperationCount {
   int multiplications = 0;
   int additions = 0;
   int divisions = 0;
+  int square_roots = 0;
 
   OperationCount& operator+=(const OperationCount& other);
 };

@@ -69,8 +69,9 @@ Program::Program(const SymbolOrder& order, const std::vector<NamedQuantity>& qua
   }
   for (std::size_t index = 0; index < named.size(); ++index) {
     const std::string name = named[index].symbol.get_name();
-    const bool reciprocal = named[index].reciprocal;
-    definitions_[name] = {name, roots[index], reciprocal, reciprocal ? named[index].meaning : ""};
+    const NamedQuantity::Form form = named[index].form;
+    const bool plain = form == NamedQuantity::Form::itself;
+    definitions_[name] = {name, roots[index], form, plain ? "" : named[index].meaning};
   }
   for (const NamedQuantity& quantity : named) {
     schedule(graph_.add(polynomial(quantity.symbol, order)).node);
@@ -105,7 +106,7 @@ void Program::schedule(int node) {
   if (shared_[slot]) {
     ++temporaries_;
     names_[slot] = (temporaries_ < 10 ? "t0" : "t") + std::to_string(temporaries_);
-    steps_.push_back({names_[slot], {1, node}, false, ""});
+    steps_.push_back({names_[slot], {1, node}, NamedQuantity::Form::itself, ""});
   }
 }
 
@@ -130,7 +131,8 @@ OperationCount Program::count() const {
     }
   };
   for (const Step& step : steps_) {
-    total.divisions += step.reciprocal ? 1 : 0;
+    total.divisions += step.form == NamedQuantity::Form::reciprocal ? 1 : 0;
+    total.square_roots += step.form == NamedQuantity::Form::square_root ? 1 : 0;
     if (name_of(step.value.node).empty() || name_of(step.value.node) == step.name) {
       inner(step.value.node);
     }

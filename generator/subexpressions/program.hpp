@@ -23,8 +23,8 @@ class Program {
   struct Step {
     std::string name;
     ScaledNode value;
-    bool reciprocal = false;  ///< the step is one over the value
-    std::string comment;      ///< of a reciprocal: what the vanishing of the value means
+    NamedQuantity::Form form = NamedQuantity::Form::itself;  ///< what the step is of the value
+    std::string degeneracy;  ///< what it means that no reciprocal or root of the value exists
   };
   struct Assignment {
     std::string target;

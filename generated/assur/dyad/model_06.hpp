@@ -57,7 +57,6 @@ struct Model06 {
   static constexpr int closure_link_count = 0;
   static constexpr bool has_special_points = false;
 
-
   /// Link dimensions d.
   template <typename Scalar>
   struct Dimensions {

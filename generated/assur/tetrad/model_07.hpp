@@ -60,7 +60,6 @@ struct Model07 {
   static constexpr int closure_link_count = 2;
   static constexpr bool has_special_points = false;
 
-
   /// Link dimensions d.
   template <typename Scalar>
   struct Dimensions {

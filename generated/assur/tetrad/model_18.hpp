@@ -61,7 +61,6 @@ struct Model18 {
   static constexpr int closure_link_count = 2;
   static constexpr bool has_special_points = false;
 
-
   /// Link dimensions d.
   template <typename Scalar>
   struct Dimensions {

@@ -59,7 +59,6 @@ struct Model10 {
   static constexpr int closure_link_count = 1;
   static constexpr bool has_special_points = false;
 
-
   /// Link dimensions d.
   template <typename Scalar>
   struct Dimensions {

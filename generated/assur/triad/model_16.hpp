@@ -60,7 +60,6 @@ struct Model16 {
   static constexpr int closure_link_count = 1;
   static constexpr bool has_special_points = false;
 
-
   /// Link dimensions d.
   template <typename Scalar>
   struct Dimensions {

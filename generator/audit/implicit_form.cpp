@@ -1,0 +1,399 @@
+#include "audit/implicit_form.hpp"
+
+#include <algorithm>
+#include <regex>
+#include <set>
+
+#include "audit/formula_text.hpp"
+#include "emission/scene_names.hpp"
+
+namespace assur::generator {
+
+namespace {
+
+constexpr int max_multiple = 64;
+
+Vector2 turned(const Vector2& direction, const Vector2& by) {
+  return {(direction.x * by.x - direction.y * by.y).expand(),
+          (direction.x * by.y + direction.y * by.x).expand()};
+}
+
+bool is_function(const GiNaC::ex& expression) { return GiNaC::is_a<GiNaC::function>(expression); }
+
+std::string function_name(const GiNaC::ex& function) {
+  return GiNaC::ex_to<GiNaC::function>(function).get_name();
+}
+
+/// The operands in the order of their texts: GiNaC's own order depends on addresses, and names are
+/// given in the order in which expressions are met.
+std::vector<GiNaC::ex> ordered_operands(const GiNaC::ex& expression) {
+  std::vector<std::pair<std::string, GiNaC::ex>> texts;
+  for (const GiNaC::ex& operand : expression) {
+    texts.emplace_back(formula_text(operand), operand);
+  }
+  std::sort(texts.begin(), texts.end(),
+            [](const auto& left, const auto& right) { return left.first < right.first; });
+  std::vector<GiNaC::ex> operands;
+  for (const auto& [text, operand] : texts) {
+    operands.push_back(operand);
+  }
+  return operands;
+}
+
+/// A whole multiple of an angle that is no sum.
+struct AngleTerm {
+  GiNaC::ex angle;
+  int factor;
+};
+
+/// An angle as multiples of such angles, by their texts, and quarter turns.
+struct AngleTerms {
+  std::map<std::string, AngleTerm> terms;
+  int quarter_turns = 0;
+};
+
+class Translation {
+ public:
+  Translation(const ClosureSystem& system, const std::vector<std::string>& taken)
+      : system_(system), used_(taken.begin(), taken.end()) {
+    declare_variables(taken);
+  }
+
+  ImplicitEquations run() {
+    for (const ClosureSystem::Closure& closure : system_.closures()) {
+      try {
+        result_.residuals.push_back(scalar(closure.expression).expand());
+      } catch (const NotAlgebraic& error) {
+        throw NotAlgebraic("closure " + closure.name + ": " + error.what());
+      }
+      result_.residuals_meaning += (result_.residuals_meaning.empty() ? "" : ", ") + closure.name;
+    }
+    return std::move(result_);
+  }
+
+ private:
+  using Quantity = Variable::Quantity;
+
+  void declare_variables(const std::vector<std::string>& taken) {
+    std::vector<std::string> names;
+    for (const AuditSymbol& symbol : system_.symbols()) {
+      names.push_back(symbol.name);
+    }
+    const std::vector<std::string> members = member_names(names, taken);
+    for (std::size_t place = 0; place < members.size(); ++place) {
+      const AuditSymbol& symbol = system_.symbols()[place];
+      const std::string& name = members[place];
+      std::deque<Variable>& list = symbol.unknown  ? result_.unknowns
+                                   : symbol.moving ? result_.inputs
+                                                   : result_.dimensions;
+      const std::string kind = symbol.angle ? "angle" : "length";
+      Variable& variable =
+          list.emplace_back(name, symbol.angle ? Quantity::angle : Quantity::length,
+                            symbol.meaning.empty() ? kind : kind + ", " + symbol.meaning);
+      // Two angles may differ in front of an underscore alone, and a length may be called cos_phi.
+      variable.cosine = GiNaC::symbol("cos(" + name + ")");
+      variable.sine = GiNaC::symbol("sin(" + name + ")");
+      variable.size = GiNaC::symbol("abs(" + name + ")");
+      if (symbol.angle) {
+        variable.rate = GiNaC::symbol("omega_" + name);
+        variable.second_rate = GiNaC::symbol("alpha_" + name);
+        variable.third_rate = GiNaC::symbol("jerk_" + name);
+      }
+      variables_.emplace(symbol.symbol, &variable);
+      used_.insert(name);
+      for (const GiNaC::symbol& rate : {variable.rate, variable.second_rate, variable.third_rate}) {
+        used_.insert(rate.get_name());
+      }
+    }
+  }
+
+  /// An identifier of its own for a quantity, and with `inverse_` in front for one over it.
+  std::string fresh(const std::string& wanted) {
+    static const std::regex temporary("t[0-9]+");  // which programs name themselves
+    std::string base = std::regex_match(wanted, temporary) ? wanted + "_" : wanted;
+    while (true) {
+      const std::string name =
+          member_names({base}, std::vector<std::string>(used_.begin(), used_.end()))[0];
+      used_.insert(name);
+      if (used_.insert("inverse_" + name).second) {
+        return name;
+      }
+    }
+  }
+
+  [[nodiscard]] const GiNaC::ex* definition_of(const GiNaC::ex& symbol) const {
+    for (const auto& [name, definition] : system_.abbreviations()) {
+      if (name.is_equal(GiNaC::ex_to<GiNaC::basic>(symbol))) {
+        return &definition;
+      }
+    }
+    return nullptr;
+  }
+
+  GiNaC::ex scalar(const GiNaC::ex& expression) {
+    if (GiNaC::is_a<GiNaC::numeric>(expression)) {
+      return expression;
+    }
+    if (GiNaC::is_a<GiNaC::symbol>(expression)) {
+      return named(expression);
+    }
+    if (GiNaC::is_a<GiNaC::power>(expression)) {
+      return power(expression, "");
+    }
+    if (GiNaC::is_a<GiNaC::add>(expression) || GiNaC::is_a<GiNaC::mul>(expression)) {
+      const bool sum = GiNaC::is_a<GiNaC::add>(expression);
+      GiNaC::ex result = sum ? 0 : 1;
+      for (const GiNaC::ex& operand : ordered_operands(expression)) {
+        const GiNaC::ex value = scalar(operand);
+        result = sum ? result + value : result * value;
+      }
+      return result;
+    }
+    if (is_function(expression)) {
+      const std::string name = function_name(expression);
+      if (name == "cos" || name == "sin" || name == "tan") {
+        const Vector2 direction = direction_of(expression.op(0));
+        if (name == "tan") {
+          return direction.y * reciprocal(direction.x, "cos(" + text(expression.op(0)) + ") = 0");
+        }
+        return name == "cos" ? direction.x : direction.y;
+      }
+    }
+    throw NotAlgebraic("'" + text(expression) + "' stands outside a sine or cosine");
+  }
+
+  static std::string text(const GiNaC::ex& expression) { return formula_text(expression); }
+
+  /// A length, or an abbreviation of a number, by its name.
+  GiNaC::ex named(const GiNaC::ex& symbol) {
+    if (const auto variable = variables_.find(symbol); variable != variables_.end()) {
+      if (variable->second->is_angle()) {
+        throw NotAlgebraic("the angle '" + text(symbol) + "' stands outside a sine or cosine");
+      }
+      return variable->second->value;
+    }
+    const GiNaC::ex* definition = definition_of(symbol);
+    if (definition == nullptr) {
+      throw NotAlgebraic("'" + text(symbol) + "' is a derivative, and what follows from the " +
+                         "closures cannot stand in them");
+    }
+    auto [known, is_new] = numbers_.try_emplace(symbol);
+    if (is_new) {
+      const std::string name = text(symbol);
+      if (GiNaC::is_a<GiNaC::power>(*definition)) {
+        known->second = power(*definition, name);
+      } else {
+        const GiNaC::ex value = scalar(*definition).expand();
+        known->second = result_.vocabulary.name(fresh(name), value, text(*definition));
+      }
+    }
+    return known->second;
+  }
+
+  /// Of two opposite sums the one that begins with a plus comes first.
+  static std::pair<bool, std::string> rank(const GiNaC::ex& sum) {
+    const std::string shown = text(sum);
+    return {shown.starts_with('-'), shown};
+  }
+
+  GiNaC::ex power(const GiNaC::ex& expression, const std::string& name) {
+    GiNaC::ex base = expression.op(0);
+    const GiNaC::ex twice = 2 * expression.op(1);
+    if (!twice.info(GiNaC::info_flags::integer)) {
+      throw NotAlgebraic("the power " + text(expression.op(1)) + " is not a whole or half number");
+    }
+    const int halves = GiNaC::ex_to<GiNaC::numeric>(twice).to_int();
+    const int whole = std::abs(halves) / 2;
+    GiNaC::ex sign = 1;
+    // GiNaC writes 1/(a - b) as -1/(b - a) in some runs.
+    if (halves % 2 == 0 && halves < 0 && GiNaC::is_a<GiNaC::add>(base) &&
+        rank(-base) < rank(base)) {
+      base = -base;
+      sign = whole % 2 == 0 ? 1 : -1;
+    }
+    const GiNaC::ex value = scalar(base);
+    const bool rooted = halves % 2 != 0;
+    GiNaC::ex root = 1;
+    if (rooted) {
+      root = result_.vocabulary.name_root(fresh(name.empty() ? "root" : name), value.expand(),
+                                          "sqrt(" + text(base) + ")");
+    }
+    if (halves > 0) {
+      return GiNaC::pow(value, whole) * root;
+    }
+    const std::string degeneracy = text(base) + " = 0";
+    GiNaC::ex inverse = rooted ? reciprocal(root, degeneracy) : GiNaC::ex(1);
+    if (whole > 0) {
+      inverse *= GiNaC::pow(reciprocal(value, degeneracy), whole);
+    }
+    return sign * inverse;
+  }
+
+  /// One over a value: `inverse_a5` of a length, else by number.
+  GiNaC::ex reciprocal(const GiNaC::ex& value, const std::string& degeneracy) {
+    const GiNaC::ex denominator = value.expand();
+    if (denominator.is_zero()) {
+      throw NotAlgebraic("division by zero: " + degeneracy);
+    }
+    std::string name = "divisor";
+    if (GiNaC::is_a<GiNaC::symbol>(denominator)) {
+      name = c_identifier(GiNaC::ex_to<GiNaC::symbol>(denominator).get_name());
+      name.erase(name.find_last_not_of('_') + 1);
+    }
+    return result_.vocabulary.name_reciprocal(fresh("inverse_" + name), denominator, degeneracy);
+  }
+
+  void add_terms(const GiNaC::ex& angle, int factor, AngleTerms& sum) const {
+    const GiNaC::ex expanded = angle.expand();
+    if (GiNaC::is_a<GiNaC::add>(expanded)) {
+      for (const GiNaC::ex& term : expanded) {
+        add_terms(term, factor, sum);
+      }
+      return;
+    }
+    GiNaC::numeric multiple = factor;
+    GiNaC::ex base = 1;
+    for (const GiNaC::ex& part :
+         GiNaC::is_a<GiNaC::mul>(expanded) ? expanded : GiNaC::ex(GiNaC::lst{expanded})) {
+      if (GiNaC::is_a<GiNaC::numeric>(part)) {
+        multiple *= GiNaC::ex_to<GiNaC::numeric>(part);
+      } else {
+        base *= part;
+      }
+    }
+    const bool turns = base.is_equal(GiNaC::Pi);
+    multiple *= turns ? 2 : 1;
+    if (multiple.is_zero()) {
+      return;
+    }
+    if (base.is_equal(1) || !multiple.is_integer() || abs(multiple) > max_multiple) {
+      throw NotAlgebraic("the angle '" + text(expanded) +
+                         "' is no whole multiple of one declared; declare an angle for it");
+    }
+    const int count = multiple.to_int();
+    const GiNaC::ex* definition = GiNaC::is_a<GiNaC::symbol>(base) ? definition_of(base) : nullptr;
+    if (turns) {
+      sum.quarter_turns += count;
+    } else if (definition != nullptr && !is_function(*definition)) {
+      add_terms(*definition, count, sum);
+    } else {
+      AngleTerm& term = sum.terms.try_emplace(text(base), AngleTerm{base, 0}).first->second;
+      term.factor += count;
+      if (term.factor == 0) {
+        sum.terms.erase(text(base));
+      }
+    }
+  }
+
+  Vector2 direction_of(const GiNaC::ex& angle) {
+    AngleTerms sum;
+    add_terms(angle, 1, sum);
+    Vector2 direction{1, 0};
+    if (!sum.terms.empty()) {
+      const int sense = sum.terms.begin()->second.factor < 0 ? -1 : 1;
+      direction = direction_of_terms(sum, sense,
+                                     GiNaC::is_a<GiNaC::symbol>(angle) ? "_" + text(angle) : "");
+      direction.y = sense * direction.y;
+    }
+    const int turns = (sum.quarter_turns % 4 + 4) % 4;
+    for (int turn = 0; turn < turns; ++turn) {
+      direction = {-direction.y, direction.x};
+    }
+    return direction;
+  }
+
+  /// Of the terms times the sense, so that the first one counts positive.
+  Vector2 direction_of_terms(const AngleTerms& sum, int sense, std::string name) {
+    Vector2 direction{1, 0};
+    std::string spelled;
+    for (const auto& [text, term] : sum.terms) {
+      const int factor = sense * term.factor;
+      Vector2 step = direction_of_term(term.angle);
+      step.y = factor < 0 ? -step.y : step.y;
+      for (int count = std::abs(factor); count > 0; --count) {
+        direction = turned(direction, step);
+      }
+      spelled += spelled.empty() ? "_" : factor < 0 ? "_minus_" : "_plus_";
+      spelled += std::abs(factor) == 1 ? "" : std::to_string(std::abs(factor)) + "_";
+      spelled += text;
+    }
+    const bool single = sum.terms.size() == 1 && std::abs(sum.terms.begin()->second.factor) == 1;
+    if (single) {
+      return direction;
+    }
+    const auto [known, is_new] = sums_.try_emplace(spelled);
+    if (is_new) {
+      name = c_identifier(name.empty() || sense < 0 ? spelled : name);
+      known->second = {result_.vocabulary.name(fresh("cos" + name), direction.x, "cosine"),
+                       result_.vocabulary.name(fresh("sin" + name), direction.y, "sine")};
+    }
+    return known->second;
+  }
+
+  Vector2 direction_of_term(const GiNaC::ex& angle) {
+    if (const auto variable = variables_.find(angle); variable != variables_.end()) {
+      if (!variable->second->is_angle()) {
+        throw NotAlgebraic("'" + text(angle) + "' is used as an angle and is not declared as one");
+      }
+      return variable->second->direction();
+    }
+    const auto known = inverses_.find(angle);
+    if (known != inverses_.end()) {
+      return known->second;
+    }
+    const GiNaC::ex* definition =
+        GiNaC::is_a<GiNaC::symbol>(angle) ? definition_of(angle) : nullptr;
+    const GiNaC::ex function = definition == nullptr ? angle : *definition;
+    if (!is_function(function)) {
+      throw NotAlgebraic("'" + text(angle) + "' is used as an angle and is not declared as one");
+    }
+    const std::string name = definition == nullptr ? function_name(function) : text(angle);
+    return inverses_[angle] = direction_of_inverse(function, c_identifier(name));
+  }
+
+  /// Of an angle that is an inverse function of numbers.
+  Vector2 direction_of_inverse(const GiNaC::ex& function, const std::string& name) {
+    const std::string called = function_name(function);
+    if (called != "acos" && called != "asin" && called != "atan" && called != "atan2") {
+      throw NotAlgebraic("'" + text(function) + "' is used as an angle and is a number");
+    }
+    Vocabulary& vocabulary = result_.vocabulary;
+    const GiNaC::ex first = scalar(function.op(0)).expand();
+    if (called == "acos" || called == "asin") {
+      const bool is_cosine = called == "acos";
+      const GiNaC::ex given =
+          vocabulary.name(fresh((is_cosine ? "cos_" : "sin_") + name), first, text(function));
+      const GiNaC::ex other = vocabulary.name_root(fresh((is_cosine ? "sin_" : "cos_") + name),
+                                                   1 - given * given, text(function) + " ends");
+      return is_cosine ? Vector2{given, other} : Vector2{other, given};
+    }
+    const GiNaC::ex second = called == "atan2" ? scalar(function.op(1)).expand() : GiNaC::ex(1);
+    const std::string degeneracy =
+        called == "atan2" ? text(function) + " has no direction" : "never";
+    const GiNaC::ex size = vocabulary.name_root(
+        fresh("size_" + name), (first * first + second * second).expand(), degeneracy);
+    const GiNaC::ex inverse = reciprocal(size, degeneracy);
+    return {vocabulary.name(fresh("cos_" + name), second * inverse, "cosine of " + name),
+            vocabulary.name(fresh("sin_" + name), first * inverse, "sine of " + name)};
+  }
+
+  template <typename Value>
+  using ByExpression = std::map<GiNaC::ex, Value, GiNaC::ex_is_less>;
+
+  const ClosureSystem& system_;
+  ImplicitEquations result_;
+  std::set<std::string> used_;
+  ByExpression<const Variable*> variables_;
+  ByExpression<GiNaC::ex> numbers_;      ///< of abbreviations
+  ByExpression<Vector2> inverses_;       ///< of angles that are no variables
+  std::map<std::string, Vector2> sums_;  ///< of sums of angles, by their names
+};
+
+}  // namespace
+
+ImplicitEquations implicit_form(const ClosureSystem& system,
+                                const std::vector<std::string>& taken) {
+  return Translation(system, taken).run();
+}
+
+}  // namespace assur::generator

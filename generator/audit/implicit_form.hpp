@@ -1,0 +1,20 @@
+// Turns a closure system into the pipeline's equations: polynomials in named quantities.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "audit/closure_system.hpp"
+#include "equations/implicit_equations.hpp"
+
+namespace assur::generator {
+
+/// The closures as f(q, d, u) = 0: the unknowns q, the parameters that are held as dimensions d and
+/// those that move as inputs u. Sines and cosines become parts of directions; abbreviations, roots
+/// and divisors become named quantities, roots and divisors with the degeneracy that ends them.
+/// `taken` are names that the emitted code uses itself. Throws NotAlgebraic, with the closure's
+/// name, for what no polynomial in such quantities stands for.
+[[nodiscard]] ImplicitEquations implicit_form(const ClosureSystem& system,
+                                              const std::vector<std::string>& taken);
+
+}  // namespace assur::generator

@@ -1,0 +1,72 @@
+#include "audit/typed_closures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include "audit/auditor.hpp"
+
+namespace assur::generator {
+
+namespace {
+
+/// Statements that compare with what is derived, and add nothing to it.
+constexpr std::array<std::string_view, 5> of_the_audit = {"printed", "scene", "group", "given",
+                                                          "value"};
+constexpr std::array<std::string_view, 3> shown = {"let", "loop", "closure"};
+
+template <typename List>
+bool contains(const List& list, const std::string& word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+std::string on_one_line(const Statement& statement) {
+  std::string text = statement.head.text;
+  for (const PlacedText& row : statement.rows) {
+    text += " " + row.text;
+  }
+  return text;
+}
+
+}  // namespace
+
+TypedClosures read_typed_closures(const std::string& file) {
+  std::ifstream stream(file);
+  if (!stream) {
+    throw InputError(file + ": cannot be read");
+  }
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  Auditor auditor(file);
+  TypedClosures typed{file, "", {}, {}};
+  for (const Statement& statement : parse_statements(text, file)) {
+    PlacedText rest = statement.head;
+    const PlacedText keyword = take_word(rest);
+    if (keyword.text == "model") {
+      throw AuditSyntaxError(file, keyword.place,
+                             "closures are emitted as they are typed; the C++ of a model is "
+                             "written by assur emit --group GROUP --model N");
+    }
+    if (contains(of_the_audit, keyword.text)) {
+      continue;
+    }
+    auditor.read(statement);
+    if (contains(shown, keyword.text)) {
+      typed.lines.push_back(on_one_line(statement));
+    }
+  }
+  typed.source = auditor.report().source;
+  typed.system = std::move(auditor.system());
+  if (typed.system.closures().empty()) {
+    throw InputError(file + ": there is no closure to emit; type one with 'closure' or 'loop'");
+  }
+  const auto& symbols = typed.system.symbols();
+  if (std::none_of(symbols.begin(), symbols.end(),
+                   [](const AuditSymbol& symbol) { return symbol.unknown; })) {
+    throw InputError(file + ": no symbol is unknown; name the unknowns with 'unknown'");
+  }
+  return typed;
+}
+
+}  // namespace assur::generator

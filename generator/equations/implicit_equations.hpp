@@ -1,0 +1,30 @@
+// Equations f(q, d, u) = 0 in named variables, of a model of a group or of whatever else closes.
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "equations/variable.hpp"
+#include "equations/vocabulary.hpp"
+
+namespace assur::generator {
+
+/// Scalar equations f(q, d, u) = 0 with unknowns q, dimensions d, which are held, and inputs u,
+/// which may move. Non-copyable: what is derived refers to the variables.
+struct ImplicitEquations {
+  ImplicitEquations() = default;
+  ImplicitEquations(const ImplicitEquations&) = delete;
+  ImplicitEquations& operator=(const ImplicitEquations&) = delete;
+  ImplicitEquations(ImplicitEquations&&) = default;
+  ImplicitEquations& operator=(ImplicitEquations&&) = default;
+  ~ImplicitEquations() = default;
+
+  std::deque<Variable> unknowns;
+  std::deque<Variable> dimensions;
+  std::deque<Variable> inputs;
+  std::vector<GiNaC::ex> residuals;  ///< in the names of the vocabulary
+  std::string residuals_meaning;     ///< one phrase for people
+  Vocabulary vocabulary;
+};
+
+}  // namespace assur::generator
