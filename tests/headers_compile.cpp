@@ -5,6 +5,7 @@
 #include <assur/normal_form.hpp>
 #include <assur/second_order.hpp>
 #include <assur/singularity.hpp>
+#include <assur/solved_by_lu.hpp>
 #include <assur/special_points.hpp>
 #include <assur/dyad/models.hpp>
 #include <assur/tetrad/models.hpp>

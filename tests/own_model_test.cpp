@@ -243,6 +243,52 @@ TEST(OwnModel, TheRuntimeSolvesAsItDoesModels) {
   expect_word("not finite");
 }
 
+/// Closures without moving parameters, without others, and more of them than unknowns.
+const std::string shapes = R"(
+#include <assur/closures/all_held.hpp>
+#include <assur/closures/all_moving.hpp>
+#include <assur/closures/too_many.hpp>
+#include <assur/kinematics.hpp>
+#include <cstdio>
+
+using namespace assur;
+
+template <typename Model>
+void solve(const typename Model::template Dimensions<double>& d,
+           const typename Model::template Inputs<double>& u) {
+  typename Model::template Configuration<double> q;
+  q.q = direction_of(1.0);
+  Sensitivities<Model, double> s;
+  Motion<Model, double> m;
+  Vector<double, Model::input_count> rates;
+  rates.setZero();
+  std::printf("%s ", to_string(refine<Model, double>(d, u, q)));
+  std::printf("%s ", to_string(sensitivities<Model, double>(d, u, q, s)));
+  std::printf("%s ", to_string(sensitivities_and_motion<Model, double>(d, u, q, rates, rates, s, m)));
+  std::printf("%.12f\n", q.q.cos);
+}
+
+int main() {
+  solve<closures::AllHeld>({2, 1}, {});
+  solve<closures::AllMoving>({}, {2, 1});
+  Matrix<double, 2, 1> J;
+  closures::TooMany::jacobian<double>({}, {3}, {direction_of(1.5707963267948966)}, J);
+  std::printf("%d %.3f %.3f\n", closures::TooMany::rigid, J(0), J(1));
+}
+)";
+
+TEST(OwnModel, AnyNumbersOfParametersAndClosuresWork) {
+  const TemporaryDirectory directory;
+  const std::string head = "length a b\nangle q\nunknown q\n";
+  const std::string closure = "closure f = a*cos(q) - b\n";
+  const std::string second = "closure g = a*sin(q) - b\n";
+  emit(directory.write("all_held.audit", head + closure), directory);
+  emit(directory.write("all_moving.audit", head + "moving a b\n" + closure), directory);
+  emit(directory.write("too_many.audit", head + "moving a\n" + closure + second), directory);
+  EXPECT_EQ(output_of(directory, shapes),
+            "ok ok ok 0.500000000000\nok ok ok 0.500000000000\n0 -3.000 0.000\n");
+}
+
 TEST(OwnModel, CheckTellsWhatDiffers) {
   const TemporaryDirectory directory;
   emit(every_function, directory);
@@ -327,6 +373,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "is no whole multiple of one declared; declare an angle"},
         Refusal{"BareArc", DECLARED "closure f = acos(a/s) + cos(q)\n",
                 "closure f: 'acos(a/s)' stands outside a sine or cosine"},
+        Refusal{"NegativeRoot", DECLARED "closure f = sqrt(-4)*cos(q)\n", "is no real number"},
+        Refusal{"HighPower", DECLARED "closure f = (a + cos(q))^65\n",
+                "the power 65 is higher than 64"},
         Refusal{"ProductOfAngles", DECLARED "closure f = cos(p*q)\n", "closure f: 'p*q'"},
         Refusal{"RateInAClosure", DECLARED "closure f = a*cos(q) + rate(cos(p))\n",
                 "is a derivative"},
@@ -417,6 +466,18 @@ INSTANTIATE_TEST_SUITE_P(
         Code{"InAFunction",
              "void f(M& J, P p) { if (p.l < 0) { return; } J(0, 0) = -l*sin(q_0);" REST "\n}", 0,
              "all 4 agree"},
+        Code{"Includes",
+             "#include <cmath>\n # pragma once\ndouble c = l; J(0, 0) = -c*sin(q_0);" REST, 0,
+             "all 4 agree"},
+        Code{"LocalOfAnyType", "const Eigen::Index l = 2; J(0, 0) = -l*sin(q_0);" REST, 1,
+             "2 of 4 agree"},
+        Code{"LocalByReference",
+             "const auto& b = s; J(0, 0) = -l*sin(q_0); J(0, 1) = -b; J(1, 0) = l*cos(q_0);", 0,
+             "all 4 agree"},
+        Code{"MemberSet", "p->l = s; J(0, 0) = -p->l*sin(q_0);" REST, 1, "3 of 4 agree"},
+        Code{"EntrySet", "q[1] = l; J(0, 0) = -l*sin(q_0); J(0, 1) = -q[1]; J(1, 0) = l*cos(q_0);",
+             1, "3 of 4 agree"},
+        Code{"Ternary", "J(0, 0) = s > 0 ? -l*sin(q_0) : 0;" REST, 1, "does not parse"},
         Code{"WrongOnTheSecondLine", "J(0, 0) = -l*sin(q_0);" REST "\n  J(1, 1) =\n     s;", 1,
              "/mine.cpp:3:6)"},
         Code{"NotAssigned", "J(0, 0) = -l*sin(q_0); J(0, 1) = -s;", 1,

@@ -93,6 +93,13 @@ std::optional<GiNaC::ex> ClosureSystem::meaning_of(const std::string& name) cons
   return std::nullopt;
 }
 
+const GiNaC::ex* ClosureSystem::definition_of(const GiNaC::ex& symbol) const {
+  const auto found =
+      std::find_if(abbreviations_.begin(), abbreviations_.end(),
+                   [&](const auto& abbreviation) { return symbol.is_equal(abbreviation.first); });
+  return found == abbreviations_.end() ? nullptr : &found->second;
+}
+
 bool ClosureSystem::is_known(const std::string& name) const { return meaning_of(name).has_value(); }
 
 std::vector<std::string> ClosureSystem::names() const {

@@ -62,10 +62,8 @@ class ClosureSystem {
   [[nodiscard]] std::vector<std::string> names() const;
   [[nodiscard]] const std::vector<Closure>& closures() const { return closures_; }
   [[nodiscard]] const std::deque<AuditSymbol>& symbols() const { return symbols_; }
-  /// Names with what they stand for, each in earlier ones.
-  [[nodiscard]] const std::vector<std::pair<GiNaC::symbol, GiNaC::ex>>& abbreviations() const {
-    return abbreviations_;
-  }
+  /// What an abbreviation stands for; nullptr for all else.
+  [[nodiscard]] const GiNaC::ex* definition_of(const GiNaC::ex& symbol) const;
 
   /// de/dx with all other symbols held; abbreviations are differentiated through.
   [[nodiscard]] GiNaC::ex partial(const GiNaC::ex& expression, const GiNaC::symbol& symbol) const;
@@ -114,7 +112,7 @@ class ClosureSystem {
                                         const GiNaC::exmap& values);
 
   std::deque<AuditSymbol> symbols_;
-  std::vector<std::pair<GiNaC::symbol, GiNaC::ex>> abbreviations_;
+  std::vector<std::pair<GiNaC::symbol, GiNaC::ex>> abbreviations_;  ///< each in earlier ones
   std::vector<Closure> closures_;
   std::deque<Sensitivity> sensitivities_;
   CircleAlgebra algebra_;

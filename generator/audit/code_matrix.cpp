@@ -155,15 +155,16 @@ class CodeMatrix {
 
   /// `const double a = EXPR, b = EXPR`, `a = EXPR`; `a += EXPR` makes it unreadable.
   void read_locals(const CodeStatement& statement) {
-    static const std::regex form(
-        R"(^((?:(?:const|constexpr|static|auto|double|float|long|Scalar|T)\s+)*)([A-Za-z_][\w.]*)\s*([-+*/]?)=(?!=)\s*(.*)$)");
+    // Any type counts: a variable that were overlooked would pass for a symbol of its name.
+    static const std::regex form(R"(^((?:[A-Za-z_][\w:]*(?:<[^=]*>)?[\s&*]+)*))"
+                                 R"(([A-Za-z_](?:\w|\.|->|\[\d+\])*)\s*([-+*/]?)=(?!=)\s*(.*)$)");
     std::smatch match;
     for (const PlacedText& part : split(statement.text, ',')) {
       if (!std::regex_match(part.text, match, form)) {
         return;
       }
       const PlacedText value{match[4], part.at(static_cast<std::size_t>(match.position(4)) + 1)};
-      const std::string name = code_as_formula(match[2]);
+      const std::string name = trimmed({code_as_formula(match[2]), {}}).text;
       locals_.meanings.erase(name);
       unreadable_.erase(name);
       if (match[3].length() > 0 || statement.conditional) {

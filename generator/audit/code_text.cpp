@@ -13,14 +13,18 @@ namespace {
 
 bool is_space(char letter) { return std::isspace(static_cast<unsigned char>(letter)) != 0; }
 
-/// Comments and the ends of lines become spaces, so that every character keeps its index.
+/// Comments, lines for the preprocessor and the ends of lines become spaces, so that every
+/// character keeps its index.
 std::string on_one_line(std::string code) {
   const auto blank = [&](std::size_t from, std::size_t to) {
     std::fill(code.begin() + static_cast<std::ptrdiff_t>(from),
               code.begin() + static_cast<std::ptrdiff_t>(std::min(to, code.size())), ' ');
   };
+  bool line_begins = true;
   for (std::size_t at = 0; at < code.size(); ++at) {
-    if (code.compare(at, 2, "//") == 0) {
+    const bool directive = line_begins && code[at] == '#';
+    line_begins = code[at] == '\n' || (line_begins && is_space(code[at]));
+    if (directive || code.compare(at, 2, "//") == 0) {
       blank(at, std::min(code.find('\n', at), code.size()));
     } else if (code.compare(at, 2, "/*") == 0) {
       const std::size_t end = code.find("*/", at + 2);

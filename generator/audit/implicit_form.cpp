@@ -4,6 +4,7 @@
 #include <regex>
 #include <set>
 
+#include "audit/angle_terms.hpp"
 #include "audit/formula_text.hpp"
 #include "emission/scene_names.hpp"
 
@@ -11,7 +12,8 @@ namespace assur::generator {
 
 namespace {
 
-constexpr int max_multiple = 64;
+/// Powers of sums are multiplied out.
+constexpr int max_power = 64;
 
 Vector2 turned(const Vector2& direction, const Vector2& by) {
   return {(direction.x * by.x - direction.y * by.y).expand(),
@@ -34,29 +36,20 @@ std::vector<GiNaC::ex> ordered_operands(const GiNaC::ex& expression) {
   std::sort(texts.begin(), texts.end(),
             [](const auto& left, const auto& right) { return left.first < right.first; });
   std::vector<GiNaC::ex> operands;
+  operands.reserve(texts.size());
   for (const auto& [text, operand] : texts) {
     operands.push_back(operand);
   }
   return operands;
 }
 
-/// A whole multiple of an angle that is no sum.
-struct AngleTerm {
-  GiNaC::ex angle;
-  int factor;
-};
-
-/// An angle as multiples of such angles, by their texts, and quarter turns.
-struct AngleTerms {
-  std::map<std::string, AngleTerm> terms;
-  int quarter_turns = 0;
-};
-
 class Translation {
  public:
-  Translation(const ClosureSystem& system, const std::vector<std::string>& taken)
-      : system_(system), used_(taken.begin(), taken.end()) {
-    declare_variables(taken);
+  Translation(const ClosureSystem& system, const std::vector<std::string>& types,
+              const std::vector<std::string>& locals)
+      : system_(system), used_(types.begin(), types.end()) {
+    used_.insert(locals.begin(), locals.end());
+    declare_variables(types);
   }
 
   ImplicitEquations run() {
@@ -112,7 +105,7 @@ class Translation {
     static const std::regex temporary("t[0-9]+");  // which programs name themselves
     std::string base = std::regex_match(wanted, temporary) ? wanted + "_" : wanted;
     while (true) {
-      const std::string name =
+      std::string name =
           member_names({base}, std::vector<std::string>(used_.begin(), used_.end()))[0];
       used_.insert(name);
       if (used_.insert("inverse_" + name).second) {
@@ -121,17 +114,11 @@ class Translation {
     }
   }
 
-  [[nodiscard]] const GiNaC::ex* definition_of(const GiNaC::ex& symbol) const {
-    for (const auto& [name, definition] : system_.abbreviations()) {
-      if (name.is_equal(GiNaC::ex_to<GiNaC::basic>(symbol))) {
-        return &definition;
-      }
-    }
-    return nullptr;
-  }
-
   GiNaC::ex scalar(const GiNaC::ex& expression) {
     if (GiNaC::is_a<GiNaC::numeric>(expression)) {
+      if (!expression.info(GiNaC::info_flags::rational)) {
+        throw NotAlgebraic("'" + text(expression) + "' is no real number");
+      }
       return expression;
     }
     if (GiNaC::is_a<GiNaC::symbol>(expression)) {
@@ -172,7 +159,7 @@ class Translation {
       }
       return variable->second->value;
     }
-    const GiNaC::ex* definition = definition_of(symbol);
+    const GiNaC::ex* definition = system_.definition_of(symbol);
     if (definition == nullptr) {
       throw NotAlgebraic("'" + text(symbol) + "' is a derivative, and what follows from the " +
                          "closures cannot stand in them");
@@ -201,6 +188,10 @@ class Translation {
     const GiNaC::ex twice = 2 * expression.op(1);
     if (!twice.info(GiNaC::info_flags::integer)) {
       throw NotAlgebraic("the power " + text(expression.op(1)) + " is not a whole or half number");
+    }
+    if (abs(GiNaC::ex_to<GiNaC::numeric>(twice)) > 2 * max_power) {
+      throw NotAlgebraic("the power " + text(expression.op(1)) + " is higher than " +
+                         std::to_string(max_power));
     }
     const int halves = GiNaC::ex_to<GiNaC::numeric>(twice).to_int();
     const int whole = std::abs(halves) / 2;
@@ -243,51 +234,8 @@ class Translation {
     return result_.vocabulary.name_reciprocal(fresh("inverse_" + name), denominator, degeneracy);
   }
 
-  void add_terms(const GiNaC::ex& angle, int factor, AngleTerms& sum) const {
-    const GiNaC::ex expanded = angle.expand();
-    if (GiNaC::is_a<GiNaC::add>(expanded)) {
-      for (const GiNaC::ex& term : expanded) {
-        add_terms(term, factor, sum);
-      }
-      return;
-    }
-    GiNaC::numeric multiple = factor;
-    GiNaC::ex base = 1;
-    for (const GiNaC::ex& part :
-         GiNaC::is_a<GiNaC::mul>(expanded) ? expanded : GiNaC::ex(GiNaC::lst{expanded})) {
-      if (GiNaC::is_a<GiNaC::numeric>(part)) {
-        multiple *= GiNaC::ex_to<GiNaC::numeric>(part);
-      } else {
-        base *= part;
-      }
-    }
-    const bool turns = base.is_equal(GiNaC::Pi);
-    multiple *= turns ? 2 : 1;
-    if (multiple.is_zero()) {
-      return;
-    }
-    if (base.is_equal(1) || !multiple.is_integer() || abs(multiple) > max_multiple) {
-      throw NotAlgebraic("the angle '" + text(expanded) +
-                         "' is no whole multiple of one declared; declare an angle for it");
-    }
-    const int count = multiple.to_int();
-    const GiNaC::ex* definition = GiNaC::is_a<GiNaC::symbol>(base) ? definition_of(base) : nullptr;
-    if (turns) {
-      sum.quarter_turns += count;
-    } else if (definition != nullptr && !is_function(*definition)) {
-      add_terms(*definition, count, sum);
-    } else {
-      AngleTerm& term = sum.terms.try_emplace(text(base), AngleTerm{base, 0}).first->second;
-      term.factor += count;
-      if (term.factor == 0) {
-        sum.terms.erase(text(base));
-      }
-    }
-  }
-
   Vector2 direction_of(const GiNaC::ex& angle) {
-    AngleTerms sum;
-    add_terms(angle, 1, sum);
+    const AngleTerms sum = angle_terms(angle, system_);
     Vector2 direction{1, 0};
     if (!sum.terms.empty()) {
       const int sense = sum.terms.begin()->second.factor < 0 ? -1 : 1;
@@ -341,8 +289,7 @@ class Translation {
     if (known != inverses_.end()) {
       return known->second;
     }
-    const GiNaC::ex* definition =
-        GiNaC::is_a<GiNaC::symbol>(angle) ? definition_of(angle) : nullptr;
+    const GiNaC::ex* definition = system_.definition_of(angle);
     const GiNaC::ex function = definition == nullptr ? angle : *definition;
     if (!is_function(function)) {
       throw NotAlgebraic("'" + text(angle) + "' is used as an angle and is not declared as one");
@@ -391,9 +338,9 @@ class Translation {
 
 }  // namespace
 
-ImplicitEquations implicit_form(const ClosureSystem& system,
-                                const std::vector<std::string>& taken) {
-  return Translation(system, taken).run();
+ImplicitEquations implicit_form(const ClosureSystem& system, const std::vector<std::string>& types,
+                                const std::vector<std::string>& locals) {
+  return Translation(system, types, locals).run();
 }
 
 }  // namespace assur::generator

@@ -13,62 +13,43 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-/// The words of the template and of the functions in it, which no name of the user's may hide.
-const std::vector<std::string> words_of_the_template = {"Scalar",
-                                                        "Dimensions",
-                                                        "Inputs",
-                                                        "Configuration",
-                                                        "Direction",
-                                                        "Vector",
-                                                        "Matrix",
-                                                        "ModelVariable",
-                                                        "SolvedByLu",
-                                                        "members",
-                                                        "std",
-                                                        "abs",
-                                                        "sqrt",
-                                                        "constant",
-                                                        "q",
-                                                        "d",
-                                                        "u",
-                                                        "f",
-                                                        "J",
-                                                        "F_d",
-                                                        "F_u",
-                                                        "rhs",
-                                                        "q_rate",
-                                                        "q_second_rate",
-                                                        "u_rate",
-                                                        "u_second_rate",
-                                                        "u_third_rate",
-                                                        "d_rate",
-                                                        "rigid",
-                                                        "equation_count",
-                                                        "unknown_count",
-                                                        "dimension_count",
-                                                        "input_count",
-                                                        "unknowns",
-                                                        "dimensions",
-                                                        "inputs",
-                                                        "pivot_count",
-                                                        "pivots",
-                                                        "motion",
-                                                        "core_pivot_count",
-                                                        "degeneracies",
-                                                        "residual",
-                                                        "jacobian",
-                                                        "dimension_jacobian",
-                                                        "velocity_rhs",
-                                                        "acceleration_rhs",
-                                                        "jerk_rhs",
-                                                        "curvature_rhs",
-                                                        "sensitivities",
-                                                        "input_jacobian",
-                                                        "inverse_jacobian"};
+/// The words of the template that no type and no member of the user's may hide ...
+const std::vector<std::string> types = {"Scalar",     "Dimensions", "Inputs", "Configuration",
+                                        "Direction",  "Vector",     "Matrix", "ModelVariable",
+                                        "SolvedByLu", "members",    "std"};
+/// ... and those that no local variable of a function may hide.
+const std::vector<std::string> names_in_functions = {"q",
+                                                     "d",
+                                                     "u",
+                                                     "f",
+                                                     "J",
+                                                     "F_d",
+                                                     "F_u",
+                                                     "rhs",
+                                                     "q_rate",
+                                                     "q_second_rate",
+                                                     "u_rate",
+                                                     "u_second_rate",
+                                                     "u_third_rate",
+                                                     "d_rate",
+                                                     "abs",
+                                                     "sqrt",
+                                                     "constant",
+                                                     "rigid",
+                                                     "equation_count",
+                                                     "unknown_count",
+                                                     "dimension_count",
+                                                     "input_count",
+                                                     "unknowns",
+                                                     "dimensions",
+                                                     "inputs",
+                                                     "pivot_count",
+                                                     "core_pivot_count",
+                                                     "pivots"};
 
 ImplicitEquations equations_of(const TypedClosures& closures) {
   try {
-    return implicit_form(closures.system, words_of_the_template);
+    return implicit_form(closures.system, types, names_in_functions);
   } catch (const NotAlgebraic& error) {
     throw InputError(closures.file + ": " + error.what());
   }
@@ -89,7 +70,7 @@ EmittedFile emit_closures(const TypedClosures& closures) {
   for (const ModelFunction& function : residual_functions(equations, derivatives)) {
     const Program program(order, equations.vocabulary.quantities(), function.results);
     has_roots = has_roots || program.count().square_roots > 0;
-    functions << function_view(function, program, spelling);
+    functions << function_view(function, program, spelling, ZeroResults::assigned);
   }
   std::vector<std::string> lines;
   for (const std::string& line : closures.lines) {
@@ -101,8 +82,7 @@ EmittedFile emit_closures(const TypedClosures& closures) {
   view.set("file", comment_text(file.string()));
   view.set("source", closures.source.empty() ? "" : ": " + comment_text(closures.source));
   view.set("lines", line_list(lines, ""));
-  view.set("struct",
-           member_names({struct_name(file.stem().string(), "Closures")}, words_of_the_template)[0]);
+  view.set("struct", member_names({struct_name(file.stem().string(), "Closures")}, types)[0]);
   view.set("dimensions_doc", "Dimensions d: the parameters that are held.");
   view.set("inputs_doc", "Inputs u: the parameters that move.");
   view.set("equation_count", std::to_string(equations.residuals.size()));

@@ -91,7 +91,7 @@ std::string rendered(const std::string& text, const mustache::data& view) {
 }
 
 void show_partials(mustache::data& view) {
-  const std::pair<const char*, const char*> partials[] = {
+  const std::map<std::string, const char*> partials = {
       {"model_struct", templates::model_struct_hpp},
       {"model_variables", templates::model_variables_hpp},
       {"model_functions", templates::model_functions_hpp}};

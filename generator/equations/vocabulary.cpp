@@ -57,7 +57,7 @@ GiNaC::ex Vocabulary::name_reciprocal(const std::string& name, const GiNaC::ex& 
 GiNaC::ex Vocabulary::name_root(const std::string& name, const GiNaC::ex& radicand,
                                 const std::string& degeneracy) {
   const GiNaC::ex expanded = expand(radicand);
-  if (const GiNaC::ex number = GiNaC::sqrt(expanded);
+  if (GiNaC::ex number = GiNaC::sqrt(expanded);
       number.info(GiNaC::info_flags::nonnegative) && number.info(GiNaC::info_flags::rational)) {
     return number;
   }
@@ -99,7 +99,7 @@ GiNaC::ex Vocabulary::derivative(const GiNaC::ex& expression, const Variable& va
 }
 
 GiNaC::ex Vocabulary::slope(const NamedQuantity& quantity, const Variable& variable) const {
-  const GiNaC::ex inner = derivative(quantity.definition, variable);
+  GiNaC::ex inner = derivative(quantity.definition, variable);
   switch (quantity.form) {
     case Form::reciprocal:
       return -inner * quantity.symbol * quantity.symbol;
