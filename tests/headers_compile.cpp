@@ -6,6 +6,7 @@
 #include <assur/second_order.hpp>
 #include <assur/singularity.hpp>
 #include <assur/special_points.hpp>
+#include <assur/tracking.hpp>
 #include <assur/dyad/models.hpp>
 #include <assur/tetrad/models.hpp>
 #include <assur/triad/models.hpp>
