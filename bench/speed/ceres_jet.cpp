@@ -32,8 +32,15 @@ To filled(const From& from, Fill fill) {
   return result;
 }
 
+/// A direction from its angle, as a user of Ceres writes it.
+template <typename Jet>
+Direction<Jet> from_angle(double theta, int slot) {
+  const Jet angle(theta, slot);
+  return {cos(angle), sin(angle)};
+}
+
 /// f and its derivatives to the first `Slots` of unknowns, dimensions and inputs.
-template <int Slots>
+template <int Slots, bool from_angles = false>
 Vector<ceres::Jet<double, Slots>, 4> closure(const Sample& sample) {
   using Jet = ceres::Jet<double, Slots>;
   const auto length = [](int first) {
@@ -51,8 +58,9 @@ Vector<ceres::Jet<double, Slots>, 4> closure(const Sample& sample) {
   return f;
 }
 
+template <bool from_angles = false>
 ClosureAnswer<double> closure_jacobians(const Sample& sample) {
-  const auto f = closure<16>(sample);
+  const auto f = closure<16, from_angles>(sample);
   ClosureAnswer<double> answer;
   for (int row = 0; row < 4; ++row) {
     answer.by_unknowns.row(row) = f(row).v.template head<4>().transpose();
@@ -118,7 +126,10 @@ void add_ceres_jet(DerivativeTask& task, Wanted wanted) {
       });
       return;
     case Wanted::closure:
-      task.add<double>("Ceres Jet", "double", closure_jacobians);
+      task.add<double>("Ceres Jet", "double",
+                       [](const Sample& sample) { return closure_jacobians(sample); });
+      task.add<double>("Ceres Jet from angles", "double",
+                       [](const Sample& sample) { return closure_jacobians<true>(sample); });
       return;
     case Wanted::motion:
       task.add<double>("Ceres Jet + LU", "double", [](const Sample& sample) {
@@ -152,6 +163,11 @@ void add_ceres_jet(DerivativeTask& task, Wanted wanted) {
       task.add<double>("Ceres Jet + LU", "double", [](const Sample& sample) {
         return solved<double>(
             closure_jacobians(sample), sample.g.u_rate,
+            [&](const Eigen::Vector4d& w) { return second_derivative(sample, w); });
+      });
+      task.add<double>("Ceres Jet from angles + LU", "double", [](const Sample& sample) {
+        return solved<double>(
+            closure_jacobians<true>(sample), sample.g.u_rate,
             [&](const Eigen::Vector4d& w) { return second_derivative(sample, w); });
       });
       return;

@@ -24,7 +24,7 @@ struct Mechanism {
   Vector<Scalar, 3> x_D_by, y_D_by;  ///< D on the plate to BE, BD, ED
 
   Mechanism() {
-    const auto number = [](int index) { return Scalar(static_cast<int>(P::value[slot(index)])); };
+    const auto number = [](int index) { return scalar(P::value[slot(index)]); };
     using std::sqrt;
     const Scalar BE = number(P::BE);
     const Scalar BD = number(P::BD);
@@ -37,7 +37,7 @@ struct Mechanism {
         -at.x_D * x_D_by(2) / at.y_D;
   }
   [[nodiscard]] TriadModel::Inputs<Scalar> inputs(const Direction<Scalar>& crank) const {
-    const auto number = [](int index) { return Scalar(static_cast<int>(P::value[slot(index)])); };
+    const auto number = [](int index) { return scalar(P::value[slot(index)]); };
     return {number(P::x_O) + OA * crank.cos,
             number(P::y_O) + OA * crank.sin,
             number(P::x_F),
@@ -48,11 +48,12 @@ struct Mechanism {
   static constexpr std::size_t slot(int index) { return static_cast<std::size_t>(index); }
   static Scalar sixty_degrees_sine() {
     using std::sqrt;
-    return sqrt(precise_or_plain(0.75));
+    return sqrt(scalar(0.75));
   }
 
  private:
-  static Scalar precise_or_plain(double value) {
+  /// CLN takes the root of an integer in single precision, so it must be a float of 60 digits.
+  static Scalar scalar(double value) {
     if constexpr (std::is_same_v<Scalar, Precise>) {
       return precise(value);
     } else {
