@@ -52,8 +52,14 @@ Vector<ceres::Jet<double, Slots>, 4> closure(const Sample& sample) {
   Model01::residual(filled<Jet, Model01::Dimensions<Jet>>(sample.g.d, length(4)),
                     filled<Jet, Model01::Inputs<Jet>>(sample.g.u, length(12)),
                     filled<Jet, Model01::Configuration<Jet>>(
-                        sample.g.q, [](const Direction<double>& value,
-                                       int index) { return turning<Jet>(value, index); }),
+                        sample.g.q,
+                        [&](const Direction<double>& value, int index) {
+                          if constexpr (from_angles) {
+                            return from_angle<Jet>(sample.theta(index), index);
+                          } else {
+                            return turning<Jet>(value, index);
+                          }
+                        }),
                     f);
   return f;
 }

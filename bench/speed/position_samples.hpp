@@ -39,13 +39,14 @@ struct PositionTruth {
   std::vector<typename Model::template Configuration<long double>> list;
 };
 
-/// Largest difference of two configurations: of directions, and of displacements by the unit.
+/// Largest difference of two configurations; of displacements above one, relative.
 template <typename A, typename B>
 [[nodiscard]] double apart(const A& a, const B& b) {
   long double largest = 0;
   const auto off = [](const auto& x, const auto& y) -> long double {
     if constexpr (std::is_arithmetic_v<std::decay_t<decltype(x)>>) {
-      return std::abs(static_cast<long double>(x) - static_cast<long double>(y));
+      const auto exact = static_cast<long double>(y);
+      return std::abs(static_cast<long double>(x) - exact) / std::max(1.0L, std::abs(exact));
     } else {
       return std::max(std::abs(static_cast<long double>(x.cos) - static_cast<long double>(y.cos)),
                       std::abs(static_cast<long double>(x.sin) - static_cast<long double>(y.sin)));
