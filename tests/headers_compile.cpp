@@ -7,6 +7,7 @@
 #include <assur/singularity.hpp>
 #include <assur/solved_by_lu.hpp>
 #include <assur/special_points.hpp>
+#include <assur/tracking.hpp>
 #include <assur/dyad/models.hpp>
 #include <assur/tetrad/models.hpp>
 #include <assur/triad/models.hpp>

@@ -1,0 +1,52 @@
+// Turns a method's functions of one sample into the entries of the derivative tasks.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <memory>
+
+#include "derivative_errors.hpp"
+#include "row.hpp"
+
+namespace assur::speed {
+
+/// The samples that a derivative task is about; they outlive its entries.
+struct DerivativeTask {
+  const TetradSamples& samples;
+  Task task;
+
+  /// Adds the method `evaluate(sample) -> answer` in the scalar of its samples.
+  template <typename Scalar, typename Evaluate>
+  void add(const std::string& method, const std::string& scalar, Evaluate evaluate) {
+    const auto list =
+        std::make_shared<const std::vector<TetradSample<Scalar>>>(samples.template in<Scalar>());
+    Entry entry;
+    entry.row.task = task.name;
+    entry.row.method = method;
+    entry.row.scalar = scalar;
+    ErrorTally tally;
+    for (std::size_t index = 0; index < list->size(); ++index) {
+      tally.add(error_of(evaluate((*list)[index]), samples.truth[index]));
+    }
+    tally.write_to(entry.row);
+    entry.run = [list, evaluate](std::size_t first, std::size_t last) {
+      for (std::size_t index = first; index < last; ++index) {
+        auto answer = evaluate((*list)[index]);
+        benchmark::DoNotOptimize(answer);
+      }
+    };
+    task.entries.push_back(std::move(entry));
+  }
+};
+
+/// A derivative task asks one of these of every method.
+enum class Wanted : unsigned char { jacobian, closure, motion, derivatives };
+
+// One file a method family; each adds what it can give.
+void add_generated(DerivativeTask& task, Wanted wanted);
+void add_eigen(DerivativeTask& task, Wanted wanted);
+void add_ceres_jet(DerivativeTask& task, Wanted wanted);
+void add_adol_c(DerivativeTask& task, Wanted wanted);
+void add_differences(DerivativeTask& task, Wanted wanted);
+
+}  // namespace assur::speed

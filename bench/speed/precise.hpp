@@ -1,0 +1,158 @@
+// CLN's real numbers of 60 digits as the scalar of generated code, for the truth.
+#pragma once
+
+#include <cln/float.h>
+#include <cln/lfloat.h>
+#include <cln/rational.h>
+#include <cln/real.h>
+
+#include <Eigen/Core>
+#include <assur/variables.hpp>
+
+namespace Eigen {
+template <>
+struct NumTraits<cln::cl_R> : GenericNumTraits<cln::cl_R> {
+  using Real = cln::cl_R;
+  using NonInteger = cln::cl_R;
+  using Nested = cln::cl_R;
+  using Literal = cln::cl_R;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 10,
+    AddCost = 100,
+    MulCost = 100
+  };
+};
+}  // namespace Eigen
+
+namespace assur::speed {
+
+/// Integers are exact; whatever meets a float of 60 digits becomes one.
+using Precise = cln::cl_R;
+
+/// The number that a float, a double or a long double is.
+template <typename Scalar>
+[[nodiscard]] Precise precise(Scalar value) {
+  static const cln::float_format_t format = cln::float_format(60);
+  const auto head = static_cast<double>(value);
+  const auto rest = static_cast<double>(value - static_cast<Scalar>(head));
+  return cln::cl_float(cln::rational(cln::cl_F(head)) + cln::rational(cln::cl_F(rest)), format);
+}
+
+/// Rounded once; to long double twice, to more digits than it has.
+template <typename Scalar>
+[[nodiscard]] Scalar rounded(const Precise& value) {
+  const double head = cln::double_approx(value);
+  if constexpr (sizeof(Scalar) <= sizeof(double)) {
+    return static_cast<Scalar>(head);
+  } else {
+    const Precise rest = value - cln::rational(cln::cl_F(head));
+    return static_cast<Scalar>(head) + static_cast<Scalar>(cln::double_approx(rest));
+  }
+}
+
+namespace precise_detail {
+
+template <typename Scalar>
+void assign(Precise& to, const Scalar& from) {
+  to = precise(from);
+}
+template <typename Scalar>
+void assign(Scalar& to, const Precise& from) {
+  to = rounded<Scalar>(from);
+}
+template <typename To, typename From>
+void assign(Direction<To>& to, const Direction<From>& from) {
+  assign(to.cos, from.cos);
+  assign(to.sin, from.sin);
+}
+
+}  // namespace precise_detail
+
+/// Variables of a model, to or from 60 digits.
+template <typename To, typename From>
+[[nodiscard]] To in_scalar(const From& from) {
+  To result;
+  std::apply(
+      [&](const auto&... source) {
+        std::apply([&](auto&... target) { (precise_detail::assign(target, source), ...); },
+                   result.members());
+      },
+      from.members());
+  return result;
+}
+
+/// J of the loop closures at a configuration, factored.
+template <typename Model>
+class PreciseJacobian {
+  static constexpr int size = Model::unknown_count;
+
+ public:
+  PreciseJacobian(const typename Model::template Dimensions<Precise>& d,
+                  const typename Model::template Inputs<Precise>& u,
+                  const typename Model::template Configuration<Precise>& q) {
+    Model::jacobian(d, u, q, matrix_);
+  }
+
+  /// X with J X = rhs, by Gaussian elimination with partial pivoting.
+  template <int Columns>
+  [[nodiscard]] Matrix<Precise, size, Columns> solve(Matrix<Precise, size, Columns> rhs) const {
+    Matrix<Precise, size, size> J = matrix_;
+    for (int column = 0; column < size; ++column) {
+      int pivot = column;
+      for (int row = column + 1; row < size; ++row) {
+        pivot = abs(J(row, column)) > abs(J(pivot, column)) ? row : pivot;
+      }
+      J.row(column).swap(J.row(pivot));
+      rhs.row(column).swap(rhs.row(pivot));
+      for (int row = column + 1; row < size; ++row) {
+        const Precise factor = J(row, column) / J(column, column);
+        J.row(row) -= factor * J.row(column);
+        rhs.row(row) -= factor * rhs.row(column);
+      }
+    }
+    for (int row = size - 1; row >= 0; --row) {
+      for (int other = row + 1; other < size; ++other) {
+        rhs.row(row) -= J(row, other) * rhs.row(other);
+      }
+      rhs.row(row) /= J(row, row);
+    }
+    return rhs;
+  }
+  [[nodiscard]] const Matrix<Precise, size, size>& matrix() const { return matrix_; }
+
+ private:
+  Matrix<Precise, size, size> matrix_;
+};
+
+/// Newton's iteration from a configuration near by. False if it does not settle at 50 digits.
+template <typename Model>
+[[nodiscard]] bool assemble(const typename Model::template Dimensions<Precise>& d,
+                            const typename Model::template Inputs<Precise>& u,
+                            typename Model::template Configuration<Precise>& q) {
+  const Precise tolerance = cln::cl_float(cln::expt(cln::cl_RA(10), -50), cln::float_format(60));
+  for (int iteration = 0; iteration < 40; ++iteration) {
+    Vector<Precise, Model::equation_count> f;
+    Model::residual(d, u, q, f);
+    const PreciseJacobian<Model> jacobian(d, u, q);
+    const Vector<Precise, Model::unknown_count> step =
+        jacobian.template solve<1>(Vector<Precise, Model::equation_count>(-f));
+    advance(q, step);
+    Precise largest(0);
+    for (int index = 0; index < Model::unknown_count; ++index) {
+      largest = abs(step(index)) > largest ? abs(step(index)) : largest;
+    }
+    if (largest < tolerance) {
+      return true;
+    }
+    if (largest > 1) {
+      return false;
+    }
+  }
+  return false;
+}
+
+}  // namespace assur::speed

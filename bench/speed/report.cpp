@@ -1,0 +1,168 @@
+#include "report.hpp"
+
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "targets.hpp"
+
+namespace assur::speed {
+
+namespace {
+
+std::string text(const char* format, double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, format, value);
+  return buffer;
+}
+
+/// Three digits, never in powers of ten.
+std::string time_text(double ns) { return text(ns < 10 ? "%.2f" : ns < 100 ? "%.1f" : "%.0f", ns); }
+
+std::string error_text(double error) { return std::isfinite(error) ? text("%.1e", error) : "-"; }
+
+std::ofstream opened(const std::filesystem::path& path) {
+  std::ofstream out(path);
+  if (!out) {
+    throw std::runtime_error("cannot write " + path.string());
+  }
+  return out;
+}
+
+/// One line a row, so that a changed figure is a changed line.
+void write_json(const std::vector<Task>& tasks, std::ostream& out) {
+  out << "[";
+  const char* separator = "\n";
+  for (const Task& task : tasks) {
+    for (const Entry& entry : task.entries) {
+      const Row& row = entry.row;
+      nlohmann::ordered_json line;
+      line["task"] = row.task;
+      line["method"] = row.method;
+      line["scalar"] = row.scalar;
+      // Three digits of what a quiet machine repeats to two.
+      line["ns"] = std::stod(text("%.3g", row.ns));
+      const auto number = [](double error) {
+        return std::isfinite(error) ? nlohmann::ordered_json(std::stod(text("%.2g", error)))
+                                    : nlohmann::ordered_json(nullptr);
+      };
+      line["error"] = number(row.error);
+      line["error_999"] = number(row.error_999);
+      line["failures"] = row.failures;
+      line["inputs"] = row.evaluated;
+      if (row.unreported) {
+        line["unreported"] = *row.unreported;
+      }
+      out << separator << line.dump();
+      separator = ",\n";
+    }
+  }
+  out << "\n]\n";
+}
+
+void write_targets(const std::vector<Task>& tasks, std::ostream& out) {
+  out << "| task | ours | against | ratio of | target | measured | "
+         "|\n|---|---|---|---|---|---|---|\n";
+  for (const Target& target : targets()) {
+    const Row* ours = find_row(tasks, target.task, target.method);
+    const Row* peer = find_row(tasks, target.task, target.peer);
+    out << "| " << target.task << " | " << target.method << " | " << target.peer << " | "
+        << (target.measure == Measure::time ? "times" : "99.9th percentiles") << " | "
+        << text("%.4g", target.at_most) << " | ";
+    if (ours == nullptr || peer == nullptr) {
+      out << "- | not measured: the peer is not installed |\n";
+      continue;
+    }
+    const double ratio = measured(target, *ours, *peer);
+    out << text("%.3g", ratio) << " | "
+        << (ratio <= target.at_most
+                ? "met"
+                : "missed by a factor of " + text("%.2f", ratio / target.at_most))
+        << " |\n";
+  }
+}
+
+void write_rows(const std::vector<Task>& tasks, std::ostream& out) {
+  for (const Task& task : tasks) {
+    out << "\n### " << task.name << "\n\n"
+        << "| method | scalar | ns | largest error | 99.9th percentile | failures | inputs |\n"
+           "|---|---|---|---|---|---|---|\n";
+    for (const Entry& entry : task.entries) {
+      const Row& row = entry.row;
+      out << "| " << row.method << " | " << row.scalar << " | " << time_text(row.ns) << " | "
+          << error_text(row.error) << " | " << error_text(row.error_999) << " | " << row.failures
+          << (row.unreported ? " (" + std::to_string(*row.unreported) + " unreported)" : "")
+          << " | " << row.evaluated << " |\n";
+    }
+  }
+}
+
+/// Where the chart writes each entry's name, in decades of error: at its point, or above the names
+/// that it would cover. A panel is about eighteen lines high and two names wide.
+std::vector<double> name_heights(const std::vector<double>& times,
+                                 const std::vector<double>& errors) {
+  const auto [low, high] = std::minmax_element(errors.begin(), errors.end());
+  const auto [fast, slow] = std::minmax_element(times.begin(), times.end());
+  const double line = (*high - *low + 2) / 18;
+  const double width = (*slow - *fast + 1.7) * 0.45;
+  std::vector<std::size_t> order(errors.size());
+  for (std::size_t index = 0; index < order.size(); ++index) {
+    order[index] = index;
+  }
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return errors[a] < errors[b]; });
+  std::vector<double> heights = errors;
+  for (std::size_t place = 0; place < order.size(); ++place) {
+    const std::size_t name = order[place];
+    for (std::size_t earlier = 0; earlier < place; ++earlier) {
+      const std::size_t other = order[earlier];
+      if (std::abs(times[name] - times[other]) < width &&
+          std::abs(heights[name] - heights[other]) < 0.999 * line) {
+        heights[name] = heights[other] + line;
+        earlier = static_cast<std::size_t>(-1);  // against all of them again
+      }
+    }
+  }
+  return heights;
+}
+
+/// A block a task: ns, error, failures, the method's name, its scalar, the task and where the name
+/// is written, for gnuplot.
+void write_columns(const std::vector<Task>& tasks, std::ostream& out) {
+  for (const Task& task : tasks) {
+    std::vector<double> times;
+    std::vector<double> errors;
+    for (const Entry& entry : task.entries) {
+      // What errs in every input is drawn at the top, what is exact at the bottom.
+      const double error = std::isfinite(entry.row.error) ? entry.row.error : 1;
+      times.push_back(std::log10(entry.row.ns));
+      errors.push_back(std::log10(std::max(error, 1e-20)));
+    }
+    const std::vector<double> heights = name_heights(times, errors);
+    for (std::size_t index = 0; index < task.entries.size(); ++index) {
+      const Row& row = task.entries[index].row;
+      out << row.ns << '\t' << std::pow(10, errors[index]) << '\t' << row.failures << '\t'
+          << row.method << '\t' << row.scalar << '\t' << row.task << '\t'
+          << std::pow(10, heights[index]) << '\n';
+    }
+    out << "\n\n";
+  }
+}
+
+}  // namespace
+
+void write_report(const std::vector<Task>& tasks, const std::filesystem::path& directory) {
+  std::ofstream json = opened(directory / "speed_accuracy.json");
+  write_json(tasks, json);
+  std::ofstream markdown = opened(directory / "speed_accuracy.md");
+  markdown << "## Targets\n\n";
+  write_targets(tasks, markdown);
+  markdown << "\n## All rows\n";
+  write_rows(tasks, markdown);
+  std::ofstream columns = opened(directory / "speed_accuracy.dat");
+  write_columns(tasks, columns);
+}
+
+}  // namespace assur::speed

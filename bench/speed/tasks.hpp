@@ -1,0 +1,19 @@
+// The tasks of the table, made with the errors of every method; the times are filled in later.
+#pragma once
+
+#include "row.hpp"
+
+namespace assur::speed {
+
+struct TaskSizes {
+  std::size_t inputs = 10000;
+  std::size_t near_singular = 2000;
+  std::size_t phc_inputs = 20;  ///< of the positions that PHCpack solves: a process each
+};
+
+[[nodiscard]] std::vector<Task> derivative_tasks(const TaskSizes& sizes);
+[[nodiscard]] std::vector<Task> position_tasks(const TaskSizes& sizes);
+[[nodiscard]] std::vector<Task> tracking_tasks(const TaskSizes& sizes);
+[[nodiscard]] std::vector<Task> scene_tasks();
+
+}  // namespace assur::speed
