@@ -5,7 +5,7 @@ set terminal svg size 1240,420 font "Helvetica,13" background "white"
 set output directory . "/growth.svg"
 set grid lc rgb "#e4e4e4" lt 1
 set key left top
-set multiplot layout 1,3 margins 0.055,0.95,0.13,0.88 spacing 0.075,0.1
+set multiplot layout 1,3 margins 0.07,0.98,0.17,0.88 spacing 0.115,0.1
 set title "One configuration of a chain, with all derivatives"
 set xlabel "groups in the chain"
 set ylabel "ns" offset 1.5,0
@@ -20,7 +20,7 @@ set xlabel "models"
 set ylabel "seconds" offset 1.5,0
 set ytics nomirror
 set y2tics
-set y2label "kB" offset -1.5,0
+set y2label "kB" offset -0.5,0
 set yrange [0:*]
 set y2range [0:*]
 plot columns index 2 using 1:2 with linespoints pt 7 ps 0.6 lc rgb "#d00000" title "time", \
