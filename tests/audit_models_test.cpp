@@ -6,7 +6,7 @@
 #include <random>
 
 #include "audit/audit.hpp"
-#include "audit/formula_text.hpp"
+#include "closures/formula_text.hpp"
 #include "derivatives/differentiate.hpp"
 
 namespace assur::test {

@@ -250,8 +250,14 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"NoNumber", "given a = b\n", "f.audit:1:11: expected a number, found 'b'"},
         Fault{"NoFormula", "printed number a = 2\n",
               "f.audit:1:16: expected printed number [LABEL] NAME = NUMBER [UNIT] is FORMULA"},
+        Fault{"NothingPrinted", "length a\n",
+              "f.audit: nothing to audit; say what the source prints with 'printed'"},
+        Fault{"BehindTheFirstLine", "length a\nlet b = a +\n   2*a +\n  (c + 2)\n",
+              "f.audit:4:4: no symbol named 'c'"},
+        Fault{"NoConfiguration", "scene s.json branch 1a\n",
+              "f.audit:1:21: expected the number of a configuration"},
         Fault{"NoCode", "length a\nclosure f = a\nprinted code J no.cpp J of f by a\n",
-              "f.audit:3:16: 'no.cpp' cannot be read"}),
+              "f.audit:3:16: no.cpp: cannot be read (does it exist, and is it a file?)"}),
     [](const testing::TestParamInfo<Fault>& fault) { return fault.param.name; });
 
 TEST(Audit, SurvivesRandomText) {

@@ -1,18 +1,16 @@
 #include "audit/auditor.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <functional>
+#include <charconv>
 #include <map>
-#include <sstream>
 
 #include "audit/audit.hpp"
 #include "audit/code_matrix.hpp"
 #include "audit/code_text.hpp"
 #include "audit/kind_audit.hpp"
-#include "audit/model_symbols.hpp"
 #include "audit/scene_values.hpp"
-#include "scene/expression.hpp"
+#include "closures/formula.hpp"
+#include "input_file.hpp"
 #include "scene/suggestion.hpp"
 
 namespace assur::generator {
@@ -29,16 +27,22 @@ bool take_keyword(PlacedText& text, const std::string& keyword) {
   return true;
 }
 
-/// The parts of a text before and after a word.
+PlacedText after_words(PlacedText text, int count) {
+  for (; count > 0; --count) {
+    static_cast<void>(take_word(text));
+  }
+  return text;
+}
+
+/// The parts of a text before and after a word; the second is empty where there is none.
 std::pair<PlacedText, PlacedText> cut_at_word(const PlacedText& text, const std::string& word) {
   const std::string padded = text.text + " ";
-  for (std::size_t at = padded.find(" " + word + " "); at != std::string::npos;) {
-    const PlacedText before = trimmed({text.text.substr(0, at), text.place});
-    const PlacedText after =
-        trimmed({padded.substr(at + word.size() + 2), text.at(at + word.size() + 3)});
-    return {before, after};
+  const std::size_t at = padded.find(" " + word + " ");
+  if (at == std::string::npos) {
+    return {text, {}};
   }
-  return {text, {}};
+  return {trimmed({text.text.substr(0, at), text.place}),
+          trimmed({padded.substr(at + word.size() + 2), text.at(at + word.size() + 3)})};
 }
 
 }  // namespace
@@ -55,165 +59,60 @@ AuditReport audit_text(const std::string& text, const std::string& file) {
   for (const Statement& statement : parse_statements(text, file)) {
     auditor.read(statement);
   }
-  return auditor.report();
+  AuditReport report = auditor.report();
+  if (report.statements.empty()) {
+    throw InputError(file + ": nothing to audit; say what the source prints with 'printed'");
+  }
+  return report;
 }
 
-AuditReport audit_file(const std::string& file) {
-  std::ifstream stream(file);
-  if (!stream) {
-    throw InputError(file + ": cannot be read");
-  }
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return audit_text(text.str(), file);
-}
+AuditReport audit_file(const std::string& file) { return audit_text(read_input_file(file), file); }
 
-void Auditor::fail(Place place, const std::string& what) const {
-  throw AuditSyntaxError(report_.file, place, what);
-}
-
-GiNaC::ex Auditor::formula(const PlacedText& text) {
-  try {
-    return read_formula(text, system_);
-  } catch (const FormulaError& error) {
-    fail(error.place, error.what());
-  }
-}
-
-void Auditor::expect_new(const PlacedText& name) const {
-  if (!is_identifier(name.text) || is_reserved_name(name.text)) {
-    fail(name.place, "'" + name.text + "' cannot be a name");
-  }
-  if (system_.is_known(name.text) || numbers_.is_known(name.text)) {
-    fail(name.place, "'" + name.text + "' is declared already");
-  }
-}
+AuditReport Auditor::report() const { return {reader_.file(), reader_.source(), statements_}; }
 
 void Auditor::expect_no_rows(const Statement& statement) const {
   if (!statement.rows.empty()) {
-    fail(statement.rows[0].place, "this statement has no rows");
+    reader_.fail(statement.rows[0].place, "this statement has no rows");
   }
-}
-
-std::vector<std::string> Auditor::known_names(const PlacedText& list, bool symbols_only) {
-  std::vector<std::string> names;
-  for (const PlacedText& name : words(list)) {
-    const bool known =
-        symbols_only ? system_.symbol_named(name.text) != nullptr : system_.is_known(name.text);
-    if (!known) {
-      fail(name.place,
-           "no symbol named '" + name.text + "'" + suggestion(name.text, system_.names()));
-    }
-    names.push_back(name.text);
-  }
-  if (names.empty()) {
-    fail(list.place, "names are missing");
-  }
-  return names;
-}
-
-std::string Auditor::read_file_beside(const PlacedText& name) const {
-  std::ifstream stream(directory_ / name.text);
-  if (!stream) {
-    fail(name.place, "'" + name.text + "' cannot be read");
-  }
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
 }
 
 void Auditor::read(const Statement& statement) {
+  if (reader_.read(statement)) {
+    return;
+  }
+  try {
+    read_own(statement);
+  } catch (const FormulaError& error) {
+    reader_.fail(error.place, error.what());
+  }
+}
+
+void Auditor::read_own(const Statement& statement) {
   using Reader = void (Auditor::*)(const PlacedText&);
-  static const std::map<std::string, Reader> readers = {
-      {"model", &Auditor::read_model},   {"unknown", &Auditor::read_unknowns},
-      {"moving", &Auditor::read_moving}, {"let", &Auditor::read_abbreviation},
-      {"loop", &Auditor::read_loop},     {"closure", &Auditor::read_closure},
-      {"scene", &Auditor::read_scene},   {"group", &Auditor::read_group},
-      {"given", &Auditor::read_given},   {"value", &Auditor::read_value}};
+  static const std::map<std::string, Reader> readers = {{"scene", &Auditor::read_scene},
+                                                        {"group", &Auditor::read_group},
+                                                        {"given", &Auditor::read_given},
+                                                        {"value", &Auditor::read_value}};
   PlacedText rest = statement.head;
   const PlacedText keyword = take_word(rest);
   if (keyword.text == "printed") {
     read_printed(statement, rest);
-    return;
-  }
-  // Other statements go on over their rows.
-  for (const PlacedText& row : statement.rows) {
-    rest.text += std::string(row.place.column, ' ') + row.text;
-  }
-  if (keyword.text == "source") {
-    report_.source = rest.text;
-  } else if (keyword.text == "angle" || keyword.text == "length") {
-    read_symbols(rest, keyword.text == "angle");
   } else if (const auto reader = readers.find(keyword.text); reader != readers.end()) {
-    (this->*reader->second)(rest);
+    (this->*reader->second)(after_words(joined(statement), 1));
   } else {
-    std::vector<std::string> known = {"source", "angle", "length", "printed"};
+    std::vector<std::string> known = ClosureReader::keywords();
+    known.emplace_back("printed");
     for (const auto& [name, function] : readers) {
       known.push_back(name);
     }
-    fail(keyword.place, "no statement '" + keyword.text + "'" + suggestion(keyword.text, known));
+    reader_.fail(keyword.place,
+                 "no statement '" + keyword.text + "'" + suggestion(keyword.text, known));
   }
 }
 
-void Auditor::read_model(const PlacedText& kind) {
-  try {
-    declare_model(kind.text, system_);
-  } catch (const InputError& error) {
-    fail(kind.place, error.what());
-  }
-}
-
-void Auditor::read_symbols(const PlacedText& rest, bool angles) {
-  const auto [names, meaning] = cut(rest, ':');
-  for (const PlacedText& name : words(names)) {
-    expect_new(name);
-    system_.declare(name.text, angles, meaning.text);
-  }
-}
-
-void Auditor::read_unknowns(const PlacedText& rest) {
-  for (const std::string& name : known_names(rest, true)) {
-    system_.symbol_named(name)->unknown = true;
-  }
-}
-
-void Auditor::read_moving(const PlacedText& rest) {
-  for (const std::string& name : known_names(rest, true)) {
-    system_.symbol_named(name)->moving = true;
-  }
-}
-
-void Auditor::read_abbreviation(const PlacedText& rest) {
-  const auto [name, definition] = cut(rest, '=');
-  expect_new(name);
-  system_.abbreviate(name.text, formula(definition));
-}
-
-void Auditor::read_loop(const PlacedText& rest) {
-  const auto [names, vectors] = cut(rest, '=');
-  const std::vector<PlacedText> both = words(names);
-  if (both.size() != 2) {
-    fail(names.place, "expected loop X_CLOSURE Y_CLOSURE = VECTOR");
-  }
-  expect_new(both[0]);
-  expect_new(both[1]);
-  try {
-    const Vector2 sum = read_vector(vectors, system_);
-    system_.close(both[0].text, sum.x);
-    system_.close(both[1].text, sum.y);
-  } catch (const FormulaError& error) {
-    fail(error.place, error.what());
-  }
-}
-
-void Auditor::read_closure(const PlacedText& rest) {
-  const std::vector<PlacedText> parts = split(rest, '=');
-  if (parts.size() < 2 || parts.size() > 3) {
-    fail(rest.place, "expected closure NAME = EXPRESSION [= EXPRESSION]");
-  }
-  expect_new(parts[0]);
-  const GiNaC::ex left = formula(parts[1]);
-  system_.close(parts[0].text, parts.size() == 3 ? left - formula(parts[2]) : left);
+void Auditor::define(const std::string& name, double value) {
+  numbers_.define(name, value);
+  reader_.reserve(name);
 }
 
 void Auditor::read_scene(const PlacedText& rest) {
@@ -222,20 +121,24 @@ void Auditor::read_scene(const PlacedText& rest) {
   int configuration = 1;
   if (take_keyword(after, "branch")) {
     const PlacedText number = take_word(after);
-    configuration = std::atoi(number.text.c_str());
+    const char* const last = number.text.data() + number.text.size();
+    const auto [end, error] = std::from_chars(number.text.data(), last, configuration);
+    if (error != std::errc() || end != last) {
+      reader_.fail(number.place, "expected the number of a configuration");
+    }
   }
   if (file.empty() || !after.empty()) {
-    fail(rest.place, "expected scene FILE [branch N]");
+    reader_.fail(rest.place, "expected scene FILE [branch N]");
   }
   const std::string path = (directory_ / file.text).string();
   for (const auto& [name, value] : scene_values(path, configuration, settings_)) {
-    numbers_.define(name, value);
+    define(name, value);
   }
 }
 
 void Auditor::read_group(const PlacedText& rest) {
   for (const auto& [name, value] : group_numbers(group_by_name(rest))) {
-    numbers_.define(name, value);
+    define(name, value);
   }
 }
 
@@ -245,33 +148,34 @@ const Group& Auditor::group_by_name(const PlacedText& name) const {
       return group;
     }
   }
-  fail(name.place, "no group named '" + name.text + "'; there are dyad, triad and tetrad");
+  reader_.fail(name.place, "no group named '" + name.text + "'; there are dyad, triad and tetrad");
 }
 
 void Auditor::read_given(const PlacedText& rest) {
   for (const PlacedText& each : split(rest, ',')) {
     const auto [name, number] = cut(each, '=');
-    expect_new(name);
+    reader_.expect_new(name);
     PlacedText value = number;
     const PlacedText first = take_word(value);
     numbers_.give(name.text, first);
+    reader_.reserve(name.text);
     settings_.push_back(name.text + "=" + first.text);
   }
 }
 
 void Auditor::read_value(const PlacedText& rest) {
   const auto [name, definition] = cut(rest, '=');
-  expect_new(name);
+  reader_.expect_new(name);
   numbers_.define(name.text, definition);
+  reader_.reserve(name.text);
 }
 
 void Auditor::answer(const std::string& label, Place place, std::size_t columns,
                      std::vector<Finding> findings) {
-  std::vector<AuditedStatement>& statements = report_.statements;
-  if (columns == 0 && !statements.empty() && statements.back().label == label) {
-    std::move(findings.begin(), findings.end(), std::back_inserter(statements.back().findings));
+  if (columns == 0 && !statements_.empty() && statements_.back().label == label) {
+    std::move(findings.begin(), findings.end(), std::back_inserter(statements_.back().findings));
   } else {
-    statements.push_back({label, place, columns, std::move(findings), ""});
+    statements_.push_back({label, reader_.place_in_file(place), columns, std::move(findings), ""});
   }
 }
 
@@ -289,9 +193,7 @@ void Auditor::read_printed(const Statement& statement, PlacedText rest) {
   } else if (what.text == "kinds") {
     read_printed_kinds(statement, label, after);
   } else {
-    for (const PlacedText& row : statement.rows) {
-      after.text += " " + row.text;
-    }
+    after = after_words(joined(statement), 3);  // printed WHAT LABEL
     if (what.text == "closure") {
       read_printed_closure(label, after);
     } else if (what.text == "code") {
@@ -299,63 +201,71 @@ void Auditor::read_printed(const Statement& statement, PlacedText rest) {
     } else if (what.text == "equation") {
       read_printed_equation(label, after);
     } else {
-      fail(what.place, "expected closure, matrix, code, equation, kinds or number after 'printed'");
+      reader_.fail(what.place,
+                   "expected closure, matrix, code, equation, kinds or number after 'printed'");
     }
   }
 }
 
 void Auditor::read_printed_closure(const PlacedText& label, PlacedText rest) {
   const PlacedText name = take_word(rest);
-  if (system_.closure_named(name.text) == nullptr) {
-    fail(name.place, "no closure named '" + name.text + "' is derived");
+  if (reader_.system().closure_named(name.text) == nullptr) {
+    reader_.fail(name.place, "no closure named '" + name.text + "' is derived");
   }
   if (!rest.empty() && rest.text[0] == ':') {
     rest = trimmed({rest.text.substr(1), rest.at(2)});
   }
-  answer("closure " + label.text, label.place, 0, {audit_closure(system_, name.text, rest)});
+  Finding finding = audit_closure(points_, name.text, rest);
+  finding.place = reader_.place_in_file(finding.place);
+  answer("closure " + label.text, label.place, 0, {finding});
 }
 
 PrintedMatrix Auditor::matrix_frame(const PlacedText& rest) {
   const auto [head, columns] = cut_at_word(rest, "by");
   PlacedText rows = head;
   if (!take_keyword(rows, "of") || columns.empty()) {
-    fail(rest.place, "expected of ROWS by COLUMNS");
+    reader_.fail(rest.place, "expected of ROWS by COLUMNS");
   }
-  return {known_names(rows, false), known_names(columns, true), {}};
+  return {reader_.known_names(rows, false), reader_.known_names(columns, true), {}};
 }
 
 void Auditor::read_printed_matrix(const Statement& statement, const PlacedText& label,
                                   const PlacedText& rest) {
   PrintedMatrix matrix = matrix_frame(rest);
   if (statement.rows.size() != matrix.rows.size()) {
-    fail(statement.head.place, "expected " + std::to_string(matrix.rows.size()) + " rows, found " +
-                                   std::to_string(statement.rows.size()));
+    reader_.fail(statement.head.place, "expected " + std::to_string(matrix.rows.size()) +
+                                           " rows, found " + std::to_string(statement.rows.size()));
   }
   for (const PlacedText& row : statement.rows) {
     const std::vector<PlacedText> entries = split(row, ',');
     if (entries.size() != matrix.columns.size()) {
-      fail(row.place, "expected " + std::to_string(matrix.columns.size()) + " entries, found " +
-                          std::to_string(entries.size()));
+      reader_.fail(row.place, "expected " + std::to_string(matrix.columns.size()) +
+                                  " entries, found " + std::to_string(entries.size()));
     }
     for (const PlacedText& entry : entries) {
       matrix.entries.push_back({entry, {}});
     }
   }
-  answer("matrix " + label.text, label.place, matrix.columns.size(), audit_matrix(system_, matrix));
+  answer("matrix " + label.text, label.place, matrix.columns.size(), audit_matrix(points_, matrix));
 }
 
 void Auditor::read_printed_code(const PlacedText& label, PlacedText rest) {
   const PlacedText file = take_word(rest);
   const PlacedText array = take_word(rest);
   if (!is_identifier(array.text)) {
-    fail(array.place, "expected the name of a matrix in the code");
+    reader_.fail(array.place, "expected the name of a matrix in the code");
   }
   PrintedMatrix matrix = matrix_frame(rest);
-  const std::string code = read_file_beside(file);
   const std::string path = (directory_ / file.text).string();
-  matrix.entries =
-      read_code_matrix(code, path, array.text, matrix.rows.size(), matrix.columns.size(), system_);
-  std::vector<Finding> findings = audit_matrix(system_, matrix);
+  std::string code;
+  try {
+    code = read_input_file(path);
+  } catch (const InputError& error) {
+    reader_.fail(file.place, error.what());
+  }
+  matrix.entries = read_code_matrix(code, path, array.text, matrix.rows.size(),
+                                    matrix.columns.size(), reader_.system());
+  std::vector<Finding> findings = audit_matrix(points_, matrix);
   for (std::size_t place = 0; place < findings.size(); ++place) {
     Finding& finding = findings[place];
     finding.place = place_in_code(code, finding.place);
@@ -365,7 +275,7 @@ void Auditor::read_printed_code(const PlacedText& label, PlacedText rest) {
   }
   answer("code " + label.text + " (" + file.text + ")", label.place, matrix.columns.size(),
          std::move(findings));
-  report_.statements.back().file = path;
+  statements_.back().file = path;
 }
 
 void Auditor::read_printed_equation(const PlacedText& label, PlacedText rest) {
@@ -377,15 +287,15 @@ void Auditor::read_printed_equation(const PlacedText& label, PlacedText rest) {
   }
   const auto [left, right] = cut(rest, '=');
   if (right.empty()) {
-    fail(rest.place, "expected an equation LEFT = RIGHT");
+    reader_.fail(rest.place, "expected an equation LEFT = RIGHT");
   }
   std::vector<LocalNames> cases = {{}};
   for (const PlacedText& loop : loops.empty() ? std::vector<PlacedText>{} : split(loops, ',')) {
     const auto [variable, list] = cut_at_word(loop, "in");
-    expect_new(variable);
+    reader_.expect_new(variable);
     std::vector<LocalNames> more;
     for (const LocalNames& one : cases) {
-      for (const std::string& name : known_names(list, false)) {
+      for (const std::string& name : reader_.known_names(list, false)) {
         more.push_back(one);
         more.back().stands_for[variable.text] = name;
       }
@@ -398,7 +308,8 @@ void Auditor::read_printed_equation(const PlacedText& label, PlacedText rest) {
     for (const auto& [variable, name] : one.stands_for) {
       item += (item.empty() ? "" : ", ") + variable + " = " + name;
     }
-    findings.push_back(audit_equation(system_, item, left, right, one));
+    findings.push_back(audit_equation(points_, item, left, right, one));
+    findings.back().place = reader_.place_in_file(findings.back().place);
   }
   answer("equation " + label.text, label.place, 0, std::move(findings));
 }
@@ -406,10 +317,10 @@ void Auditor::read_printed_equation(const PlacedText& label, PlacedText rest) {
 void Auditor::read_printed_kinds(const Statement& statement, const PlacedText& label,
                                  PlacedText rest) {
   if (!take_keyword(rest, "of")) {
-    fail(rest.place, "expected printed kinds LABEL of GROUP");
+    reader_.fail(rest.place, "expected printed kinds LABEL of GROUP");
   }
   answer("kinds " + label.text, label.place, 0,
-         audit_kinds(group_by_name(rest), statement.rows, report_.file));
+         audit_kinds(group_by_name(rest), statement.rows, reader_.file()));
 }
 
 void Auditor::read_printed_number(const PlacedText& rest) {
@@ -419,11 +330,12 @@ void Auditor::read_printed_number(const PlacedText& rest) {
   PlacedText unit = right;
   const PlacedText number = take_word(unit);
   if (formula.empty() || right.empty() || names.empty()) {
-    fail(rest.place, "expected printed number [LABEL] NAME = NUMBER [UNIT] is FORMULA");
+    reader_.fail(rest.place, "expected printed number [LABEL] NAME = NUMBER [UNIT] is FORMULA");
   }
   const PlacedText name = names.back();
-  expect_new(name);
+  reader_.expect_new(name);
   Finding finding = numbers_.audit(name.text, number, formula);
+  reader_.reserve(name.text);
   finding.item += unit.empty() ? "" : ", " + unit.text;
   answer("number " + (names.size() > 1 ? names[0].text : name.text), name.place, 0, {finding});
 }

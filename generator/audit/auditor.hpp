@@ -2,11 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 
 #include "audit/equation_audit.hpp"
 #include "audit/finding.hpp"
 #include "audit/numeric_example.hpp"
+#include "closures/closure_reader.hpp"
 #include "structure/group.hpp"
 
 namespace assur::generator {
@@ -14,35 +14,24 @@ namespace assur::generator {
 /// Reads statements in their order: each may use what earlier ones declare.
 class Auditor {
  public:
-  explicit Auditor(std::string file)
-      : directory_(std::filesystem::path(file).parent_path()), numbers_(file) {
-    report_.file = std::move(file);
-  }
+  explicit Auditor(const std::string& file)
+      : directory_(std::filesystem::path(file).parent_path()), reader_(file) {}
+  Auditor(const Auditor&) = delete;
+  Auditor& operator=(const Auditor&) = delete;
 
   void read(const Statement& statement);
-  [[nodiscard]] const AuditReport& report() const { return report_; }
-  [[nodiscard]] ClosureSystem& system() { return system_; }
+  [[nodiscard]] AuditReport report() const;
 
  private:
-  [[noreturn]] void fail(Place place, const std::string& what) const;
-  [[nodiscard]] GiNaC::ex formula(const PlacedText& text);
-  void expect_new(const PlacedText& name) const;
   void expect_no_rows(const Statement& statement) const;
-  [[nodiscard]] std::vector<std::string> known_names(const PlacedText& list, bool symbols_only);
   [[nodiscard]] const Group& group_by_name(const PlacedText& name) const;
-  [[nodiscard]] std::string read_file_beside(const PlacedText& name) const;
 
-  void read_model(const PlacedText& kind);
-  void read_symbols(const PlacedText& rest, bool angles);
-  void read_unknowns(const PlacedText& rest);
-  void read_moving(const PlacedText& rest);
-  void read_abbreviation(const PlacedText& rest);
-  void read_loop(const PlacedText& rest);
-  void read_closure(const PlacedText& rest);
+  void read_own(const Statement& statement);
   void read_scene(const PlacedText& rest);
   void read_group(const PlacedText& rest);
   void read_given(const PlacedText& rest);
   void read_value(const PlacedText& rest);
+  void define(const std::string& name, double value);
 
   void read_printed(const Statement& statement, PlacedText rest);
   void read_printed_closure(const PlacedText& label, PlacedText rest);
@@ -57,10 +46,11 @@ class Auditor {
               std::vector<Finding> findings);
 
   std::filesystem::path directory_;
-  AuditReport report_;
-  ClosureSystem system_;
+  ClosureReader reader_;
+  ClosurePoints points_{reader_.system()};
   NumericExample numbers_;
   std::vector<std::string> settings_;  ///< of given numbers, for the scene
+  std::vector<AuditedStatement> statements_;
 };
 
 }  // namespace assur::generator

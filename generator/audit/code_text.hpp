@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "audit/statement.hpp"
+#include "closures/statement.hpp"
 
 namespace assur::generator {
 

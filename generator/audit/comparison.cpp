@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "audit/formula_text.hpp"
+#include "closures/formula_text.hpp"
 
 namespace assur::generator {
 
@@ -71,43 +71,43 @@ const char* verdict_text(Verdict verdict) {
   return "undecided";
 }
 
-Comparison compare(ClosureSystem& system, const GiNaC::ex& printed, const GiNaC::ex& derived,
+Comparison compare(ClosurePoints& points, const GiNaC::ex& printed, const GiNaC::ex& derived,
                    bool on_closures) {
   const GiNaC::ex difference = printed - derived;
-  const bool follows = system.follows_closures(difference);
+  const bool follows = points.system().follows_closures(difference);
   const bool assembled = on_closures || follows;
-  int points = 0;
+  int compared = 0;
   bool agrees = true;
   bool negated = true;
   Comparison first{Verdict::differs, "", "", ""};
-  for (std::size_t index = 0; points < wanted_points; ++index) {
-    ClosureSystem::Point* const point = system.point(index, assembled);
+  for (std::size_t index = 0; compared < wanted_points; ++index) {
+    ClosurePoints::Point* const point = points.point(index, assembled);
     if (point == nullptr) {
       break;
     }
     try {
-      const GiNaC::ex there = system.value(difference, *point);
+      const GiNaC::ex there = points.value(difference, *point);
       const bool zero = is_nothing(there);
       if (!zero && agrees) {
-        first.point = system.point_text(*point, {printed, derived});
+        first.point = points.point_text(*point, {printed, derived});
         first.difference = amount(there);
       }
       agrees = agrees && zero;
-      negated = negated && is_nothing(system.value(printed + derived, *point));
-      ++points;
+      negated = negated && is_nothing(points.value(printed + derived, *point));
+      ++compared;
     } catch (const NotAlgebraic& error) {
       first.evidence = error.what();
     }
   }
-  if (points < wanted_points) {
+  if (compared < wanted_points) {
     const std::string why =
         first.evidence.empty() ? "no assembled rational point was found" : first.evidence;
     return {Verdict::undecided, why, "", ""};
   }
-  const std::string exactly = "at " + std::to_string(points) + " random rational points" +
+  const std::string exactly = "at " + std::to_string(compared) + " random rational points" +
                               (assembled ? " where the closures hold" : "");
   if (agrees) {
-    const bool proved = !follows && system.vanishes(difference);
+    const bool proved = !follows && points.vanishes(difference);
     return {Verdict::agrees, proved ? "identically" : exactly, "", ""};
   }
   first.evidence = exactly;

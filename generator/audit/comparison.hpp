@@ -1,7 +1,7 @@
 // Turns a printed and a derived expression into a verdict, with the evidence for it.
 #pragma once
 
-#include "audit/closure_system.hpp"
+#include "closures/closure_points.hpp"
 
 namespace assur::generator {
 
@@ -19,7 +19,7 @@ struct Comparison {
 /// Compares at random rational points, exactly; what agrees at all of them is then proved to zero
 /// where the algebra reaches. `on_closures` asks only for agreement at assembled configurations;
 /// expressions with total derivatives are always compared there.
-[[nodiscard]] Comparison compare(ClosureSystem& system, const GiNaC::ex& printed,
+[[nodiscard]] Comparison compare(ClosurePoints& points, const GiNaC::ex& printed,
                                  const GiNaC::ex& derived, bool on_closures);
 
 }  // namespace assur::generator

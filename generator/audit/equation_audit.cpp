@@ -1,6 +1,6 @@
 #include "audit/equation_audit.hpp"
 
-#include "audit/formula_text.hpp"
+#include "closures/formula_text.hpp"
 
 namespace assur::generator {
 
@@ -19,15 +19,16 @@ GiNaC::ex read_equation(ClosureSystem& system, const PlacedText& text) {
 
 }  // namespace
 
-Finding audit_closure(ClosureSystem& system, const std::string& name, const PlacedText& printed) {
+Finding audit_closure(ClosurePoints& points, const std::string& name, const PlacedText& printed) {
+  ClosureSystem& system = points.system();
   const GiNaC::ex derived = *system.closure_named(name);
   Finding finding{name, printed.place, {}, printed.text, formula_text(derived) + " = 0", ""};
   try {
     const GiNaC::ex read = read_equation(system, printed);
-    finding.comparison = compare(system, read, derived, false);
+    finding.comparison = compare(points, read, derived, false);
     if (finding.comparison.verdict == Verdict::differs_by_sign) {
       system.negate_closure(name);
-      finding.comparison = compare(system, read, -derived, false);
+      finding.comparison = compare(points, read, -derived, false);
       finding.note = "both sides negated";
     }
     if (!finding.agrees() && !system.follows_closures(read)) {
@@ -39,7 +40,8 @@ Finding audit_closure(ClosureSystem& system, const std::string& name, const Plac
   return finding;
 }
 
-std::vector<Finding> audit_matrix(ClosureSystem& system, const PrintedMatrix& matrix) {
+std::vector<Finding> audit_matrix(ClosurePoints& points, const PrintedMatrix& matrix) {
+  ClosureSystem& system = points.system();
   std::vector<Finding> findings;
   for (std::size_t place = 0; place < matrix.entries.size(); ++place) {
     const std::string& row = matrix.rows[place / matrix.columns.size()];
@@ -56,7 +58,7 @@ std::vector<Finding> audit_matrix(ClosureSystem& system, const PrintedMatrix& ma
           entry.text.empty() ? 0 : read_formula(entry.text, system, entry.locals);
       const GiNaC::ex derived = closure == nullptr ? system.total(*system.meaning_of(row), by)
                                                    : system.partial(*closure, by.symbol);
-      findings.push_back({item, entry.text.place, compare(system, printed, derived, false),
+      findings.push_back({item, entry.text.place, compare(points, printed, derived, false),
                           entry.printed(), formula_text(derived), ""});
     } catch (const FormulaError& error) {
       findings.push_back(unreadable(item, entry.printed(), error));
@@ -65,13 +67,13 @@ std::vector<Finding> audit_matrix(ClosureSystem& system, const PrintedMatrix& ma
   return findings;
 }
 
-Finding audit_equation(ClosureSystem& system, const std::string& item, const PlacedText& left,
+Finding audit_equation(ClosurePoints& points, const std::string& item, const PlacedText& left,
                        const PlacedText& right, const LocalNames& locals) {
   const std::string printed = left.text + " = " + right.text;
   try {
-    const GiNaC::ex one = read_formula(left, system, locals);
-    const GiNaC::ex other = read_formula(right, system, locals);
-    Finding finding{item, left.place, compare(system, one, other, true), printed, "", ""};
+    const GiNaC::ex one = read_formula(left, points.system(), locals);
+    const GiNaC::ex other = read_formula(right, points.system(), locals);
+    Finding finding{item, left.place, compare(points, one, other, true), printed, "", ""};
     finding.note = finding.comparison.difference.empty() ? "" : "the difference is left less right";
     return finding;
   } catch (const FormulaError& error) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "audit/finding.hpp"
-#include "audit/formula.hpp"
+#include "closures/formula.hpp"
 
 namespace assur::generator {
 
@@ -26,15 +26,15 @@ struct PrintedMatrix {
 
 /// The printed closure against the derived one of that name. An equation may be printed with all
 /// its signs turned round; the system then takes it as printed.
-[[nodiscard]] Finding audit_closure(ClosureSystem& system, const std::string& name,
+[[nodiscard]] Finding audit_closure(ClosurePoints& points, const std::string& name,
                                     const PlacedText& printed);
 
 /// Each entry against the derivative of its row by its column: a partial one if the row is a
 /// closure, else the total one.
-[[nodiscard]] std::vector<Finding> audit_matrix(ClosureSystem& system, const PrintedMatrix& matrix);
+[[nodiscard]] std::vector<Finding> audit_matrix(ClosurePoints& points, const PrintedMatrix& matrix);
 
 /// Both sides of a printed equation against each other, where the closures hold.
-[[nodiscard]] Finding audit_equation(ClosureSystem& system, const std::string& item,
+[[nodiscard]] Finding audit_equation(ClosurePoints& points, const std::string& item,
                                      const PlacedText& left, const PlacedText& right,
                                      const LocalNames& locals);
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "audit/comparison.hpp"
-#include "audit/statement.hpp"
+#include "closures/statement.hpp"
 
 namespace assur::generator {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "audit/formula.hpp"
+#include "closures/formula.hpp"
 #include "scene/suggestion.hpp"
 
 namespace assur::generator {
@@ -46,7 +46,7 @@ NumericExample::Value NumericExample::read_number(const PlacedText& number) cons
   const char* const last = begin + number.text.size();
   const auto [end, error] = std::from_chars(begin, last, value);
   if (number.empty() || error != std::errc() || end != last) {
-    throw AuditSyntaxError(file_, number.place, "expected a number, found '" + number.text + "'");
+    throw FormulaError("expected a number, found '" + number.text + "'", number.place);
   }
   const std::size_t mark = number.text.find_first_of("eE");
   const std::string digits = number.text.substr(0, mark);
@@ -84,7 +84,7 @@ void NumericExample::define(const std::string& name, const PlacedText& formula) 
   try {
     define(name, evaluate(read_tree(formula), Reading::derived));
   } catch (const ExpressionError& error) {
-    throw AuditSyntaxError(file_, formula.at(error.column), error.what());
+    throw FormulaError(error.what(), formula.at(error.column));
   }
 }
 

@@ -13,15 +13,14 @@ namespace assur::generator {
 /// shows where a difference comes from.
 class NumericExample {
  public:
-  explicit NumericExample(std::string file) : file_(std::move(file)) {}
-
   /// A value that is derived, not printed: of a scene, or of a group.
   void define(const std::string& name, double value);
-  /// A value derived by a formula in derived values. Throws AuditSyntaxError.
+  /// A value derived by a formula in derived values. Throws FormulaError.
   void define(const std::string& name, const PlacedText& formula);
-  /// An input, taken as printed and exact.
+  /// An input, taken as printed and exact. Throws FormulaError.
   void give(const std::string& name, const PlacedText& number);
   /// A printed result: agrees if it is the derived value within half a unit of its last digit.
+  /// Throws FormulaError for what is no number.
   [[nodiscard]] Finding audit(const std::string& name, const PlacedText& number,
                               const PlacedText& formula);
   [[nodiscard]] bool is_known(const std::string& name) const { return values_.contains(name); }
@@ -43,7 +42,6 @@ class NumericExample {
   [[nodiscard]] std::string needed_inputs(const Expression& formula, double result,
                                           const std::vector<std::string>& inputs) const;
 
-  std::string file_;
   std::map<std::string, Value> values_;
 };
 

@@ -1,6 +1,6 @@
 #include "emission/emit_closures.hpp"
 
-#include "audit/implicit_form.hpp"
+#include "closures/implicit_form.hpp"
 #include "derivatives/differentiate.hpp"
 #include "emission/model_view.hpp"
 #include "emission/scene_names.hpp"

@@ -1,7 +1,7 @@
 // Turns closures that a user typed into a C++ header, as emit_model does those of a model.
 #pragma once
 
-#include "audit/typed_closures.hpp"
+#include "closures/typed_closures.hpp"
 #include "emission/emit.hpp"
 
 namespace assur::generator {

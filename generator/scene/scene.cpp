@@ -1,10 +1,7 @@
 #include "scene/scene.hpp"
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
 #include "error.hpp"
+#include "input_file.hpp"
 #include "scene/scene_parts.hpp"
 #include "scene/suggestion.hpp"
 
@@ -82,12 +79,7 @@ Scene parse_scene(const std::string& text, const std::string& file,
 }
 
 Scene read_scene(const std::string& file, const std::vector<std::string>& settings) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file)) {
-    throw InputError(file + ": cannot be read (does it exist, and is it a file?)");
-  }
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  return parse_scene(text, file, settings);
+  return parse_scene(read_input_file(file), file, settings);
 }
 
 }  // namespace assur::generator

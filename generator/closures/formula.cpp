@@ -1,4 +1,4 @@
-#include "audit/formula.hpp"
+#include "closures/formula.hpp"
 
 #include <array>
 

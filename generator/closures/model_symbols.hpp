@@ -1,7 +1,7 @@
 // Turns a kinematic model of the generator into the symbols and closures of an audit.
 #pragma once
 
-#include "audit/closure_system.hpp"
+#include "closures/closure_system.hpp"
 
 namespace assur::generator {
 

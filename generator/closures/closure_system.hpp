@@ -1,13 +1,12 @@
-// Turns declared symbols and closure equations into derivatives and into exact assembled points.
+// Turns declared symbols and closure equations into derivatives.
 #pragma once
 
 #include <deque>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "audit/circle_algebra.hpp"
+#include "equations/variable.hpp"
 
 namespace assur::generator {
 
@@ -33,7 +32,8 @@ struct AuditSymbol {
 
 /// f(q, a) = 0 with unknowns q and parameters a, and expressions in them. Expressions hold sines
 /// and cosines as such, abbreviations as symbols of their own, and total derivatives dq/da, q' and
-/// q'' as symbols whose values belong to a point: J dq/da = -df/da, J q' = -(df/da) a', and so on.
+/// q'' as symbols whose values belong to a point (ClosurePoints): J dq/da = -df/da, J q' = -(df/da)
+/// a', and so on.
 class ClosureSystem {
  public:
   struct Closure {
@@ -41,11 +41,11 @@ class ClosureSystem {
     GiNaC::ex expression;
   };
 
-  /// A rational configuration: values of lengths, of cosines and sines, of rates and, as far as
-  /// asked for, of derivatives.
-  struct Point {
-    GiNaC::exmap values;
-    GiNaC::matrix inverse_jacobian;  ///< empty unless the closures hold there
+  /// D(unknown, parameter), as a symbol.
+  struct Sensitivity {
+    const AuditSymbol* unknown;
+    const AuditSymbol* parameter;
+    GiNaC::symbol symbol;
   };
 
   AuditSymbol& declare(const std::string& name, bool angle, const std::string& meaning = "");
@@ -77,46 +77,19 @@ class ClosureSystem {
   [[nodiscard]] GiNaC::ex expanded(const GiNaC::ex& expression) const;
   /// Whether an expression holds total derivatives, which have values at points alone.
   [[nodiscard]] bool follows_closures(const GiNaC::ex& expression) const;
-  /// The points that comparisons use, one after the other, drawn by fixed seeds: `assembled`, where
-  /// the closures hold, or anywhere; nullptr when there are no more. Points where all roots are
-  /// rational come first.
-  [[nodiscard]] Point* point(std::size_t index, bool assembled);
-  /// `a3 = 7/10, (cos, sin)(phi1) = (3/5, 4/5)`: the symbols that occur in the expressions.
-  [[nodiscard]] std::string point_text(const Point& point,
-                                       const std::vector<GiNaC::ex>& shown) const;
-  /// Of the expression's algebraic form; throws NotAlgebraic.
-  [[nodiscard]] GiNaC::ex value(const GiNaC::ex& expression, Point& point);
-  [[nodiscard]] bool vanishes(const GiNaC::ex& expression);
+
+  [[nodiscard]] std::vector<const AuditSymbol*> unknowns() const;
+  /// Those that total derivatives have been asked for.
+  [[nodiscard]] const std::deque<Sensitivity>& sensitivities() const { return sensitivities_; }
+  /// Another number whenever symbols or closures have changed.
+  [[nodiscard]] unsigned revision() const { return revision_; }
 
  private:
-  struct Sensitivity {
-    const AuditSymbol* unknown;
-    const AuditSymbol* parameter;
-    GiNaC::symbol symbol;
-  };
-
-  struct PointList {
-    std::deque<Point> drawn;
-    unsigned next_seed = 1;
-    bool rational_roots = true;  ///< asked of the points that are still drawn
-  };
-
-  [[nodiscard]] std::optional<Point> draw(unsigned seed, bool assembled, bool rational_roots);
-  [[nodiscard]] bool assemble(GiNaC::exmap& values);
-  void invert_jacobian(Point& point);
-  void solve_sensitivities(const GiNaC::ex& expression, Point& point);
-  void solve_rates(Point& point);
-  [[nodiscard]] GiNaC::matrix solution_of(const std::vector<GiNaC::ex>& slopes, const Point& point);
-  [[nodiscard]] std::vector<const AuditSymbol*> unknowns() const;
-  [[nodiscard]] GiNaC::matrix values_of(const std::vector<GiNaC::ex>& expressions,
-                                        const GiNaC::exmap& values);
-
   std::deque<AuditSymbol> symbols_;
   std::vector<std::pair<GiNaC::symbol, GiNaC::ex>> abbreviations_;  ///< each in earlier ones
   std::vector<Closure> closures_;
   std::deque<Sensitivity> sensitivities_;
-  CircleAlgebra algebra_;
-  std::map<bool, PointList> points_;  ///< by whether they are assembled
+  unsigned revision_ = 0;
 };
 
 }  // namespace assur::generator

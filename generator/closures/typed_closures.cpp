@@ -1,12 +1,12 @@
-#include "audit/typed_closures.hpp"
+#include "closures/typed_closures.hpp"
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 
-#include "audit/auditor.hpp"
+#include "closures/closure_reader.hpp"
+#include "input_file.hpp"
+#include "scene/suggestion.hpp"
 
 namespace assur::generator {
 
@@ -22,25 +22,12 @@ bool contains(const List& list, const std::string& word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-std::string on_one_line(const Statement& statement) {
-  std::string text = statement.head.text;
-  for (const PlacedText& row : statement.rows) {
-    text += " " + row.text;
-  }
-  return text;
-}
-
 }  // namespace
 
 TypedClosures read_typed_closures(const std::string& file) {
-  std::ifstream stream(file);
-  if (!stream) {
-    throw InputError(file + ": cannot be read");
-  }
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  Auditor auditor(file);
+  ClosureReader reader(file);
   TypedClosures typed{file, "", {}, {}};
-  for (const Statement& statement : parse_statements(text, file)) {
+  for (const Statement& statement : parse_statements(read_input_file(file), file)) {
     PlacedText rest = statement.head;
     const PlacedText keyword = take_word(rest);
     if (keyword.text == "model") {
@@ -51,13 +38,16 @@ TypedClosures read_typed_closures(const std::string& file) {
     if (contains(of_the_audit, keyword.text)) {
       continue;
     }
-    auditor.read(statement);
+    if (!reader.read(statement)) {
+      reader.fail(keyword.place, "no statement '" + keyword.text + "'" +
+                                     suggestion(keyword.text, ClosureReader::keywords()));
+    }
     if (contains(shown, keyword.text)) {
-      typed.lines.push_back(on_one_line(statement));
+      typed.lines.push_back(joined(statement).text);
     }
   }
-  typed.source = auditor.report().source;
-  typed.system = std::move(auditor.system());
+  typed.source = reader.source();
+  typed.system = std::move(reader.system());
   if (typed.system.closures().empty()) {
     throw InputError(file + ": there is no closure to emit; type one with 'closure' or 'loop'");
   }

@@ -44,6 +44,11 @@ struct Statement {
 [[nodiscard]] std::vector<Statement> parse_statements(const std::string& text,
                                                       const std::string& file);
 
+/// The first line and the rows in one; a place in it may lie behind the end of the first line.
+[[nodiscard]] PlacedText joined(const Statement& statement);
+/// Where a place of the joined text, or of one of the rows, stands in the file.
+[[nodiscard]] Place place_in(const Statement& statement, Place joined);
+
 /// Without white space at both ends.
 [[nodiscard]] PlacedText trimmed(const PlacedText& text);
 /// The parts between the separators that stand outside parentheses, trimmed.

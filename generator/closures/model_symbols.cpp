@@ -1,4 +1,4 @@
-#include "audit/model_symbols.hpp"
+#include "closures/model_symbols.hpp"
 
 #include "equations/closure.hpp"
 #include "error.hpp"

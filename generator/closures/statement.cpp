@@ -1,4 +1,4 @@
-#include "audit/statement.hpp"
+#include "closures/statement.hpp"
 
 #include <cctype>
 #include <sstream>
@@ -47,6 +47,30 @@ std::vector<Statement> parse_statements(const std::string& text, const std::stri
     }
   }
   return statements;
+}
+
+PlacedText joined(const Statement& statement) {
+  PlacedText text = statement.head;
+  for (const PlacedText& row : statement.rows) {
+    text.text += " " + row.text;
+  }
+  return text;
+}
+
+Place place_in(const Statement& statement, Place joined) {
+  if (joined.line != statement.head.place.line) {
+    return joined;
+  }
+  std::size_t offset = joined.column - statement.head.place.column;
+  PlacedText line = statement.head;
+  for (const PlacedText& row : statement.rows) {
+    if (offset <= line.text.size()) {
+      break;
+    }
+    offset -= line.text.size() + 1;
+    line = row;
+  }
+  return line.at(offset + 1);
 }
 
 PlacedText trimmed(const PlacedText& text) {

@@ -1,11 +1,11 @@
-#include "audit/implicit_form.hpp"
+#include "closures/implicit_form.hpp"
 
 #include <algorithm>
 #include <regex>
 #include <set>
 
-#include "audit/angle_terms.hpp"
-#include "audit/formula_text.hpp"
+#include "closures/angle_terms.hpp"
+#include "closures/formula_text.hpp"
 #include "emission/scene_names.hpp"
 
 namespace assur::generator {

@@ -1,7 +1,7 @@
 // Turns an angle into whole multiples of angles that are no sums.
 #pragma once
 
-#include "audit/closure_system.hpp"
+#include "closures/closure_system.hpp"
 
 namespace assur::generator {
 

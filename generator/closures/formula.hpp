@@ -1,8 +1,8 @@
 // Turns the text of a printed formula into an expression in the symbols of a closure system.
 #pragma once
 
-#include "audit/closure_system.hpp"
-#include "audit/statement.hpp"
+#include "closures/closure_system.hpp"
+#include "closures/statement.hpp"
 
 namespace assur::generator {
 

@@ -1,4 +1,4 @@
-#include "audit/formula_text.hpp"
+#include "closures/formula_text.hpp"
 
 #include <algorithm>
 #include <sstream>

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "audit/closure_system.hpp"
+#include "closures/circle_algebra.hpp"
+#include "closures/closure_system.hpp"
 #include "equations/implicit_equations.hpp"
 
 namespace assur::generator {

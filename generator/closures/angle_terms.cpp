@@ -1,6 +1,7 @@
-#include "audit/angle_terms.hpp"
+#include "closures/angle_terms.hpp"
 
-#include "audit/formula_text.hpp"
+#include "closures/circle_algebra.hpp"
+#include "closures/formula_text.hpp"
 
 namespace assur::generator {
 

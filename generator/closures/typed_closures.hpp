@@ -1,7 +1,7 @@
 // Turns the closures that an audit file types into a closure system, leaving out what it prints.
 #pragma once
 
-#include "audit/closure_system.hpp"
+#include "closures/closure_system.hpp"
 
 namespace assur::generator {
 

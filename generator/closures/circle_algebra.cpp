@@ -1,4 +1,4 @@
-#include "audit/circle_algebra.hpp"
+#include "closures/circle_algebra.hpp"
 
 #include <algorithm>
 

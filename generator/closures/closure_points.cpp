@@ -1,0 +1,244 @@
+#include "closures/closure_points.hpp"
+
+#include <algorithm>
+#include <random>
+
+#include "closures/assembly_by_lengths.hpp"
+#include "closures/formula_text.hpp"
+
+namespace assur::generator {
+
+namespace {
+
+/// Rational numbers of few digits, so that a point can be checked by hand.
+class FewDigits {
+ public:
+  explicit FewDigits(unsigned seed) : engine_(seed) {}
+
+  GiNaC::numeric length() { return GiNaC::numeric(integer(5, 30), 10); }
+  GiNaC::numeric rate() { return GiNaC::numeric(integer(-20, 20), 10); }
+  /// A rational point of the unit circle off the axes.
+  std::pair<GiNaC::numeric, GiNaC::numeric> direction() {
+    const int n = integer(2, 7);
+    const int m = integer(1, n - 1);
+    const GiNaC::numeric size(n * n + m * m);
+    const GiNaC::numeric one = (integer(0, 1) == 0 ? -1 : 1) * GiNaC::numeric(n * n - m * m) / size;
+    const GiNaC::numeric other = (integer(0, 1) == 0 ? -1 : 1) * GiNaC::numeric(2 * n * m) / size;
+    return integer(0, 1) == 0 ? std::pair(one, other) : std::pair(other, one);
+  }
+
+ private:
+  // std::uniform_int_distribution differs between libraries; the verdicts must not.
+  int integer(int low, int high) {
+    return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1));
+  }
+  std::mt19937 engine_;
+};
+
+}  // namespace
+
+void ClosurePoints::follow_system() {
+  if (revision_ == system_.revision()) {
+    return;
+  }
+  revision_ = system_.revision();
+  for (; angles_ < system_.symbols().size(); ++angles_) {
+    if (const AuditSymbol& symbol = system_.symbols()[angles_]; symbol.angle) {
+      algebra_.add_angle(symbol.symbol);
+    }
+  }
+  lists_.clear();
+}
+
+GiNaC::ex ClosurePoints::algebraic(const GiNaC::ex& expression) {
+  follow_system();
+  return algebra_.algebraic(system_.expanded(expression));
+}
+
+GiNaC::ex ClosurePoints::value(const GiNaC::ex& expression, Point& point) {
+  const GiNaC::ex whole = system_.expanded(expression);
+  solve_sensitivities(whole, point);
+  const bool moves = std::any_of(
+      system_.symbols().begin(), system_.symbols().end(), [&](const AuditSymbol& symbol) {
+        return symbol.unknown && (whole.has(symbol.rate) || whole.has(symbol.second_rate));
+      });
+  if (moves) {
+    solve_rates(point);
+  }
+  return algebra_.at(algebra_.algebraic(whole), point.values);
+}
+
+bool ClosurePoints::vanishes(const GiNaC::ex& expression) {
+  return algebra_.vanishes(algebraic(expression));
+}
+
+bool ClosurePoints::assemble(GiNaC::exmap& values) {
+  std::vector<GiNaC::ex> equations;
+  for (const ClosureSystem::Closure& closure : system_.closures()) {
+    equations.push_back(algebraic(closure.expression));
+  }
+  GiNaC::lst lengths;
+  for (const AuditSymbol& symbol : system_.symbols()) {
+    if (!symbol.angle && !algebra_.under_a_root(symbol.symbol)) {
+      lengths.append(symbol.symbol);
+    }
+  }
+  return assemble_by_lengths(equations, lengths, algebra_, values);
+}
+
+GiNaC::matrix ClosurePoints::values_of(const std::vector<GiNaC::ex>& expressions,
+                                       const GiNaC::exmap& values) {
+  GiNaC::matrix column(static_cast<unsigned>(expressions.size()), 1);
+  for (unsigned row = 0; row < expressions.size(); ++row) {
+    column(row, 0) = algebra_.at(algebraic(expressions[row]), values);
+  }
+  return column;
+}
+
+void ClosurePoints::invert_jacobian(Point& point) {
+  const std::vector<const AuditSymbol*> solved = system_.unknowns();
+  if (solved.empty() || solved.size() != system_.closures().size()) {
+    return;
+  }
+  const auto size = static_cast<unsigned>(solved.size());
+  GiNaC::matrix jacobian(size, size);
+  for (unsigned column = 0; column < size; ++column) {
+    std::vector<GiNaC::ex> slopes;
+    for (const ClosureSystem::Closure& closure : system_.closures()) {
+      slopes.push_back(system_.partial(closure.expression, solved[column]->symbol));
+    }
+    const GiNaC::matrix values = values_of(slopes, point.values);
+    for (unsigned row = 0; row < size; ++row) {
+      jacobian(row, column) = values(row, 0);
+    }
+  }
+  point.inverse_jacobian = jacobian.inverse();
+}
+
+/// x of J x = -slopes.
+GiNaC::matrix ClosurePoints::solution_of(const std::vector<GiNaC::ex>& slopes, const Point& point) {
+  if (point.inverse_jacobian.rows() != slopes.size()) {
+    throw NotAlgebraic("total derivatives need as many closures as unknowns");
+  }
+  return point.inverse_jacobian.mul(values_of(slopes, point.values)).mul_scalar(-1);
+}
+
+void ClosurePoints::solve_sensitivities(const GiNaC::ex& expression, Point& point) {
+  const std::vector<const AuditSymbol*> solved = system_.unknowns();
+  for (const ClosureSystem::Sensitivity& asked : system_.sensitivities()) {
+    if (!expression.has(asked.symbol) || point.values.contains(asked.symbol)) {
+      continue;
+    }
+    std::vector<GiNaC::ex> slopes;
+    for (const ClosureSystem::Closure& closure : system_.closures()) {
+      slopes.push_back(system_.partial(closure.expression, asked.parameter->symbol));
+    }
+    const GiNaC::matrix solution = solution_of(slopes, point);
+    for (const ClosureSystem::Sensitivity& sensitivity : system_.sensitivities()) {
+      if (sensitivity.parameter == asked.parameter) {
+        const auto place = std::find(solved.begin(), solved.end(), sensitivity.unknown);
+        point.values[sensitivity.symbol] =
+            solution(static_cast<unsigned>(place - solved.begin()), 0).expand();
+      }
+    }
+  }
+}
+
+void ClosurePoints::solve_rates(Point& point) {
+  const std::vector<const AuditSymbol*> solved = system_.unknowns();
+  if (solved.empty() || point.values.contains(solved[0]->rate)) {
+    return;
+  }
+  for (const bool second : {false, true}) {
+    std::vector<GiNaC::ex> slopes;
+    for (const ClosureSystem::Closure& closure : system_.closures()) {
+      GiNaC::ex slope = system_.rate(closure.expression);
+      slope = second ? system_.rate(slope) : slope;
+      for (const AuditSymbol* unknown : solved) {
+        slope = slope.subs((second ? unknown->second_rate : unknown->rate) == 0);
+      }
+      slopes.push_back(slope);
+    }
+    const GiNaC::matrix solution = solution_of(slopes, point);
+    for (unsigned row = 0; row < solved.size(); ++row) {
+      point.values[second ? solved[row]->second_rate : solved[row]->rate] =
+          solution(row, 0).expand();
+    }
+  }
+}
+
+std::optional<ClosurePoints::Point> ClosurePoints::draw(unsigned seed, bool assembled,
+                                                        bool rational_roots) {
+  FewDigits random(seed);
+  Point point;
+  for (const AuditSymbol& symbol : system_.symbols()) {
+    if (symbol.angle) {
+      const auto [cosine, sine] = random.direction();
+      point.values[algebra_.direction(symbol.symbol).x] = cosine;
+      point.values[algebra_.direction(symbol.symbol).y] = sine;
+    } else {
+      point.values[symbol.symbol] = random.length();
+    }
+    if (symbol.moving) {
+      point.values[symbol.rate] = random.rate();
+      point.values[symbol.second_rate] = random.rate();
+    }
+  }
+  try {
+    if (rational_roots && !algebra_.roots_are_rational(point.values)) {
+      return std::nullopt;
+    }
+    if (assembled) {
+      if (!assemble(point.values)) {
+        return std::nullopt;
+      }
+      invert_jacobian(point);
+    }
+  } catch (const std::runtime_error&) {  // no real root, or a singular Jacobian, there
+    return std::nullopt;
+  }
+  return point;
+}
+
+ClosurePoints::Point* ClosurePoints::point(std::size_t index, bool assembled) {
+  constexpr unsigned most_draws = 400;
+  follow_system();
+  PointList& list = lists_[assembled];
+  while (list.drawn.size() <= index) {
+    if (list.next_seed > most_draws) {
+      if (!list.rational_roots) {
+        return nullptr;
+      }
+      list.rational_roots = false;
+      list.next_seed = 1;
+    }
+    if (std::optional<Point> point = draw(list.next_seed++, assembled, list.rational_roots)) {
+      list.drawn.push_back(std::move(*point));
+    }
+  }
+  return &list.drawn[index];
+}
+
+std::string ClosurePoints::point_text(const Point& point,
+                                      const std::vector<GiNaC::ex>& shown) const {
+  std::string text;
+  for (const AuditSymbol& symbol : system_.symbols()) {
+    const bool occurs = std::any_of(shown.begin(), shown.end(), [&](const GiNaC::ex& expression) {
+      return system_.expanded(expression).has(symbol.symbol);
+    });
+    if (!occurs) {
+      continue;
+    }
+    text += text.empty() ? "" : ", ";
+    if (symbol.angle) {
+      const Vector2& direction = algebra_.direction(symbol.symbol);
+      text += "(cos, sin)(" + symbol.name + ") = (" + formula_text(point.values.at(direction.x)) +
+              ", " + formula_text(point.values.at(direction.y)) + ")";
+    } else {
+      text += symbol.name + " = " + formula_text(point.values.at(symbol.symbol));
+    }
+  }
+  return text;
+}
+
+}  // namespace assur::generator

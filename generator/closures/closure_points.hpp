@@ -1,0 +1,66 @@
+// Turns a closure system into exact rational points, where it is assembled or anywhere, and values.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "closures/circle_algebra.hpp"
+#include "closures/closure_system.hpp"
+
+namespace assur::generator {
+
+/// The points of a system, which may go on growing: then they are drawn anew.
+class ClosurePoints {
+ public:
+  /// A rational configuration: values of lengths, of cosines and sines, of rates and, as far as
+  /// asked for, of derivatives.
+  struct Point {
+    GiNaC::exmap values;
+    GiNaC::matrix inverse_jacobian;  ///< empty unless the closures hold there
+  };
+
+  explicit ClosurePoints(ClosureSystem& system) : system_(system) {}
+
+  [[nodiscard]] ClosureSystem& system() { return system_; }
+
+  /// The points that comparisons use, one after the other, drawn by fixed seeds: `assembled`, where
+  /// the closures hold, or anywhere; nullptr when there are no more. Points where all roots are
+  /// rational come first.
+  [[nodiscard]] Point* point(std::size_t index, bool assembled);
+  /// `a3 = 7/10, (cos, sin)(phi1) = (3/5, 4/5)`: the symbols that occur in the expressions.
+  [[nodiscard]] std::string point_text(const Point& point,
+                                       const std::vector<GiNaC::ex>& shown) const;
+  /// Of the expression's algebraic form; throws NotAlgebraic.
+  [[nodiscard]] GiNaC::ex value(const GiNaC::ex& expression, Point& point);
+  /// Whether the expression's algebraic form is zero; throws NotAlgebraic.
+  [[nodiscard]] bool vanishes(const GiNaC::ex& expression);
+
+ private:
+  struct PointList {
+    std::deque<Point> drawn;
+    unsigned next_seed = 1;
+    bool rational_roots = true;  ///< asked of the points that are still drawn
+  };
+
+  void follow_system();
+  [[nodiscard]] GiNaC::ex algebraic(const GiNaC::ex& expression);
+  [[nodiscard]] std::optional<Point> draw(unsigned seed, bool assembled, bool rational_roots);
+  [[nodiscard]] bool assemble(GiNaC::exmap& values);
+  void invert_jacobian(Point& point);
+  void solve_sensitivities(const GiNaC::ex& expression, Point& point);
+  void solve_rates(Point& point);
+  [[nodiscard]] GiNaC::matrix solution_of(const std::vector<GiNaC::ex>& slopes, const Point& point);
+  [[nodiscard]] GiNaC::matrix values_of(const std::vector<GiNaC::ex>& expressions,
+                                        const GiNaC::exmap& values);
+
+  ClosureSystem& system_;
+  CircleAlgebra algebra_;
+  unsigned revision_ = 0;            ///< of the system that the points belong to
+  std::size_t angles_ = 0;           ///< symbols of the system that the algebra knows
+  std::map<bool, PointList> lists_;  ///< by whether they are assembled
+};
+
+}  // namespace assur::generator

@@ -1,0 +1,140 @@
+#include "closures/closure_reader.hpp"
+
+#include <algorithm>
+
+#include "closures/formula.hpp"
+#include "closures/model_symbols.hpp"
+#include "scene/expression.hpp"
+#include "scene/suggestion.hpp"
+
+namespace assur::generator {
+
+struct ClosureReader::Keyword {
+  std::string word;
+  void (ClosureReader::*read)(const PlacedText&);
+};
+
+const std::vector<ClosureReader::Keyword>& ClosureReader::readers() {
+  static const std::vector<Keyword> list = {
+      {"source", &ClosureReader::read_source},    {"model", &ClosureReader::read_model},
+      {"angle", &ClosureReader::read_angles},     {"length", &ClosureReader::read_lengths},
+      {"unknown", &ClosureReader::read_unknowns}, {"moving", &ClosureReader::read_moving},
+      {"let", &ClosureReader::read_abbreviation}, {"loop", &ClosureReader::read_loop},
+      {"closure", &ClosureReader::read_closure}};
+  return list;
+}
+
+std::vector<std::string> ClosureReader::keywords() {
+  std::vector<std::string> words;
+  for (const Keyword& keyword : readers()) {
+    words.push_back(keyword.word);
+  }
+  return words;
+}
+
+bool ClosureReader::read(const Statement& statement) {
+  statement_ = statement;
+  PlacedText rest = joined(statement);
+  const PlacedText first = take_word(rest);
+  const auto found = std::find_if(readers().begin(), readers().end(), [&](const Keyword& keyword) {
+    return keyword.word == first.text;
+  });
+  if (found == readers().end()) {
+    return false;
+  }
+  try {
+    (this->*found->read)(rest);
+  } catch (const FormulaError& error) {
+    fail(error.place, error.what());
+  }
+  return true;
+}
+
+void ClosureReader::fail(Place joined, const std::string& what) const {
+  throw AuditSyntaxError(file_, place_in_file(joined), what);
+}
+
+void ClosureReader::expect_new(const PlacedText& name) const {
+  if (!is_identifier(name.text) || is_reserved_name(name.text)) {
+    fail(name.place, "'" + name.text + "' cannot be a name");
+  }
+  if (system_.is_known(name.text) || reserved_.contains(name.text)) {
+    fail(name.place, "'" + name.text + "' is declared already");
+  }
+}
+
+std::vector<std::string> ClosureReader::known_names(const PlacedText& list, bool symbols_only) {
+  std::vector<std::string> names;
+  for (const PlacedText& name : words(list)) {
+    const bool known =
+        symbols_only ? system_.symbol_named(name.text) != nullptr : system_.is_known(name.text);
+    if (!known) {
+      fail(name.place,
+           "no symbol named '" + name.text + "'" + suggestion(name.text, system_.names()));
+    }
+    names.push_back(name.text);
+  }
+  if (names.empty()) {
+    fail(list.place, "names are missing");
+  }
+  return names;
+}
+
+void ClosureReader::read_model(const PlacedText& kind) {
+  try {
+    declare_model(kind.text, system_);
+  } catch (const InputError& error) {
+    fail(kind.place, error.what());
+  }
+}
+
+void ClosureReader::read_symbols(const PlacedText& rest, bool angles) {
+  const auto [names, meaning] = cut(rest, ':');
+  for (const PlacedText& name : words(names)) {
+    expect_new(name);
+    system_.declare(name.text, angles, meaning.text);
+  }
+}
+
+void ClosureReader::read_unknowns(const PlacedText& rest) {
+  for (const std::string& name : known_names(rest, true)) {
+    system_.symbol_named(name)->unknown = true;
+  }
+}
+
+void ClosureReader::read_moving(const PlacedText& rest) {
+  for (const std::string& name : known_names(rest, true)) {
+    system_.symbol_named(name)->moving = true;
+  }
+}
+
+void ClosureReader::read_abbreviation(const PlacedText& rest) {
+  const auto [name, definition] = cut(rest, '=');
+  expect_new(name);
+  system_.abbreviate(name.text, read_formula(definition, system_));
+}
+
+void ClosureReader::read_loop(const PlacedText& rest) {
+  const auto [names, vectors] = cut(rest, '=');
+  const std::vector<PlacedText> both = words(names);
+  if (both.size() != 2) {
+    fail(names.place, "expected loop X_CLOSURE Y_CLOSURE = VECTOR");
+  }
+  expect_new(both[0]);
+  expect_new(both[1]);
+  const Vector2 sum = read_vector(vectors, system_);
+  system_.close(both[0].text, sum.x);
+  system_.close(both[1].text, sum.y);
+}
+
+void ClosureReader::read_closure(const PlacedText& rest) {
+  const std::vector<PlacedText> parts = split(rest, '=');
+  if (parts.size() < 2 || parts.size() > 3) {
+    fail(rest.place, "expected closure NAME = EXPRESSION [= EXPRESSION]");
+  }
+  expect_new(parts[0]);
+  const GiNaC::ex left = read_formula(parts[1], system_);
+  system_.close(parts[0].text, parts.size() == 3 ? left - read_formula(parts[2], system_) : left);
+}
+
+}  // namespace assur::generator
