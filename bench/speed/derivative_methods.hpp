@@ -4,22 +4,31 @@
 #include <benchmark/benchmark.h>
 
 #include <memory>
+#include <tuple>
 
 #include "derivative_errors.hpp"
 #include "row.hpp"
 
 namespace assur::speed {
 
-/// The samples that a derivative task is about; they outlive its entries.
+/// Samples that all methods of a scalar share, so that all find them in the same caches.
+template <typename Scalar>
+using SharedSamples = std::shared_ptr<const std::vector<TetradSample<Scalar>>>;
+
+/// A derivative task in the making.
 struct DerivativeTask {
   const TetradSamples& samples;
   Task task;
+  std::tuple<SharedSamples<float>, SharedSamples<double>, SharedSamples<long double>> shared{};
 
   /// Adds the method `evaluate(sample) -> answer` in the scalar of its samples.
   template <typename Scalar, typename Evaluate>
   void add(const std::string& method, const std::string& scalar, Evaluate evaluate) {
-    const auto list =
-        std::make_shared<const std::vector<TetradSample<Scalar>>>(samples.template in<Scalar>());
+    auto& list = std::get<SharedSamples<Scalar>>(shared);
+    if (list == nullptr) {
+      list =
+          std::make_shared<const std::vector<TetradSample<Scalar>>>(samples.template in<Scalar>());
+    }
     Entry entry;
     entry.row.task = task.name;
     entry.row.method = method;
@@ -29,7 +38,7 @@ struct DerivativeTask {
       tally.add(error_of(evaluate((*list)[index]), samples.truth[index]));
     }
     tally.write_to(entry.row);
-    entry.run = [list, evaluate](std::size_t first, std::size_t last) {
+    entry.run = [list = list, evaluate](std::size_t first, std::size_t last) {
       for (std::size_t index = first; index < last; ++index) {
         auto answer = evaluate((*list)[index]);
         benchmark::DoNotOptimize(answer);

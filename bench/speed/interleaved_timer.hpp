@@ -17,7 +17,8 @@ struct TimerSettings {
 /// Fills in the times. In every round and for every slice of the inputs each method runs in turn,
 /// the one that begins moving on; untimed over the slice before, so that caches and branch
 /// predictors hold this method but not these inputs, then timed. The time is the thread's own, so
-/// that another program's turn on the processor does not count. A row's time is the median.
+/// that another program's turn on the processor does not count, less what reading the clock takes.
+/// A row's time is the median.
 void measure(std::vector<Task>& tasks, const TimerSettings& settings);
 
 }  // namespace assur::speed
