@@ -42,7 +42,6 @@ void sensitivities_and_motion(State& s) {
 void assemblies(State& s) { s.sum += assur::assemblies<Model>(s.d, s.u).count; }
 void track(State& s) {
   const assur::Vector<double, 4> steady = assur::Vector<double, 4>::Zero();
-  assur::BranchPoint<Model> point{s.q, {}};
   const auto path = [&](double time) {
     assur::InputMotion<Model> moving{s.u, s.u_rate, steady};
     moving.u.x_B += time * s.u_rate(0);
@@ -51,7 +50,7 @@ void track(State& s) {
     moving.u.y_E += time * s.u_rate(3);
     return moving;
   };
-  Model::motion(s.d, s.u, s.q, s.u_rate, steady, point.motion.velocity, point.motion.acceleration);
+  auto point = assur::branch_point<Model>(s.d, path(0), s.q);
   double at = 0;
   s.sum += static_cast<double>(assur::track<Model>(s.d, path, at, 0.1, point));
 }

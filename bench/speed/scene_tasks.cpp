@@ -181,11 +181,8 @@ SixBarSamples around_the_turn() {
     TriadModel::input_jacobian(exact.d, u, q, F_u);
     const PreciseJacobian<TriadModel> jacobian(exact.d, u, q);
     sample.previous_crank = last.crank;
-    sample.previous.q = last.q;
+    sample.previous = branch_point<TriadModel>(six_bar().d, input_motion(last.crank), last.q);
     sample.previous_theta = last.theta;
-    const InputMotion<TriadModel> moving = input_motion(last.crank);
-    TriadModel::motion(six_bar().d, moving.u, last.q, moving.rate, moving.second_rate,
-                       sample.previous.motion.velocity, sample.previous.motion.acceleration);
     last = sample;
     if (degree >= 0) {
       samples.list.push_back(sample);

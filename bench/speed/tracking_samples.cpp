@@ -81,12 +81,10 @@ TrackingSamples random_steps(std::size_t count, double step) {
       continue;
     }
     const int chosen = std::uniform_int_distribution<int>(0, set.count - 1)(engine);
-    sample.start.q = set.configurations[static_cast<std::size_t>(chosen)];
-    const auto& q = sample.start.q;
+    const auto& q = set.configurations[static_cast<std::size_t>(chosen)];
+    sample.start = branch_point<Model01>(sample.d, inputs, q);
     sample.theta = {angle_of(q.theta_BCG), angle_of(q.theta_EDF), angle_of(q.theta_CD),
                     angle_of(q.theta_GF)};
-    Model01::motion(sample.d, inputs.u, q, inputs.rate, inputs.second_rate,
-                    sample.start.motion.velocity, sample.start.motion.acceleration);
     bool unclear = false;
     const auto end = follow(sample, sample.from, sample.to, q, unclear);
     if (unclear) {

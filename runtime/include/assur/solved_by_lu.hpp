@@ -15,11 +15,12 @@ template <typename Model>
 struct SolvedByLu {
   static constexpr int pivot_count = 1;
   static constexpr int core_pivot_count = 1;
+  static constexpr int determinant_sign = 1;
   static constexpr std::array<const char*, pivot_count> pivots = {{"a dead centre: det J = 0"}};
 
   /// The one pivot: the reciprocal condition number of J in the maximum norm, with rows and columns
-  /// scaled to largest entries of one, so that units do not count. Zero, or no number, where J has
-  /// no inverse.
+  /// scaled to largest entries of one, so that units do not count; with the sign of det J. Zero, or
+  /// no number, where J has no inverse.
   template <typename Dimensions, typename Inputs, typename Configuration, typename Scalar>
   static void degeneracies(const Dimensions& d, const Inputs& u, const Configuration& q,
                            Vector<Scalar, pivot_count>& pivot, Vector<Scalar, pivot_count>& size,
@@ -34,7 +35,9 @@ struct SolvedByLu {
     const auto norm = [](const auto& matrix) {
       return Scalar(matrix.cwiseAbs().rowwise().sum().maxCoeff());
     };
-    pivot(0) = Scalar(1) / (norm(J) * norm(J.partialPivLu().inverse().eval()));
+    const auto lu = J.partialPivLu();
+    const Scalar sign(lu.determinant() < Scalar(0) ? -1 : 1);
+    pivot(0) = sign / (norm(J) * norm(lu.inverse().eval()));
     size(0) = Scalar(1);
     terms = Scalar(1);
   }

@@ -19,9 +19,26 @@ template <typename Model>
 struct BranchPoint {
   typename Model::template Configuration<double> q;
   Motion<Model, double> motion;
+  int orientation = 0;  ///< the sign of det J, which a branch keeps and those it may meet have not
 };
 
 namespace detail {
+
+/// The sign of det J by the pivots of its elimination; zero only where one vanishes.
+template <typename Model>
+[[nodiscard]] int orientation(const typename Model::template Dimensions<double>& d,
+                              const typename Model::template Inputs<double>& u,
+                              const typename Model::template Configuration<double>& q) {
+  Vector<double, Model::pivot_count> pivots;
+  Vector<double, Model::pivot_count> sizes;
+  double terms = 0;
+  Model::degeneracies(d, u, q, pivots, sizes, terms);
+  int sign = Model::determinant_sign;
+  for (const double pivot : pivots) {
+    sign *= (pivot > 0 ? 1 : 0) - (pivot < 0 ? 1 : 0);
+  }
+  return sign;
+}
 
 /// Largest entry; lengths count by the size of the group.
 template <typename Model>
@@ -48,8 +65,8 @@ template <typename Model>
   return largest;
 }
 
-/// A turn of at most a quarter radian by the first terms of its sine and cosine. Their squares' sum
-/// is off by at most 7e-7, and what normalising leaves of that is its square.
+/// A turn of at most 0.4 radians by the first terms of its sine and cosine. Their squares' sum is
+/// off by at most 1e-5; normalising leaves the square of that, and nothing after a small turn more.
 inline void turn_slightly(Direction<double>& direction, double angle) {
   const double square = angle * angle;
   const double cosine = 1 - square * (1.0 / 2 - square * (1.0 / 24));
@@ -69,11 +86,29 @@ void move_slightly(typename Model::template Configuration<double>& q,
       q.members());
 }
 
+}  // namespace detail
+
+/// Where a branch begins: a configuration that `assemblies` found, with its derivatives.
+template <typename Model>
+[[nodiscard]] BranchPoint<Model> branch_point(
+    const typename Model::template Dimensions<double>& d, const InputMotion<Model>& inputs,
+    const typename Model::template Configuration<double>& q) {
+  BranchPoint<Model> point;
+  point.q = q;
+  Model::motion(d, inputs.u, q, inputs.rate, inputs.second_rate, point.motion.velocity,
+                point.motion.acceleration);
+  point.orientation = detail::orientation<Model>(d, inputs.u, q);
+  return point;
+}
+
+namespace detail {
+
 /// What a step may be for its end to be taken for the same branch.
 struct StepLimits {
-  double correction = 0.1;   ///< the first, of the prediction, radians
-  double contraction = 0.2;  ///< of a correction to the one before
-  double defect = 0.01;      ///< of the way against both ends' derivatives, radians
+  double prediction = 0.4;   ///< of the way, radians
+  double correction = 0.2;   ///< the first, of the prediction, radians
+  double contraction = 0.3;  ///< of a correction to the one before
+  double defect = 0.03;      ///< of the way against both ends' derivatives, radians
   double settled = 1e-7;     ///< the last correction; its square is left
   double shortest = 2e-3;    ///< a step, as a part of the way asked for
 };
@@ -88,7 +123,7 @@ template <typename Model>
   using Unknowns = Vector<double, Model::unknown_count>;
   const Unknowns predicted =
       width * start.motion.velocity + width * width / 2 * start.motion.acceleration;
-  if (!(turn_of<Model>(predicted, inverse_size) < 0.25)) {
+  if (!(turn_of<Model>(predicted, inverse_size) < limits.prediction)) {
     return false;
   }
   end.q = start.q;
@@ -113,8 +148,10 @@ template <typename Model>
     }
     previous = turn;
   }
-  Model::motion(d, inputs.u, end.q, inputs.rate, inputs.second_rate, end.motion.velocity,
-                end.motion.acceleration);
+  end = branch_point<Model>(d, inputs, end.q);
+  if (end.orientation != start.orientation) {
+    return false;
+  }
   const Unknowns defect =
       way - width / 2 * (start.motion.velocity + end.motion.velocity) -
       width * width * (1.0 / 12) * (start.motion.acceleration - end.motion.acceleration);
@@ -127,8 +164,8 @@ template <typename Model>
 /// motion. Steps are halved until prediction, correction and the derivatives at both ends agree.
 /// ok: `point` is the branch's at `to`. no_convergence: within 0.2% of the way from `from`,
 /// where `point` is then, the branch ends or comes too close to another; what follows is for
-/// `assemblies` to say. The rules are of experience, without a proof; docs/performance.md has the
-/// count of what they let through.
+/// `assemblies` to say. A change to a branch that this one could meet would show in the sign of det
+/// J; that other branches are far enough away is experience, not proof: docs/performance.md counts.
 template <typename Model, typename Path>
 [[nodiscard]] Status track(const typename Model::template Dimensions<double>& d, const Path& path,
                            double& from, double to, BranchPoint<Model>& point) {
