@@ -148,10 +148,12 @@ template <typename Model>
     }
     previous = turn;
   }
-  end = branch_point<Model>(d, inputs, end.q);
+  end.orientation = orientation<Model>(d, inputs.u, end.q);
   if (end.orientation != start.orientation) {
     return false;
   }
+  Model::motion(d, inputs.u, end.q, inputs.rate, inputs.second_rate, end.motion.velocity,
+                end.motion.acceleration);
   const Unknowns defect =
       way - width / 2 * (start.motion.velocity + end.motion.velocity) -
       width * width * (1.0 / 12) * (start.motion.acceleration - end.motion.acceleration);
