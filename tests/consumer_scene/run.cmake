@@ -2,15 +2,7 @@
 # installed generator, by one that is named, from the sources, and not at all without a generator.
 # A touched scene is generated anew, and nothing else is.
 # cmake -DBUILD=... -DSOURCE=... -DWORK=... -DCOMPILER=... -P run.cmake
-function(run)
-  execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE output
-    ERROR_VARIABLE output)
-  if(NOT status EQUAL 0)
-    message(FATAL_ERROR "${ARGV}\n${output}")
-  endif()
-  message(STATUS "${output}")
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../run_command.cmake)
 
 function(expect_generation expected)
   run(${CMAKE_COMMAND} --build ${WORK}/build)

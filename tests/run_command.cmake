@@ -1,0 +1,10 @@
+# Runs a command to its end, or stops with what it said; its words are `output` then.
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE output
+    ERROR_VARIABLE output)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${ARGV}\n${output}")
+  endif()
+  message(STATUS "${output}")
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
