@@ -40,7 +40,7 @@ void NumericExample::define(const std::string& name, double value) {
   values_[name] = {value, value, 0, false};
 }
 
-NumericExample::Value NumericExample::read_number(const PlacedText& number) const {
+NumericExample::Value NumericExample::read_number(const PlacedText& number) {
   double value = 0;
   const char* begin = number.text.data();
   const char* const last = begin + number.text.size();

@@ -35,7 +35,7 @@ class NumericExample {
   enum class Reading : unsigned char { derived, printed };
 
   [[nodiscard]] Expression read_tree(const PlacedText& formula) const;
-  [[nodiscard]] Value read_number(const PlacedText& number) const;
+  [[nodiscard]] static Value read_number(const PlacedText& number);
   [[nodiscard]] double evaluate(const Expression& formula, Reading reading,
                                 const std::map<std::string, double>& replaced = {}) const;
   [[nodiscard]] std::string explanation(const Expression& formula, const Value& result) const;

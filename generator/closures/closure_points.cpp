@@ -15,8 +15,8 @@ class FewDigits {
  public:
   explicit FewDigits(unsigned seed) : engine_(seed) {}
 
-  GiNaC::numeric length() { return GiNaC::numeric(integer(5, 30), 10); }
-  GiNaC::numeric rate() { return GiNaC::numeric(integer(-20, 20), 10); }
+  GiNaC::numeric length() { return {integer(5, 30), 10}; }
+  GiNaC::numeric rate() { return {integer(-20, 20), 10}; }
   /// A rational point of the unit circle off the axes.
   std::pair<GiNaC::numeric, GiNaC::numeric> direction() {
     const int n = integer(2, 7);

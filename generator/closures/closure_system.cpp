@@ -1,6 +1,7 @@
 #include "closures/closure_system.hpp"
 
 #include <algorithm>
+#include <ranges>
 
 namespace assur::generator {
 
@@ -124,8 +125,8 @@ GiNaC::ex ClosureSystem::rate(const GiNaC::ex& expression) const {
 
 GiNaC::ex ClosureSystem::expanded(const GiNaC::ex& expression) const {
   GiNaC::ex result = expression;
-  for (auto entry = abbreviations_.rbegin(); entry != abbreviations_.rend(); ++entry) {
-    result = result.subs(entry->first == entry->second);
+  for (const auto& [symbol, definition] : std::views::reverse(abbreviations_)) {
+    result = result.subs(symbol == definition);
   }
   return result;
 }

@@ -122,7 +122,7 @@ PlacedText take_word(PlacedText& text) {
   while (to < text.text.size() && !is_space(text.text[to])) {
     ++to;
   }
-  const PlacedText word = part(text, 0, to);
+  PlacedText word = part(text, 0, to);
   text = trimmed(part(text, to, text.text.size()));
   return word;
 }

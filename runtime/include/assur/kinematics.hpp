@@ -78,7 +78,7 @@ template <typename Model, typename Scalar>
     return result;
   }
   result.margin = kept * firmness;
-  const Scalar six_digits = Scalar(5e-7);
+  const auto six_digits = Scalar(5e-7);
   const bool keeps = Scalar(derivative_error_constant) * epsilon < six_digits * result.margin;
   result.status = keeps ? Status::ok : Status::near_singular;
   return result;
