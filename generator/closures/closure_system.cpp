@@ -1,7 +1,6 @@
 #include "closures/closure_system.hpp"
 
 #include <algorithm>
-#include <ranges>
 
 namespace assur::generator {
 
@@ -125,7 +124,8 @@ GiNaC::ex ClosureSystem::rate(const GiNaC::ex& expression) const {
 
 GiNaC::ex ClosureSystem::expanded(const GiNaC::ex& expression) const {
   GiNaC::ex result = expression;
-  for (const auto& [symbol, definition] : std::views::reverse(abbreviations_)) {
+  for (std::size_t place = abbreviations_.size(); place-- > 0;) {
+    const auto& [symbol, definition] = abbreviations_[place];
     result = result.subs(symbol == definition);
   }
   return result;
