@@ -1,11 +1,13 @@
 // Times all sensitivities, velocity and acceleration of an RRR-RRR tetrad, generated and in
-// fixed-size Eigen from angles, over the same 10,000 assembled configurations, in one run; and the
-// generated function of every model.
+// fixed-size Eigen from angles, over the same 10,000 configurations, in one run; and the generated
+// function of every model of every group.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/LU>
+#include <assur/dyad/models.hpp>
 #include <assur/kinematics.hpp>
 #include <assur/tetrad/models.hpp>
+#include <assur/triad/models.hpp>
 #include <random>
 #include <string>
 #include <vector>
@@ -168,8 +170,8 @@ void eigen_from_angles(benchmark::State& state) {
 template <typename Model>
 void register_model() {
   if constexpr (Model::rigid) {
-    benchmark::RegisterBenchmark(("generated/model_" + std::to_string(Model::number)).c_str(),
-                                 generated<Model>);
+    const std::string name = std::string(Model::group) + "_" + std::to_string(Model::number);
+    benchmark::RegisterBenchmark(("generated/" + name).c_str(), generated<Model>);
   }
 }
 
@@ -187,6 +189,8 @@ BENCHMARK(eigen_from_angles<true>);
 
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
+  register_models(assur::dyad::Models());
+  register_models(assur::triad::Models());
   register_models(assur::tetrad::Models());
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();

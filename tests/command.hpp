@@ -45,10 +45,9 @@ class TemporaryDirectory {
   std::filesystem::path path_;
 };
 
-/// Runs `assur` with arguments that the shell splits.
-inline CommandResult run_assur(const std::string& arguments) {
-  const TemporaryDirectory directory;
-  const std::string messages = (directory.path() / "messages").string();
+/// Runs `assur` with arguments that the shell splits, its messages to a file or a device.
+inline CommandResult run_assur_with_messages_to(const std::string& messages,
+                                                const std::string& arguments) {
   const std::string line = std::string(ASSUR_COMMAND) + " " + arguments + " 2>" + messages;
   CommandResult result;
   FILE* pipe = popen(line.c_str(), "r");
@@ -59,6 +58,14 @@ inline CommandResult run_assur(const std::string& arguments) {
   }
   const int status = pclose(pipe);
   result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return result;
+}
+
+/// Runs `assur` with arguments that the shell splits.
+inline CommandResult run_assur(const std::string& arguments) {
+  const TemporaryDirectory directory;
+  const std::string messages = (directory.path() / "messages").string();
+  CommandResult result = run_assur_with_messages_to(messages, arguments);
   result.messages = read_file(messages);
   return result;
 }

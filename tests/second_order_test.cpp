@@ -166,6 +166,12 @@ TEST(RuntimeSecondOrderStatus, SaysWhereNothingWasComputed) {
   EXPECT_EQ(singular.status(), Status::singular);
   EXPECT_EQ(singular.first(curve.d_x, curve.u_x, x), Status::singular);
   EXPECT_EQ(singular.second(x, x, xy), Status::singular);
+  const SecondOrder<Model, Real> regular(curve.d, curve.u, curve.q);
+  Curve<Model>::DimensionRates no_number = curve.d_x;
+  no_number(0) = std::numeric_limits<Real>::quiet_NaN();
+  EXPECT_EQ(regular.first(no_number, curve.u_x, x), Status::not_finite);
+  ASSERT_EQ(regular.first(curve.d_x, curve.u_x, x), Status::ok);
+  EXPECT_EQ(regular.second(x, x, no_number, curve.u_xy, xy), Status::not_finite);
   curve.u.x_B = std::numeric_limits<Real>::quiet_NaN();
   const SecondOrder<Model, Real> unknown(curve.d, curve.u, curve.q);
   EXPECT_EQ(unknown.first(curve.d_x, curve.u_x, x), Status::not_finite);

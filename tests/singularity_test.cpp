@@ -1,99 +1,171 @@
 // Law: at a singular Jacobian a motion that leaves the closures' range is a fold, one that stays in
 // it a crossing; and no singular configuration is called regular.
-#include <gtest/gtest.h>
-
 #include <Eigen/LU>
 #include <assur/singularity.hpp>
-#include <assur/tetrad/model_01.hpp>
 #include <iostream>
 #include <random>
+
+#include "model_types.hpp"
 
 namespace assur::test {
 namespace {
 
-using Model = tetrad::Model01;
 constexpr unsigned seed = 5;
 constexpr int samples = 200;
 
+template <typename Model>
 struct SingularGroup {
-  Model::Dimensions<double> d;
-  Model::Inputs<double> u;
-  Model::Configuration<double> q;
+  typename Model::template Dimensions<double> d;
+  typename Model::template Inputs<double> u;
+  typename Model::template Configuration<double> q;
 };
 
-/// A random group whose core's determinant vanishes: the determinant is linear in y_F_EDF.
-SingularGroup singular_group(std::mt19937& engine) {
-  std::uniform_real_distribution<double> length(0.5, 2);
-  std::uniform_real_distribution<double> angle(-3.1, 3.1);
-  SingularGroup group;
-  const auto fill = [&](auto& member) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
-      member = length(engine);
-    } else {
-      member = direction_of(angle(engine));
+template <typename Model>
+class Singular : public testing::Test {
+ protected:
+  using Group = SingularGroup<Model>;
+  using Residual = Vector<double, Model::equation_count>;
+  static constexpr int parameter_count = Model::dimension_count + Model::input_count;
+
+  template <int Count>
+  Vector<double, Count> rates() {
+    return Vector<double, Count>::NullaryExpr([this] { return rate_(engine_); });
+  }
+
+  /// Of the groups between two random ones, one whose core's determinant vanishes; false if its
+  /// sign is the same at both.
+  bool draw(Group& group) {
+    Group ends[2] = {random_group(), random_group()};
+    if (core(ends[0]) * core(ends[1]) >= 0) {
+      return false;
     }
-  };
-  std::apply([&](auto&... member) { (fill(member), ...); }, group.d.members());
-  std::apply([&](auto&... member) { (fill(member), ...); }, group.q.members());
-  const auto determinant = [&](double y_F) {
-    group.d.y_F_EDF = y_F;
+    if (core(ends[0]) > 0) {
+      std::swap(ends[0], ends[1]);
+    }
+    double low = 0;
+    double high = 1;
+    for (int halving = 0; halving < 100; ++halving) {
+      const double middle = low + (high - low) / 2;
+      group = between(ends[0], ends[1], middle);
+      (core(group) < 0 ? low : high) = middle;
+    }
+    return std::abs(core(group)) < 1e-14;
+  }
+
+  /// [F_d F_u].
+  static Matrix<double, Model::equation_count, parameter_count> parameters(const Group& group) {
+    Matrix<double, Model::equation_count, Model::dimension_count> f_d;
+    Matrix<double, Model::equation_count, Model::input_count> f_u;
+    Model::dimension_jacobian(group.d, group.u, group.q, f_d);
+    Model::input_jacobian(group.d, group.u, group.q, f_u);
+    Matrix<double, Model::equation_count, parameter_count> both;
+    both << f_d, f_u;
+    return both;
+  }
+
+  static Singularity<double> along(const Group& group,
+                                   const Vector<double, parameter_count>& rate) {
+    return singularity_along<Model, double>(group.d, group.u, group.q,
+                                            rate.template head<Model::dimension_count>().eval(),
+                                            rate.template tail<Model::input_count>().eval());
+  }
+
+ private:
+  Group random_group() {
+    Group group;
+    const auto fill = [this](auto& member, auto& length) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
+        member = length(engine_);
+      } else {
+        member = direction_of(angle_(engine_));
+      }
+    };
+    std::apply([&](auto&... member) { (fill(member, length_), ...); }, group.d.members());
+    std::apply([&](auto&... member) { (fill(member, coordinate_), ...); }, group.u.members());
+    std::apply([&](auto&... member) { (fill(member, coordinate_), ...); }, group.q.members());
+    return group;
+  }
+
+  static Group between(const Group& one, const Group& other, double part) {
+    Group group = one;
+    const auto mix = [part](auto& member, const auto& target) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
+        member += part * (target - member);
+      } else {
+        member = direction_of(angle_of(member) + part * (angle_of(target) - angle_of(member)));
+      }
+    };
+    const auto mix_all = [&](auto variables, const auto& targets) {
+      std::apply(
+          [&](auto&... member) {
+            std::apply([&](const auto&... target) { (mix(member, target), ...); }, targets);
+          },
+          variables);
+    };
+    mix_all(group.d.members(), other.d.members());
+    mix_all(group.u.members(), other.u.members());
+    mix_all(group.q.members(), other.q.members());
+    return group;
+  }
+
+  /// det J, up to its sign and the pivots outside the core.
+  static double core(const Group& group) {
     Vector<double, Model::pivot_count> pivots;
     Vector<double, Model::pivot_count> sizes;
     double terms = 0;
     Model::degeneracies(group.d, group.u, group.q, pivots, sizes, terms);
-    return pivots(0);
-  };
-  const double at_zero = determinant(0);
-  const double slope = determinant(1) - at_zero;
-  group.d.y_F_EDF = -at_zero / slope;
-  return group;
-}
-
-TEST(Singularity, TypeFollowsTheMotion) {
-  std::mt19937 engine(seed);
-  std::uniform_real_distribution<double> rate(-1, 1);
-  double smallest_at_fold = 1;
-  double largest_at_crossing = 0;
-  int compared = 0;
-  for (int sample = 0; sample < samples; ++sample) {
-    const SingularGroup group = singular_group(engine);
-    if (!(std::abs(group.d.y_F_EDF) < 10)) {
-      continue;  // the determinant hardly depends on y_F_EDF
+    double product = 1;
+    for (int index = 0; index < Model::core_pivot_count; ++index) {
+      product *= pivots(index);
     }
-    ++compared;
-    EXPECT_NE((regularity<Model, double>(group.d, group.u, group.q).status), Status::ok);
-    Vector<double, Model::dimension_count> d_rate;
-    for (int index = 0; index < Model::dimension_count; ++index) {
-      d_rate(index) = rate(engine);
-    }
-    Vector<double, Model::input_count> u_rate = Vector<double, Model::input_count>::Zero();
-    const auto fold = singularity_along<Model, double>(group.d, group.u, group.q, d_rate, u_rate);
-    // Any dq/dt makes a motion that stays in the range: J dq/dt = -F_u du/dt - F_d dd/dt, here by
-    // moving the lengths CD, BC and GF, x_G with the unknowns.
-    Matrix<double, Model::equation_count, Model::unknown_count> jacobian;
-    Matrix<double, Model::equation_count, Model::dimension_count> f_d;
-    Model::jacobian(group.d, group.u, group.q, jacobian);
-    Model::dimension_jacobian(group.d, group.u, group.q, f_d);
-    Vector<double, Model::unknown_count> q_rate;
-    for (int index = 0; index < Model::unknown_count; ++index) {
-      q_rate(index) = rate(engine);
-    }
-    const Vector<double, Model::dimension_count> within =
-        f_d.fullPivLu().solve(Vector<double, Model::equation_count>(-(jacobian * q_rate)));
-    const auto crossing =
-        singularity_along<Model, double>(group.d, group.u, group.q, within, u_rate);
-    if (fold.transversality > 1e-4) {  // a random motion may come close to the range
-      EXPECT_EQ(fold.type, SingularityType::fold) << fold.transversality << " " << fold.distance;
-    }
-    EXPECT_EQ(crossing.type, SingularityType::crossing)
-        << crossing.transversality << " " << crossing.distance;
-    smallest_at_fold = std::min(smallest_at_fold, fold.transversality);
-    largest_at_crossing = std::max(largest_at_crossing, crossing.transversality);
+    return product;
   }
-  std::cout << "seed " << seed << ", " << compared << " singular groups: transversality at least "
-            << smallest_at_fold << " at folds, at most " << largest_at_crossing
-            << " at crossings\n";
-  EXPECT_GT(compared, samples / 2);
+
+  std::mt19937 engine_{seed};
+  std::uniform_real_distribution<double> length_{0.5, 2};
+  std::uniform_real_distribution<double> coordinate_{-2, 2};
+  std::uniform_real_distribution<double> angle_{-3.1, 3.1};
+  std::uniform_real_distribution<double> rate_{-1, 1};
+};
+
+TYPED_TEST_SUITE(Singular, AllModels, ModelNames);
+
+TYPED_TEST(Singular, TypeFollowsTheMotion) {
+  using Model = TypeParam;
+  if constexpr (Model::rigid) {
+    constexpr int parameters = TestFixture::parameter_count;
+    double smallest_at_fold = 1;
+    double largest_at_crossing = 0;
+    int compared = 0;
+    for (int sample = 0; sample < samples; ++sample) {
+      SingularGroup<Model> group;
+      if (!this->draw(group)) {
+        continue;
+      }
+      ++compared;
+      EXPECT_NE((regularity<Model, double>(group.d, group.u, group.q).status), Status::ok);
+      const auto fold = this->along(group, this->template rates<parameters>());
+      Matrix<double, Model::equation_count, Model::unknown_count> jacobian;
+      Model::jacobian(group.d, group.u, group.q, jacobian);
+      // Any dq/dt makes a motion that stays in the range.
+      const typename TestFixture::Residual within =
+          -(jacobian * this->template rates<Model::unknown_count>());
+      const auto crossing = this->along(
+          group,
+          Vector<double, parameters>(TestFixture::parameters(group).fullPivLu().solve(within)));
+      if (fold.transversality > 1e-4) {  // a random motion may come close to the range
+        EXPECT_EQ(fold.type, SingularityType::fold) << fold.transversality << " " << fold.distance;
+      }
+      EXPECT_EQ(crossing.type, SingularityType::crossing)
+          << crossing.transversality << " " << crossing.distance;
+      smallest_at_fold = std::min(smallest_at_fold, fold.transversality);
+      largest_at_crossing = std::max(largest_at_crossing, crossing.transversality);
+    }
+    std::cout << model_name<Model>() << ", seed " << seed << ", " << compared
+              << " singular groups: transversality at least " << smallest_at_fold
+              << " at folds, at most " << largest_at_crossing << " at crossings\n";
+    EXPECT_GT(compared, samples / 5);
+  }
 }
 
 }  // namespace

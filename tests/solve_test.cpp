@@ -1,9 +1,12 @@
 // Checks `assur solve`: the worked mechanism against independent values and differences, and what
 // the contract promises of every result.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -183,6 +186,57 @@ std::vector<std::vector<std::string>> cells(const std::string& text) {
     }
   }
   return lines;
+}
+
+/// A terminal that nobody looks at; it holds a few thousand characters.
+class Terminal {
+ public:
+  Terminal() : master_(posix_openpt(O_RDWR | O_NOCTTY)) {
+    grantpt(master_);
+    unlockpt(master_);
+    name_ = ptsname(master_);
+    slave_ = open(name_.c_str(), O_RDWR | O_NOCTTY);
+  }
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+  ~Terminal() {
+    close(slave_);
+    close(master_);
+  }
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// What was written to it so far.
+  [[nodiscard]] std::string shown() const {
+    fcntl(master_, F_SETFL, O_NONBLOCK);
+    std::string text;
+    std::array<char, 4096> buffer{};
+    for (ssize_t count = 0; (count = read(master_, buffer.data(), buffer.size())) > 0;) {
+      text.append(buffer.data(), static_cast<std::size_t>(count));
+    }
+    return text;
+  }
+
+ private:
+  int master_;
+  int slave_ = -1;
+  std::string name_;
+};
+
+TEST(Solve, SweepShowsItsProgressOnATerminal) {
+  Json scene = Json::parse(read_file(worked));
+  scene["sweep"] = {{"parameter", "phi"}, {"from", 0}, {"to", "2*pi"}, {"count", 4}};
+  const TemporaryDirectory directory;
+  const std::string arguments =
+      "solve --format csv " + directory.write("scene.json", scene.dump()).string();
+  const Terminal terminal;
+  const CommandResult result = run_assur_with_messages_to(terminal.name(), arguments);
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.output, run_assur(arguments).output);
+  const auto bar = [](std::size_t filled, const std::string& percent) {
+    return "\r[" + std::string(filled, '#') + std::string(40 - filled, ' ') + "] " + percent + " %";
+  };
+  EXPECT_EQ(terminal.shown(),
+            bar(10, "25") + bar(20, "50") + bar(30, "75") + bar(40, "100") + "\r\x1b[K");
 }
 
 TEST(Solve, SweepNamesBranchesAndEvents) {

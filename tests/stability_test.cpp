@@ -5,6 +5,7 @@
 #include <iostream>
 #include <map>
 
+#include "../bench/stability/bad_input.hpp"
 #include "../bench/stability/measure.hpp"
 #include "largest.hpp"
 
@@ -14,6 +15,8 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// The constant of the error bound C eps kappa.
 constexpr double allowed_roundings = 16;
+/// The same of an acceleration, which inherits the velocity's error and may be a small difference.
+constexpr double allowed_in_acceleration = 256;
 
 template <typename List>
 struct TypesOf;
@@ -49,6 +52,7 @@ TYPED_TEST_SUITE(Stability, TypesOf<Families>::Types, FamilyNames);
 TYPED_TEST(Stability, GeneratedStaysWithinItsConditionTimesRounding) {
   using Model = typename TypeParam::Model;
   double worst = 0;
+  double worst_acceleration = 0;
   int refused = 0;
   this->on_each([&](double, const Member<Model>& member) {
     const Answer<Model> answer = generated<Model>(member.given);
@@ -67,11 +71,15 @@ TYPED_TEST(Stability, GeneratedStaysWithinItsConditionTimesRounding) {
               << quantity_names[static_cast<std::size_t>(quantity)];
           worst = test::largest(worst, roundings);
         }
+        const double bent = error_of(answer, *truth, Quantity::acceleration) / unit;
+        EXPECT_LE(bent, allowed_in_acceleration) << "acceleration";
+        worst_acceleration = test::largest(worst_acceleration, bent);
       }
     }
   });
   std::cout << TypeParam::name << ", seed " << seed << ": largest error " << worst
-            << " eps kappa, refused " << refused << '\n';
+            << " eps kappa, of an acceleration " << worst_acceleration << ", refused " << refused
+            << '\n';
 }
 
 /// An acceleration inherits the error of the velocity from which it is computed. What it adds is
@@ -100,6 +108,24 @@ TYPED_TEST(Stability, AccelerationAddsItsConditionTimesRounding) {
   });
   std::cout << TypeParam::name << ", seed " << seed << ": acceleration adds " << worst
             << " eps kappa of its terms, members checked " << checked << '\n';
+}
+
+/// With the configuration given, any stable way to solve the same equations is bounded alike.
+TYPED_TEST(Stability, PivotingAndAutomaticDifferentiationAreBoundedAlike) {
+  using Model = typename TypeParam::Model;
+  this->on_each([&](double, const Member<Model>& member) {
+    const double unit = epsilon * member.truth_as_given.condition;
+    if (unit < 1 / allowed_roundings) {
+      for (const auto method :
+           {partial_pivot_lu<Model>, full_pivot_lu<Model>, automatic_differentiation<Model>}) {
+        const Answer<Model> answer = method(member.given);
+        ASSERT_TRUE(is_solvable(answer.status));
+        for (const Quantity quantity : {Quantity::sensitivities, Quantity::velocity}) {
+          EXPECT_LE(error_of(answer, member.truth_as_given, quantity), allowed_roundings * unit);
+        }
+      }
+    }
+  });
 }
 
 /// The error that the runtime's own margin promises, where no acceleration inherits the velocity's.
@@ -200,6 +226,64 @@ TEST(ComplexStep, PaysForAssemblingInDoubleNearAFold) {
     EXPECT_GT(complex.lower_bound(distance * 0.5)->second, 0.01 * epsilon / distance) << distance;
     EXPECT_LT(direct.lower_bound(distance * 0.5)->second, 100 * epsilon / std::sqrt(distance))
         << distance;
+  }
+}
+
+/// Members for which Newton's iteration settles, and elsewhere.
+template <typename Family>
+int landed_elsewhere() {
+  using Model = typename Family::Model;
+  int wrong = 0;
+  for (const double distance : distances<Family>()) {
+    for (int number = 0; number < members_per_distance; ++number) {
+      const auto member = make_member<Family>(number, distance);
+      const auto answer = newton<Model>(member.given);
+      wrong += is_solvable(answer.status) &&
+               is_wrong(error_of(answer, member.truth, Quantity::velocity));
+    }
+  }
+  return wrong;
+}
+
+TEST(Newton, LandsOnAnotherBranchWithoutAWord) {
+  constexpr int members = 300;
+  EXPECT_GT(landed_elsewhere<Fold>(), members / 3);
+  EXPECT_GT(landed_elsewhere<Crossing>(), members / 3);
+  EXPECT_GT(landed_elsewhere<HalfAngle>(), 0);
+}
+
+TEST(CentralDifferences, NeverHaveMoreThanSixDigitsOfAllQuantities) {
+  std::map<double, double> worst;
+  for (const Quantity quantity : quantities) {
+    for (const auto& [distance, error] :
+         largest_errors<Units>(central_differences<Model04>, quantity)) {
+      worst[distance] = std::max(worst[distance], error);
+    }
+    for (const auto& [distance, error] :
+         largest_errors<SpecialPoint>(central_differences<Model01>, quantity)) {
+      worst[distance] = std::max(worst[distance], error);
+    }
+  }
+  for (const auto& [distance, error] : worst) {
+    EXPECT_GT(error, 1e-7) << distance;
+  }
+}
+
+/// Whether a status says of spoilt input that it is no number, by method.
+TEST(BadInput, IsRefusedByTheRuntimeAndByNoBareSolver) {
+  std::map<std::string, int> refused;
+  for (const BadInputRow& row : bad_input_rows()) {
+    refused[row.method] += row.status == Status::not_finite;
+    EXPECT_FALSE(is_solvable(row.status) && row.finite && row.input != "input infinite")
+        << row.method << ", " << row.input;
+  }
+  for (const char* method :
+       {"generated", "Newton from a neighbour", "central differences", "special points"}) {
+    EXPECT_EQ(refused[method], 4) << method;
+  }
+  for (const char* method : {"partial-pivot LU", "full-pivot LU", "automatic differentiation",
+                             "complex step", "half-angle tangents"}) {
+    EXPECT_EQ(refused[method], 0) << method;
   }
 }
 

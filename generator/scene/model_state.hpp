@@ -150,10 +150,12 @@ class ModelState {
     for (Eigen::Index i = 0; i < count; ++i) {
       for (Eigen::Index j = 0; j <= i; ++j) {
         SecondDerivative<Model, double> second;
-        (void)order.second(along[static_cast<std::size_t>(i)], along[static_cast<std::size_t>(j)],
-                           d.mixed(i, j), u.mixed(i, j), second);
-        q.set_mixed(i, j, second.q);
-        p.set_mixed(i, j, second.p);
+        if (is_solvable(order.second(along[static_cast<std::size_t>(i)],
+                                     along[static_cast<std::size_t>(j)], d.mixed(i, j),
+                                     u.mixed(i, j), second))) {
+          q.set_mixed(i, j, second.q);
+          p.set_mixed(i, j, second.p);
+        }
       }
     }
   }

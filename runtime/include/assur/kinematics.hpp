@@ -201,6 +201,10 @@ template <typename Model, typename Scalar>
                           const Vector<Scalar, Model::input_count>& u_third_rate,
                           const Motion<Model, Scalar>& moving,
                           Vector<Scalar, Model::unknown_count>& result) {
+  if (!is_finite(u_rate) || !is_finite(u_second_rate) || !is_finite(u_third_rate) ||
+      !is_finite(moving.velocity) || !is_finite(moving.acceleration)) {
+    return Status::not_finite;
+  }
   const InverseJacobian<Model, Scalar> inverse(d, u, q);
   if (inverse.solvable()) {
     Vector<Scalar, Model::equation_count> rhs;

@@ -60,6 +60,9 @@ class SecondOrder {
   [[nodiscard]] Status first(const DimensionRates& d_x, const InputRates& u_x,
                              First& result) const {
     if (jacobian_.solvable()) {
+      if (!assur::is_finite(d_x) || !assur::is_finite(u_x)) {
+        return Status::not_finite;
+      }
       result.d = d_x;
       result.u = u_x;
       result.q = jacobian_.solve(Equations(-(f_d_ * d_x) - f_u_ * u_x));
@@ -76,6 +79,9 @@ class SecondOrder {
                               const InputRates& u_xy, Second& result) const {
     if (!jacobian_.solvable()) {
       return status();
+    }
+    if (!is_finite(x) || !is_finite(y) || !assur::is_finite(d_xy) || !assur::is_finite(u_xy)) {
+      return Status::not_finite;
     }
     // Of a quadratic form Q the bilinear form is (Q(x + y) - Q(x - y))/4. It loses what the longer
     // of x and y has more digits than the shorter, so both are brought to one length.
@@ -109,6 +115,11 @@ class SecondOrder {
     Equations rhs;
     PoseRates p;
   };
+
+  [[nodiscard]] static bool is_finite(const First& x) {
+    return assur::is_finite(x.d) && assur::is_finite(x.u) && assur::is_finite(x.q) &&
+           assur::is_finite(x.p);
+  }
 
   [[nodiscard]] static Scalar length(const First& x) {
     using std::max;
