@@ -1,33 +1,14 @@
-// Lets CLN's rational numbers be the scalar of generated code, and makes random exact inputs.
+// Makes random inputs, in doubles and in CLN's rational numbers.
 #pragma once
 
 #include <cln/float.h>
-#include <cln/rational.h>
-#include <cln/real.h>
 
 #include <assur/model.hpp>
 #include <assur/variables.hpp>
 #include <complex>
 #include <random>
 
-namespace Eigen {
-template <>
-struct NumTraits<cln::cl_RA> : GenericNumTraits<cln::cl_RA> {
-  using Real = cln::cl_RA;
-  using NonInteger = cln::cl_RA;
-  using Nested = cln::cl_RA;
-  using Literal = cln::cl_RA;
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 10,
-    AddCost = 100,
-    MulCost = 100
-  };
-};
-}  // namespace Eigen
+#include "cln_scalars.hpp"
 
 namespace assur::test {
 
@@ -44,8 +25,11 @@ class RandomInputs {
  public:
   explicit RandomInputs(unsigned seed) : engine_(seed) {}
 
-  double length() { return std::uniform_real_distribution<double>(-2.0, 2.0)(engine_); }
-  double angle() { return std::uniform_real_distribution<double>(-3.14159, 3.14159)(engine_); }
+  double between(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine_);
+  }
+  double length() { return between(-2.0, 2.0); }
+  double angle() { return between(-3.14159, 3.14159); }
   int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
 
   void fill(double& member) { member = length(); }

@@ -39,6 +39,18 @@ Direction<Jet> from_angle(double theta, int slot) {
   return {cos(angle), sin(angle)};
 }
 
+template <typename Jet, bool from_angles>
+Model01::Configuration<Jet> directions(const Sample& sample) {
+  return filled<Jet, Model01::Configuration<Jet>>(
+      sample.g.q, [&](const Direction<double>& value, int index) {
+        if constexpr (from_angles) {
+          return from_angle<Jet>(sample.theta(index), index);
+        } else {
+          return turning<Jet>(value, index);
+        }
+      });
+}
+
 /// f and its derivatives to the first `Slots` of unknowns, dimensions and inputs.
 template <int Slots, bool from_angles = false>
 Vector<ceres::Jet<double, Slots>, 4> closure(const Sample& sample) {
@@ -51,16 +63,7 @@ Vector<ceres::Jet<double, Slots>, 4> closure(const Sample& sample) {
   Vector<Jet, 4> f;
   Model01::residual(filled<Jet, Model01::Dimensions<Jet>>(sample.g.d, length(4)),
                     filled<Jet, Model01::Inputs<Jet>>(sample.g.u, length(12)),
-                    filled<Jet, Model01::Configuration<Jet>>(
-                        sample.g.q,
-                        [&](const Direction<double>& value, int index) {
-                          if constexpr (from_angles) {
-                            return from_angle<Jet>(sample.theta(index), index);
-                          } else {
-                            return turning<Jet>(value, index);
-                          }
-                        }),
-                    f);
+                    directions<Jet, from_angles>(sample), f);
   return f;
 }
 
@@ -117,65 +120,77 @@ Eigen::Vector4d second_derivative(const Sample& sample, const Eigen::Vector4d& v
   return {f[0].v(0).v(0), f[1].v(0).v(0), f[2].v(0).v(0), f[3].v(0).v(0)};
 }
 
+template <bool from_angles = false>
+JacobianAnswer<double> jacobian(const Sample& sample) {
+  const auto f = closure<4, from_angles>(sample);
+  JacobianAnswer<double> answer;
+  for (int row = 0; row < 4; ++row) {
+    answer.by_unknowns.row(row) = f(row).v.transpose();
+  }
+  return answer;
+}
+
+/// Slots 0 to 3 are the unknowns', slot 4 is time's.
+template <bool from_angles = false>
+MotionAnswer<double> motion(const Sample& sample) {
+  using Jet = ceres::Jet<double, 5>;
+  const auto& g = sample.g;
+  Vector<Jet, 4> f;
+  Model01::residual(
+      filled<Jet, Model01::Dimensions<Jet>>(g.d, [](double value, int) { return Jet(value); }),
+      filled<Jet, Model01::Inputs<Jet>>(g.u,
+                                        [&](double value, int index) {
+                                          Jet jet(value);
+                                          jet.v(4) = g.u_rate(index);
+                                          return jet;
+                                        }),
+      directions<Jet, from_angles>(sample), f);
+  Eigen::Matrix4d J;
+  Eigen::Vector4d first;
+  for (int row = 0; row < 4; ++row) {
+    J.row(row) = f(row).v.template head<4>().transpose();
+    first(row) = f(row).v(4);
+  }
+  return solved_motion<double>(
+      J, first, [&](const Eigen::Vector4d& w) { return second_derivative(sample, w); });
+}
+
+template <bool from_angles = false>
+DerivativesAnswer<double> derivatives(const Sample& sample) {
+  return solved<double>(closure_jacobians<from_angles>(sample), sample.g.u_rate,
+                        [&](const Eigen::Vector4d& w) { return second_derivative(sample, w); });
+}
+
 }  // namespace
 
 void add_ceres_jet(DerivativeTask& task, Wanted wanted) {
+  const char* given = "Ceres Jet";
+  const char* angles = "Ceres Jet from angles";
+  const char* given_and_lu = "Ceres Jet + LU";
+  const char* angles_and_lu = "Ceres Jet from angles + LU";
+  // Functions as lambdas, so that each is inlined into its own loop.
   switch (wanted) {
     case Wanted::jacobian:
-      task.add<double>("Ceres Jet", "double", [](const Sample& sample) {
-        const auto f = closure<4>(sample);
-        JacobianAnswer<double> answer;
-        for (int row = 0; row < 4; ++row) {
-          answer.by_unknowns.row(row) = f(row).v.transpose();
-        }
-        return answer;
-      });
+      task.add<double>(given, "double", [](const Sample& sample) { return jacobian(sample); });
+      task.add<double>(angles, "double",
+                       [](const Sample& sample) { return jacobian<true>(sample); });
       return;
     case Wanted::closure:
-      task.add<double>("Ceres Jet", "double",
+      task.add<double>(given, "double",
                        [](const Sample& sample) { return closure_jacobians(sample); });
-      task.add<double>("Ceres Jet from angles", "double",
+      task.add<double>(angles, "double",
                        [](const Sample& sample) { return closure_jacobians<true>(sample); });
       return;
     case Wanted::motion:
-      task.add<double>("Ceres Jet + LU", "double", [](const Sample& sample) {
-        // Slots 0 to 3 are the unknowns', slot 4 is time's.
-        using Jet = ceres::Jet<double, 5>;
-        const auto& g = sample.g;
-        Vector<Jet, 4> f;
-        Model01::residual(filled<Jet, Model01::Dimensions<Jet>>(
-                              g.d, [](double value, int) { return Jet(value); }),
-                          filled<Jet, Model01::Inputs<Jet>>(g.u,
-                                                            [&](double value, int index) {
-                                                              Jet jet(value);
-                                                              jet.v(4) = g.u_rate(index);
-                                                              return jet;
-                                                            }),
-                          filled<Jet, Model01::Configuration<Jet>>(
-                              g.q, [](const Direction<double>& value,
-                                      int index) { return turning<Jet>(value, index); }),
-                          f);
-        Eigen::Matrix4d J;
-        Eigen::Vector4d first;
-        for (int row = 0; row < 4; ++row) {
-          J.row(row) = f(row).v.template head<4>().transpose();
-          first(row) = f(row).v(4);
-        }
-        return solved_motion<double>(
-            J, first, [&](const Eigen::Vector4d& w) { return second_derivative(sample, w); });
-      });
+      task.add<double>(given_and_lu, "double", [](const Sample& sample) { return motion(sample); });
+      task.add<double>(angles_and_lu, "double",
+                       [](const Sample& sample) { return motion<true>(sample); });
       return;
     case Wanted::derivatives:
-      task.add<double>("Ceres Jet + LU", "double", [](const Sample& sample) {
-        return solved<double>(
-            closure_jacobians(sample), sample.g.u_rate,
-            [&](const Eigen::Vector4d& w) { return second_derivative(sample, w); });
-      });
-      task.add<double>("Ceres Jet from angles + LU", "double", [](const Sample& sample) {
-        return solved<double>(
-            closure_jacobians<true>(sample), sample.g.u_rate,
-            [&](const Eigen::Vector4d& w) { return second_derivative(sample, w); });
-      });
+      task.add<double>(given_and_lu, "double",
+                       [](const Sample& sample) { return derivatives(sample); });
+      task.add<double>(angles_and_lu, "double",
+                       [](const Sample& sample) { return derivatives<true>(sample); });
       return;
   }
 }

@@ -48,6 +48,13 @@ struct DerivativeTask {
   }
 };
 
+/// A method of the stability laboratory that assembles the group anew at each step.
+template <stability::Answer<Model01> (*method)(const stability::Geometry<Model01, double>&)>
+[[nodiscard]] DerivativesAnswer<double> by_assemblies(const TetradSample<double>& sample) {
+  const stability::Answer<Model01> answer = method(sample.g);
+  return {answer.sensitivities, answer.motion, answer.status};
+}
+
 /// A derivative task asks one of these of every method.
 enum class Wanted : unsigned char { jacobian, closure, motion, derivatives };
 
@@ -57,5 +64,6 @@ void add_eigen(DerivativeTask& task, Wanted wanted);
 void add_ceres_jet(DerivativeTask& task, Wanted wanted);
 void add_adol_c(DerivativeTask& task, Wanted wanted);
 void add_differences(DerivativeTask& task, Wanted wanted);
+void add_complex_step(DerivativeTask& task, Wanted wanted);
 
 }  // namespace assur::speed

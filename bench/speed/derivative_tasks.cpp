@@ -17,6 +17,7 @@ Task derivative_task(const TetradSamples& samples, const std::string& name, Want
   add_adol_c(made, wanted);
 #endif
   add_differences(made, wanted);
+  add_complex_step(made, wanted);
   return std::move(made.task);
 }
 

@@ -1,6 +1,4 @@
-// Differences of the closures and of whole assemblies, and the complex step, as entries of the
-// derivative tasks.
-#include <complex>
+// Central differences of the closures and of whole assemblies as entries of the derivative tasks.
 #include <cstdio>
 
 #include "../stability/step_methods.hpp"
@@ -106,46 +104,15 @@ void add_central(DerivativeTask& task, Wanted wanted, double step) {
   }
 }
 
-JacobianAnswer<double> complex_step_jacobian(const Sample& sample) {
-  using Complex = std::complex<double>;
-  constexpr double h = 1e-100;
-  auto g = stability::converted<Complex>(sample.g);
-  JacobianAnswer<double> answer;
-  int column = 0;
-  const auto differentiate = [&](Direction<Complex>& direction) {
-    const Direction<Complex> at = direction;
-    direction = {Complex(at.cos.real(), -h * at.sin.real()),
-                 Complex(at.sin.real(), h * at.cos.real())};
-    Vector<Complex, 4> f;
-    Model01::residual(g.d, g.u, g.q, f);
-    answer.by_unknowns.col(column++) = f.imag() / h;
-    direction = at;
-  };
-  std::apply([&](auto&... member) { (differentiate(member), ...); }, g.q.members());
-  return answer;
-}
-
-/// The laboratory's methods that assemble the group anew at each step.
-template <stability::Answer<Model01> (*method)(const stability::Geometry<Model01, double>&)>
-DerivativesAnswer<double> by_assemblies(const Sample& sample) {
-  const stability::Answer<Model01> answer = method(sample.g);
-  return {answer.sensitivities, answer.motion, answer.status};
-}
-
 }  // namespace
 
 void add_differences(DerivativeTask& task, Wanted wanted) {
   for (const double step : {1e-3, 6e-6, 1e-8}) {
     add_central(task, wanted, step);
   }
-  if (wanted == Wanted::jacobian) {
-    task.add<double>("complex step", "double", complex_step_jacobian);
-  }
   if (wanted == Wanted::derivatives) {
     task.add<double>("central differences of assemblies", "double",
                      by_assemblies<stability::central_differences<Model01>>);
-    task.add<double>("complex step of assemblies", "double",
-                     by_assemblies<stability::complex_step<Model01>>);
   }
 }
 

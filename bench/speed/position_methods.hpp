@@ -20,9 +20,24 @@ template <typename Model>
 template <typename Model>
 using Polynomial = TrigonometricPolynomial<double, Model::polynomial_degree>;
 
+/// How far from real, or from the unit circle, a computed root may be that is taken for one: two
+/// that meet drift apart by the root of what is rounded. Of the powers of ten the one with the
+/// fewest failures, near singular groups and others.
+inline constexpr double nearly_real = 1e-5;
+
+/// What a method takes for one configuration.
+struct Effort {
+  int polishing_steps;  ///< Newton's, at most, from a root of the polynomial
+  int newton_steps;     ///< from one of many starts
+};
+/// Enough in general, and where two configurations meet: there Newton's iteration begins slowly.
+inline constexpr Effort usual_effort = {3, 20};
+inline constexpr Effort patient_effort = {10, 40};
+
 /// The same elimination, its roots by another method, completed and polished likewise.
 template <typename Model, typename FindAngles>
-[[nodiscard]] Found<Model> from_roots(const PositionSample<Model>& sample, FindAngles find_angles) {
+[[nodiscard]] Found<Model> from_roots(const PositionSample<Model>& sample, Effort effort,
+                                      FindAngles find_angles) {
   Polynomial<Model> T;
   Model::position_polynomial(sample.d, sample.u, T);
   const auto roots = find_angles(T);
@@ -38,7 +53,7 @@ template <typename Model, typename FindAngles>
       second = assur::detail::second_candidates<std::decay_t<decltype(second)>>(e).list[0].value;
     }
     Model::complete(sample.d, sample.u, q);
-    (void)refine<Model, double>(sample.d, sample.u, q, 3);
+    (void)refine<Model, double>(sample.d, sample.u, q, effort.polishing_steps);
     found.add(q);
   }
   return found;
@@ -80,7 +95,7 @@ template <std::size_t Degree>
   const Eigen::PolynomialSolver<double, size - 1> solver(coefficients);
   for (int index = 0; index < size - 1; ++index) {
     const std::complex<double> t = solver.roots()(index);
-    if (std::abs(t.imag()) < 1e-8 * (1 + std::abs(t.real()))) {
+    if (std::abs(t.imag()) < nearly_real * (1 + std::abs(t.real()))) {
       roots.add(2 * std::atan(t.real()));
     }
   }
@@ -88,18 +103,18 @@ template <std::size_t Degree>
 }
 
 /// Newton's iteration with Eigen's LU from 64 starts that are the same for every group; a turn of
-/// at most one radian a step, given up after 20 steps.
+/// at most one radian a step.
 template <typename Model>
 class MultiStartNewton {
   using Configuration = typename Model::template Configuration<double>;
   static constexpr int size = Model::unknown_count;
 
  public:
-  [[nodiscard]] static Found<Model> find(const PositionSample<Model>& sample) {
+  [[nodiscard]] static Found<Model> find(const PositionSample<Model>& sample, Effort effort) {
     Found<Model> found;
     for (const Configuration& start : starts()) {
       Configuration q = start;
-      if (settles(sample, q) && !known(found, q)) {
+      if (settles(sample, effort, q) && !known(found, q)) {
         found.add(q);
       }
     }
@@ -107,8 +122,8 @@ class MultiStartNewton {
   }
 
  private:
-  static bool settles(const PositionSample<Model>& sample, Configuration& q) {
-    for (int iteration = 0; iteration < 20; ++iteration) {
+  static bool settles(const PositionSample<Model>& sample, Effort effort, Configuration& q) {
+    for (int iteration = 0; iteration < effort.newton_steps; ++iteration) {
       Vector<double, size> f;
       Matrix<double, size, size> J;
       Model::residual(sample.d, sample.u, q, f);
@@ -130,7 +145,7 @@ class MultiStartNewton {
   }
   static bool known(const Found<Model>& found, const Configuration& q) {
     for (std::size_t index = 0; index < found.count; ++index) {
-      if (apart(found.list[index], q) < 1e-6) {
+      if (apart(found.list[index], q) < 1e-8) {
         return true;
       }
     }

@@ -1,13 +1,16 @@
 // Random groups that can be assembled, and all their configurations by Sturm's theorem and CLN.
 #pragma once
 
+#include <Eigen/LU>
 #include <assur/assembly.hpp>
 #include <random>
 #include <vector>
 
 #include "../../tests/reference_roots.hpp"
 #include "../../tests/sturm.hpp"
+#include "../stability/problem.hpp"
 #include "precise.hpp"
+#include "tetrad_samples.hpp"
 
 namespace assur::speed {
 
@@ -37,6 +40,7 @@ template <typename Model>
 struct PositionTruth {
   std::size_t count = 0;  ///< by Sturm's theorem
   std::vector<typename Model::template Configuration<long double>> list;
+  std::vector<double> tolerances;  ///< within which an answer is that configuration
 };
 
 /// Largest difference of two configurations; of displacements above one, relative.
@@ -59,6 +63,57 @@ template <typename A, typename B>
       },
       a.members());
   return static_cast<double>(largest);
+}
+
+/// How far a configuration moves, to first order, if every length and angle that is given changes
+/// by a part of itself or of a radian, over that part: its condition.
+template <typename Model>
+[[nodiscard]] double condition(const PositionSample<Model>& sample,
+                               const typename Model::template Configuration<long double>& q) {
+  using Long = long double;
+  constexpr int rows = Model::equation_count;
+  const auto d = stability::converted<typename Model::template Dimensions<Long>>(sample.d);
+  const auto u = stability::converted<typename Model::template Inputs<Long>>(sample.u);
+  Matrix<Long, rows, rows> J;
+  Matrix<Long, rows, Model::dimension_count> by_dimensions;
+  Matrix<Long, rows, Model::input_count> by_inputs;
+  Model::jacobian(d, u, q, J);
+  Model::dimension_jacobian(d, u, q, by_dimensions);
+  Model::input_jacobian(d, u, q, by_inputs);
+  const Eigen::PartialPivLU<Matrix<Long, rows, rows>> factors(J);
+  Vector<Long, rows> moved = Vector<Long, rows>::Zero();
+  const auto add = [&](const auto& columns, const auto& variables) {
+    const auto S = factors.solve(columns).eval();
+    int column = 0;
+    const auto by = [&](const auto& variable) {
+      if constexpr (std::is_arithmetic_v<std::decay_t<decltype(variable)>>) {
+        moved += S.col(column).cwiseAbs() * std::abs(variable);
+      } else {
+        moved += S.col(column).cwiseAbs();
+      }
+      ++column;
+    };
+    std::apply([&](const auto&... member) { (by(member), ...); }, variables.members());
+  };
+  add(by_dimensions, d);
+  add(by_inputs, u);
+  return static_cast<double>(moved.maxCoeff());
+}
+
+/// 1e-6, or a third of the way to the next configuration if that is less, so that one answer is
+/// never two configurations; but never less than what a hundred roundings of what is given move
+/// the configuration by, which doubles cannot hold.
+template <typename Model>
+void set_tolerances(const PositionSample<Model>& sample, PositionTruth<Model>& truth) {
+  for (const auto& q : truth.list) {
+    double tolerance = 1e-6;
+    for (const auto& other : truth.list) {
+      const double distance = apart(q, other);
+      tolerance = distance > 0 ? std::min(tolerance, distance / 3) : tolerance;
+    }
+    const double held = 100 * std::numeric_limits<double>::epsilon() * condition(sample, q);
+    truth.tolerances.push_back(std::max(tolerance, held));
+  }
 }
 
 template <typename Model>
@@ -87,6 +142,7 @@ template <typename Model>
       truth.list.push_back(exact);
     }
   }
+  set_tolerances(sample, truth);
   return truth;
 }
 
@@ -108,30 +164,17 @@ template <typename Model>
   return samples;
 }
 
-/// The largest error of a complete answer; infinite if one is lost or invented. Near is below 1e-6.
+/// The groups of tetrads, whatever configuration these are in.
 template <typename Model>
-[[nodiscard]] double position_error(const Found<Model>& found, const PositionTruth<Model>& truth) {
-  constexpr double near = 1e-6;
-  double worst = 0;
-  std::vector<bool> used(found.count, false);
-  for (const auto& exact : truth.list) {
-    double best = std::numeric_limits<double>::infinity();
-    std::size_t chosen = 0;
-    for (std::size_t index = 0; index < found.count; ++index) {
-      const double distance = apart(found.list[index], exact);
-      if (!used[index] && distance < best) {
-        best = distance;
-        chosen = index;
-      }
-    }
-    if (!(best < near)) {
-      return std::numeric_limits<double>::infinity();
-    }
-    used[chosen] = true;
-    worst = std::max(worst, best);
+[[nodiscard]] PositionSamples<Model> positions_of(
+    const std::vector<TetradSample<double>>& tetrads) {
+  PositionSamples<Model> samples;
+  for (const TetradSample<double>& tetrad : tetrads) {
+    const PositionSample<Model> sample = {tetrad.g.d, tetrad.g.u};
+    samples.list.push_back(sample);
+    samples.truth.push_back(position_truth<Model>(sample));
   }
-  const bool complete = truth.list.size() == truth.count && found.count == truth.count;
-  return complete ? worst : std::numeric_limits<double>::infinity();
+  return samples;
 }
 
 }  // namespace assur::speed

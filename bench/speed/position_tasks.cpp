@@ -7,6 +7,7 @@
 #include <assur/tetrad/model_15.hpp>
 #include <memory>
 
+#include "position_error.hpp"
 #include "position_methods.hpp"
 #include "tasks.hpp"
 #ifdef ASSUR_PHC
@@ -70,25 +71,30 @@ void add_phc(Task& task, const Samples<tetrad::Model01>& samples, std::size_t in
 #endif
 
 template <typename Model>
-Task position_task(const std::string& name, std::size_t inputs, std::size_t phc_inputs) {
-  const auto samples =
-      std::make_shared<const PositionSamples<Model>>(random_positions<Model>(inputs));
+Task position_task(const std::string& name, PositionSamples<Model> made, std::size_t phc_inputs = 0,
+                   Effort effort = usual_effort) {
+  const auto samples = std::make_shared<const PositionSamples<Model>>(std::move(made));
+  const std::size_t inputs = samples->list.size();
   Task task{name, inputs, {}};
   add<Model>(task, samples, "generated", closed_form<Model>);
   if constexpr (Model::unknowns[static_cast<std::size_t>(Model::first_unknown)].is_angle) {
     using T = Polynomial<Model>;
     using Sample = PositionSample<Model>;
-    add<Model>(task, samples, "companion eigenvalues", [](const Sample& sample) {
-      return from_roots<Model>(sample, [](const T& t) { return test::companion_roots(t); });
+    add<Model>(task, samples, "companion eigenvalues", [=](const Sample& sample) {
+      return from_roots<Model>(sample, effort,
+                               [](const T& t) { return test::companion_roots(t, nearly_real); });
     });
-    add<Model>(task, samples, "half angle, Eigen's polynomial solver", [](const Sample& sample) {
-      return from_roots<Model>(sample, [](const T& t) { return half_angle_roots(t); });
+    add<Model>(task, samples, "half angle, Eigen's polynomial solver", [=](const Sample& sample) {
+      return from_roots<Model>(sample, effort, [](const T& t) { return half_angle_roots(t); });
     });
-    add<Model>(task, samples, "grid of 360 and bisection", [](const Sample& sample) {
-      return from_roots<Model>(sample, [](const T& t) { return test::subdivision_roots(t); });
+    add<Model>(task, samples, "grid of 360 and bisection", [=](const Sample& sample) {
+      return from_roots<Model>(sample, effort,
+                               [](const T& t) { return test::subdivision_roots(t); });
     });
   }
-  add<Model>(task, samples, "64-start Newton", MultiStartNewton<Model>::find);
+  add<Model>(task, samples, "64-start Newton", [=](const PositionSample<Model>& sample) {
+    return MultiStartNewton<Model>::find(sample, effort);
+  });
 #ifdef ASSUR_PHC
   if constexpr (std::is_same_v<Model, tetrad::Model01>) {
     add_phc(task, samples, std::min(inputs, phc_inputs));
@@ -102,15 +108,20 @@ Task position_task(const std::string& name, std::size_t inputs, std::size_t phc_
 }  // namespace
 
 std::vector<Task> position_tasks(const TaskSizes& sizes) {
+  using namespace tetrad;
   const std::size_t fewer = sizes.inputs / 4;
   std::vector<Task> tasks;
+  tasks.push_back(position_task("all configurations", random_positions<Model01>(sizes.inputs),
+                                sizes.phc_inputs));
+  tasks.push_back(position_task(
+      "all configurations, near singular",
+      positions_of<Model01>(near_singular_tetrads(sizes.near_singular).list), sizes.phc_inputs));
   tasks.push_back(
-      position_task<tetrad::Model01>("all configurations", sizes.inputs, sizes.phc_inputs));
+      position_task("all configurations, RPP-RRR (at most 4)", random_positions<Model05>(fewer)));
   tasks.push_back(
-      position_task<tetrad::Model05>("all configurations, RPP-RRR (at most 4)", fewer, 0));
+      position_task("all configurations, RPR-RPR (at most 2)", random_positions<Model04>(fewer)));
   tasks.push_back(
-      position_task<tetrad::Model04>("all configurations, RPR-RPR (at most 2)", fewer, 0));
-  tasks.push_back(position_task<tetrad::Model15>("all configurations, PPR-RPP (one)", fewer, 0));
+      position_task("all configurations, PPR-RPP (one)", random_positions<Model15>(fewer)));
   return tasks;
 }
 

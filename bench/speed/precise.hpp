@@ -3,30 +3,10 @@
 
 #include <cln/float.h>
 #include <cln/lfloat.h>
-#include <cln/rational.h>
-#include <cln/real.h>
 
-#include <Eigen/Core>
 #include <assur/variables.hpp>
 
-namespace Eigen {
-template <>
-struct NumTraits<cln::cl_R> : GenericNumTraits<cln::cl_R> {
-  using Real = cln::cl_R;
-  using NonInteger = cln::cl_R;
-  using Nested = cln::cl_R;
-  using Literal = cln::cl_R;
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 10,
-    AddCost = 100,
-    MulCost = 100
-  };
-};
-}  // namespace Eigen
+#include "../../tests/cln_scalars.hpp"
 
 namespace assur::speed {
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "chart.hpp"
 #include "targets.hpp"
 
 namespace assur::speed {
@@ -99,58 +100,6 @@ void write_rows(const std::vector<Task>& tasks, std::ostream& out) {
   }
 }
 
-/// Where the chart writes each entry's name, in decades of error: at its point, or above the names
-/// that it would cover. A panel is about eighteen lines high and two names wide.
-std::vector<double> name_heights(const std::vector<double>& times,
-                                 const std::vector<double>& errors) {
-  const auto [low, high] = std::minmax_element(errors.begin(), errors.end());
-  const auto [fast, slow] = std::minmax_element(times.begin(), times.end());
-  const double line = (*high - *low + 2) / 18;
-  const double width = (*slow - *fast + 1.7) * 0.45;
-  std::vector<std::size_t> order(errors.size());
-  for (std::size_t index = 0; index < order.size(); ++index) {
-    order[index] = index;
-  }
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return errors[a] < errors[b]; });
-  std::vector<double> heights = errors;
-  for (std::size_t place = 0; place < order.size(); ++place) {
-    const std::size_t name = order[place];
-    for (std::size_t earlier = 0; earlier < place; ++earlier) {
-      const std::size_t other = order[earlier];
-      if (std::abs(times[name] - times[other]) < width &&
-          std::abs(heights[name] - heights[other]) < 0.999 * line) {
-        heights[name] = heights[other] + line;
-        earlier = static_cast<std::size_t>(-1);  // against all of them again
-      }
-    }
-  }
-  return heights;
-}
-
-/// A block a task: ns, error, failures, the method's name, its scalar, the task and where the name
-/// is written, for gnuplot.
-void write_columns(const std::vector<Task>& tasks, std::ostream& out) {
-  for (const Task& task : tasks) {
-    std::vector<double> times;
-    std::vector<double> errors;
-    for (const Entry& entry : task.entries) {
-      // What errs in every input is drawn at the top, what is exact at the bottom.
-      const double error = std::isfinite(entry.row.error) ? entry.row.error : 1;
-      times.push_back(std::log10(entry.row.ns));
-      errors.push_back(std::log10(std::max(error, 1e-20)));
-    }
-    const std::vector<double> heights = name_heights(times, errors);
-    for (std::size_t index = 0; index < task.entries.size(); ++index) {
-      const Row& row = task.entries[index].row;
-      out << row.ns << '\t' << std::pow(10, errors[index]) << '\t' << row.failures << '\t'
-          << row.method << '\t' << row.scalar << '\t' << row.task << '\t'
-          << std::pow(10, heights[index]) << '\n';
-    }
-    out << "\n\n";
-  }
-}
-
 }  // namespace
 
 void write_report(const std::vector<Task>& tasks, const std::filesystem::path& directory) {
@@ -162,7 +111,7 @@ void write_report(const std::vector<Task>& tasks, const std::filesystem::path& d
   markdown << "\n## All rows\n";
   write_rows(tasks, markdown);
   std::ofstream columns = opened(directory / "speed_accuracy.dat");
-  write_columns(tasks, columns);
+  write_chart_columns(tasks, columns);
 }
 
 }  // namespace assur::speed

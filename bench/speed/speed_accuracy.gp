@@ -1,47 +1,88 @@
 # Draws the columns that speed_accuracy writes: gnuplot -c speed_accuracy.gp DIRECTORY
-# A panel a task, error over time, both logarithmic, one colour a family of methods; a ring marks
-# failures on some input. Left and low is better.
+# speed_accuracy.svg has a panel a task, speed_summary.svg the two that tell most. Error over time,
+# both logarithmic; a method's name stands at the right, a line leads to it.
 directory = ARG1
 columns = directory . "/speed_accuracy.dat"
-set terminal svg size 1300,1850 font "Helvetica,13" background "white"
-set output directory . "/speed_accuracy.svg"
 set datafile separator "\t"
 
-colour(name) = name[1:9] eq "generated" ? 0xd00000 : \
-  name[1:5] eq "Eigen" || name[1:6] eq "Newton" || name[1:2] eq "64" ? 0x0072b2 : \
-  name[1:5] eq "Ceres" || name[1:4] eq "ADOL" ? 0x009e73 : \
-  name[1:7] eq "central" || name[1:7] eq "complex" ? 0x999999 : \
-  name[1:7] eq "special" ? 0xcc79a7 : \
-  name[1:6] eq "KINSOL" || name[1:7] eq "MINPACK" || name[1:3] eq "GSL" ? 0xd08000 : 0x7040a0
-short(name, scalar) = (scalar eq "double" ? "" : scalar . ", ") . \
-  (strstrt(name, "generated, ") == 1 ? name[12:*] : name)
+# By the number that a family or a scalar has in the columns.
+array colours[7] = [0xd00000, 0x0072b2, 0x00875a, 0x707070, 0xc0509a, 0xb86000, 0x6a3d9a]
+array families[7] = ["generated", "by hand, LU", "autodiff", "differences", "special points", \
+  "general solvers", "root finders"]
+array marks[3] = [7, 9, 5]
+array scalars[3] = ["double", "float", "long double"]
+named(name, value) = strlen(name) > 0 ? value : NaN
+paler(colour) = (0xa0 << 24) + colour
+
+stats columns using 1 nooutput
+tasks = int(STATS_blocks) - 1  # an empty block ends the file
+array titles[tasks]
+do for [task = 1:tasks] {
+  stats columns index task - 1 using (titles[task] = strcol(7), 1) nooutput
+}
+summary(title) = title eq "sensitivities, velocity, acceleration" || title eq "all configurations"
 
 set format x "10^{%T}"
 set format y "10^{%T}"
-set grid xtics ytics lc rgb "#e4e4e4" lt 1
-set xlabel "ns per evaluation" offset 0,0.6
+set grid xtics ytics lc rgb "#e0e0e0" lt 1
+set border 3 lc rgb "#a0a0a0"
+set tics scale 0 nomirror font ",12" textcolor rgb "#505050"
 unset key
-set multiplot layout 5,3 margins 0.05,0.985,0.04,0.955 spacing 0.055,0.065 \
-  title "Largest relative error against 60 digits, over the time of an evaluation" font ",17"
-stats columns using 1 nooutput
-panels = int(STATS_blocks) - 1  # an empty block ends the file
-do for [panel = 1:panels] {
-  set xrange [*:*]
-  set yrange [*:*]
-  title = ""
-  stats columns index panel - 1 using (title = strcol(6), 1) nooutput
-  unset logscale
-  set title title offset 0,-0.7 font ",13"
-  stats columns index panel - 1 using (log10($1)) name "T" nooutput
-  stats columns index panel - 1 using (log10($2)) name "E" nooutput
-  set logscale xy
-  set xrange [10**(T_min - 0.3):10**(T_max + 1.4)]
-  set yrange [10**(E_min - 1):10**(E_max + 1 + 0.3 * (E_max - E_min))]
-  plot columns index panel - 1 using 1:2:(colour(strcol(4))) with points pt 7 ps 0.7 \
-      lc rgb variable, \
-    "" index panel - 1 using 1:($3 > 0 ? $2 : NaN):(colour(strcol(4))) with points pt 6 ps 1.5 \
-      lw 1.5 lc rgb variable, \
-    "" index panel - 1 using 1:7:(short(strcol(4), strcol(5))):(colour(strcol(4))) with labels \
-      left offset 0.8,0 font ",9" textcolor rgb variable
+do for [figure = 1:2] {
+  panels = 0
+  do for [task = 1:tasks] { panels = panels + (figure == 1 || summary(titles[task])) }
+  rows = (panels + 1) / 2
+  head = 82.0
+  each = 290.0
+  height = head + each * rows
+  set terminal svg size 900,height font "Helvetica,13" background "white"
+  set output directory . (figure == 1 ? "/speed_accuracy.svg" : "/speed_summary.svg")
+  set multiplot
+  set label 30 "Largest relative error over the nanoseconds of an evaluation: lower left is better" \
+    at screen 0.02, 1 - 20 / height font ",16"
+  do for [n = 1:7] {
+    set label n families[n] at screen (24 + 122 * (n - 1)) / 900.0, 1 - 46 / height \
+      point pt 7 ps 0.9 lc rgb colours[n] offset 0.8,-0.25 textcolor rgb colours[n]
+  }
+  do for [n = 1:3] {
+    set label 10 + n scalars[n] at screen (24 + 122 * (n - 1)) / 900.0, 1 - 68 / height \
+      point pt marks[n] ps 0.9 lc rgb colours[1] offset 0.8,-0.25
+  }
+  set label 20 "fails on some inputs (on how many)" \
+    at screen 390 / 900.0, 1 - 68 / height point pt 6 ps 1.6 lw 1.5 lc rgb 0x404040 offset 1.1,-0.25
+  place = 0
+  do for [task = 1:tasks] {
+    if (figure == 1 || summary(titles[task])) {
+      unset logscale
+      set xrange [*:*]
+      set yrange [*:*]
+      stats columns index task - 1 using (log10($1)) name "T" nooutput
+      stats columns index task - 1 using 9 name "LOW" nooutput
+      stats columns index task - 1 using 10 name "HIGH" nooutput
+      first = T_min - 0.25
+      last = T_max + 0.3 > first + 1.6 ? T_max + 0.3 : first + 1.6
+      names = 10**(last + 0.05 * (last - first))
+      set logscale xy
+      set xrange [10**first:10**(last + 0.95 * (last - first))]
+      set yrange [LOW_min:HIGH_max]
+      set xtics 10**ceil(first), 10, 10**floor(last)
+      top = 1 - (head + each * (place / 2) + 34) / height
+      set lmargin at screen 0.055 + 0.5 * (place % 2)
+      set rmargin at screen 0.497 + 0.5 * (place % 2)
+      set tmargin at screen top
+      set bmargin at screen top - (each - 66) / height
+      set label 40 titles[task] at graph 0, 1.07 font ",14"
+      plot columns index task - 1 using (named(strcol(4), $1)):2:(names - $1):($8 - $2): \
+          (paler(colours[int($5)])) with vectors nohead lw 0.8 lc rgb variable, \
+        "" index task - 1 using 1:2:(marks[int($6)]):(colours[int($5)]) \
+          with points pt variable ps 0.9 lc rgb variable, \
+        "" index task - 1 using 1:($3 > 0 ? $2 : NaN):(colours[int($5)]) \
+          with points pt 6 ps 1.6 lw 1.5 lc rgb variable, \
+        "" index task - 1 using (names):(named(strcol(4), $8)):4:(colours[int($5)]) \
+          with labels left offset 0.2,0 font ",12" textcolor rgb variable
+      do for [n = 1:30] { unset label n }
+      place = place + 1
+    }
+  }
+  unset multiplot
 }
-unset multiplot

@@ -1,7 +1,8 @@
 #include "tetrad_samples.hpp"
 
 #include <assur/assembly.hpp>
-#include <random>
+
+#include "../../tests/exact.hpp"
 
 namespace assur::speed {
 
@@ -10,20 +11,7 @@ namespace {
 constexpr unsigned random_seed = 1618;
 constexpr unsigned singular_seed = 2718;
 
-class Draw {
- public:
-  explicit Draw(unsigned seed) : engine_(seed) {}
-  double between(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
-  }
-  int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(engine_); }
-  void fill(double& member) { member = between(-2, 2); }
-  void fill(Direction<double>& member) { member = direction_of(between(-3.14159, 3.14159)); }
-
- private:
-  std::mt19937 engine_;
-};
-
+using Random = test::RandomInputs;
 using Dimensions = Model01::Dimensions<double>;
 using Inputs = Model01::Inputs<double>;
 using Configuration = Model01::Configuration<double>;
@@ -49,7 +37,7 @@ TetradTruth truth_at(const Model01::Dimensions<Precise>& d, const Model01::Input
 }
 
 /// Adds the configuration near `q`, set in motion, unless Newton's iteration does not settle.
-void append(const Dimensions& d, const Inputs& u, const Configuration& q, Draw& draw,
+void append(const Dimensions& d, const Inputs& u, const Configuration& q, Random& random,
             TetradSamples& samples) {
   const auto exact_d = in_scalar<Model01::Dimensions<Precise>>(d);
   const auto exact_u = in_scalar<Model01::Inputs<Precise>>(u);
@@ -70,8 +58,8 @@ void append(const Dimensions& d, const Inputs& u, const Configuration& q, Draw& 
   Vector<Precise, 4> u_rate;
   Vector<Precise, 4> u_second_rate;
   for (int input = 0; input < 4; ++input) {
-    sample.g.u_rate(input) = draw.between(-1, 1);
-    sample.g.u_second_rate(input) = draw.between(-1, 1);
+    sample.g.u_rate(input) = random.between(-1, 1);
+    sample.g.u_second_rate(input) = random.between(-1, 1);
     u_rate(input) = precise(sample.g.u_rate(input));
     u_second_rate(input) = precise(sample.g.u_second_rate(input));
   }
@@ -81,10 +69,11 @@ void append(const Dimensions& d, const Inputs& u, const Configuration& q, Draw& 
 
 /// Directions with det J = 0 up to a turn of GF by the root of the distance, ends and F moved so
 /// that the loops close:  (CD x BC) (GF x EF) = (CD x ED) (GF x BG)  with EF = BG + GF - EB.
-void make_near_singular(Draw& draw, double distance, Dimensions& d, Inputs& u, Configuration& q) {
-  std::apply([&](auto&... member) { (draw.fill(member), ...); }, d.members());
-  std::apply([&](auto&... member) { (draw.fill(member), ...); }, q.members());
-  u = {draw.between(-1, 1), draw.between(-1, 1), 0, 0};
+void make_near_singular(Random& random, double distance, Dimensions& d, Inputs& u,
+                        Configuration& q) {
+  d = random.variables<Dimensions>();
+  q = random.variables<Configuration>();
+  u = {random.between(-1, 1), random.between(-1, 1), 0, 0};
   Vector<double, 4> f;
   Model01::residual(d, u, q, f);
   u.x_E += f(0);
@@ -104,31 +93,30 @@ void make_near_singular(Draw& draw, double distance, Dimensions& d, Inputs& u, C
 }  // namespace
 
 TetradSamples random_tetrads(std::size_t count) {
-  Draw draw(random_seed);
+  Random random(random_seed);
   TetradSamples samples;
   while (samples.list.size() < count) {
-    Dimensions d;
-    Inputs u;
-    std::apply([&](auto&... member) { (draw.fill(member), ...); }, d.members());
-    std::apply([&](auto&... member) { (draw.fill(member), ...); }, u.members());
+    const auto d = random.variables<Dimensions>();
+    const auto u = random.variables<Inputs>();
     const auto found = assemblies<Model01>(d, u);
     if (found.count > 0) {
-      append(d, u, found.configurations[static_cast<std::size_t>(draw.below(found.count))], draw,
-             samples);
+      append(d, u,
+             found.configurations[static_cast<std::size_t>(random.integer(0, found.count - 1))],
+             random, samples);
     }
   }
   return samples;
 }
 
 TetradSamples near_singular_tetrads(std::size_t count) {
-  Draw draw(singular_seed);
+  Random random(singular_seed);
   TetradSamples samples;
   while (samples.list.size() < count) {
     Dimensions d;
     Inputs u;
     Configuration q;
-    make_near_singular(draw, std::pow(10.0, draw.between(-10, -2)), d, u, q);
-    append(d, u, q, draw, samples);
+    make_near_singular(random, std::pow(10.0, random.between(-10, -2)), d, u, q);
+    append(d, u, q, random, samples);
   }
   return samples;
 }

@@ -1,7 +1,5 @@
 #include "tracking_samples.hpp"
 
-#include <random>
-
 #include "position_samples.hpp"
 
 namespace assur::speed {
@@ -63,24 +61,21 @@ std::optional<Model01::Configuration<double>> follow(const TrackingSample& sampl
 }  // namespace
 
 TrackingSamples random_steps(std::size_t count, double step) {
-  std::mt19937 engine(seed);
-  const auto between = [&engine](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine);
-  };
+  test::RandomInputs random(seed);
   TrackingSamples samples;
   while (samples.list.size() < count) {
     TrackingSample sample;
-    std::apply([&](auto&... member) { ((member = between(-2, 2)), ...); }, sample.d.members());
-    std::apply([&](auto&... member) { ((member = between(-2, 2)), ...); }, sample.u.members());
-    sample.radius = between(0.2, 1);
-    sample.from = between(0, 6.28);
+    sample.d = random.variables<Model01::Dimensions<double>>();
+    sample.u = random.variables<Model01::Inputs<double>>();
+    sample.radius = random.between(0.2, 1);
+    sample.from = random.between(0, 6.28);
     sample.to = sample.from + step;
     const InputMotion<Model01> inputs = sample.at(sample.from);
     const auto set = assemblies<Model01>(sample.d, inputs.u);
     if (set.count == 0) {
       continue;
     }
-    const int chosen = std::uniform_int_distribution<int>(0, set.count - 1)(engine);
+    const int chosen = random.integer(0, set.count - 1);
     const auto& q = set.configurations[static_cast<std::size_t>(chosen)];
     sample.start = branch_point<Model01>(sample.d, inputs, q);
     sample.theta = {angle_of(q.theta_BCG), angle_of(q.theta_EDF), angle_of(q.theta_CD),

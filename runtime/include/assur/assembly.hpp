@@ -400,6 +400,9 @@ class AssemblySearch {
 
   /// Two roots that polish to one configuration: one of them was completed wrongly.
   [[nodiscard]] bool has_twins() const {
+    if constexpr (Assemblies<Model>::capacity == 1) {
+      return false;
+    }
     for (int index = 1; index < result_.count; ++index) {
       if (repeats_earlier(index, 0)) {
         return true;
