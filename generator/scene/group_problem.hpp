@@ -15,6 +15,7 @@ struct GroupProblem {
   std::vector<DimensionValue<Dual>> inputs;  ///< the model's inputs
   Eigen::VectorXd input_rates;
   Eigen::VectorXd input_second_rates;
+  double displaced = 0;  ///< how far rounding may have moved the neighbours
 };
 
 /// A slide of the group: the displacement between the feet on its two links.
@@ -30,7 +31,8 @@ struct GroupState {
   std::vector<LinkState> frames;
   std::vector<SlideState> slides;
   Status regularity = Status::ok;
-  double residual = 0;  ///< largest closure residual, in the scene's unit of length
+  double residual = 0;   ///< largest closure residual, in the scene's unit of length
+  double displaced = 0;  ///< how far rounding may have moved neighbours and links
 };
 
 /// Every assembly configuration of a group.

@@ -1,8 +1,7 @@
 // Turns a group's problem into the states of its links, for the generated models of one group.
 #pragma once
 
-#include <assur/assembly.hpp>
-#include <assur/kinematics.hpp>
+#include <assur/displacement.hpp>
 #include <assur/second_order.hpp>
 #include <limits>
 #include <tuple>
@@ -71,8 +70,17 @@ class ModelState {
       sensitive.to_dimensions.setConstant(unknown);
       sensitive.to_inputs.setConstant(unknown);
     }
-    state.regularity =
-        regularity == Status::ok && moving == Status::ok ? Status::ok : Status::near_singular;
+    const DisplacedGroup<Model> among(d_, u_, problem_.displaced);
+    const Status standing = among.regularity(d_, u_, q_).status;
+    state.regularity = regularity == Status::ok && moving == Status::ok && standing == Status::ok
+                           ? Status::ok
+                           : Status::near_singular;
+    Matrix<double, Model::unknown_count, Model::equation_count> J_inverse;
+    J_inverse.setConstant(unknown);
+    if (is_solvable(standing)) {
+      Model::inverse_jacobian(d_, u_, q_, J_inverse);
+    }
+    state.displaced = among.displaced(J_inverse);
     describe(rates, sensitive, u1, u2, state);
     return state;
   }

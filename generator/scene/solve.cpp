@@ -19,6 +19,7 @@ struct PartialConfiguration {
   std::vector<JointState> joints;
   Status regularity = Status::ok;
   double residual = 0;
+  double displaced = 0;  ///< how far rounding may have moved the links
 };
 
 class MechanismSolver {
@@ -76,13 +77,14 @@ class MechanismSolver {
   bool extend(const PartialConfiguration& configuration, const FoundGroup& group,
               std::vector<PartialConfiguration>& next) {
     std::string obstacle;
-    const std::optional<PosedGroup> question =
+    std::optional<PosedGroup> question =
         posed(order_.mechanism, group, configuration.links, values_, obstacle);
     if (!question) {
       solution_.status = SolutionStatus::degenerate;
       solution_.reason = obstacle;
       return false;
     }
+    question->problem.displaced = configuration.displaced;
     const ModelVerdict verdict = verdict_of(*group.model);
     if (!verdict.rigid) {
       describe_degenerate(*question, verdict);
@@ -109,6 +111,7 @@ class MechanismSolver {
         extended.regularity = state.regularity;
       }
       extended.residual = std::max(extended.residual, state.residual);
+      extended.displaced = state.displaced;
       next.push_back(std::move(extended));
     }
     return true;

@@ -444,18 +444,11 @@ template <typename Model>
   if constexpr (Model::dimension_count == 0) {  // folded, and in units of the longest already
     return 1;
   }
-  double longest = 0;
-  const auto measure = [&longest](const auto& member) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
-      longest = std::max(longest, std::abs(member));
-    }
-  };
-  std::apply([&](const auto&... member) { (measure(member), ...); }, d.members());
   typename Model::template Configuration<double> q;
   Vector<double, Model::equation_count> f;
   Model::residual(typename Model::template Dimensions<double>{}, u, q, f);
-  longest = std::max(longest, f.cwiseAbs().maxCoeff());
-  return longest > 0 && std::isfinite(longest) ? std::ldexp(1.0, -std::ilogb(longest)) : 1.0;
+  const double size = std::max(longest_length(d), f.cwiseAbs().maxCoeff());
+  return size > 0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
 }
 
 }  // namespace detail

@@ -35,12 +35,13 @@ struct Regularity {
 /// its own: the unknown that a small pivot leaves loose is long, and moves by its own rounding.
 /// That, and rounding in the determinant, change the derivatives by about eps/(firmness * kept),
 /// where kept is the determinant over the size of its terms. `derivative_error_constant` is what
-/// "about" hides, as measured.
+/// "about" hides, as measured. `displaced` is how far the inputs are off beforehand, in parts of
+/// the group's longest length: in a chain, by the rounding of the groups that come first.
 template <typename Model, typename Scalar>
-[[nodiscard]] Regularity<Scalar> regularity(
-    const typename Model::template Dimensions<Scalar>& d,
-    const typename Model::template Inputs<Scalar>& u,
-    const typename Model::template Configuration<Scalar>& q) {
+[[nodiscard]] Regularity<Scalar> regularity(const typename Model::template Dimensions<Scalar>& d,
+                                            const typename Model::template Inputs<Scalar>& u,
+                                            const typename Model::template Configuration<Scalar>& q,
+                                            const Scalar& displaced = Scalar(0)) {
   static_assert(Model::rigid, "a degenerate model has no inverse Jacobian");
   using std::abs;
   Regularity<Scalar> result;
@@ -79,7 +80,8 @@ template <typename Model, typename Scalar>
   }
   result.margin = kept * firmness;
   const auto six_digits = Scalar(5e-7);
-  const bool keeps = Scalar(derivative_error_constant) * epsilon < six_digits * result.margin;
+  const Scalar error = Scalar(derivative_error_constant) * epsilon + displaced;
+  const bool keeps = error < six_digits * result.margin;
   result.status = keeps ? Status::ok : Status::near_singular;
   return result;
 }

@@ -1,7 +1,7 @@
 // Turns a specialised group with held external joints into the motion of its links and slides.
 #pragma once
 
-#include <assur/kinematics.hpp>
+#include <assur/displacement.hpp>
 #include <assur/placed_link.hpp>
 #include <limits>
 
@@ -48,23 +48,31 @@ struct PlacedGroup {
   std::array<Frame<double, Order, Parameters>, static_cast<std::size_t>(Group::link_count)> frames;
   Matrix<double, Group::unknown_count, Order> rates;  ///< lengths in the group's unit
   Status regularity = Status::ok;
-  double residual = 0;  ///< largest of the closures
+  double residual = 0;   ///< largest of the closures
+  double displaced = 0;  ///< by rounding, at most; as large as before at least
 };
 
-/// Places a group's links where its configuration is known. Where the Jacobian has no inverse,
-/// rates and gradients are NaN.
+/// Places a group's links where its configuration is known and its neighbours are `displaced` by
+/// rounding. Where the Jacobian has no inverse, rates and gradients are NaN.
 template <typename Group, int Order, int Parameters>
 [[nodiscard]] PlacedGroup<Group, Order, Parameters> place_group(
     const HeldJoints<Group, Order, Parameters>& held,
-    const typename Group::template Configuration<double>& q) {
+    const typename Group::template Configuration<double>& q, double displaced) {
   constexpr int links = Group::link_count;
   const typename Group::template Dimensions<double> d;
   PlacedGroup<Group, Order, Parameters> placed;
   Vector<double, Group::equation_count> f;
   Group::residual(d, held.u, q, f);
   placed.residual = f.cwiseAbs().maxCoeff() * Group::unit;
-  placed.regularity = regularity<Group, double>(d, held.u, q).status;
+  const DisplacedGroup<Group> among(d, held.u, displaced / Group::unit);
+  placed.regularity = among.regularity(d, held.u, q).status;
   const bool solvable = is_solvable(placed.regularity);
+  Matrix<double, Group::unknown_count, Group::equation_count> J_inverse;
+  J_inverse.setConstant(std::numeric_limits<double>::quiet_NaN());
+  if (solvable) {
+    Group::inverse_jacobian(d, held.u, q, J_inverse);
+  }
+  placed.displaced = among.displaced(J_inverse) * Group::unit;
   Poses<double, links> poses;
   Group::link_poses(d, held.u, q, poses);
 
@@ -95,14 +103,9 @@ template <typename Group, int Order, int Parameters>
     // J q_a = -(F_a + F_u u_a), and p_a = P_a + P_u u_a + P_q q_a.
     Matrix<double, Group::equation_count, Parameters> F_a;
     Matrix<double, Group::equation_count, Group::input_count> F_u;
-    Matrix<double, Group::unknown_count, Group::equation_count> J_inverse;
     Matrix<double, 3 * links, Group::unknown_count> P_q;
     Matrix<double, 3 * links, Parameters> P_a;
     Matrix<double, 3 * links, Group::input_count> P_u;
-    J_inverse.setConstant(std::numeric_limits<double>::quiet_NaN());
-    if (solvable) {
-      Group::inverse_jacobian(d, held.u, q, J_inverse);
-    }
     Group::parameter_jacobian(d, held.u, q, F_a);
     Group::input_jacobian(d, held.u, q, F_u);
     Group::pose_jacobians(d, held.u, q, P_q, P_a, P_u);

@@ -52,19 +52,6 @@ template <typename Model>
   return largest;
 }
 
-/// The longest dimension of a group.
-template <typename Model>
-[[nodiscard]] double group_size(const typename Model::template Dimensions<double>& d) {
-  double largest = 0;
-  const auto measure = [&largest](const auto& member) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
-      largest = std::max(largest, std::abs(member));
-    }
-  };
-  std::apply([&](const auto&... member) { (measure(member), ...); }, d.members());
-  return largest;
-}
-
 /// A turn of at most 0.4 radians by the first terms of its sine and cosine. Their squares' sum is
 /// off by at most 1e-5; normalising leaves the square of that, and nothing after a small turn more.
 inline void turn_slightly(Direction<double>& direction, double angle) {
@@ -171,7 +158,7 @@ template <typename Model>
 template <typename Model, typename Path>
 [[nodiscard]] Status track(const typename Model::template Dimensions<double>& d, const Path& path,
                            double& from, double to, BranchPoint<Model>& point) {
-  const double inverse_size = 1 / detail::group_size<Model>(d);
+  const double inverse_size = 1 / longest_length(d);
   const double shortest = std::abs(to - from) * detail::StepLimits().shortest;
   double width = to - from;
   bool halved = false;

@@ -1,6 +1,7 @@
 // Moves and examines a model's variables by index: angles turn, lengths shift.
 #pragma once
 
+#include <algorithm>
 #include <assur/model.hpp>
 #include <cmath>
 #include <tuple>
@@ -77,6 +78,19 @@ void advance(Variables& variables, const Vector<Scalar, Count>& step) {
         (detail::advance_member(member, step(index++)), ...);
       },
       variables.members());
+}
+
+/// The largest of the lengths and coordinates among variables, by magnitude; zero if there is none.
+template <typename Variables>
+[[nodiscard]] double longest_length(const Variables& variables) {
+  double largest = 0;
+  const auto measure = [&largest](const auto& member) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
+      largest = std::max(largest, std::abs(member));
+    }
+  };
+  std::apply([&](const auto&... member) { (measure(member), ...); }, variables.members());
+  return largest;
 }
 
 /// Whether no entry is NaN or infinite.
