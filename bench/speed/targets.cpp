@@ -33,8 +33,6 @@ const std::vector<Target>& targets() {
     made.push_back({six_bar, "generated", "Ceres Jet + LU", Measure::time, 0.1});
     made.push_back(
         {six_bar_from_crank, "generated, tracked", "Ceres Jet + LU", Measure::time, 0.1});
-    made.push_back({six_bar_from_crank, "generated, all configurations", "Ceres Jet + LU",
-                    Measure::time, 0.1});
     return made;
   }();
   return list;
