@@ -113,9 +113,10 @@ std::vector<Task> position_tasks(const TaskSizes& sizes) {
   std::vector<Task> tasks;
   tasks.push_back(position_task("all configurations", random_positions<Model01>(sizes.inputs),
                                 sizes.phc_inputs));
-  tasks.push_back(position_task(
-      "all configurations, near singular",
-      positions_of<Model01>(near_singular_tetrads(sizes.near_singular).list), sizes.phc_inputs));
+  tasks.push_back(
+      position_task("all configurations, near singular",
+                    positions_of<Model01>(near_singular_tetrads(sizes.near_singular).list),
+                    sizes.phc_inputs, patient_effort));
   tasks.push_back(
       position_task("all configurations, RPP-RRR (at most 4)", random_positions<Model05>(fewer)));
   tasks.push_back(
