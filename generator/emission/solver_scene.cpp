@@ -40,7 +40,7 @@ SceneMembers scene_members(const Scene& scene) {
   SceneMembers members;
   members.joints = members_of(scene.joints, {}, name);
   // In what is placed so far, slides and other things stand among the links.
-  std::vector<std::string> taken = {"order", "regularity", "residual"};
+  std::vector<std::string> taken = {"order", "regularity", "residual", "displaced"};
   for (const std::string& member : members.joints) {
     taken.push_back("slide_" + member);
   }
