@@ -196,45 +196,39 @@ void add(const TwoDyads& chain, Tally& tally) {
   }
 }
 
-void print(const char* family, const Tally& tally) {
-  std::cout << family << ": " << tally.regular << " regular, " << tally.near_singular
-            << " near-singular, largest error of the regular " << tally.worst << '\n';
-}
-
 constexpr unsigned seed = 60221;
 
-TEST(ChainRegularity, CountsWhatAGroupBeforeHasLost) {
+/// Chains whose middle pins have sines between 10^low and 10^high, up to 10^farthest away.
+Tally tally_of(const char* family, int draws, double low, double high, double farthest) {
   Chains chains(seed);
   Tally tally;
-  for (int draw = 0; draw < 400; ++draw) {
-    add(chains.draw(-3.7, -2, 0), tally);
+  for (int draw = 0; draw < draws; ++draw) {
+    const double away = farthest > 0 ? std::round(std::pow(10, chains.between(3, farthest))) : 0;
+    add(chains.draw(low, high, away), tally);
   }
-  print("close to the limit", tally);
-  EXPECT_LT(tally.worst, 1e-6) << "seed " << seed;
+  std::cout << family << ", seed " << seed << ": " << tally.regular << " regular, "
+            << tally.near_singular << " near-singular, largest error of the regular " << tally.worst
+            << '\n';
+  return tally;
+}
+
+TEST(ChainRegularity, CountsWhatAGroupBeforeHasLost) {
+  const Tally tally = tally_of("close to the limit", 400, -3.7, -2, 0);
+  EXPECT_LT(tally.worst, 1e-6);
   EXPECT_GT(tally.regular, 100);
   EXPECT_GT(tally.near_singular, 100);
 }
 
 TEST(ChainRegularity, CountsTheRoundingOfFarCoordinates) {
-  Chains chains(seed);
-  Tally tally;
-  for (int draw = 0; draw < 200; ++draw) {
-    add(chains.draw(-1, 0, std::round(std::pow(10, chains.between(3, 14)))), tally);
-  }
-  print("far away", tally);
-  EXPECT_LT(tally.worst, 1e-6) << "seed " << seed;
+  const Tally tally = tally_of("far away", 200, -1, 0, 14);
+  EXPECT_LT(tally.worst, 1e-6);
   EXPECT_GT(tally.regular, 50);
   EXPECT_GT(tally.near_singular, 50);
 }
 
 TEST(ChainRegularity, LeavesOrdinaryMechanismsAlone) {
-  Chains chains(seed);
-  Tally tally;
-  for (int draw = 0; draw < 200; ++draw) {
-    add(chains.draw(-1, 0, 0), tally);
-  }
-  print("ordinary", tally);
-  EXPECT_LT(tally.worst, 1e-10) << "seed " << seed;
+  const Tally tally = tally_of("ordinary", 200, -1, 0, 0);
+  EXPECT_LT(tally.worst, 1e-10);
   EXPECT_EQ(tally.near_singular, 0);
 }
 
