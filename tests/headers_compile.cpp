@@ -4,6 +4,7 @@
 #include <assur/dyad/models.hpp>
 #include <assur/kinematics.hpp>
 #include <assur/normal_form.hpp>
+#include <assur/placed_group.hpp>
 #include <assur/second_order.hpp>
 #include <assur/singularity.hpp>
 #include <assur/solved_by_lu.hpp>

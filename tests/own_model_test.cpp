@@ -127,6 +127,7 @@ TEST(OwnModel, EmittedFunctionsAreTheResidualsDerivatives) {
 /// An assembled geared five-bar, its neighbours by Newton, and a dead centre.
 const std::string solving = R"(
 #include <assur/closures/gear_five_bar.hpp>
+#include <assur/tracking.hpp>
 #include "closures_driver.hpp"
 
 using Model = assur::closures::GearFiveBar;
@@ -140,6 +141,19 @@ Variables moved(Variables variables, int index, Real step) {
   std::apply([&](auto&... member) {
     int at = 0;
     ((at++ == index ? assur::detail::advance_member(member, step) : void()), ...);
+  }, variables.members());
+  return variables;
+}
+
+double rounded(Real length) { return double(length); }
+assur::Direction<double> rounded(const assur::Direction<Real>& direction) {
+  return {double(direction.cos), double(direction.sin)};
+}
+template <typename Variables, typename From>
+Variables rounded(const From& from) {
+  Variables variables;
+  std::apply([&](auto&... to) {
+    std::apply([&](const auto&... exact) { ((to = rounded(exact)), ...); }, from.members());
   }, variables.members());
   return variables;
 }
@@ -207,6 +221,19 @@ int main() {
   assur::advance(far, assur::Vector<Real, 4>(0.2L, -0.3L, 0.2L, 0.1L));
   std::printf("%s\n", assur::to_string(assur::refine<Model, Real>(d, u, far)));
   std::printf("%.3g\n", double(between(q, far).cwiseAbs().maxCoeff()));
+
+  const auto d_rounded = rounded<Model::Dimensions<double>>(d);
+  const auto q_rounded = rounded<Model::Configuration<double>>(q);
+  const auto path = [&](double time) {
+    const assur::Vector<double, 1> steady(1.0);
+    return assur::InputMotion<Model>{{assur::direction_of(0.9 + time)}, steady, 0 * steady};
+  };
+  double time = 0;
+  auto point = assur::branch_point<Model>(d_rounded, path(0), q_rounded);
+  std::printf("%s\n", assur::to_string(assur::track<Model>(d_rounded, path, time, 0.3, point)));
+  const Q there = solved(d, moved(u, 0, Real(0.3)), q);
+  std::printf("%.3g\n", std::abs(point.q.s - double(there.s)) +
+                            std::abs(point.q.phi3.sin - double(there.phi3.sin)));
   Q dead = q;
   dead.phi3 = dead.phi2;  // AB and CB on one line
   std::printf("%s\n", assur::to_string(assur::regularity<Model, Real>(d, u, dead).status));
@@ -238,6 +265,8 @@ TEST(OwnModel, TheRuntimeSolvesAsItDoesModels) {
   expect_small(1e-8);   // acceleration: second differences in steps of 1e-3
   expect_word("ok");
   expect_small(1e-12);  // refined from a poor guess
+  expect_word("ok");
+  expect_small(1e-13);  // tracked
   expect_word("singular");
   expect_word("not finite");
 }
