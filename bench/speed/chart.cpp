@@ -71,9 +71,9 @@ void spread(std::vector<double*> heights, double gap) {
     least = *height + gap;
   }
   double most = 1 - gap / 2;
-  for (auto height = heights.rbegin(); height != heights.rend(); ++height) {
-    **height = std::min(**height, most);
-    most = **height - gap;
+  for (std::size_t place = heights.size(); place-- > 0;) {
+    *heights[place] = std::min(*heights[place], most);
+    most = *heights[place] - gap;
   }
 }
 

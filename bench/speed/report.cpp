@@ -1,5 +1,6 @@
 #include "report.hpp"
 
+#include <array>
 #include <cstdio>
 #include <fstream>
 #include <map>
@@ -14,9 +15,9 @@ namespace assur::speed {
 namespace {
 
 std::string text(const char* format, double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, format, value);
-  return buffer;
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, value);
+  return buffer.data();
 }
 
 /// Three digits, never in powers of ten.
