@@ -53,7 +53,8 @@ template <typename Model>
 }
 
 /// A turn of at most 0.4 radians by the first terms of its sine and cosine. Their squares' sum is
-/// off by at most 1e-5; normalising leaves the square of that, and nothing after a small turn more.
+/// off by at most 1e-5; normalising leaves the square of that, and after the next, small turn
+/// nothing.
 inline void turn_slightly(Direction<double>& direction, double angle) {
   const double square = angle * angle;
   const double cosine = 1 - square * (1.0 / 2 - square * (1.0 / 24));
