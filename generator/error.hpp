@@ -13,10 +13,4 @@ class GeneratorError : public std::logic_error {
       : std::logic_error(stage + ", " + model + ": " + what) {}
 };
 
-/// The user's input cannot be used; the text is one line: where, what and the mend.
-class InputError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 }  // namespace assur::generator

@@ -2,7 +2,7 @@
 // tasks.
 #include <complex>
 
-#include "../stability/step_methods.hpp"
+#include "stability/step_methods.hpp"
 #include "derivative_methods.hpp"
 #include "solve_closure.hpp"
 

@@ -50,7 +50,7 @@ template <typename Model, typename FindAngles>
       Matrix<double, 2, 3> e;
       Model::second_equations(sample.d, sample.u, q, e);
       auto& second = std::get<static_cast<std::size_t>(Model::second_unknown)>(q.members());
-      second = assur::detail::second_candidates<std::decay_t<decltype(second)>>(e).list[0].value;
+      second = numeric::second_candidates<std::decay_t<decltype(second)>>(e).list[0].value;
     }
     Model::complete(sample.d, sample.u, q);
     (void)refine<Model, double>(sample.d, sample.u, q, effort.polishing_steps);

@@ -6,9 +6,9 @@
 #include <random>
 #include <vector>
 
-#include "../../tests/reference_roots.hpp"
-#include "../../tests/sturm.hpp"
-#include "../stability/problem.hpp"
+#include "reference_roots.hpp"
+#include "sturm.hpp"
+#include "stability/problem.hpp"
 #include "precise.hpp"
 #include "tetrad_samples.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <assur/variables.hpp>
 
-#include "../../tests/cln_scalars.hpp"
+#include "cln_scalars.hpp"
 
 namespace assur::speed {
 

@@ -129,10 +129,9 @@ SixBarAnswer at_known(double crank, const TriadModel::Configuration<double>& q) 
 }
 
 SixBarAnswer tracked(const SixBarSample& sample) {
-  BranchPoint<TriadModel> point = sample.previous;
-  double at = sample.previous_crank;
-  const Status status = track<TriadModel>(six_bar().d, input_motion, at, sample.crank, point);
-  return status == Status::ok ? at_known(sample.crank, point.q) : SixBarAnswer{true, {}};
+  const auto way = track<TriadModel>(six_bar().d, input_motion, sample.previous_crank, sample.crank,
+                                     sample.previous);
+  return way.status == Status::ok ? at_known(sample.crank, way.point.q) : SixBarAnswer{true, {}};
 }
 
 /// Both configurations with all that the scene wants: velocities and accelerations as well.

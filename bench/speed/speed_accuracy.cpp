@@ -30,6 +30,7 @@ int run(const std::filesystem::path& directory, double scale) {
   append(tasks, position_tasks(sizes));
   append(tasks, tracking_tasks(sizes));
   append(tasks, scene_tasks());
+  append(tasks, sweep_tasks(sizes));
   measure(tasks, TimerSettings());
   write_report(tasks, directory);
   return 0;

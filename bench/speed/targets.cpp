@@ -31,6 +31,7 @@ const std::vector<Target>& targets() {
       made.push_back({tracking, "generated", "MINPACK hybrj", Measure::time, 0.12});
     }
     made.push_back({six_bar, "generated", "Ceres Jet + LU", Measure::time, 0.1});
+    made.push_back({"sweep of a scene", "assur solve", "emitted", Measure::time, 5});
     made.push_back(
         {six_bar_from_crank, "generated, tracked", "Ceres Jet + LU", Measure::time, 0.1});
     return made;

@@ -2,7 +2,7 @@
 
 #include <assur/assembly.hpp>
 
-#include "../../tests/exact.hpp"
+#include "exact.hpp"
 
 namespace assur::speed {
 

@@ -4,7 +4,7 @@
 #include <assur/tetrad/model_01.hpp>
 #include <vector>
 
-#include "../stability/problem.hpp"
+#include "stability/problem.hpp"
 #include "precise.hpp"
 
 namespace assur::speed {

@@ -13,11 +13,9 @@ namespace assur::speed {
 namespace {
 
 TrackingAnswer generated(const TrackingSample& sample) {
-  BranchPoint<Model01> point = sample.start;
-  double at = sample.from;
   const auto path = [&](double angle) { return sample.at(angle); };
-  const Status status = track<Model01>(sample.d, path, at, sample.to, point);
-  return {status != Status::ok, point.q};
+  const auto way = track<Model01>(sample.d, path, sample.from, sample.to, sample.start);
+  return {way.status != Status::ok, way.point.q};
 }
 
 /// Newton from the neighbour as it stands, the generated elimination in place of LU.

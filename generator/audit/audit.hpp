@@ -1,15 +1,26 @@
 // Turns audit files into reports: what a source prints against what the derivation says.
 #pragma once
 
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
 #include "audit/finding.hpp"
 
-namespace assur::generator {
+namespace assur::generator::audit {
+
+/// What a scene file's configuration makes known, as named numbers: `configuration` counts from 1,
+/// `settings` (NAME=EXPR) replace parameters that the scene has.
+using SceneReader = std::function<std::map<std::string, double>(
+    const std::string& file, int configuration, const std::vector<std::string>& settings)>;
 
 /// Reads and audits one file; docs/audit_format.md tells its form. Other files that it names are
-/// found from its own directory. Throws InputError with the place of what cannot be used; a printed
-/// formula that cannot be read is a finding.
-[[nodiscard]] AuditReport audit_file(const std::string& file);
-/// The same from text; `file` is its name in messages.
-[[nodiscard]] AuditReport audit_text(const std::string& text, const std::string& file);
+/// found from its own directory, scenes by `scenes`. Throws InputError with the place of what
+/// cannot be used; a printed formula that cannot be read is a finding.
+[[nodiscard]] AuditReport audit_file(const std::string& file, const SceneReader& scenes);
+/// The same from text; `file` is its name in messages. Without `scenes` it may name none.
+[[nodiscard]] AuditReport audit_text(const std::string& text, const std::string& file,
+                                     const SceneReader& scenes = {});
 
-}  // namespace assur::generator
+}  // namespace assur::generator::audit

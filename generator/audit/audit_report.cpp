@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace assur::generator {
+namespace assur::generator::audit {
 
 namespace {
 
@@ -37,7 +37,7 @@ char mark(const Finding& finding) {
   return '?';
 }
 
-std::string place_text(const std::string& file, Place place) {
+std::string place_text(const std::string& file, closures::Place place) {
   return file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
 }
 
@@ -203,4 +203,4 @@ std::string audit_report_json(const std::vector<AuditReport>& reports) {
   return Json{{"agrees", agrees}, {"files", std::move(files)}}.dump(2) + "\n";
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::audit

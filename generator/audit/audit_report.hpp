@@ -6,10 +6,10 @@
 
 #include "audit/finding.hpp"
 
-namespace assur::generator {
+namespace assur::generator::audit {
 
 [[nodiscard]] std::string audit_report_text(const std::vector<AuditReport>& reports);
 [[nodiscard]] std::string audit_report_markdown(const std::vector<AuditReport>& reports);
 [[nodiscard]] std::string audit_report_json(const std::vector<AuditReport>& reports);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::audit

@@ -1,48 +1,47 @@
 #include "audit/auditor.hpp"
 
 #include <algorithm>
+#include <assur/text/input_file.hpp>
+#include <assur/text/suggestion.hpp>
 #include <charconv>
 #include <map>
 
-#include "audit/audit.hpp"
 #include "audit/code_matrix.hpp"
 #include "audit/code_text.hpp"
 #include "audit/kind_audit.hpp"
-#include "audit/scene_values.hpp"
 #include "closures/formula.hpp"
-#include "input_file.hpp"
-#include "scene/suggestion.hpp"
 
-namespace assur::generator {
+namespace assur::generator::audit {
 
 namespace {
 
 /// The text after a word that must come next, which is taken off.
-bool take_keyword(PlacedText& text, const std::string& keyword) {
-  PlacedText rest = text;
-  if (take_word(rest).text != keyword) {
+bool take_keyword(closures::PlacedText& text, const std::string& keyword) {
+  closures::PlacedText rest = text;
+  if (closures::take_word(rest).text != keyword) {
     return false;
   }
   text = rest;
   return true;
 }
 
-PlacedText after_words(PlacedText text, int count) {
+closures::PlacedText after_words(closures::PlacedText text, int count) {
   for (; count > 0; --count) {
-    static_cast<void>(take_word(text));
+    static_cast<void>(closures::take_word(text));
   }
   return text;
 }
 
 /// The parts of a text before and after a word; the second is empty where there is none.
-std::pair<PlacedText, PlacedText> cut_at_word(const PlacedText& text, const std::string& word) {
+std::pair<closures::PlacedText, closures::PlacedText> cut_at_word(const closures::PlacedText& text,
+                                                                  const std::string& word) {
   const std::string padded = text.text + " ";
   const std::size_t at = padded.find(" " + word + " ");
   if (at == std::string::npos) {
     return {text, {}};
   }
-  return {trimmed({text.text.substr(0, at), text.place}),
-          trimmed({padded.substr(at + word.size() + 2), text.at(at + word.size() + 3)})};
+  return {closures::trimmed({text.text.substr(0, at), text.place}),
+          closures::trimmed({padded.substr(at + word.size() + 2), text.at(at + word.size() + 3)})};
 }
 
 }  // namespace
@@ -54,59 +53,62 @@ bool AuditReport::agrees() const {
   });
 }
 
-AuditReport audit_text(const std::string& text, const std::string& file) {
-  Auditor auditor(file);
-  for (const Statement& statement : parse_statements(text, file)) {
+AuditReport audit_text(const std::string& text, const std::string& file,
+                       const SceneReader& scenes) {
+  Auditor auditor(file, scenes);
+  for (const closures::Statement& statement : closures::parse_statements(text, file)) {
     auditor.read(statement);
   }
   AuditReport report = auditor.report();
   if (report.statements.empty()) {
-    throw InputError(file + ": nothing to audit; say what the source prints with 'printed'");
+    throw text::InputError(file + ": nothing to audit; say what the source prints with 'printed'");
   }
   return report;
 }
 
-AuditReport audit_file(const std::string& file) { return audit_text(read_input_file(file), file); }
+AuditReport audit_file(const std::string& file, const SceneReader& scenes) {
+  return audit_text(text::read_input_file(file), file, scenes);
+}
 
 AuditReport Auditor::report() const { return {reader_.file(), reader_.source(), statements_}; }
 
-void Auditor::expect_no_rows(const Statement& statement) const {
+void Auditor::expect_no_rows(const closures::Statement& statement) const {
   if (!statement.rows.empty()) {
     reader_.fail(statement.rows[0].place, "this statement has no rows");
   }
 }
 
-void Auditor::read(const Statement& statement) {
+void Auditor::read(const closures::Statement& statement) {
   if (reader_.read(statement)) {
     return;
   }
   try {
     read_own(statement);
-  } catch (const FormulaError& error) {
+  } catch (const closures::FormulaError& error) {
     reader_.fail(error.place, error.what());
   }
 }
 
-void Auditor::read_own(const Statement& statement) {
-  using Reader = void (Auditor::*)(const PlacedText&);
+void Auditor::read_own(const closures::Statement& statement) {
+  using Reader = void (Auditor::*)(const closures::PlacedText&);
   static const std::map<std::string, Reader> readers = {{"scene", &Auditor::read_scene},
                                                         {"group", &Auditor::read_group},
                                                         {"given", &Auditor::read_given},
                                                         {"value", &Auditor::read_value}};
-  PlacedText rest = statement.head;
-  const PlacedText keyword = take_word(rest);
+  closures::PlacedText rest = statement.head;
+  const closures::PlacedText keyword = closures::take_word(rest);
   if (keyword.text == "printed") {
     read_printed(statement, rest);
   } else if (const auto reader = readers.find(keyword.text); reader != readers.end()) {
-    (this->*reader->second)(after_words(joined(statement), 1));
+    (this->*reader->second)(after_words(closures::joined(statement), 1));
   } else {
-    std::vector<std::string> known = ClosureReader::keywords();
+    std::vector<std::string> known = closures::ClosureReader::keywords();
     known.emplace_back("printed");
     for (const auto& [name, function] : readers) {
       known.push_back(name);
     }
     reader_.fail(keyword.place,
-                 "no statement '" + keyword.text + "'" + suggestion(keyword.text, known));
+                 "no statement '" + keyword.text + "'" + text::suggestion(keyword.text, known));
   }
 }
 
@@ -115,12 +117,12 @@ void Auditor::define(const std::string& name, double value) {
   reader_.reserve(name);
 }
 
-void Auditor::read_scene(const PlacedText& rest) {
-  PlacedText after = rest;
-  const PlacedText file = take_word(after);
+void Auditor::read_scene(const closures::PlacedText& rest) {
+  closures::PlacedText after = rest;
+  const closures::PlacedText file = closures::take_word(after);
   int configuration = 1;
   if (take_keyword(after, "branch")) {
-    const PlacedText number = take_word(after);
+    const closures::PlacedText number = closures::take_word(after);
     const char* const last = number.text.data() + number.text.size();
     const auto [end, error] = std::from_chars(number.text.data(), last, configuration);
     if (error != std::errc() || end != last) {
@@ -131,19 +133,22 @@ void Auditor::read_scene(const PlacedText& rest) {
     reader_.fail(rest.place, "expected scene FILE [branch N]");
   }
   const std::string path = (directory_ / file.text).string();
-  for (const auto& [name, value] : scene_values(path, configuration, settings_)) {
+  if (!scenes_) {
+    reader_.fail(file.place, "scenes cannot be read here");
+  }
+  for (const auto& [name, value] : scenes_(path, configuration, settings_)) {
     define(name, value);
   }
 }
 
-void Auditor::read_group(const PlacedText& rest) {
+void Auditor::read_group(const closures::PlacedText& rest) {
   for (const auto& [name, value] : group_numbers(group_by_name(rest))) {
     define(name, value);
   }
 }
 
-const Group& Auditor::group_by_name(const PlacedText& name) const {
-  for (const Group& group : known_groups()) {
+const structure::Group& Auditor::group_by_name(const closures::PlacedText& name) const {
+  for (const structure::Group& group : structure::known_groups()) {
     if (group.name() == name.text) {
       return group;
     }
@@ -151,26 +156,26 @@ const Group& Auditor::group_by_name(const PlacedText& name) const {
   reader_.fail(name.place, "no group named '" + name.text + "'; there are dyad, triad and tetrad");
 }
 
-void Auditor::read_given(const PlacedText& rest) {
-  for (const PlacedText& each : split(rest, ',')) {
-    const auto [name, number] = cut(each, '=');
+void Auditor::read_given(const closures::PlacedText& rest) {
+  for (const closures::PlacedText& each : closures::split(rest, ',')) {
+    const auto [name, number] = closures::cut(each, '=');
     reader_.expect_new(name);
-    PlacedText value = number;
-    const PlacedText first = take_word(value);
+    closures::PlacedText value = number;
+    const closures::PlacedText first = closures::take_word(value);
     numbers_.give(name.text, first);
     reader_.reserve(name.text);
     settings_.push_back(name.text + "=" + first.text);
   }
 }
 
-void Auditor::read_value(const PlacedText& rest) {
-  const auto [name, definition] = cut(rest, '=');
+void Auditor::read_value(const closures::PlacedText& rest) {
+  const auto [name, definition] = closures::cut(rest, '=');
   reader_.expect_new(name);
   numbers_.define(name.text, definition);
   reader_.reserve(name.text);
 }
 
-void Auditor::answer(const std::string& label, Place place, std::size_t columns,
+void Auditor::answer(const std::string& label, closures::Place place, std::size_t columns,
                      std::vector<Finding> findings) {
   if (columns == 0 && !statements_.empty() && statements_.back().label == label) {
     std::move(findings.begin(), findings.end(), std::back_inserter(statements_.back().findings));
@@ -179,21 +184,21 @@ void Auditor::answer(const std::string& label, Place place, std::size_t columns,
   }
 }
 
-void Auditor::read_printed(const Statement& statement, PlacedText rest) {
-  const PlacedText what = take_word(rest);
+void Auditor::read_printed(const closures::Statement& statement, closures::PlacedText rest) {
+  const closures::PlacedText what = closures::take_word(rest);
   if (what.text == "number") {
     expect_no_rows(statement);
     read_printed_number(rest);
     return;
   }
-  PlacedText after = rest;
-  const PlacedText label = take_word(after);
+  closures::PlacedText after = rest;
+  const closures::PlacedText label = closures::take_word(after);
   if (what.text == "matrix") {
     read_printed_matrix(statement, label, after);
   } else if (what.text == "kinds") {
     read_printed_kinds(statement, label, after);
   } else {
-    after = after_words(joined(statement), 3);  // printed WHAT LABEL
+    after = after_words(closures::joined(statement), 3);  // printed WHAT LABEL
     if (what.text == "closure") {
       read_printed_closure(label, after);
     } else if (what.text == "code") {
@@ -207,60 +212,61 @@ void Auditor::read_printed(const Statement& statement, PlacedText rest) {
   }
 }
 
-void Auditor::read_printed_closure(const PlacedText& label, PlacedText rest) {
-  const PlacedText name = take_word(rest);
+void Auditor::read_printed_closure(const closures::PlacedText& label, closures::PlacedText rest) {
+  const closures::PlacedText name = closures::take_word(rest);
   if (reader_.system().closure_named(name.text) == nullptr) {
     reader_.fail(name.place, "no closure named '" + name.text + "' is derived");
   }
   if (!rest.empty() && rest.text[0] == ':') {
-    rest = trimmed({rest.text.substr(1), rest.at(2)});
+    rest = closures::trimmed({rest.text.substr(1), rest.at(2)});
   }
   Finding finding = audit_closure(points_, name.text, rest);
   finding.place = reader_.place_in_file(finding.place);
   answer("closure " + label.text, label.place, 0, {finding});
 }
 
-PrintedMatrix Auditor::matrix_frame(const PlacedText& rest) {
+PrintedMatrix Auditor::matrix_frame(const closures::PlacedText& rest) {
   const auto [head, columns] = cut_at_word(rest, "by");
-  PlacedText rows = head;
+  closures::PlacedText rows = head;
   if (!take_keyword(rows, "of") || columns.empty()) {
     reader_.fail(rest.place, "expected of ROWS by COLUMNS");
   }
   return {reader_.known_names(rows, false), reader_.known_names(columns, true), {}};
 }
 
-void Auditor::read_printed_matrix(const Statement& statement, const PlacedText& label,
-                                  const PlacedText& rest) {
+void Auditor::read_printed_matrix(const closures::Statement& statement,
+                                  const closures::PlacedText& label,
+                                  const closures::PlacedText& rest) {
   PrintedMatrix matrix = matrix_frame(rest);
   if (statement.rows.size() != matrix.rows.size()) {
     reader_.fail(statement.head.place, "expected " + std::to_string(matrix.rows.size()) +
                                            " rows, found " + std::to_string(statement.rows.size()));
   }
-  for (const PlacedText& row : statement.rows) {
-    const std::vector<PlacedText> entries = split(row, ',');
+  for (const closures::PlacedText& row : statement.rows) {
+    const std::vector<closures::PlacedText> entries = closures::split(row, ',');
     if (entries.size() != matrix.columns.size()) {
       reader_.fail(row.place, "expected " + std::to_string(matrix.columns.size()) +
                                   " entries, found " + std::to_string(entries.size()));
     }
-    for (const PlacedText& entry : entries) {
+    for (const closures::PlacedText& entry : entries) {
       matrix.entries.push_back({entry, {}});
     }
   }
   answer("matrix " + label.text, label.place, matrix.columns.size(), audit_matrix(points_, matrix));
 }
 
-void Auditor::read_printed_code(const PlacedText& label, PlacedText rest) {
-  const PlacedText file = take_word(rest);
-  const PlacedText array = take_word(rest);
-  if (!is_identifier(array.text)) {
+void Auditor::read_printed_code(const closures::PlacedText& label, closures::PlacedText rest) {
+  const closures::PlacedText file = closures::take_word(rest);
+  const closures::PlacedText array = closures::take_word(rest);
+  if (!text::is_identifier(array.text)) {
     reader_.fail(array.place, "expected the name of a matrix in the code");
   }
   PrintedMatrix matrix = matrix_frame(rest);
   const std::string path = (directory_ / file.text).string();
   std::string code;
   try {
-    code = read_input_file(path);
-  } catch (const InputError& error) {
+    code = text::read_input_file(path);
+  } catch (const text::InputError& error) {
     reader_.fail(file.place, error.what());
   }
   matrix.entries = read_code_matrix(code, path, array.text, matrix.rows.size(),
@@ -278,23 +284,24 @@ void Auditor::read_printed_code(const PlacedText& label, PlacedText rest) {
   statements_.back().file = path;
 }
 
-void Auditor::read_printed_equation(const PlacedText& label, PlacedText rest) {
-  PlacedText loops;
+void Auditor::read_printed_equation(const closures::PlacedText& label, closures::PlacedText rest) {
+  closures::PlacedText loops;
   if (take_keyword(rest, "for")) {
-    std::tie(loops, rest) = cut(rest, ':');
+    std::tie(loops, rest) = closures::cut(rest, ':');
   } else if (!rest.empty() && rest.text[0] == ':') {
-    rest = trimmed({rest.text.substr(1), rest.at(2)});
+    rest = closures::trimmed({rest.text.substr(1), rest.at(2)});
   }
-  const auto [left, right] = cut(rest, '=');
+  const auto [left, right] = closures::cut(rest, '=');
   if (right.empty()) {
     reader_.fail(rest.place, "expected an equation LEFT = RIGHT");
   }
-  std::vector<LocalNames> cases = {{}};
-  for (const PlacedText& loop : loops.empty() ? std::vector<PlacedText>{} : split(loops, ',')) {
+  std::vector<closures::LocalNames> cases = {{}};
+  for (const closures::PlacedText& loop :
+       loops.empty() ? std::vector<closures::PlacedText>{} : closures::split(loops, ',')) {
     const auto [variable, list] = cut_at_word(loop, "in");
     reader_.expect_new(variable);
-    std::vector<LocalNames> more;
-    for (const LocalNames& one : cases) {
+    std::vector<closures::LocalNames> more;
+    for (const closures::LocalNames& one : cases) {
       for (const std::string& name : reader_.known_names(list, false)) {
         more.push_back(one);
         more.back().stands_for[variable.text] = name;
@@ -303,7 +310,7 @@ void Auditor::read_printed_equation(const PlacedText& label, PlacedText rest) {
     cases = more;
   }
   std::vector<Finding> findings;
-  for (const LocalNames& one : cases) {
+  for (const closures::LocalNames& one : cases) {
     std::string item;
     for (const auto& [variable, name] : one.stands_for) {
       item += (item.empty() ? "" : ", ") + variable + " = " + name;
@@ -314,8 +321,8 @@ void Auditor::read_printed_equation(const PlacedText& label, PlacedText rest) {
   answer("equation " + label.text, label.place, 0, std::move(findings));
 }
 
-void Auditor::read_printed_kinds(const Statement& statement, const PlacedText& label,
-                                 PlacedText rest) {
+void Auditor::read_printed_kinds(const closures::Statement& statement,
+                                 const closures::PlacedText& label, closures::PlacedText rest) {
   if (!take_keyword(rest, "of")) {
     reader_.fail(rest.place, "expected printed kinds LABEL of GROUP");
   }
@@ -323,16 +330,16 @@ void Auditor::read_printed_kinds(const Statement& statement, const PlacedText& l
          audit_kinds(group_by_name(rest), statement.rows, reader_.file()));
 }
 
-void Auditor::read_printed_number(const PlacedText& rest) {
+void Auditor::read_printed_number(const closures::PlacedText& rest) {
   const auto [head, formula] = cut_at_word(rest, "is");
-  const auto [left, right] = cut(head, '=');
-  std::vector<PlacedText> names = words(left);
-  PlacedText unit = right;
-  const PlacedText number = take_word(unit);
+  const auto [left, right] = closures::cut(head, '=');
+  std::vector<closures::PlacedText> names = closures::words(left);
+  closures::PlacedText unit = right;
+  const closures::PlacedText number = closures::take_word(unit);
   if (formula.empty() || right.empty() || names.empty()) {
     reader_.fail(rest.place, "expected printed number [LABEL] NAME = NUMBER [UNIT] is FORMULA");
   }
-  const PlacedText name = names.back();
+  const closures::PlacedText name = names.back();
   reader_.expect_new(name);
   Finding finding = numbers_.audit(name.text, number, formula);
   reader_.reserve(name.text);
@@ -340,4 +347,4 @@ void Auditor::read_printed_number(const PlacedText& rest) {
   answer("number " + (names.size() > 1 ? names[0].text : name.text), name.place, 0, {finding});
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::audit

@@ -1,10 +1,9 @@
 #include "audit/code_matrix.hpp"
 
-#include <regex>
-
 #include "audit/code_text.hpp"
+#include "audit/pattern.hpp"
 
-namespace assur::generator {
+namespace assur::generator::audit {
 
 namespace {
 
@@ -15,7 +14,7 @@ constexpr std::size_t max_length = 10000;
 class CodeMatrix {
  public:
   CodeMatrix(const std::string& code, const std::string& file, const std::string& array,
-             std::size_t rows, std::size_t columns, ClosureSystem& system)
+             std::size_t rows, std::size_t columns, closures::ClosureSystem& system)
       : code_(code),
         file_(file),
         array_(array),
@@ -39,21 +38,21 @@ class CodeMatrix {
     for (const CodeStatement& statement : statements) {
       const std::string& text = statement.text.text;
       if (initialised) {  // `J[2][2] = {}`, or with a zero in it
-        static const std::regex nothing(R"([0.\s]*)");
-        if (!std::regex_match(text, nothing)) {
+        static const Pattern nothing(R"([0.\s]*)");
+        if (!nothing.match(text)) {
           refuse(statement.text.place);
         }
         initialised = text.empty() && statement.end == '{';
         continue;
       }
-      if (statement.end == '{' && text.ends_with('=') && std::regex_match(text, begun_form_)) {
+      if (statement.end == '{' && text.ends_with('=') && begun_form_.match(text)) {
         initialised = true;
         continue;
       }
       read(statement);
     }
     if (!found_) {
-      throw AuditSyntaxError(file_, {1, 1}, "nothing is assigned to " + array_);
+      throw closures::AuditSyntaxError(file_, {1, 1}, "nothing is assigned to " + array_);
     }
     for (PrintedEntry& entry : entries_) {
       entry.text.place = entry.text.empty() ? *found_ : entry.text.place;
@@ -62,10 +61,10 @@ class CodeMatrix {
   }
 
  private:
-  [[noreturn]] void fail(Place place, const std::string& what) const {
-    throw AuditSyntaxError(file_, place_in_code(code_, place), what);
+  [[noreturn]] void fail(closures::Place place, const std::string& what) const {
+    throw closures::AuditSyntaxError(file_, place_in_code(code_, place), what);
   }
-  [[noreturn]] void refuse(Place place) const {
+  [[noreturn]] void refuse(closures::Place place) const {
     fail(place, "cannot read this use of " + array_ + "; write " + array_ + "(i, j) = EXPRESSION");
   }
 
@@ -78,31 +77,30 @@ class CodeMatrix {
       }
       return;
     }
-    std::smatch match;
-    const bool entry = std::regex_match(text, match, entry_form_);
-    if (entry || std::regex_match(text, match, list_form_)) {
+    const std::optional<PatternMatch> entry = entry_form_.match(text);
+    if (const std::optional<PatternMatch> match = entry ? entry : list_form_.match(text)) {
       if (statement.conditional) {
         fail(statement.text.place, array_ +
                                        " is filled inside a condition or a loop; only what "
                                        "always runs once can be read");
       }
       found_ = found_.value_or(statement.text.place);
-      const std::size_t last = match.size() - 1;
-      const PlacedText value{match[last],
-                             statement.text.at(static_cast<std::size_t>(match.position(last)) + 1)};
-      entry ? read_entry(match, statement.text.place, value) : read_list(value);
-    } else if (std::regex_match(text, clear_form_)) {
+      const PatternMatch::Part& last = match->parts.back();
+      const closures::PlacedText value{last.text, statement.text.at(last.place + 1)};
+      entry ? read_entry(*match, statement.text.place, value) : read_list(value);
+    } else if (clear_form_.match(text)) {
       entries_.assign(entries_.size(), {});
-    } else if (std::regex_match(text, other_form_)) {
+    } else if (other_form_.match(text)) {
       refuse(statement.text.place);
     } else {
       read_locals(statement);
     }
   }
 
-  void read_entry(const std::smatch& match, Place place, const PlacedText& value) {
+  void read_entry(const PatternMatch& match, closures::Place place,
+                  const closures::PlacedText& value) {
     const auto index = [&](std::size_t one, std::size_t other) {
-      const std::string digits = match[match[one].matched ? one : other];
+      const std::string& digits = match[match.parts[one].matched ? one : other];
       return digits.size() > 6 ? rows_ + columns_ : std::stoul(digits);
     };
     const std::size_t row = index(1, 3);
@@ -115,14 +113,14 @@ class CodeMatrix {
     const std::string name = array_ + "_" + std::to_string(row) + "_" + std::to_string(column);
     locals_.meanings.erase(name);
     try {  // later entries may repeat this one
-      locals_.meanings[name] = read_formula(entry.text, system_, locals_);
-    } catch (const FormulaError&) {
+      locals_.meanings[name] = closures::read_formula(entry.text, system_, locals_);
+    } catch (const closures::FormulaError&) {
       unreadable_[name] = {"see its assignment", place};
     }
   }
 
-  void read_list(const PlacedText& values) {
-    const std::vector<PlacedText> list = split(values, ',');
+  void read_list(const closures::PlacedText& values) {
+    const std::vector<closures::PlacedText> list = closures::split(values, ',');
     if (list.size() != entries_.size()) {
       fail(values.place, array_ + " is audited as " + size_text() + ", and this lists " +
                              std::to_string(list.size()) + " entries");
@@ -137,16 +135,16 @@ class CodeMatrix {
   }
 
   /// The formula of an expression in which every local variable is one that could be read.
-  PlacedText formula(const PlacedText& value) {
+  closures::PlacedText formula(const closures::PlacedText& value) {
     std::string text;
     try {
       text = code_as_formula(value.text);
     } catch (const CodeError& error) {
       fail(value.at(error.column), error.what());
     }
-    static const std::regex name(R"([A-Za-z_]\w*)");
-    for (std::sregex_iterator at(text.begin(), text.end(), name), end; at != end; ++at) {
-      if (const auto found = unreadable_.find(at->str()); found != unreadable_.end()) {
+    static const Pattern name(R"([A-Za-z_]\w*)");
+    for (auto at = name.search(text); at; at = name.search(text, at->end())) {
+      if (const auto found = unreadable_.find((*at)[0]); found != unreadable_.end()) {
         fail(found->second.place, "'" + found->first + "' cannot be read: " + found->second.text);
       }
     }
@@ -156,28 +154,29 @@ class CodeMatrix {
   /// `const double a = EXPR, b = EXPR`, `a = EXPR`; `a += EXPR` makes it unreadable.
   void read_locals(const CodeStatement& statement) {
     // Any type counts: a variable that were overlooked would pass for a symbol of its name.
-    static const std::regex form(R"(^((?:[A-Za-z_][\w:]*(?:<[^=]*>)?[\s&*]+)*))"
-                                 R"(([A-Za-z_](?:\w|\.|->|\[\d+\])*)\s*([-+*/]?)=(?!=)\s*(.*)$)");
-    std::smatch match;
-    for (const PlacedText& part : split(statement.text, ',')) {
-      if (!std::regex_match(part.text, match, form)) {
+    static const Pattern form(R"(^((?:[A-Za-z_][\w:]*(?:<[^=]*>)?[\s&*]+)*))"
+                              R"(([A-Za-z_](?:\w|\.|->|\[\d+\])*)\s*([-+*/]?)=(?!=)\s*(.*)$)");
+    for (const closures::PlacedText& part : closures::split(statement.text, ',')) {
+      const std::optional<PatternMatch> matched = form.match(part.text);
+      if (!matched) {
         return;
       }
-      const PlacedText value{match[4], part.at(static_cast<std::size_t>(match.position(4)) + 1)};
-      const std::string name = trimmed({code_as_formula(match[2]), {}}).text;
+      const PatternMatch& match = *matched;
+      const closures::PlacedText value{match[4], part.at(match.parts[4].place + 1)};
+      const std::string name = closures::trimmed({code_as_formula(match[2]), {}}).text;
       locals_.meanings.erase(name);
       unreadable_.erase(name);
-      if (match[3].length() > 0 || statement.conditional) {
-        unreadable_[name] = {match[3].length() > 0
-                                 ? "write its whole value in place of '" + match.str(3) + "='"
+      if (!match[3].empty() || statement.conditional) {
+        unreadable_[name] = {!match[3].empty()
+                                 ? "write its whole value in place of '" + match[3] + "='"
                                  : "it is set inside a condition or a loop",
                              part.place};
         continue;
       }
       try {
         locals_.meanings[name] =
-            read_formula({code_as_formula(value.text), value.place}, system_, locals_);
-      } catch (const FormulaError& error) {
+            closures::read_formula({code_as_formula(value.text), value.place}, system_, locals_);
+      } catch (const closures::FormulaError& error) {
         unreadable_[name] = {error.what(), error.place};
       } catch (const CodeError& error) {
         unreadable_[name] = {error.what(), value.at(error.column)};
@@ -190,24 +189,25 @@ class CodeMatrix {
   const std::string& array_;
   std::size_t rows_;
   std::size_t columns_;
-  ClosureSystem& system_;
+  closures::ClosureSystem& system_;
   std::vector<PrintedEntry> entries_;
-  std::regex entry_form_;
-  std::regex list_form_;
-  std::regex clear_form_;
-  std::regex begun_form_;
-  std::regex other_form_;
-  LocalNames locals_;
-  std::map<std::string, PlacedText> unreadable_;  ///< locals, with the reason and its place
-  std::optional<Place> found_;                    ///< where the matrix is first filled
+  Pattern entry_form_;
+  Pattern list_form_;
+  Pattern clear_form_;
+  Pattern begun_form_;
+  Pattern other_form_;
+  closures::LocalNames locals_;
+  std::map<std::string, closures::PlacedText>
+      unreadable_;                        ///< locals, with the reason and its place
+  std::optional<closures::Place> found_;  ///< where the matrix is first filled
 };
 
 }  // namespace
 
 std::vector<PrintedEntry> read_code_matrix(const std::string& code, const std::string& file,
                                            const std::string& array, std::size_t rows,
-                                           std::size_t columns, ClosureSystem& system) {
+                                           std::size_t columns, closures::ClosureSystem& system) {
   return CodeMatrix(code, file, array, rows, columns, system).run();
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::audit

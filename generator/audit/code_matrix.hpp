@@ -3,7 +3,7 @@
 
 #include "audit/equation_audit.hpp"
 
-namespace assur::generator {
+namespace assur::generator::audit {
 
 /// Finds what straight-line code assigns to a matrix: `ARRAY(i, j) = EXPR;`, `ARRAY[i][j] = EXPR;`,
 /// indices from 0, or all entries by `ARRAY << EXPR, EXPR, ...;`; and the local variables
@@ -15,6 +15,6 @@ namespace assur::generator {
                                                          const std::string& file,
                                                          const std::string& array, std::size_t rows,
                                                          std::size_t columns,
-                                                         ClosureSystem& system);
+                                                         closures::ClosureSystem& system);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::audit

@@ -1,13 +1,14 @@
 #include "audit/code_text.hpp"
 
 #include <algorithm>
+#include <assur/text/expression.hpp>
 #include <cctype>
 #include <functional>
-#include <regex>
+#include <optional>
 
-#include "scene/expression.hpp"
+#include "audit/pattern.hpp"
 
-namespace assur::generator {
+namespace assur::generator::audit {
 
 namespace {
 
@@ -37,43 +38,38 @@ std::string on_one_line(std::string code) {
 
 /// Whether a block that follows these words may be left out or run again.
 bool is_conditional(const std::string& head) {
-  static const std::regex word(
+  static const Pattern word(
       R"(^(\}?\s*else\b|if\b|for\b|while\b|switch\b|do\b|.*\)\s*(if|for)\b).*)");
-  return std::regex_match(head, word);
+  return word.match(head).has_value();
 }
 
 /// Replaces what matches by a text that is no longer, with spaces behind it.
-void replace_padded(std::string& text, const std::regex& pattern,
-                    const std::function<std::string(const std::smatch&)>& replacement) {
+void replace_padded(std::string& text, const Pattern& pattern,
+                    const std::function<std::string(const PatternMatch&)>& replacement) {
   std::string result;
-  std::string::const_iterator from = text.begin();
-  std::smatch match;
-  while (std::regex_search(from, text.cend(), match, pattern,
-                           from == text.cbegin() ? std::regex_constants::match_default
-                                                 : std::regex_constants::match_prev_avail)) {
-    result.append(from, match[0].first);
-    const std::string with = replacement(match);
-    result += with + std::string(static_cast<std::size_t>(match.length()) - with.size(), ' ');
-    from = match[0].second;
+  std::size_t from = 0;
+  while (const std::optional<PatternMatch> match = pattern.search(text, from)) {
+    result += text.substr(from, match->parts[0].place - from);
+    const std::string with = replacement(*match);
+    result += with + std::string((*match)[0].size() - with.size(), ' ');
+    from = match->end();
   }
-  result.append(from, text.cend());
-  text = result;
+  text = result + text.substr(from);
 }
 
-bool is_called(const std::string& name) { return is_reserved_name(name) || name == "pow"; }
+bool is_called(const std::string& name) { return text::is_reserved_name(name) || name == "pow"; }
 
-void refuse(const std::string& code, const std::regex& pattern, const std::string& what) {
-  std::smatch match;
-  if (std::regex_search(code, match, pattern)) {
-    throw CodeError(what, static_cast<std::size_t>(match.position()) + 1);
+void refuse(const std::string& code, const Pattern& pattern, const std::string& what) {
+  if (const std::optional<PatternMatch> match = pattern.search(code)) {
+    throw CodeError(what, match->parts[0].place + 1);
   }
 }
 
 void refuse_other_meanings(const std::string& code) {
-  static const std::regex cast(
+  static const Pattern cast(
       R"(\b(static|dynamic|const|reinterpret)_cast\b|\(\s*(const\s+)?(double|float|int|long|unsigned|Scalar)\s*\)|\b(double|float|int|long|Scalar)\s*[({])");
-  static const std::regex power(R"(\^)");
-  static const std::regex whole_quotient(R"((^|[^\w.*/]|[^\w.\s]\s)\s*\d+\s*/\s*\d+(?![\w.]))");
+  static const Pattern power(R"(\^)");
+  static const Pattern whole_quotient(R"((^|[^\w.*/]|[^\w.\s]\s)\s*\d+\s*/\s*\d+(?![\w.]))");
   refuse(code, cast, "a cast cannot be read; leave it out, or give its value a name as double");
   refuse(code, power, "'^' is the exclusive or of C++; write std::pow(x, n)");
   refuse(code, whole_quotient, "a quotient of whole numbers is rounded in C++; write 1.0/2");
@@ -94,13 +90,14 @@ std::vector<CodeStatement> code_statements(const std::string& code) {
     if (letter == '{' || letter == '}' || (letter == ';' && depth <= 0)) {
       std::size_t start = flat.find_first_not_of(' ', from);
       start = std::min(start, at);
-      Place begin{1, 1};
+      closures::Place begin{1, 1};
       for (std::size_t index = 0; index < start; ++index) {
-        begin =
-            code[index] == '\n' ? Place{begin.line + 1, 1} : Place{begin.line, begin.column + 1};
+        begin = code[index] == '\n' ? closures::Place{begin.line + 1, 1}
+                                    : closures::Place{begin.line, begin.column + 1};
       }
       const bool conditional = std::find(blocks.begin(), blocks.end(), true) != blocks.end();
-      list.push_back({trimmed({flat.substr(start, at - start), begin}), letter, conditional});
+      list.push_back(
+          {closures::trimmed({flat.substr(start, at - start), begin}), letter, conditional});
       if (letter == '{') {
         blocks.push_back(is_conditional(list.back().text.text));
       } else if (letter == '}' && !blocks.empty()) {
@@ -112,7 +109,7 @@ std::vector<CodeStatement> code_statements(const std::string& code) {
   return list;
 }
 
-Place place_in_code(const std::string& code, Place place) {
+closures::Place place_in_code(const std::string& code, closures::Place place) {
   std::size_t from = 0;
   for (std::size_t line = 1; line < place.line && from < code.size(); ++line) {
     from = code.find('\n', from) + 1;
@@ -128,29 +125,29 @@ Place place_in_code(const std::string& code, Place place) {
 }
 
 std::string code_as_formula(const std::string& code) {
-  static const std::regex suffix(R"((^|[^\w.])((?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)[fFlLuU]+\b)");
-  static const std::regex circle(R"(\bM_PI\b|\b(?:std\s*::\s*)?numbers\s*::\s*pi(?:_v<\w+>)?)");
-  static const std::regex standard(R"(\bstd\s*::)");
-  static const std::regex member(R"(([A-Za-z_]\w*)\s*(?:\.|->)\s*([A-Za-z_]\w*))");
-  static const std::regex entry(R"(([A-Za-z_]\w*)\s*\[\s*(\d+)\s*\])");
-  static const std::regex called_entry(R"(([A-Za-z_]\w*)\s*\(\s*(\d+)\s*(?:,\s*(\d+)\s*)?\))");
+  static const Pattern suffix(R"((^|[^\w.])((?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)[fFlLuU]+\b)");
+  static const Pattern circle(R"(\bM_PI\b|\b(?:std\s*::\s*)?numbers\s*::\s*pi(?:_v<\w+>)?)");
+  static const Pattern standard(R"(\bstd\s*::)");
+  static const Pattern member(R"(([A-Za-z_]\w*)\s*(?:\.|->)\s*([A-Za-z_]\w*))");
+  static const Pattern entry(R"(([A-Za-z_]\w*)\s*\[\s*(\d+)\s*\])");
+  static const Pattern called_entry(R"(([A-Za-z_]\w*)\s*\(\s*(\d+)\s*(?:,\s*(\d+)\s*)?\))");
   refuse_other_meanings(code);
   std::string text = code;
-  replace_padded(text, suffix, [](const std::smatch& m) { return m.str(1) + m.str(2); });
-  replace_padded(text, circle, [](const std::smatch&) { return "pi"; });
-  replace_padded(text, standard, [](const std::smatch&) { return ""; });
-  const auto joined = [](const std::smatch& m) { return m.str(1) + "_" + m.str(2); };
+  replace_padded(text, suffix, [](const PatternMatch& m) { return m[1] + m[2]; });
+  replace_padded(text, circle, [](const PatternMatch&) { return "pi"; });
+  replace_padded(text, standard, [](const PatternMatch&) { return ""; });
+  const auto joined = [](const PatternMatch& m) { return m[1] + "_" + m[2]; };
   // Each pass joins one more pair of a chain like p.link[1].length.
   for (std::string before; before != text;) {
     before = text;
     replace_padded(text, member, joined);
     replace_padded(text, entry, joined);
   }
-  replace_padded(text, called_entry, [&](const std::smatch& m) {
-    const std::string column = m[3].matched ? "_" + m.str(3) : "";
-    return is_called(m.str(1)) ? m.str(0) : joined(m) + column;
+  replace_padded(text, called_entry, [&](const PatternMatch& m) {
+    const std::string column = m.parts[3].matched ? "_" + m[3] : "";
+    return is_called(m[1]) ? m[0] : joined(m) + column;
   });
   return text;
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::audit

@@ -7,7 +7,7 @@
 
 #include "closures/statement.hpp"
 
-namespace assur::generator {
+namespace assur::generator::audit {
 
 /// What of C++ no formula stands for, and at which column of the text.
 struct CodeError : std::runtime_error {
@@ -17,7 +17,7 @@ struct CodeError : std::runtime_error {
 
 /// A statement of C++, and the character that ends it.
 struct CodeStatement {
-  PlacedText text;
+  closures::PlacedText text;
   char end = ';';
   bool conditional = false;  ///< inside a block that may run any number of times
 };
@@ -26,11 +26,11 @@ struct CodeStatement {
 /// of a line means the lines below, see place_in_code.
 [[nodiscard]] std::vector<CodeStatement> code_statements(const std::string& code);
 /// The place in the code, where the column counts on over the ends of lines.
-[[nodiscard]] Place place_in_code(const std::string& code, Place place);
+[[nodiscard]] closures::Place place_in_code(const std::string& code, closures::Place place);
 
 /// `a.b` and `a->b` become a_b, `a[2]` and, unless a is a function, `a(2)` become a_2, `a(1, 2)`
 /// becomes a_1_2; `std::` and the suffixes of numbers go. What goes becomes spaces. Throws
 /// CodeError for casts, `^`, and quotients of whole numbers, which mean something else in C++.
 [[nodiscard]] std::string code_as_formula(const std::string& code);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::audit

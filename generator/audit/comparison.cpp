@@ -5,7 +5,7 @@
 
 #include "closures/formula_text.hpp"
 
-namespace assur::generator {
+namespace assur::generator::audit {
 
 namespace {
 
@@ -41,11 +41,13 @@ bool is_nothing(const GiNaC::ex& value) {
 std::string amount(const GiNaC::ex& value) {
   if (GiNaC::is_a<GiNaC::numeric>(value) &&
       GiNaC::ex_to<GiNaC::numeric>(value).numer().int_length() < 40) {
-    return formula_text(value);
+    return closures::formula_text(value);
   }
+  // More digits than are shown: the terms are summed in GiNaC's order, and so rounded.
+  const MoreDigits digits;
   const GiNaC::ex decimal = value.evalf();
   if (!decimal.info(GiNaC::info_flags::real) || !GiNaC::is_a<GiNaC::numeric>(decimal)) {
-    return formula_text(value);  // an angle may stand outside sines and cosines
+    return closures::formula_text(value);  // an angle may stand outside sines and cosines
   }
   std::ostringstream text;
   text.precision(12);
@@ -71,8 +73,8 @@ const char* verdict_text(Verdict verdict) {
   return "undecided";
 }
 
-Comparison compare(ClosurePoints& points, const GiNaC::ex& printed, const GiNaC::ex& derived,
-                   bool on_closures) {
+Comparison compare(closures::ClosurePoints& points, const GiNaC::ex& printed,
+                   const GiNaC::ex& derived, bool on_closures) {
   const GiNaC::ex difference = printed - derived;
   const bool follows = points.system().follows_closures(difference);
   const bool assembled = on_closures || follows;
@@ -81,7 +83,7 @@ Comparison compare(ClosurePoints& points, const GiNaC::ex& printed, const GiNaC:
   bool negated = true;
   Comparison first{Verdict::differs, "", "", ""};
   for (std::size_t index = 0; compared < wanted_points; ++index) {
-    ClosurePoints::Point* const point = points.point(index, assembled);
+    closures::ClosurePoints::Point* const point = points.point(index, assembled);
     if (point == nullptr) {
       break;
     }
@@ -95,7 +97,7 @@ Comparison compare(ClosurePoints& points, const GiNaC::ex& printed, const GiNaC:
       agrees = agrees && zero;
       negated = negated && is_nothing(points.value(printed + derived, *point));
       ++compared;
-    } catch (const NotAlgebraic& error) {
+    } catch (const closures::NotAlgebraic& error) {
       first.evidence = error.what();
     }
   }
@@ -115,4 +117,4 @@ Comparison compare(ClosurePoints& points, const GiNaC::ex& printed, const GiNaC:
   return first;
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::audit

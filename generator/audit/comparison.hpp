@@ -3,7 +3,7 @@
 
 #include "closures/closure_points.hpp"
 
-namespace assur::generator {
+namespace assur::generator::audit {
 
 enum class Verdict : unsigned char { agrees, differs_by_sign, differs, unreadable, undecided };
 
@@ -19,7 +19,7 @@ struct Comparison {
 /// Compares at random rational points, exactly; what agrees at all of them is then proved to zero
 /// where the algebra reaches. `on_closures` asks only for agreement at assembled configurations;
 /// expressions with total derivatives are always compared there.
-[[nodiscard]] Comparison compare(ClosurePoints& points, const GiNaC::ex& printed,
+[[nodiscard]] Comparison compare(closures::ClosurePoints& points, const GiNaC::ex& printed,
                                  const GiNaC::ex& derived, bool on_closures);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::audit

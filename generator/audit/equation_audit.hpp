@@ -4,12 +4,12 @@
 #include "audit/finding.hpp"
 #include "closures/formula.hpp"
 
-namespace assur::generator {
+namespace assur::generator::audit {
 
 /// One entry of a printed matrix: empty text stands for zero.
 struct PrintedEntry {
-  PlacedText text;
-  LocalNames locals;
+  closures::PlacedText text;
+  closures::LocalNames locals;
   std::string source{};  ///< what the text was made from; empty: the text is as printed
 
   [[nodiscard]] std::string printed() const {
@@ -26,16 +26,18 @@ struct PrintedMatrix {
 
 /// The printed closure against the derived one of that name. An equation may be printed with all
 /// its signs turned round; the system then takes it as printed.
-[[nodiscard]] Finding audit_closure(ClosurePoints& points, const std::string& name,
-                                    const PlacedText& printed);
+[[nodiscard]] Finding audit_closure(closures::ClosurePoints& points, const std::string& name,
+                                    const closures::PlacedText& printed);
 
 /// Each entry against the derivative of its row by its column: a partial one if the row is a
 /// closure, else the total one.
-[[nodiscard]] std::vector<Finding> audit_matrix(ClosurePoints& points, const PrintedMatrix& matrix);
+[[nodiscard]] std::vector<Finding> audit_matrix(closures::ClosurePoints& points,
+                                                const PrintedMatrix& matrix);
 
 /// Both sides of a printed equation against each other, where the closures hold.
-[[nodiscard]] Finding audit_equation(ClosurePoints& points, const std::string& item,
-                                     const PlacedText& left, const PlacedText& right,
-                                     const LocalNames& locals);
+[[nodiscard]] Finding audit_equation(closures::ClosurePoints& points, const std::string& item,
+                                     const closures::PlacedText& left,
+                                     const closures::PlacedText& right,
+                                     const closures::LocalNames& locals);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::audit

@@ -7,12 +7,12 @@
 #include "audit/comparison.hpp"
 #include "closures/statement.hpp"
 
-namespace assur::generator {
+namespace assur::generator::audit {
 
 /// One printed entry, equation, kind or number, and what the derivation says of it.
 struct Finding {
   std::string item;  ///< `(4,3) d f4/d a3`
-  Place place;
+  closures::Place place;
   Comparison comparison;
   std::string printed;
   std::string derived;
@@ -24,7 +24,7 @@ struct Finding {
 /// What one `printed` statement came to. A matrix has its entries row by row.
 struct AuditedStatement {
   std::string label;  ///< `matrix (8)`
-  Place place;
+  closures::Place place;
   std::size_t columns = 0;  ///< of a matrix; zero for anything else
   std::vector<Finding> findings;
   std::string file;  ///< in which the findings' places are; empty for the audit file itself
@@ -38,4 +38,4 @@ struct AuditReport {
   [[nodiscard]] bool agrees() const;
 };
 
-}  // namespace assur::generator
+}  // namespace assur::generator::audit

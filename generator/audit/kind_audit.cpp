@@ -7,28 +7,28 @@
 #include "derivatives/mobility.hpp"
 #include "structure/kind.hpp"
 
-namespace assur::generator {
+namespace assur::generator::audit {
 
 namespace {
 
-Mobility mobility(const Model& model) {
-  const ClosureEquations equations = closure_equations(model);
-  return mobility_of(equations, closure_jacobian(equations));
+derivatives::Mobility mobility(const structure::Model& model) {
+  const equations::ClosureEquations equations = equations::closure_equations(model);
+  return derivatives::mobility_of(equations, derivatives::closure_jacobian(equations));
 }
 
-int row_number(const PlacedText& text, int most, const std::string& file) {
+int row_number(const closures::PlacedText& text, int most, const std::string& file) {
   int number = 0;
   const char* const end = text.text.data() + text.text.size();
   const auto [at, error] = std::from_chars(text.text.data(), end, number);
   if (error != std::errc() || at != end || number < 1 || number > most) {
-    throw AuditSyntaxError(file, text.place,
-                           "expected the number of a model, 1 to " + std::to_string(most) +
-                               ", found '" + text.text + "'");
+    throw closures::AuditSyntaxError(file, text.place,
+                                     "expected the number of a model, 1 to " +
+                                         std::to_string(most) + ", found '" + text.text + "'");
   }
   return number;
 }
 
-Finding answer(const std::string& item, const PlacedText& printed, bool agrees,
+Finding answer(const std::string& item, const closures::PlacedText& printed, bool agrees,
                const std::string& derived) {
   const Verdict verdict = agrees ? Verdict::agrees : Verdict::differs;
   return {item,         printed.place, {verdict, "by the group's symmetry", "", ""},
@@ -37,21 +37,23 @@ Finding answer(const std::string& item, const PlacedText& printed, bool agrees,
 
 }  // namespace
 
-std::vector<Finding> audit_kinds(const Group& group, const std::vector<PlacedText>& rows,
+std::vector<Finding> audit_kinds(const structure::Group& group,
+                                 const std::vector<closures::PlacedText>& rows,
                                  const std::string& file) {
-  const std::vector<Model>& models = models_of(group);
+  const std::vector<structure::Model>& models = structure::models_of(group);
   std::vector<Finding> findings;
-  for (const PlacedText& row : rows) {
-    const std::vector<PlacedText> parts = split(row, ':');
+  for (const closures::PlacedText& row : rows) {
+    const std::vector<closures::PlacedText> parts = closures::split(row, ':');
     if (parts.size() < 2 || parts.size() > 3) {
-      throw AuditSyntaxError(file, row.place, "expected NUMBER : KIND, KIND, ... [: FAMILY]");
+      throw closures::AuditSyntaxError(file, row.place,
+                                       "expected NUMBER : KIND, KIND, ... [: FAMILY]");
     }
     const int number = row_number(parts[0], static_cast<int>(models.size()), file);
-    const Model& model = models[static_cast<std::size_t>(number - 1)];
+    const structure::Model& model = models[static_cast<std::size_t>(number - 1)];
     const std::string title = "row " + std::to_string(number) + ", ";
     std::set<std::string> printed;
-    for (const PlacedText& kind_text : split(parts[1], ',')) {
-      const std::optional<Kind> kind = parse_kind(group, kind_text.text);
+    for (const closures::PlacedText& kind_text : closures::split(parts[1], ',')) {
+      const std::optional<structure::Kind> kind = structure::parse_kind(group, kind_text.text);
       if (!kind) {
         findings.push_back({title + kind_text.text,
                             kind_text.place,
@@ -62,19 +64,19 @@ std::vector<Finding> audit_kinds(const Group& group, const std::vector<PlacedTex
         continue;
       }
       printed.insert(kind_text.text);
-      const Model& owner = model_of(group, *kind);
+      const structure::Model& owner = structure::model_of(group, *kind);
       findings.push_back(answer(title + kind_text.text, kind_text, owner.number == number,
                                 "row " + std::to_string(owner.number)));
     }
-    for (const Relabelling& member : model.members) {
-      const std::string kind = spell(group, member.kind);
+    for (const structure::Relabelling& member : model.members) {
+      const std::string kind = structure::spell(group, member.kind);
       if (!printed.contains(kind)) {
         findings.push_back(answer(title + kind + " left out", {"", row.place}, false,
                                   kind + " belongs to row " + std::to_string(number)));
       }
     }
     if (parts.size() == 3) {
-      const Mobility derived = mobility(model);
+      const derivatives::Mobility derived = mobility(model);
       Finding family = answer(title + "family " + parts[2].text, parts[2],
                               (parts[2].text == "3") == derived.rigid,
                               derived.rigid ? "a structure: family 3" : "not a structure");
@@ -86,13 +88,13 @@ std::vector<Finding> audit_kinds(const Group& group, const std::vector<PlacedTex
   return findings;
 }
 
-std::map<std::string, double> group_numbers(const Group& group) {
+std::map<std::string, double> group_numbers(const structure::Group& group) {
   std::map<std::string, double> numbers;
   for (const char* name : {"kinds", "models", "rigid_models", "degenerate_models", "rigid_kinds"}) {
     numbers[name] = 0;
   }
-  for (const Model& model : models_of(group)) {
-    const Mobility derived = mobility(model);
+  for (const structure::Model& model : structure::models_of(group)) {
+    const derivatives::Mobility derived = mobility(model);
     const auto kinds = static_cast<double>(model.members.size());
     numbers["kinds"] += kinds;
     numbers["models"] += 1;
@@ -103,4 +105,4 @@ std::map<std::string, double> group_numbers(const Group& group) {
   return numbers;
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::audit

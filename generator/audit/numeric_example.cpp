@@ -1,14 +1,14 @@
 #include "audit/numeric_example.hpp"
 
 #include <algorithm>
+#include <assur/text/suggestion.hpp>
 #include <charconv>
 #include <cmath>
 #include <sstream>
 
 #include "closures/formula.hpp"
-#include "scene/suggestion.hpp"
 
-namespace assur::generator {
+namespace assur::generator::audit {
 
 namespace {
 
@@ -21,11 +21,11 @@ std::string shown(double value) {
   return text.str();
 }
 
-void collect_names(const Expression& node, std::vector<const Expression*>& names) {
-  if (node.kind == Expression::Kind::name) {
+void collect_names(const text::Expression& node, std::vector<const text::Expression*>& names) {
+  if (node.kind == text::Expression::Kind::name) {
     names.push_back(&node);
   }
-  for (const Expression& argument : node.arguments) {
+  for (const text::Expression& argument : node.arguments) {
     collect_names(argument, names);
   }
 }
@@ -40,13 +40,13 @@ void NumericExample::define(const std::string& name, double value) {
   values_[name] = {value, value, 0, false};
 }
 
-NumericExample::Value NumericExample::read_number(const PlacedText& number) {
+NumericExample::Value NumericExample::read_number(const closures::PlacedText& number) {
   double value = 0;
   const char* begin = number.text.data();
   const char* const last = begin + number.text.size();
   const auto [end, error] = std::from_chars(begin, last, value);
   if (number.empty() || error != std::errc() || end != last) {
-    throw FormulaError("expected a number, found '" + number.text + "'", number.place);
+    throw closures::FormulaError("expected a number, found '" + number.text + "'", number.place);
   }
   const std::size_t mark = number.text.find_first_of("eE");
   const std::string digits = number.text.substr(0, mark);
@@ -57,40 +57,41 @@ NumericExample::Value NumericExample::read_number(const PlacedText& number) {
   return {value, value, 0.5 * std::pow(10.0, exponent - decimals), true};
 }
 
-void NumericExample::give(const std::string& name, const PlacedText& number) {
+void NumericExample::give(const std::string& name, const closures::PlacedText& number) {
   values_[name] = read_number(number);
   values_[name].half_unit = 0;  // a dimension of 300 mm is not one of 299.5 to 300.5
 }
 
 /// Throws ExpressionError, for a name that is not known as well.
-Expression NumericExample::read_tree(const PlacedText& formula) const {
-  Expression tree = parse_expression(formula.text);
-  std::vector<const Expression*> used;
+text::Expression NumericExample::read_tree(const closures::PlacedText& formula) const {
+  text::Expression tree = text::parse_expression(formula.text);
+  std::vector<const text::Expression*> used;
   collect_names(tree, used);
-  for (const Expression* node : used) {
+  for (const text::Expression* node : used) {
     if (!is_known(node->name)) {
       std::vector<std::string> names;
       for (const auto& [known, value] : values_) {
         names.push_back(known);
       }
-      throw ExpressionError(
-          "no quantity named '" + node->name + "'" + suggestion(node->name, names), node->column);
+      throw text::ExpressionError(
+          "no quantity named '" + node->name + "'" + text::suggestion(node->name, names),
+          node->column);
     }
   }
   return tree;
 }
 
-void NumericExample::define(const std::string& name, const PlacedText& formula) {
+void NumericExample::define(const std::string& name, const closures::PlacedText& formula) {
   try {
     define(name, evaluate(read_tree(formula), Reading::derived));
-  } catch (const ExpressionError& error) {
-    throw FormulaError(error.what(), formula.at(error.column));
+  } catch (const text::ExpressionError& error) {
+    throw closures::FormulaError(error.what(), formula.at(error.column));
   }
 }
 
-double NumericExample::evaluate(const Expression& formula, Reading reading,
+double NumericExample::evaluate(const text::Expression& formula, Reading reading,
                                 const std::map<std::string, double>& replaced) const {
-  return generator::evaluate<double>(formula, [&](const std::string& name) {
+  return text::evaluate<double>(formula, [&](const std::string& name) {
     if (const auto other = replaced.find(name); other != replaced.end()) {
       return other->second;
     }
@@ -99,14 +100,14 @@ double NumericExample::evaluate(const Expression& formula, Reading reading,
   });
 }
 
-Finding NumericExample::audit(const std::string& name, const PlacedText& number,
-                              const PlacedText& formula) {
+Finding NumericExample::audit(const std::string& name, const closures::PlacedText& number,
+                              const closures::PlacedText& formula) {
   Value result = read_number(number);
   Finding finding{name, number.place, {}, number.text, "", ""};
-  Expression tree;
+  text::Expression tree;
   try {
     tree = read_tree(formula);
-  } catch (const ExpressionError& error) {
+  } catch (const text::ExpressionError& error) {
     finding.place = formula.at(error.column);
     finding.comparison = {Verdict::unreadable, error.what(), "", ""};
     return finding;
@@ -130,11 +131,12 @@ Finding NumericExample::audit(const std::string& name, const PlacedText& number,
 }
 
 /// Which printed number makes a result what is printed, or would have to be another.
-std::string NumericExample::explanation(const Expression& formula, const Value& result) const {
-  std::vector<const Expression*> used;
+std::string NumericExample::explanation(const text::Expression& formula,
+                                        const Value& result) const {
+  std::vector<const text::Expression*> used;
   collect_names(formula, used);
   std::vector<std::string> inputs;
-  for (const Expression* node : used) {
+  for (const text::Expression* node : used) {
     const bool fresh = std::find(inputs.begin(), inputs.end(), node->name) == inputs.end();
     if (fresh && values_.at(node->name).is_printed) {
       inputs.push_back(node->name);
@@ -174,7 +176,7 @@ std::string NumericExample::explanation(const Expression& formula, const Value& 
 }
 
 /// The value that each input alone would have to have.
-std::string NumericExample::needed_inputs(const Expression& formula, double result,
+std::string NumericExample::needed_inputs(const text::Expression& formula, double result,
                                           const std::vector<std::string>& inputs) const {
   std::string text;
   for (const std::string& name : inputs) {
@@ -202,4 +204,4 @@ std::string NumericExample::needed_inputs(const Expression& formula, double resu
   return text;
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::audit

@@ -3,7 +3,7 @@
 #include "closures/circle_algebra.hpp"
 #include "closures/formula_text.hpp"
 
-namespace assur::generator {
+namespace assur::generator::closures {
 
 namespace {
 
@@ -60,4 +60,4 @@ AngleTerms angle_terms(const GiNaC::ex& angle, const ClosureSystem& system) {
   return sum;
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

@@ -3,7 +3,7 @@
 
 #include "closures/closure_system.hpp"
 
-namespace assur::generator {
+namespace assur::generator::closures {
 
 /// A multiple of a declared angle, of an inverse function, or of an abbreviation of one.
 struct AngleTerm {
@@ -22,4 +22,4 @@ struct AngleTerms {
 /// than quarter turns and for multiples that are not whole.
 [[nodiscard]] AngleTerms angle_terms(const GiNaC::ex& angle, const ClosureSystem& system);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

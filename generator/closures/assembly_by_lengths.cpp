@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace assur::generator {
+namespace assur::generator::closures {
 
 namespace {
 
@@ -81,4 +81,4 @@ bool assemble_by_lengths(const std::vector<GiNaC::ex>& equations, const GiNaC::l
   return true;
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

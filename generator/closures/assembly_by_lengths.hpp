@@ -3,7 +3,7 @@
 
 #include "closures/circle_algebra.hpp"
 
-namespace assur::generator {
+namespace assur::generator::closures {
 
 /// Gives as many of the lengths as there are equations the values that make the equations zero.
 /// Taken are lengths that occur linearly and independently, those with constant coefficients (such
@@ -13,4 +13,4 @@ namespace assur::generator {
                                        const GiNaC::lst& lengths, const CircleAlgebra& algebra,
                                        GiNaC::exmap& values);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

@@ -2,31 +2,46 @@
 
 #include <algorithm>
 
-namespace assur::generator {
+#include "closures/formula_text.hpp"
+
+namespace assur::generator::closures {
 
 namespace {
 
 constexpr int max_multiple = 64;
 
-Vector2 turned(const Vector2& by, const Vector2& angle) {
+equations::Vector2 turned(const equations::Vector2& by, const equations::Vector2& angle) {
   return {(by.x * angle.x - by.y * angle.y).expand(), (by.x * angle.y + by.y * angle.x).expand()};
 }
 
-std::string text_of(const GiNaC::ex& expression) {
-  std::ostringstream text;
-  text << expression;
-  return text.str();
+bool makes_roots(const GiNaC::ex& expression) {
+  return std::any_of(expression.preorder_begin(), expression.preorder_end(),
+                     [](const GiNaC::ex& part) {
+                       if (GiNaC::is_a<GiNaC::power>(part)) {
+                         return !part.op(1).info(GiNaC::info_flags::integer);
+                       }
+                       return GiNaC::is_a<GiNaC::function>(part) &&
+                              GiNaC::ex_to<GiNaC::function>(part).get_name().starts_with('a');
+                     });
 }
 
 }  // namespace
 
 void CircleAlgebra::add_angle(const GiNaC::symbol& angle) {
-  directions_[angle] = {GiNaC::symbol("cos_" + angle.get_name()),
-                        GiNaC::symbol("sin_" + angle.get_name())};
+  directions_[angle.get_name()] = {GiNaC::symbol("cos_" + angle.get_name()),
+                                   GiNaC::symbol("sin_" + angle.get_name())};
 }
 
-const Vector2& CircleAlgebra::direction(const GiNaC::symbol& angle) const {
-  return directions_.at(angle);
+const equations::Vector2& CircleAlgebra::direction(const GiNaC::symbol& angle) const {
+  return directions_.at(angle.get_name());
+}
+
+const equations::Vector2* CircleAlgebra::find_direction(const GiNaC::ex& angle) const {
+  if (!GiNaC::is_a<GiNaC::symbol>(angle)) {
+    return nullptr;
+  }
+  const auto known = directions_.find(GiNaC::ex_to<GiNaC::symbol>(angle).get_name());
+  return known == directions_.end() ? nullptr : &known->second;
 }
 
 bool CircleAlgebra::under_a_root(const GiNaC::symbol& symbol) const {
@@ -35,6 +50,22 @@ bool CircleAlgebra::under_a_root(const GiNaC::symbol& symbol) const {
 }
 
 GiNaC::ex CircleAlgebra::algebraic(const GiNaC::ex& expression) {
+  if (const auto known = known_.find(expression); known != known_.end()) {
+    return known->second;
+  }
+  const std::size_t known_roots = roots_.size();
+  in_order_ = false;
+  try {
+    return known_[expression] = converted(expression);
+  } catch (const NotAlgebraic&) {
+    // Of several errors the first is told, in an order of our own.
+    roots_.resize(known_roots);
+    in_order_ = true;
+    return converted(expression);
+  }
+}
+
+GiNaC::ex CircleAlgebra::converted(const GiNaC::ex& expression) {
   if (GiNaC::is_a<GiNaC::function>(expression)) {
     const auto& function = GiNaC::ex_to<GiNaC::function>(expression);
     if (function.get_name() == "cos") {
@@ -44,7 +75,7 @@ GiNaC::ex CircleAlgebra::algebraic(const GiNaC::ex& expression) {
       return direction_of(expression.op(0)).y;
     }
     if (function.get_name() == "tan") {
-      const Vector2 direction = direction_of(expression.op(0));
+      const equations::Vector2 direction = direction_of(expression.op(0));
       return direction.y / direction.x;
     }
     throw NotAlgebraic("'" + function.get_name() + "' stands outside a sine or cosine");
@@ -52,12 +83,12 @@ GiNaC::ex CircleAlgebra::algebraic(const GiNaC::ex& expression) {
   if (GiNaC::is_a<GiNaC::power>(expression)) {
     const GiNaC::ex& exponent = expression.op(1);
     if (exponent.info(GiNaC::info_flags::integer)) {
-      return GiNaC::pow(algebraic(expression.op(0)), exponent);
+      return GiNaC::pow(converted(expression.op(0)), exponent);
     }
     if ((2 * exponent).info(GiNaC::info_flags::integer)) {
-      return GiNaC::pow(root_of(algebraic(expression.op(0))), 2 * exponent);
+      return GiNaC::pow(root_of(converted(expression.op(0))), 2 * exponent);
     }
-    throw NotAlgebraic("the power " + text_of(exponent) + " is not a whole or half number");
+    throw NotAlgebraic("the power " + formula_text(exponent) + " is not a whole or half number");
   }
   if (GiNaC::is_a<GiNaC::constant>(expression)) {
     throw NotAlgebraic("pi stands outside a sine or cosine");
@@ -65,20 +96,28 @@ GiNaC::ex CircleAlgebra::algebraic(const GiNaC::ex& expression) {
   if (GiNaC::is_a<GiNaC::add>(expression) || GiNaC::is_a<GiNaC::mul>(expression)) {
     const bool sum = GiNaC::is_a<GiNaC::add>(expression);
     GiNaC::ex result = sum ? 0 : 1;
-    for (const GiNaC::ex& part : expression) {
-      result = sum ? result + algebraic(part) : result * algebraic(part);
+    for (const GiNaC::ex& part : operands(expression)) {
+      result = sum ? result + converted(part) : result * converted(part);
     }
     return result;
   }
-  if (directions_.contains(expression)) {
-    throw NotAlgebraic("the angle '" + text_of(expression) + "' stands outside a sine or cosine");
+  if (find_direction(expression) != nullptr) {
+    throw NotAlgebraic("the angle '" + formula_text(expression) +
+                       "' stands outside a sine or cosine");
   }
   return expression;
 }
 
-Vector2 CircleAlgebra::direction_of(const GiNaC::ex& angle) {
+std::vector<GiNaC::ex> CircleAlgebra::operands(const GiNaC::ex& expression) const {
+  std::vector<GiNaC::ex> list(expression.begin(), expression.end());
+  // GiNaC's order serves as well as any where no two roots get numbers and nothing is wrong.
+  const bool matters = in_order_ || std::count_if(list.begin(), list.end(), makes_roots) > 1;
+  return matters ? ordered_operands(expression) : list;
+}
+
+equations::Vector2 CircleAlgebra::direction_of(const GiNaC::ex& angle) {
   const GiNaC::ex expanded = angle.expand();
-  Vector2 direction{1, 0};
+  equations::Vector2 direction{1, 0};
   const auto add = [&](const GiNaC::ex& term) {
     if (term.is_zero()) {
       return;
@@ -97,9 +136,10 @@ Vector2 CircleAlgebra::direction_of(const GiNaC::ex& angle) {
     const bool quarter_turns = base.is_equal(GiNaC::Pi);
     factor *= quarter_turns ? 2 : 1;
     if (!factor.is_integer() || abs(factor) > max_multiple) {
-      throw NotAlgebraic("the angle " + text_of(term) + " is no whole multiple of one declared");
+      throw NotAlgebraic("the angle " + formula_text(term) +
+                         " is no whole multiple of one declared");
     }
-    Vector2 step = quarter_turns ? Vector2{0, 1} : direction_of_term(base);
+    equations::Vector2 step = quarter_turns ? equations::Vector2{0, 1} : direction_of_term(base);
     if (factor.is_negative()) {
       step.y = -step.y;
     }
@@ -108,7 +148,7 @@ Vector2 CircleAlgebra::direction_of(const GiNaC::ex& angle) {
     }
   };
   if (GiNaC::is_a<GiNaC::add>(expanded)) {
-    for (const GiNaC::ex& term : expanded) {
+    for (const GiNaC::ex& term : operands(expanded)) {
       add(term);
     }
   } else {
@@ -117,13 +157,13 @@ Vector2 CircleAlgebra::direction_of(const GiNaC::ex& angle) {
   return direction;
 }
 
-Vector2 CircleAlgebra::direction_of_term(const GiNaC::ex& base) {
-  if (const auto known = directions_.find(base); known != directions_.end()) {
-    return known->second;
+equations::Vector2 CircleAlgebra::direction_of_term(const GiNaC::ex& base) {
+  if (const equations::Vector2* known = find_direction(base)) {
+    return *known;
   }
   if (GiNaC::is_a<GiNaC::function>(base)) {
     const std::string name = GiNaC::ex_to<GiNaC::function>(base).get_name();
-    const GiNaC::ex first = algebraic(base.op(0));
+    const GiNaC::ex first = converted(base.op(0));
     if (name == "acos") {
       return {first, root_of(1 - first * first)};
     }
@@ -135,12 +175,12 @@ Vector2 CircleAlgebra::direction_of_term(const GiNaC::ex& base) {
       return {1 / size, first / size};
     }
     if (name == "atan2") {
-      const GiNaC::ex second = algebraic(base.op(1));
+      const GiNaC::ex second = converted(base.op(1));
       const GiNaC::ex size = root_of(first * first + second * second);
       return {second / size, first / size};
     }
   }
-  throw NotAlgebraic("'" + text_of(base) + "' is used as an angle and is not declared as one");
+  throw NotAlgebraic("'" + formula_text(base) + "' is used as an angle and is not declared as one");
 }
 
 GiNaC::ex CircleAlgebra::root_of(const GiNaC::ex& radicand) {
@@ -166,7 +206,7 @@ bool CircleAlgebra::vanishes(const GiNaC::ex& algebraic) const {
       rest = GiNaC::prem(rest, relation.expand(), root->symbol).expand();
     }
   }
-  for (const auto& [angle, direction] : directions_) {
+  for (const auto& [name, direction] : directions_) {
     if (rest.is_zero()) {
       return true;
     }
@@ -210,4 +250,4 @@ bool CircleAlgebra::roots_are_rational(const GiNaC::exmap& point) const {
   });
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

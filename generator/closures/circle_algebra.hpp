@@ -10,7 +10,7 @@
 
 #include "equations/variable.hpp"
 
-namespace assur::generator {
+namespace assur::generator::closures {
 
 /// An expression that no polynomial with c^2 + s^2 = 1 and r^2 = radicand stands for.
 class NotAlgebraic : public std::runtime_error {
@@ -38,23 +38,30 @@ class CircleAlgebra {
   [[nodiscard]] bool roots_are_rational(const GiNaC::exmap& point) const;
 
   /// (c, s) of an angle that was added.
-  [[nodiscard]] const Vector2& direction(const GiNaC::symbol& angle) const;
+  [[nodiscard]] const equations::Vector2& direction(const GiNaC::symbol& angle) const;
   /// Whether a symbol occurs under a root.
   [[nodiscard]] bool under_a_root(const GiNaC::symbol& symbol) const;
 
  private:
   struct Root {
-    GiNaC::symbol symbol;
-    GiNaC::ex radicand;  ///< algebraic, in roots that come earlier
+    GiNaC::symbol symbol{};
+    GiNaC::ex radicand{};  ///< algebraic, in roots that come earlier
   };
 
-  [[nodiscard]] Vector2 direction_of(const GiNaC::ex& angle);
-  [[nodiscard]] Vector2 direction_of_term(const GiNaC::ex& base);
+  [[nodiscard]] GiNaC::ex converted(const GiNaC::ex& expression);
+  [[nodiscard]] std::vector<GiNaC::ex> operands(const GiNaC::ex& expression) const;
+  /// The direction of an angle that was added; nullptr for all else.
+  [[nodiscard]] const equations::Vector2* find_direction(const GiNaC::ex& angle) const;
+  [[nodiscard]] equations::Vector2 direction_of(const GiNaC::ex& angle);
+  [[nodiscard]] equations::Vector2 direction_of_term(const GiNaC::ex& base);
   [[nodiscard]] GiNaC::exmap with_roots(const GiNaC::exmap& point) const;
   [[nodiscard]] GiNaC::ex root_of(const GiNaC::ex& radicand);
 
-  std::map<GiNaC::ex, Vector2, GiNaC::ex_is_less> directions_;
+  std::map<std::string, equations::Vector2> directions_;  ///< by the names of the angles
   std::vector<Root> roots_;
+  bool in_order_ = false;  ///< all operands are met in an order of our own
+  /// What expressions are at one point they are at the next.
+  std::map<GiNaC::ex, GiNaC::ex, GiNaC::ex_is_less> known_;
 };
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

@@ -6,7 +6,7 @@
 #include "closures/assembly_by_lengths.hpp"
 #include "closures/formula_text.hpp"
 
-namespace assur::generator {
+namespace assur::generator::closures {
 
 namespace {
 
@@ -231,7 +231,7 @@ std::string ClosurePoints::point_text(const Point& point,
     }
     text += text.empty() ? "" : ", ";
     if (symbol.angle) {
-      const Vector2& direction = algebra_.direction(symbol.symbol);
+      const equations::Vector2& direction = algebra_.direction(symbol.symbol);
       text += "(cos, sin)(" + symbol.name + ") = (" + formula_text(point.values.at(direction.x)) +
               ", " + formula_text(point.values.at(direction.y)) + ")";
     } else {
@@ -241,4 +241,4 @@ std::string ClosurePoints::point_text(const Point& point,
   return text;
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

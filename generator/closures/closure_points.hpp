@@ -10,7 +10,7 @@
 #include "closures/circle_algebra.hpp"
 #include "closures/closure_system.hpp"
 
-namespace assur::generator {
+namespace assur::generator::closures {
 
 /// The points of a system, which may go on growing: then they are drawn anew.
 class ClosurePoints {
@@ -63,4 +63,4 @@ class ClosurePoints {
   std::map<bool, PointList> lists_;  ///< by whether they are assembled
 };
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

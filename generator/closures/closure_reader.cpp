@@ -1,13 +1,13 @@
 #include "closures/closure_reader.hpp"
 
 #include <algorithm>
+#include <assur/text/expression.hpp>
+#include <assur/text/suggestion.hpp>
 
 #include "closures/formula.hpp"
 #include "closures/model_symbols.hpp"
-#include "scene/expression.hpp"
-#include "scene/suggestion.hpp"
 
-namespace assur::generator {
+namespace assur::generator::closures {
 
 struct ClosureReader::Keyword {
   std::string word;
@@ -55,7 +55,7 @@ void ClosureReader::fail(Place joined, const std::string& what) const {
 }
 
 void ClosureReader::expect_new(const PlacedText& name) const {
-  if (!is_identifier(name.text) || is_reserved_name(name.text)) {
+  if (!text::is_identifier(name.text) || text::is_reserved_name(name.text)) {
     fail(name.place, "'" + name.text + "' cannot be a name");
   }
   if (system_.is_known(name.text) || reserved_.contains(name.text)) {
@@ -70,7 +70,7 @@ std::vector<std::string> ClosureReader::known_names(const PlacedText& list, bool
         symbols_only ? system_.symbol_named(name.text) != nullptr : system_.is_known(name.text);
     if (!known) {
       fail(name.place,
-           "no symbol named '" + name.text + "'" + suggestion(name.text, system_.names()));
+           "no symbol named '" + name.text + "'" + text::suggestion(name.text, system_.names()));
     }
     names.push_back(name.text);
   }
@@ -83,7 +83,7 @@ std::vector<std::string> ClosureReader::known_names(const PlacedText& list, bool
 void ClosureReader::read_model(const PlacedText& kind) {
   try {
     declare_model(kind.text, system_);
-  } catch (const InputError& error) {
+  } catch (const text::InputError& error) {
     fail(kind.place, error.what());
   }
 }
@@ -122,7 +122,7 @@ void ClosureReader::read_loop(const PlacedText& rest) {
   }
   expect_new(both[0]);
   expect_new(both[1]);
-  const Vector2 sum = read_vector(vectors, system_);
+  const equations::Vector2 sum = read_vector(vectors, system_);
   system_.close(both[0].text, sum.x);
   system_.close(both[1].text, sum.y);
 }
@@ -137,4 +137,4 @@ void ClosureReader::read_closure(const PlacedText& rest) {
   system_.close(parts[0].text, parts.size() == 3 ? left - read_formula(parts[2], system_) : left);
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

@@ -6,7 +6,7 @@
 #include "closures/closure_system.hpp"
 #include "closures/statement.hpp"
 
-namespace assur::generator {
+namespace assur::generator::closures {
 
 /// Reads source, model, angle, length, unknown, moving, let, loop and closure, one statement after
 /// the other: each may use what earlier ones declare. Throws AuditSyntaxError.
@@ -55,4 +55,4 @@ class ClosureReader {
   std::set<std::string> reserved_;
 };
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace assur::generator {
+namespace assur::generator::closures {
 
 AuditSymbol& ClosureSystem::declare(const std::string& name, bool angle,
                                     const std::string& meaning) {
@@ -150,4 +150,4 @@ std::vector<const AuditSymbol*> ClosureSystem::unknowns() const {
   return list;
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

@@ -8,7 +8,7 @@
 
 #include "equations/variable.hpp"
 
-namespace assur::generator {
+namespace assur::generator::closures {
 
 /// A symbol that an audit file declares, or that its model has.
 struct AuditSymbol {
@@ -92,4 +92,4 @@ class ClosureSystem {
   unsigned revision_ = 0;
 };
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

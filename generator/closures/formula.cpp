@@ -1,15 +1,14 @@
 #include "closures/formula.hpp"
 
 #include <array>
+#include <assur/text/expression.hpp>
+#include <assur/text/suggestion.hpp>
 
-#include "scene/expression.hpp"
-#include "scene/suggestion.hpp"
-
-namespace assur::generator {
+namespace assur::generator::closures {
 
 namespace {
 
-constexpr std::array<ExpressionFunction, 7> functions = {
+constexpr std::array<text::ExpressionFunction, 7> functions = {
     {{"d", 2}, {"D", 2}, {"rate", 1}, {"rate2", 1}, {"pow", 2}, {"point", 2}, {"polar", 2}}};
 
 /// The decimal number that a text spells, exactly.
@@ -40,21 +39,21 @@ class Reader {
       throw FormulaError("a formula is missing", text.place);
     }
     try {
-      tree_ = parse_expression(text.text, functions);
-    } catch (const ExpressionError& error) {
+      tree_ = text::parse_expression(text.text, functions);
+    } catch (const text::ExpressionError& error) {
       throw FormulaError(error.what(), text.at(error.column));
     }
   }
 
   GiNaC::ex scalar() { return scalar(tree_); }
-  Vector2 vector() { return vector(tree_); }
+  equations::Vector2 vector() { return vector(tree_); }
 
  private:
-  [[noreturn]] void fail(const std::string& what, const Expression& at) const {
+  [[noreturn]] void fail(const std::string& what, const text::Expression& at) const {
     throw FormulaError(what, text_.at(at.column));
   }
 
-  GiNaC::ex number(const Expression& node) const {
+  GiNaC::ex number(const text::Expression& node) const {
     if (node.name == "pi" || node.name == "deg") {
       return node.name == "pi" ? GiNaC::ex(GiNaC::Pi) : GiNaC::Pi / 180;
     }
@@ -66,75 +65,74 @@ class Reader {
     return other == locals_.stands_for.end() ? name : other->second;
   }
 
-  GiNaC::ex name(const Expression& node) const {
+  GiNaC::ex name(const text::Expression& node) const {
     if (const auto local = locals_.meanings.find(node.name); local != locals_.meanings.end()) {
       return local->second;
     }
     if (const std::optional<GiNaC::ex> meaning = system_.meaning_of(resolved(node.name))) {
       return *meaning;
     }
-    fail("no symbol named '" + node.name + "'" + suggestion(node.name, system_.names()), node);
+    fail("no symbol named '" + node.name + "'" + text::suggestion(node.name, system_.names()),
+         node);
   }
 
-  const AuditSymbol& symbol(const Expression& node) const {
-    const AuditSymbol* found =
-        node.kind == Expression::Kind::name ? system_.symbol_named(resolved(node.name)) : nullptr;
+  const AuditSymbol& symbol(const text::Expression& node) const {
+    const AuditSymbol* found = node.kind == text::Expression::Kind::name
+                                   ? system_.symbol_named(resolved(node.name))
+                                   : nullptr;
     if (found == nullptr) {
       fail("expected a declared symbol to differentiate by", node);
     }
     return *found;
   }
 
-  GiNaC::ex quotient(const GiNaC::ex& above, const GiNaC::ex& below, const Expression& at) const {
+  GiNaC::ex quotient(const GiNaC::ex& above, const GiNaC::ex& below,
+                     const text::Expression& at) const {
     if (below.is_zero()) {
       fail("division by zero", at);
     }
     return above / below;
   }
 
-  GiNaC::ex scalar(const Expression& node) {
-    if (node.kind == Expression::Kind::number) {
+  GiNaC::ex scalar(const text::Expression& node) {
+    if (node.kind == text::Expression::Kind::number) {
       return number(node);
     }
-    if (node.kind == Expression::Kind::name) {
+    if (node.kind == text::Expression::Kind::name) {
       return name(node);
     }
     const std::string& called = node.name;
     if (called == "point" || called == "polar") {
       fail("a vector stands where a number is expected", node);
     }
+    using text::Operation;
     const GiNaC::ex first = scalar(node.arguments[0]);
     if (node.arguments.size() == 1) {
-      if (called == "-") return -first;
-      if (called == "sqrt") return GiNaC::sqrt(first);
-      if (called == "sin") return GiNaC::sin(first);
-      if (called == "cos") return GiNaC::cos(first);
-      if (called == "tan") return GiNaC::tan(first);
-      if (called == "asin") return GiNaC::asin(first);
-      if (called == "acos") return GiNaC::acos(first);
-      if (called == "atan") return GiNaC::atan(first);
+      if (node.operation != Operation::other) {
+        return text::applied<GiNaC::ex>(node.operation, first);
+      }
       const GiNaC::ex rate = system_.rate(first);
       return called == "rate" ? rate : system_.rate(rate);
     }
     if (called == "d") return system_.partial(first, symbol(node.arguments[1]).symbol);
     if (called == "D") return total(first, symbol(node.arguments[1]), node);
     const GiNaC::ex second = scalar(node.arguments[1]);
-    if (called == "+") return first + second;
-    if (called == "-") return first - second;
-    if (called == "*") return first * second;
-    if (called == "/") return quotient(first, second, node);
-    if (called == "atan2") return GiNaC::atan2(first, second);
-    return power(first, second, node);
+    if (node.operation == Operation::divide) return quotient(first, second, node);
+    if (node.operation == Operation::power || node.operation == Operation::other) {  // pow(e, n)
+      return power(first, second, node);
+    }
+    return text::applied<GiNaC::ex>(node.operation, first, second);
   }
 
-  GiNaC::ex total(const GiNaC::ex& expression, const AuditSymbol& by, const Expression& at) {
+  GiNaC::ex total(const GiNaC::ex& expression, const AuditSymbol& by, const text::Expression& at) {
     if (by.unknown) {
       fail("D differentiates by a parameter, and '" + by.name + "' is an unknown", at);
     }
     return system_.total(expression, by);
   }
 
-  GiNaC::ex power(const GiNaC::ex& base, const GiNaC::ex& exponent, const Expression& at) const {
+  GiNaC::ex power(const GiNaC::ex& base, const GiNaC::ex& exponent,
+                  const text::Expression& at) const {
     if (!(2 * exponent).info(GiNaC::info_flags::integer)) {
       fail("only whole and half powers can be compared", at);
     }
@@ -144,33 +142,33 @@ class Reader {
     return GiNaC::pow(base, exponent);
   }
 
-  Vector2 vector(const Expression& node) {
+  equations::Vector2 vector(const text::Expression& node) {
     const std::string& called = node.name;
-    if (node.kind == Expression::Kind::call && called == "point") {
+    if (node.kind == text::Expression::Kind::call && called == "point") {
       return {scalar(node.arguments[0]), scalar(node.arguments[1])};
     }
-    if (node.kind == Expression::Kind::call && called == "polar") {
+    if (node.kind == text::Expression::Kind::call && called == "polar") {
       const GiNaC::ex length = scalar(node.arguments[0]);
       const GiNaC::ex angle = scalar(node.arguments[1]);
       return {length * GiNaC::cos(angle), length * GiNaC::sin(angle)};
     }
-    const bool sum = node.kind == Expression::Kind::call && (called == "+" || called == "-");
+    const bool sum = node.kind == text::Expression::Kind::call && (called == "+" || called == "-");
     if (!sum) {
       fail("expected a sum of point(x, y) and polar(length, angle)", node);
     }
-    const Vector2 first = vector(node.arguments[0]);
+    const equations::Vector2 first = vector(node.arguments[0]);
     if (node.arguments.size() == 1) {
       return {-first.x, -first.y};
     }
-    const Vector2 second = vector(node.arguments[1]);
-    return called == "+" ? Vector2{first.x + second.x, first.y + second.y}
-                         : Vector2{first.x - second.x, first.y - second.y};
+    const equations::Vector2 second = vector(node.arguments[1]);
+    return called == "+" ? equations::Vector2{first.x + second.x, first.y + second.y}
+                         : equations::Vector2{first.x - second.x, first.y - second.y};
   }
 
   const PlacedText& text_;
   ClosureSystem& system_;
   const LocalNames& locals_;
-  Expression tree_;
+  text::Expression tree_;
 };
 
 }  // namespace
@@ -179,9 +177,9 @@ GiNaC::ex read_formula(const PlacedText& text, ClosureSystem& system, const Loca
   return Reader(text, system, locals).scalar();
 }
 
-Vector2 read_vector(const PlacedText& text, ClosureSystem& system) {
+equations::Vector2 read_vector(const PlacedText& text, ClosureSystem& system) {
   const LocalNames none;
   return Reader(text, system, none).vector();
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

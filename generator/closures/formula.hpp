@@ -4,7 +4,7 @@
 #include "closures/closure_system.hpp"
 #include "closures/statement.hpp"
 
-namespace assur::generator {
+namespace assur::generator::closures {
 
 /// Something in a formula that cannot be read, and where.
 struct FormulaError : std::runtime_error {
@@ -24,6 +24,6 @@ struct LocalNames {
                                      const LocalNames& locals = {});
 
 /// A sum of vectors point(x, y), polar(length, angle) and multiples of them.
-[[nodiscard]] Vector2 read_vector(const PlacedText& text, ClosureSystem& system);
+[[nodiscard]] equations::Vector2 read_vector(const PlacedText& text, ClosureSystem& system);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

@@ -1,13 +1,18 @@
-// Turns an expression into text that is the same in every process and that a formula may be.
+// Turns an expression into a formula in the syntax of audit files, the same in every process.
 #pragma once
 
 #include <ginac/ginac.h>
 
 #include <string>
+#include <vector>
 
-namespace assur::generator {
+namespace assur::generator::closures {
 
-/// Sums and products in alphabetical order: GiNaC's own order depends on addresses.
+/// The same text for the same mathematics, whatever order and signs GiNaC gives sums and products.
 [[nodiscard]] std::string formula_text(const GiNaC::ex& expression);
 
-}  // namespace assur::generator
+/// The terms or factors in the order of their texts, for whatever depends on the order in which
+/// they are met: names that are given, the first of several errors.
+[[nodiscard]] std::vector<GiNaC::ex> ordered_operands(const GiNaC::ex& expression);
+
+}  // namespace assur::generator::closures

@@ -1,21 +1,20 @@
 #include "closures/implicit_form.hpp"
 
 #include <algorithm>
-#include <regex>
+#include <assur/text/identifiers.hpp>
 #include <set>
 
 #include "closures/angle_terms.hpp"
 #include "closures/formula_text.hpp"
-#include "emission/scene_names.hpp"
 
-namespace assur::generator {
+namespace assur::generator::closures {
 
 namespace {
 
 /// Powers of sums are multiplied out.
 constexpr int max_power = 64;
 
-Vector2 turned(const Vector2& direction, const Vector2& by) {
+equations::Vector2 turned(const equations::Vector2& direction, const equations::Vector2& by) {
   return {(direction.x * by.x - direction.y * by.y).expand(),
           (direction.x * by.y + direction.y * by.x).expand()};
 }
@@ -24,23 +23,6 @@ bool is_function(const GiNaC::ex& expression) { return GiNaC::is_a<GiNaC::functi
 
 std::string function_name(const GiNaC::ex& function) {
   return GiNaC::ex_to<GiNaC::function>(function).get_name();
-}
-
-/// The operands in the order of their texts: GiNaC's own order depends on addresses, and names are
-/// given in the order in which expressions are met.
-std::vector<GiNaC::ex> ordered_operands(const GiNaC::ex& expression) {
-  std::vector<std::pair<std::string, GiNaC::ex>> texts;
-  for (const GiNaC::ex& operand : expression) {
-    texts.emplace_back(formula_text(operand), operand);
-  }
-  std::sort(texts.begin(), texts.end(),
-            [](const auto& left, const auto& right) { return left.first < right.first; });
-  std::vector<GiNaC::ex> operands;
-  operands.reserve(texts.size());
-  for (const auto& [text, operand] : texts) {
-    operands.push_back(operand);
-  }
-  return operands;
 }
 
 class Translation {
@@ -52,7 +34,7 @@ class Translation {
     declare_variables(types);
   }
 
-  ImplicitEquations run() {
+  equations::ImplicitEquations run() {
     for (const ClosureSystem::Closure& closure : system_.closures()) {
       try {
         result_.residuals.push_back(scalar(closure.expression).expand());
@@ -65,22 +47,22 @@ class Translation {
   }
 
  private:
-  using Quantity = Variable::Quantity;
+  using Quantity = equations::Variable::Quantity;
 
   void declare_variables(const std::vector<std::string>& taken) {
     std::vector<std::string> names;
     for (const AuditSymbol& symbol : system_.symbols()) {
       names.push_back(symbol.name);
     }
-    const std::vector<std::string> members = member_names(names, taken);
+    const std::vector<std::string> members = text::member_names(names, taken);
     for (std::size_t place = 0; place < members.size(); ++place) {
       const AuditSymbol& symbol = system_.symbols()[place];
       const std::string& name = members[place];
-      std::deque<Variable>& list = symbol.unknown  ? result_.unknowns
-                                   : symbol.moving ? result_.inputs
-                                                   : result_.dimensions;
+      std::deque<equations::Variable>& list = symbol.unknown  ? result_.unknowns
+                                              : symbol.moving ? result_.inputs
+                                                              : result_.dimensions;
       const std::string kind = symbol.angle ? "angle" : "length";
-      Variable& variable =
+      equations::Variable& variable =
           list.emplace_back(name, symbol.angle ? Quantity::angle : Quantity::length,
                             symbol.meaning.empty() ? kind : kind + ", " + symbol.meaning);
       // Two angles may differ in front of an underscore alone, and a length may be called cos_phi.
@@ -102,11 +84,13 @@ class Translation {
 
   /// An identifier of its own for a quantity, and with `inverse_` in front for one over it.
   std::string fresh(const std::string& wanted) {
-    static const std::regex temporary("t[0-9]+");  // which programs name themselves
-    std::string base = std::regex_match(wanted, temporary) ? wanted + "_" : wanted;
+    // Programs name their temporaries t1, t2, ... themselves.
+    const bool temporary = wanted.size() > 1 && wanted[0] == 't' &&
+                           wanted.find_first_not_of("0123456789", 1) == std::string::npos;
+    const std::string base = temporary ? wanted + "_" : wanted;
     while (true) {
       std::string name =
-          member_names({base}, std::vector<std::string>(used_.begin(), used_.end()))[0];
+          text::member_names({base}, std::vector<std::string>(used_.begin(), used_.end()))[0];
       used_.insert(name);
       if (used_.insert("inverse_" + name).second) {
         return name;
@@ -139,7 +123,7 @@ class Translation {
     if (is_function(expression)) {
       const std::string name = function_name(expression);
       if (name == "cos" || name == "sin" || name == "tan") {
-        const Vector2 direction = direction_of(expression.op(0));
+        const equations::Vector2 direction = direction_of(expression.op(0));
         if (name == "tan") {
           return direction.y * reciprocal(direction.x, "cos(" + text(expression.op(0)) + ") = 0");
         }
@@ -228,15 +212,15 @@ class Translation {
     }
     std::string name = "divisor";
     if (GiNaC::is_a<GiNaC::symbol>(denominator)) {
-      name = c_identifier(GiNaC::ex_to<GiNaC::symbol>(denominator).get_name());
+      name = text::c_identifier(GiNaC::ex_to<GiNaC::symbol>(denominator).get_name());
       name.erase(name.find_last_not_of('_') + 1);
     }
     return result_.vocabulary.name_reciprocal(fresh("inverse_" + name), denominator, degeneracy);
   }
 
-  Vector2 direction_of(const GiNaC::ex& angle) {
+  equations::Vector2 direction_of(const GiNaC::ex& angle) {
     const AngleTerms sum = angle_terms(angle, system_);
-    Vector2 direction{1, 0};
+    equations::Vector2 direction{1, 0};
     if (!sum.terms.empty()) {
       const int sense = sum.terms.begin()->second.factor < 0 ? -1 : 1;
       direction = direction_of_terms(sum, sense,
@@ -251,12 +235,12 @@ class Translation {
   }
 
   /// Of the terms times the sense, so that the first one counts positive.
-  Vector2 direction_of_terms(const AngleTerms& sum, int sense, std::string name) {
-    Vector2 direction{1, 0};
+  equations::Vector2 direction_of_terms(const AngleTerms& sum, int sense, std::string name) {
+    equations::Vector2 direction{1, 0};
     std::string spelled;
     for (const auto& [text, term] : sum.terms) {
       const int factor = sense * term.factor;
-      Vector2 step = direction_of_term(term.angle);
+      equations::Vector2 step = direction_of_term(term.angle);
       step.y = factor < 0 ? -step.y : step.y;
       for (int count = std::abs(factor); count > 0; --count) {
         direction = turned(direction, step);
@@ -271,14 +255,14 @@ class Translation {
     }
     const auto [known, is_new] = sums_.try_emplace(spelled);
     if (is_new) {
-      name = c_identifier(name.empty() || sense < 0 ? spelled : name);
+      name = text::c_identifier(name.empty() || sense < 0 ? spelled : name);
       known->second = {result_.vocabulary.name(fresh("cos" + name), direction.x, "cosine"),
                        result_.vocabulary.name(fresh("sin" + name), direction.y, "sine")};
     }
     return known->second;
   }
 
-  Vector2 direction_of_term(const GiNaC::ex& angle) {
+  equations::Vector2 direction_of_term(const GiNaC::ex& angle) {
     if (const auto variable = variables_.find(angle); variable != variables_.end()) {
       if (!variable->second->is_angle()) {
         throw NotAlgebraic("'" + text(angle) + "' is used as an angle and is not declared as one");
@@ -295,16 +279,16 @@ class Translation {
       throw NotAlgebraic("'" + text(angle) + "' is used as an angle and is not declared as one");
     }
     const std::string name = definition == nullptr ? function_name(function) : text(angle);
-    return inverses_[angle] = direction_of_inverse(function, c_identifier(name));
+    return inverses_[angle] = direction_of_inverse(function, text::c_identifier(name));
   }
 
   /// Of an angle that is an inverse function of numbers.
-  Vector2 direction_of_inverse(const GiNaC::ex& function, const std::string& name) {
+  equations::Vector2 direction_of_inverse(const GiNaC::ex& function, const std::string& name) {
     const std::string called = function_name(function);
     if (called != "acos" && called != "asin" && called != "atan" && called != "atan2") {
       throw NotAlgebraic("'" + text(function) + "' is used as an angle and is a number");
     }
-    Vocabulary& vocabulary = result_.vocabulary;
+    equations::Vocabulary& vocabulary = result_.vocabulary;
     const GiNaC::ex first = scalar(function.op(0)).expand();
     if (called == "acos" || called == "asin") {
       const bool is_cosine = called == "acos";
@@ -312,7 +296,7 @@ class Translation {
           vocabulary.name(fresh((is_cosine ? "cos_" : "sin_") + name), first, text(function));
       const GiNaC::ex other = vocabulary.name_root(fresh((is_cosine ? "sin_" : "cos_") + name),
                                                    1 - given * given, text(function) + " ends");
-      return is_cosine ? Vector2{given, other} : Vector2{other, given};
+      return is_cosine ? equations::Vector2{given, other} : equations::Vector2{other, given};
     }
     const GiNaC::ex second = called == "atan2" ? scalar(function.op(1)).expand() : GiNaC::ex(1);
     const std::string degeneracy =
@@ -328,19 +312,20 @@ class Translation {
   using ByExpression = std::map<GiNaC::ex, Value, GiNaC::ex_is_less>;
 
   const ClosureSystem& system_;
-  ImplicitEquations result_;
+  equations::ImplicitEquations result_;
   std::set<std::string> used_;
-  ByExpression<const Variable*> variables_;
-  ByExpression<GiNaC::ex> numbers_;      ///< of abbreviations
-  ByExpression<Vector2> inverses_;       ///< of angles that are no variables
-  std::map<std::string, Vector2> sums_;  ///< of sums of angles, by their names
+  ByExpression<const equations::Variable*> variables_;
+  ByExpression<GiNaC::ex> numbers_;                 ///< of abbreviations
+  ByExpression<equations::Vector2> inverses_;       ///< of angles that are no variables
+  std::map<std::string, equations::Vector2> sums_;  ///< of sums of angles, by their names
 };
 
 }  // namespace
 
-ImplicitEquations implicit_form(const ClosureSystem& system, const std::vector<std::string>& types,
-                                const std::vector<std::string>& locals) {
+equations::ImplicitEquations implicit_form(const ClosureSystem& system,
+                                           const std::vector<std::string>& types,
+                                           const std::vector<std::string>& locals) {
   return Translation(system, types, locals).run();
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

@@ -8,15 +8,15 @@
 #include "closures/closure_system.hpp"
 #include "equations/implicit_equations.hpp"
 
-namespace assur::generator {
+namespace assur::generator::closures {
 
 /// The closures as f(q, d, u) = 0: the unknowns q, the parameters that are held as dimensions d and
 /// those that move as inputs u. Sines and cosines become parts of directions; abbreviations, roots
 /// and divisors become named quantities, roots and divisors with the degeneracy that ends them.
 /// The emitted code uses the names of `types` itself everywhere, and `locals` in functions. Throws
 /// NotAlgebraic, with the closure's name, for what no polynomial in such quantities stands for.
-[[nodiscard]] ImplicitEquations implicit_form(const ClosureSystem& system,
-                                              const std::vector<std::string>& types,
-                                              const std::vector<std::string>& locals);
+[[nodiscard]] equations::ImplicitEquations implicit_form(const ClosureSystem& system,
+                                                         const std::vector<std::string>& types,
+                                                         const std::vector<std::string>& locals);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

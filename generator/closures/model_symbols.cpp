@@ -1,31 +1,32 @@
 #include "closures/model_symbols.hpp"
 
+#include <assur/text/error.hpp>
+
 #include "equations/closure.hpp"
-#include "error.hpp"
 #include "structure/kind.hpp"
 
-namespace assur::generator {
+namespace assur::generator::closures {
 
 namespace {
 
-const Model& model_that_has(const std::string& text) {
-  for (const Group& group : known_groups()) {
-    if (const std::optional<Kind> kind = parse_kind(group, text)) {
-      return model_of(group, *kind);
+const structure::Model& model_that_has(const std::string& text) {
+  for (const structure::Group& group : structure::known_groups()) {
+    if (const std::optional<structure::Kind> kind = structure::parse_kind(group, text)) {
+      return structure::model_of(group, *kind);
     }
   }
-  throw InputError("no group has a kind '" + text + "'; a tetrad's is spelled like RRP-RRR");
+  throw text::InputError("no group has a kind '" + text + "'; a tetrad's is spelled like RRP-RRR");
 }
 
 }  // namespace
 
 void declare_model(const std::string& kind, ClosureSystem& system) {
-  const ClosureEquations equations = closure_equations(model_that_has(kind));
+  const equations::ClosureEquations equations = equations::closure_equations(model_that_has(kind));
   GiNaC::exmap in_angles;
   for (const auto* list : {&equations.unknowns, &equations.dimensions, &equations.inputs}) {
-    for (const Variable& variable : *list) {
+    for (const equations::Variable& variable : *list) {
       if (system.is_known(variable.name)) {
-        throw InputError("the model's '" + variable.name + "' is declared already");
+        throw text::InputError("the model's '" + variable.name + "' is declared already");
       }
       AuditSymbol& symbol = system.declare(variable.name, variable.is_angle());
       symbol.unknown = list == &equations.unknowns;
@@ -45,4 +46,4 @@ void declare_model(const std::string& kind, ClosureSystem& system) {
   }
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

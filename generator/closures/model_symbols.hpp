@@ -3,11 +3,11 @@
 
 #include "closures/closure_system.hpp"
 
-namespace assur::generator {
+namespace assur::generator::closures {
 
 /// Declares the variables of the kind's model under their own names, the unknowns as unknown and
 /// the inputs as moving, and its scalar closures as f1, f2, ... Throws InputError for a kind of no
 /// group.
 void declare_model(const std::string& kind, ClosureSystem& system);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

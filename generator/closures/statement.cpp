@@ -3,7 +3,7 @@
 #include <cctype>
 #include <sstream>
 
-namespace assur::generator {
+namespace assur::generator::closures {
 
 namespace {
 
@@ -127,4 +127,4 @@ PlacedText take_word(PlacedText& text) {
   return word;
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

@@ -1,12 +1,11 @@
 // Turns the text of an audit file into its statements, each with the place where it stands.
 #pragma once
 
+#include <assur/text/error.hpp>
 #include <string>
 #include <vector>
 
-#include "error.hpp"
-
-namespace assur::generator {
+namespace assur::generator::closures {
 
 /// A place in an audit file; the first line and the first column are 1.
 struct Place {
@@ -15,11 +14,11 @@ struct Place {
 };
 
 /// Something in an audit file that cannot be read: `FILE:LINE:COLUMN: what`.
-class AuditSyntaxError : public InputError {
+class AuditSyntaxError : public text::InputError {
  public:
   AuditSyntaxError(const std::string& file, Place at, const std::string& what)
-      : InputError(file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + ": " +
-                   what) {}
+      : text::InputError(file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) +
+                         ": " + what) {}
 };
 
 /// A piece of text and where it begins.
@@ -61,4 +60,4 @@ struct Statement {
 /// Takes the first word off a text; empty if there is none.
 [[nodiscard]] PlacedText take_word(PlacedText& text);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <assur/text/input_file.hpp>
+#include <assur/text/suggestion.hpp>
 #include <string_view>
 
 #include "closures/closure_reader.hpp"
-#include "input_file.hpp"
-#include "scene/suggestion.hpp"
 
-namespace assur::generator {
+namespace assur::generator::closures {
 
 namespace {
 
@@ -27,7 +27,7 @@ bool contains(const List& list, const std::string& word) {
 TypedClosures read_typed_closures(const std::string& file) {
   ClosureReader reader(file);
   TypedClosures typed{file, "", {}, {}};
-  for (const Statement& statement : parse_statements(read_input_file(file), file)) {
+  for (const Statement& statement : parse_statements(text::read_input_file(file), file)) {
     PlacedText rest = statement.head;
     const PlacedText keyword = take_word(rest);
     if (keyword.text == "model") {
@@ -40,7 +40,7 @@ TypedClosures read_typed_closures(const std::string& file) {
     }
     if (!reader.read(statement)) {
       reader.fail(keyword.place, "no statement '" + keyword.text + "'" +
-                                     suggestion(keyword.text, ClosureReader::keywords()));
+                                     text::suggestion(keyword.text, ClosureReader::keywords()));
     }
     if (contains(shown, keyword.text)) {
       typed.lines.push_back(joined(statement).text);
@@ -49,14 +49,15 @@ TypedClosures read_typed_closures(const std::string& file) {
   typed.source = reader.source();
   typed.system = std::move(reader.system());
   if (typed.system.closures().empty()) {
-    throw InputError(file + ": there is no closure to emit; type one with 'closure' or 'loop'");
+    throw text::InputError(file +
+                           ": there is no closure to emit; type one with 'closure' or 'loop'");
   }
   const auto& symbols = typed.system.symbols();
   if (std::none_of(symbols.begin(), symbols.end(),
                    [](const AuditSymbol& symbol) { return symbol.unknown; })) {
-    throw InputError(file + ": no symbol is unknown; name the unknowns with 'unknown'");
+    throw text::InputError(file + ": no symbol is unknown; name the unknowns with 'unknown'");
   }
   return typed;
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

@@ -3,7 +3,7 @@
 
 #include "closures/closure_system.hpp"
 
-namespace assur::generator {
+namespace assur::generator::closures {
 
 /// A mechanism by its closures, as its user types them.
 struct TypedClosures {
@@ -17,4 +17,4 @@ struct TypedClosures {
 /// for what cannot be used, for a `model` and where closures or unknowns are missing.
 [[nodiscard]] TypedClosures read_typed_closures(const std::string& file);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::closures

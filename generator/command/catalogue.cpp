@@ -1,38 +1,31 @@
 #include "command/catalogue.hpp"
 
 #include <algorithm>
+#include <assur/text/names.hpp>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "derivatives/mobility.hpp"
 #include "elimination/eliminate.hpp"
-#include "solution/structured_jacobian.hpp"
+#include "pivoting/structured_jacobian.hpp"
 #include "structure/printed_table.hpp"
 
-namespace assur::generator {
+namespace assur::generator::command {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 struct CatalogueEntry {
-  const Model* model;
-  Mobility mobility;
+  const structure::Model* model;
+  derivatives::Mobility mobility;
   int max_configurations;                   ///< zero for a degenerate model
   std::string determinant;                  ///< of the Jacobian, factored; empty if degenerate
   std::vector<std::string> singular_where;  ///< the zeros of its factors
-  const PrintedRow* printed;
+  const structure::PrintedRow* printed;
   std::vector<std::string> kinds;
   std::vector<std::string> disagreements;  ///< between the derivation and the printed row
 };
-
-std::string joined(const std::vector<std::string>& parts, const std::string& separator) {
-  std::string text;
-  for (const std::string& part : parts) {
-    text += (text.empty() ? "" : separator) + part;
-  }
-  return text;
-}
 
 void compare(CatalogueEntry& entry) {
   std::vector<std::string> missing;
@@ -49,10 +42,11 @@ void compare(CatalogueEntry& entry) {
     }
   }
   if (!foreign.empty()) {
-    entry.disagreements.push_back("printed " + joined(foreign, ", ") + " belongs to another row");
+    entry.disagreements.push_back("printed " + text::joined(foreign, ", ") +
+                                  " belongs to another row");
   }
   if (!missing.empty()) {
-    entry.disagreements.push_back(joined(missing, ", ") + " is not printed");
+    entry.disagreements.push_back(text::joined(missing, ", ") + " is not printed");
   }
   if (entry.printed->rigid() != entry.mobility.rigid) {
     entry.disagreements.push_back("printed family " + entry.printed->family + " makes it " +
@@ -62,28 +56,29 @@ void compare(CatalogueEntry& entry) {
   }
 }
 
-std::vector<CatalogueEntry> entries_of(const Group& group) {
-  const std::vector<PrintedRow>* printed = printed_table(group);
+std::vector<CatalogueEntry> entries_of(const structure::Group& group) {
+  const std::vector<structure::PrintedRow>* printed = structure::printed_table(group);
   std::vector<CatalogueEntry> entries;
-  for (const Model& model : models_of(group)) {
-    const ClosureEquations equations = closure_equations(model);
-    const Mobility mobility = mobility_of(equations, closure_jacobian(equations));
-    const int most = mobility.rigid ? eliminate(equations).max_configurations : 0;
+  for (const structure::Model& model : structure::models_of(group)) {
+    const equations::ClosureEquations equations = equations::closure_equations(model);
+    const derivatives::Mobility mobility =
+        derivatives::mobility_of(equations, derivatives::closure_jacobian(equations));
+    const int most = mobility.rigid ? elimination::eliminate(equations).max_configurations : 0;
     CatalogueEntry entry{&model, mobility, most, "", {}, nullptr, {}, {}};
     if (mobility.rigid) {
-      const StructuredJacobian jacobian(equations);
+      const pivoting::StructuredJacobian jacobian(equations);
       entry.determinant = jacobian.determinant_text();
-      for (const Pivot& pivot : jacobian.pivots()) {
+      for (const pivoting::Pivot& pivot : jacobian.pivots()) {
         entry.singular_where.push_back(pivot.cause);
       }
     }
-    for (const Relabelling& member : model.members) {
-      entry.kinds.push_back(spell(group, member.kind));
+    for (const structure::Relabelling& member : model.members) {
+      entry.kinds.push_back(structure::spell(group, member.kind));
     }
     if (printed != nullptr) {
-      entry.printed = &*std::find_if(printed->begin(), printed->end(), [&](const PrintedRow& row) {
-        return row.number == model.number;
-      });
+      entry.printed = &*std::find_if(
+          printed->begin(), printed->end(),
+          [&](const structure::PrintedRow& row) { return row.number == model.number; });
       compare(entry);
     }
     entries.push_back(std::move(entry));
@@ -95,11 +90,11 @@ std::string verdict(const CatalogueEntry& entry) {
   return entry.mobility.rigid ? "rigid" : "degenerate";
 }
 
-Json group_json(const Group& group) {
+Json group_json(const structure::Group& group) {
   Json root;
   root["group"] = group.name();
   root["class"] = group.assur_class();
-  root["kinds"] = all_kinds(group).size();
+  root["kinds"] = structure::all_kinds(group).size();
   root["models"] = Json::array();
   for (const CatalogueEntry& entry : entries_of(group)) {
     Json row;
@@ -125,28 +120,29 @@ Json group_json(const Group& group) {
 
 /// Two tables: the models, with the columns of a printed table where there is one, and where their
 /// Jacobians are singular.
-std::string group_markdown(const Group& group) {
-  const bool printed = printed_table(group) != nullptr;
+std::string group_markdown(const structure::Group& group) {
+  const bool printed = structure::printed_table(group) != nullptr;
   const std::vector<CatalogueEntry> entries = entries_of(group);
-  std::string text = "## " + group.name() + "\n\n" + std::to_string(all_kinds(group).size()) +
-                     " kinds, " + std::to_string(entries.size()) + " models.\n\n" +
+  std::string text = "## " + group.name() + "\n\n" +
+                     std::to_string(structure::all_kinds(group).size()) + " kinds, " +
+                     std::to_string(entries.size()) + " models.\n\n" +
                      "| model | kinds | verdict | mobility | configurations at most |" +
                      (printed ? " printed family | disagreement |\n|---|---|---|---|---|---|---|\n"
                               : "\n|---|---|---|---|---|\n");
   for (const CatalogueEntry& entry : entries) {
-    text +=
-        "| " + std::to_string(entry.model->number) + " | " + joined(entry.kinds, ", ") + " | " +
-        verdict(entry) + " | " + std::to_string(entry.mobility.freedom) + " | " +
-        (entry.mobility.rigid ? std::to_string(entry.max_configurations) : "") + " |" +
-        (printed ? " " + entry.printed->family + " | " + joined(entry.disagreements, "; ") + " |"
-                 : "") +
-        "\n";
+    text += "| " + std::to_string(entry.model->number) + " | " + text::joined(entry.kinds, ", ") +
+            " | " + verdict(entry) + " | " + std::to_string(entry.mobility.freedom) + " | " +
+            (entry.mobility.rigid ? std::to_string(entry.max_configurations) : "") + " |" +
+            (printed ? " " + entry.printed->family + " | " +
+                           text::joined(entry.disagreements, "; ") + " |"
+                     : "") +
+            "\n";
   }
   text += "\n| model | determinant of the Jacobian | singular where |\n|---|---|---|\n";
   for (const CatalogueEntry& entry : entries) {
     if (entry.mobility.rigid) {
       text += "| " + std::to_string(entry.model->number) + " | `" + entry.determinant + "` | " +
-              joined(entry.singular_where, ", ") + " |\n";
+              text::joined(entry.singular_where, ", ") + " |\n";
     }
   }
   return text;
@@ -155,10 +151,10 @@ std::string group_markdown(const Group& group) {
 }  // namespace
 
 std::string catalogue_json() {
-  const Group& tetrad = group_named("tetrad");
+  const structure::Group& tetrad = structure::group_named("tetrad");
   Json root = group_json(tetrad);
   root["other_groups"] = Json::array();
-  for (const Group& group : known_groups()) {
+  for (const structure::Group& group : structure::known_groups()) {
     if (&group != &tetrad) {
       root["other_groups"].push_back(group_json(group));
     }
@@ -168,9 +164,9 @@ std::string catalogue_json() {
 
 std::string catalogue_text() {
   std::string text;
-  for (const Group& group : known_groups()) {
-    text += group.name() + ": " + std::to_string(all_kinds(group).size()) + " kinds, " +
-            std::to_string(models_of(group).size()) + " models\n";
+  for (const structure::Group& group : structure::known_groups()) {
+    text += group.name() + ": " + std::to_string(structure::all_kinds(group).size()) + " kinds, " +
+            std::to_string(structure::models_of(group).size()) + " models\n";
     for (const CatalogueEntry& entry : entries_of(group)) {
       const std::string number = std::to_string(entry.model->number);
       text += std::string(5 - number.size(), ' ') + number + "  " + verdict(entry) + ", " +
@@ -178,7 +174,7 @@ std::string catalogue_text() {
                    ? "at most " + std::to_string(entry.max_configurations) +
                          (entry.max_configurations == 1 ? " configuration" : " configurations")
                    : "mobility " + std::to_string(entry.mobility.freedom)) +
-              "  " + joined(entry.kinds, ", ") + "\n";
+              "  " + text::joined(entry.kinds, ", ") + "\n";
       if (!entry.mobility.rigid) {
         text += "         " + entry.mobility.reason + "\n";
       }
@@ -192,10 +188,10 @@ std::string catalogue_text() {
 
 std::string catalogue_markdown() {
   std::string text;
-  for (const Group& group : known_groups()) {
+  for (const structure::Group& group : structure::known_groups()) {
     text += (text.empty() ? "" : "\n") + group_markdown(group);
   }
   return text;
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::command

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace assur::generator {
+namespace assur::generator::command {
 
 /// The JSON object of the tetrad, with those of the other groups in its list `other_groups`.
 [[nodiscard]] std::string catalogue_json();
@@ -11,4 +11,4 @@ namespace assur::generator {
 [[nodiscard]] std::string catalogue_text();
 [[nodiscard]] std::string catalogue_markdown();
 
-}  // namespace assur::generator
+}  // namespace assur::generator::command

@@ -1,14 +1,13 @@
 #include "command/derive.hpp"
 
 #include <algorithm>
+#include <assur/text/error.hpp>
+#include <assur/text/suggestion.hpp>
 #include <cctype>
 #include <optional>
 #include <vector>
 
-#include "error.hpp"
-#include "scene/suggestion.hpp"
-
-namespace assur::generator {
+namespace assur::generator::command {
 
 namespace {
 
@@ -18,15 +17,15 @@ bool is_number(const std::string& text) {
   });
 }
 
-ChosenKind model_kind(const Group& group, const std::string& number) {
-  const std::vector<Model>& models = models_of(group);
-  for (const Model& model : models) {
+ChosenKind model_kind(const structure::Group& group, const std::string& number) {
+  const std::vector<structure::Model>& models = structure::models_of(group);
+  for (const structure::Model& model : models) {
     if (std::to_string(model.number) == number) {
       return {&group, model.representative};
     }
   }
-  throw InputError("derive: no " + group.name() + " model " + number + "; the models are 1 to " +
-                   std::to_string(models.size()));
+  throw text::InputError("derive: no " + group.name() + " model " + number +
+                         "; the models are 1 to " + std::to_string(models.size()));
 }
 
 std::string upper_case(std::string text) {
@@ -39,33 +38,35 @@ std::string upper_case(std::string text) {
 
 ChosenKind chosen_kind(const DeriveOptions& options) {
   if (is_number(options.what)) {
-    return model_kind(group_named(options.group.empty() ? "tetrad" : options.group), options.what);
+    return model_kind(structure::group_named(options.group.empty() ? "tetrad" : options.group),
+                      options.what);
   }
   std::vector<ChosenKind> found;
   std::vector<std::string> spellings;
   std::vector<std::string> groups;
-  for (const Group& group : known_groups()) {
+  for (const structure::Group& group : structure::known_groups()) {
     if (!options.group.empty() && options.group != group.name()) {
       continue;
     }
-    if (const std::optional<Kind> kind = parse_kind(group, options.what)) {
+    if (const std::optional<structure::Kind> kind = structure::parse_kind(group, options.what)) {
       found.push_back({&group, *kind});
       groups.push_back(group.name());
     }
-    for (const Kind& kind : all_kinds(group)) {
-      spellings.push_back(spell(group, kind));
+    for (const structure::Kind& kind : structure::all_kinds(group)) {
+      spellings.push_back(structure::spell(group, kind));
     }
   }
   if (found.size() > 1) {
-    throw InputError("derive: '" + options.what + "' is a kind of " + groups[0] + " and of " +
-                     groups[1] + "; say which by --group");
+    throw text::InputError("derive: '" + options.what + "' is a kind of " + groups[0] + " and of " +
+                           groups[1] + "; say which by --group");
   }
   if (found.empty()) {
-    throw InputError("derive: no " + options.group + (options.group.empty() ? "" : " ") + "kind '" +
-                     options.what + "'" + suggestion(upper_case(options.what), spellings) +
-                     "; give a kind such as " + spellings.front() + " or a model's number");
+    throw text::InputError("derive: no " + options.group + (options.group.empty() ? "" : " ") +
+                           "kind '" + options.what + "'" +
+                           text::suggestion(upper_case(options.what), spellings) +
+                           "; give a kind such as " + spellings.front() + " or a model's number");
   }
   return found.front();
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::command

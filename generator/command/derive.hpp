@@ -5,7 +5,7 @@
 
 #include "structure/kind.hpp"
 
-namespace assur::generator {
+namespace assur::generator::command {
 
 struct DeriveOptions {
   std::string what;   ///< a model's number, or a kind
@@ -14,11 +14,11 @@ struct DeriveOptions {
 };
 
 struct ChosenKind {
-  const Group* group;
-  Kind kind;
+  const structure::Group* group;
+  structure::Kind kind;
 };
 
 /// The kind that the options name; throws InputError if there is none, or more than one.
 [[nodiscard]] ChosenKind chosen_kind(const DeriveOptions& options);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::command

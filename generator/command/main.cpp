@@ -1,24 +1,29 @@
 // The command `assur`: each subcommand is one pass through the pipeline.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <assur/mechanism/error.hpp>
+#include <csignal>
 #include <functional>
 #include <iostream>
 
 #include "audit/audit.hpp"
 #include "audit/audit_report.hpp"
+#include "audit/scene/scene_values.hpp"
 #include "command/catalogue.hpp"
 #include "command/derive.hpp"
-#include "command/progress.hpp"
-#include "derivation/render.hpp"
-#include "emission/emit.hpp"
-#include "emission/emit_closures.hpp"
-#include "emission/emit_scene.hpp"
-#include "error.hpp"
-#include "scene/report.hpp"
+#include "command/output.hpp"
+#include "command/solve.hpp"
+#include "document/render.hpp"
+#include "emission/closures/emit_closures.hpp"
+#include "emission/model/emit.hpp"
+#include "emission/scene/emit_scene.hpp"
 
 namespace {
 
 using namespace assur::generator;
+using namespace assur::generator::command;
+using assur::text::InputError;
+using emission::cpp::EmittedFile;
 
 constexpr int exit_ok = 0;
 constexpr int exit_negative = 1;
@@ -29,7 +34,7 @@ struct CatalogueOptions {
 };
 
 int run_catalogue(const CatalogueOptions& options) {
-  std::cout << (options.format == "json"       ? catalogue_json()
+  print(options.format == "json"       ? catalogue_json()
                 : options.format == "markdown" ? catalogue_markdown()
                                                : catalogue_text());
   return exit_ok;
@@ -37,10 +42,10 @@ int run_catalogue(const CatalogueOptions& options) {
 
 int run_derive(const DeriveOptions& options) {
   const ChosenKind chosen = chosen_kind(options);
-  const Derivation derivation = derive(*chosen.group, chosen.kind);
-  std::cout << (options.format == "json"    ? derivation_json(derivation)
-                : options.format == "latex" ? derivation_latex(derivation)
-                                            : derivation_text(derivation));
+  const document::Derivation derivation = document::derive(*chosen.group, chosen.kind);
+  print(options.format == "json"    ? document::derivation_json(derivation)
+                : options.format == "latex" ? document::derivation_latex(derivation)
+                                            : document::derivation_text(derivation));
   return derivation.rigid ? exit_ok : exit_negative;
 }
 
@@ -54,19 +59,28 @@ struct EmitOptions {
   bool check = false;
 };
 
+EmittedFile emitted_scene(const std::string& file) {
+  const assur::mechanism::Scene scene = assur::mechanism::read_scene(file);
+  try {
+    return emission::scene::emit_scene(scene);
+  } catch (const assur::mechanism::MechanismError& error) {
+    throw InputError(file + ": " + error.what());
+  }
+}
+
 int run_emit(const EmitOptions& options) {
   std::vector<EmittedFile> files;
   if (options.all) {
-    files = emit_all();
+    files = emission::model::emit_all();
   } else if (!options.scene.empty()) {
-    files.push_back(emit_scene(read_scene(options.scene, {})));
+    files.push_back(emitted_scene(options.scene));
   } else if (!options.closures.empty()) {
-    files.push_back(emit_closures(read_typed_closures(options.closures)));
+    files.push_back(emission::closures::emit_closures(closures::read_typed_closures(options.closures)));
   } else {
-    const std::vector<Model>& models = models_of(group_named(options.group));
-    for (const Model& model : models) {
+    const std::vector<structure::Model>& models = structure::models_of(structure::group_named(options.group));
+    for (const structure::Model& model : models) {
       if (model.number == options.model) {
-        files.push_back(emit_model(model));
+        files.push_back(emission::model::emit_model(model));
       }
     }
     if (files.empty()) {
@@ -75,11 +89,11 @@ int run_emit(const EmitOptions& options) {
     }
   }
   if (!options.check) {
-    write_files(files, options.output);
+    emission::cpp::write_files(files, options.output);
     return exit_ok;
   }
   int differing = 0;
-  for (const std::filesystem::path& path : differing_files(files, options.output)) {
+  for (const std::filesystem::path& path : emission::cpp::differing_files(files, options.output)) {
     std::cerr << "differs: " << path.generic_string() << '\n';
     ++differing;
   }
@@ -92,79 +106,25 @@ struct AuditOptions {
 };
 
 int run_audit(const AuditOptions& options) {
-  std::vector<AuditReport> reports;
+  std::vector<audit::AuditReport> reports;
   for (const std::string& file : options.files) {
-    reports.push_back(audit_file(file));
+    reports.push_back(audit::audit_file(file, audit::scene::scene_values));
   }
-  std::cout << (options.format == "json"       ? audit_report_json(reports)
-                : options.format == "markdown" ? audit_report_markdown(reports)
-                                               : audit_report_text(reports));
+  print(options.format == "json"       ? audit::audit_report_json(reports)
+                : options.format == "markdown" ? audit::audit_report_markdown(reports)
+                                               : audit::audit_report_text(reports));
   const bool agree = std::all_of(reports.begin(), reports.end(),
-                                 [](const AuditReport& report) { return report.agrees(); });
+                                 [](const audit::AuditReport& report) { return report.agrees(); });
   return agree ? exit_ok : exit_negative;
 }
 
-struct SolveOptions {
-  std::string scene;
-  std::vector<std::string> settings;
-  std::string format = "text";
-  int branch = 0;
-};
-
-/// `--branch` must name one of `count` configurations or branches.
-void expect_branch(const SolveOptions& options, int count, const std::string& what) {
-  if (options.branch > count) {
-    throw InputError(options.scene + ": --branch: no " + what + " " +
-                     std::to_string(options.branch) + "; there are " + std::to_string(count));
-  }
-}
-
 int run_solve(const SolveOptions& options) {
-  const Scene scene = read_scene(options.scene, options.settings);
-  // The text of a whole run is printed at its end, so that an error leaves no partial result.
-  std::string text;
-  std::string messages;
-  int verdict = exit_ok;
-  const auto judge = [&](const Solution& solution) {
-    if (solution.status == SolutionStatus::degenerate) {
-      verdict = exit_negative;
-      if (options.format == "csv") {
-        messages += "degenerate: " + solution.reason + "\n";
-      }
-    }
-  };
-  if (options.format == "csv" && scene.sweep) {
-    ProgressBar bar(scene.sweep->count);
-    text = csv_header(scene);
-    int last_branch = 0;
-    const auto record = [&](const SweepRecord& row) {
-      last_branch = std::max(last_branch, row.branch);
-      if (options.branch == 0 || row.branch == options.branch) {
-        text += csv_row(scene, row);
-      }
-    };
-    sweep(scene, {record, judge, [&](int done) { bar.show(done); }});
-    expect_branch(options, last_branch, "branch");
-  } else {
-    const ParameterValues values(scene);
-    const Solution solution = solve(scene, values);
-    const SolvedScene solved{&scene, &values, &solution, options.branch};
-    judge(solution);
-    if (solution.status != SolutionStatus::degenerate) {
-      expect_branch(options, static_cast<int>(solution.configurations.size()), "configuration");
-    }
-    text = options.format == "csv"    ? csv_header(scene) + csv_rows(solved)
-           : options.format == "json" ? report_json(solved)
-                                      : report_text(solved);
-  }
-  std::cerr << messages;
-  std::cout << text;
-  return verdict;
+  return print_solution(options) ? exit_negative : exit_ok;
 }
 
 std::vector<std::string> group_names() {
   std::vector<std::string> names;
-  for (const Group& group : known_groups()) {
+  for (const structure::Group& group : structure::known_groups()) {
     names.push_back(group.name());
   }
   return names;
@@ -253,8 +213,12 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A closed pipe is an error of writing, with a line and a status, and not the end of the process.
+  std::signal(SIGPIPE, SIG_IGN);
   try {
-    return run(argc, argv);
+    const int status = run(argc, argv);
+    finish_output();
+    return status;
   } catch (const InputError& error) {
     std::cerr << "error: " << error.what() << '\n';
   } catch (const std::exception& error) {

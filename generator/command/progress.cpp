@@ -5,7 +5,7 @@
 #include <iostream>
 #include <string>
 
-namespace assur::generator {
+namespace assur::generator::command {
 
 ProgressBar::ProgressBar(int count) : count_(count), terminal_(isatty(STDERR_FILENO) != 0) {}
 
@@ -26,4 +26,4 @@ void ProgressBar::show(int done) {
             << " %" << std::flush;
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::command

@@ -1,7 +1,7 @@
 // Turns the number of steps done into a bar on a terminal's standard error.
 #pragma once
 
-namespace assur::generator {
+namespace assur::generator::command {
 
 /// One line that is drawn anew, and erased at the end. Where standard error is not a terminal,
 /// nothing is written.
@@ -20,4 +20,4 @@ class ProgressBar {
   bool terminal_;
 };
 
-}  // namespace assur::generator
+}  // namespace assur::generator::command

@@ -1,7 +1,7 @@
 // Turns every model into the files of generated/, for developers who changed the generator.
 #include <iostream>
 
-#include "emission/emit.hpp"
+#include "emission/model/emit.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 2) {
@@ -9,7 +9,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    assur::generator::write_files(assur::generator::emit_all(), argv[1]);
+    using namespace assur::generator::emission;
+    cpp::write_files(model::emit_all(), argv[1]);
   } catch (const std::exception& error) {
     std::cerr << "error: " << error.what() << '\n';
     return 2;

@@ -2,41 +2,44 @@
 
 #include <functional>
 
-namespace assur::generator {
+namespace assur::generator::derivatives {
 
 namespace {
 
-using VariableList = std::vector<const Variable*>;
+using VariableList = std::vector<const equations::Variable*>;
 
-VariableList listed(const std::deque<Variable>& variables) {
+VariableList listed(const std::deque<equations::Variable>& variables) {
   VariableList list;
-  for (const Variable& variable : variables) {
+  for (const equations::Variable& variable : variables) {
     list.push_back(&variable);
   }
   return list;
 }
 
-VariableList joined(const std::deque<Variable>& first, const std::deque<Variable>& second) {
+VariableList joined(const std::deque<equations::Variable>& first,
+                    const std::deque<equations::Variable>& second) {
   VariableList list = listed(first);
-  for (const Variable& variable : second) {
+  for (const equations::Variable& variable : second) {
     list.push_back(&variable);
   }
   return list;
 }
 
-VariableList with_dimensions(VariableList variables, const ImplicitEquations& equations) {
-  for (const Variable& dimension : equations.dimensions) {
+VariableList with_dimensions(VariableList variables,
+                             const equations::ImplicitEquations& equations) {
+  for (const equations::Variable& dimension : equations.dimensions) {
     variables.push_back(&dimension);
   }
   return variables;
 }
 
 ExpressionMatrix jacobian_of(const std::vector<GiNaC::ex>& functions,
-                             const std::deque<Variable>& variables, const Vocabulary& vocabulary) {
+                             const std::deque<equations::Variable>& variables,
+                             const equations::Vocabulary& vocabulary) {
   ExpressionMatrix matrix;
   for (const GiNaC::ex& function : functions) {
     std::vector<GiNaC::ex>& row = matrix.emplace_back();
-    for (const Variable& variable : variables) {
+    for (const equations::Variable& variable : variables) {
       row.push_back(vocabulary.derivative(function, variable));
     }
   }
@@ -45,9 +48,9 @@ ExpressionMatrix jacobian_of(const std::vector<GiNaC::ex>& functions,
 
 /// d(function)/dt along the rates of the variables.
 GiNaC::ex time_derivative(const GiNaC::ex& function, const VariableList& variables,
-                          const Vocabulary& vocabulary) {
+                          const equations::Vocabulary& vocabulary) {
   GiNaC::ex total;
-  for (const Variable* variable : variables) {
+  for (const equations::Variable* variable : variables) {
     total += vocabulary.derivative(function, *variable) * variable->rate;
   }
   return total.expand();
@@ -55,9 +58,9 @@ GiNaC::ex time_derivative(const GiNaC::ex& function, const VariableList& variabl
 
 /// d(function)/dt of a function of the variables and of their lower rates.
 GiNaC::ex derivative_with_rates(const GiNaC::ex& function, const VariableList& variables,
-                                const Vocabulary& vocabulary) {
+                                const equations::Vocabulary& vocabulary) {
   GiNaC::ex total = time_derivative(function, variables, vocabulary);
-  for (const Variable* variable : variables) {
+  for (const equations::Variable* variable : variables) {
     total += function.diff(variable->rate) * variable->second_rate;
   }
   return total.expand();
@@ -65,10 +68,11 @@ GiNaC::ex derivative_with_rates(const GiNaC::ex& function, const VariableList& v
 
 /// d2(function)/dt2, where only `accelerated` variables have second rates.
 GiNaC::ex second_time_derivative(const GiNaC::ex& function, const VariableList& moving,
-                                 const VariableList& accelerated, const Vocabulary& vocabulary) {
+                                 const VariableList& accelerated,
+                                 const equations::Vocabulary& vocabulary) {
   GiNaC::ex total =
       time_derivative(time_derivative(function, moving, vocabulary), moving, vocabulary);
-  for (const Variable* variable : accelerated) {
+  for (const equations::Variable* variable : accelerated) {
     total += vocabulary.derivative(function, *variable) * variable->second_rate;
   }
   return total.expand();
@@ -76,40 +80,41 @@ GiNaC::ex second_time_derivative(const GiNaC::ex& function, const VariableList& 
 
 /// d3(function)/dt3, where only `jerked` variables have third rates.
 GiNaC::ex third_time_derivative(const GiNaC::ex& function, const VariableList& moving,
-                                const VariableList& jerked, const Vocabulary& vocabulary) {
+                                const VariableList& jerked,
+                                const equations::Vocabulary& vocabulary) {
   const GiNaC::ex first = time_derivative(function, moving, vocabulary);
   const GiNaC::ex second = derivative_with_rates(first, moving, vocabulary);
   GiNaC::ex total = derivative_with_rates(second, moving, vocabulary);
-  for (const Variable* variable : jerked) {
+  for (const equations::Variable* variable : jerked) {
     total += vocabulary.derivative(function, *variable) * variable->third_rate;
   }
   return total.expand();
 }
 
 /// Derivatives of (x, y, theta) of every link by a rule for expressions and one for angles.
-ExpressionMatrix over_poses(const ClosureEquations& equations,
+ExpressionMatrix over_poses(const equations::ClosureEquations& equations,
                             const std::function<GiNaC::ex(const GiNaC::ex&)>& of_coordinate,
-                            const std::function<GiNaC::ex(const AngleSum&)>& of_angle) {
+                            const std::function<GiNaC::ex(const equations::AngleSum&)>& of_angle) {
   ExpressionMatrix rows;
-  for (const LinkPose& pose : equations.poses) {
+  for (const equations::LinkPose& pose : equations.poses) {
     rows.push_back(
         {of_coordinate(pose.origin.x), of_coordinate(pose.origin.y), of_angle(pose.angle)});
   }
   return rows;
 }
 
-ExpressionMatrix pose_jacobian(const ClosureEquations& equations,
-                               const std::deque<Variable>& variables) {
+ExpressionMatrix pose_jacobian(const equations::ClosureEquations& equations,
+                               const std::deque<equations::Variable>& variables) {
   ExpressionMatrix matrix;
-  for (const LinkPose& pose : equations.poses) {
+  for (const equations::LinkPose& pose : equations.poses) {
     for (const GiNaC::ex& coordinate : {pose.origin.x, pose.origin.y}) {
       std::vector<GiNaC::ex>& row = matrix.emplace_back();
-      for (const Variable& variable : variables) {
+      for (const equations::Variable& variable : variables) {
         row.push_back(equations.vocabulary.derivative(coordinate, variable));
       }
     }
     std::vector<GiNaC::ex>& row = matrix.emplace_back();
-    for (const Variable& variable : variables) {
+    for (const equations::Variable& variable : variables) {
       row.emplace_back(pose.angle.factor(variable));
     }
   }
@@ -118,12 +123,12 @@ ExpressionMatrix pose_jacobian(const ClosureEquations& equations,
 
 }  // namespace
 
-ExpressionMatrix closure_jacobian(const ImplicitEquations& equations) {
+ExpressionMatrix closure_jacobian(const equations::ImplicitEquations& equations) {
   return jacobian_of(equations.residuals, equations.unknowns, equations.vocabulary);
 }
 
-ResidualDerivatives differentiate_residuals(const ImplicitEquations& equations) {
-  const Vocabulary& vocabulary = equations.vocabulary;
+ResidualDerivatives differentiate_residuals(const equations::ImplicitEquations& equations) {
+  const equations::Vocabulary& vocabulary = equations.vocabulary;
   const std::vector<GiNaC::ex>& residuals = equations.residuals;
   const VariableList inputs = listed(equations.inputs);
   const VariableList moving = joined(equations.unknowns, equations.inputs);
@@ -143,8 +148,8 @@ ResidualDerivatives differentiate_residuals(const ImplicitEquations& equations) 
   return result;
 }
 
-Derivatives differentiate(const ClosureEquations& equations) {
-  const Vocabulary& vocabulary = equations.vocabulary;
+Derivatives differentiate(const equations::ClosureEquations& equations) {
+  const equations::Vocabulary& vocabulary = equations.vocabulary;
   const VariableList moving = joined(equations.unknowns, equations.inputs);
   const VariableList everything = with_dimensions(moving, equations);
 
@@ -152,9 +157,9 @@ Derivatives differentiate(const ClosureEquations& equations) {
   result.pose_unknown_jacobian = pose_jacobian(equations, equations.unknowns);
   result.pose_dimension_jacobian = pose_jacobian(equations, equations.dimensions);
   result.pose_input_jacobian = pose_jacobian(equations, equations.inputs);
-  const auto angle_rate = [&](const AngleSum& angle, auto rate) {
+  const auto angle_rate = [&](const equations::AngleSum& angle, auto rate) {
     GiNaC::ex total;
-    for (const Variable* variable : moving) {
+    for (const equations::Variable* variable : moving) {
       total += angle.factor(*variable) * rate(*variable);
     }
     return total;
@@ -162,24 +167,25 @@ Derivatives differentiate(const ClosureEquations& equations) {
   result.pose_velocity = over_poses(
       equations,
       [&](const GiNaC::ex& coordinate) { return time_derivative(coordinate, moving, vocabulary); },
-      [&](const AngleSum& angle) {
-        return angle_rate(angle, [](const Variable& variable) { return variable.rate; });
+      [&](const equations::AngleSum& angle) {
+        return angle_rate(angle, [](const equations::Variable& variable) { return variable.rate; });
       });
   result.pose_acceleration = over_poses(
       equations,
       [&](const GiNaC::ex& coordinate) {
         return second_time_derivative(coordinate, moving, moving, vocabulary);
       },
-      [&](const AngleSum& angle) {
-        return angle_rate(angle, [](const Variable& variable) { return variable.second_rate; });
+      [&](const equations::AngleSum& angle) {
+        return angle_rate(angle,
+                          [](const equations::Variable& variable) { return variable.second_rate; });
       });
   result.pose_curvature = over_poses(
       equations,
       [&](const GiNaC::ex& coordinate) {
         return second_time_derivative(coordinate, everything, {}, vocabulary);
       },
-      [](const AngleSum& /*angle*/) { return GiNaC::ex(0); });
+      [](const equations::AngleSum& /*angle*/) { return GiNaC::ex(0); });
   return result;
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::derivatives

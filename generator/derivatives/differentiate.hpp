@@ -6,7 +6,7 @@
 
 #include "equations/closure.hpp"
 
-namespace assur::generator {
+namespace assur::generator::derivatives {
 
 /// Row-major matrix of expressions in the names of the equations' vocabulary.
 using ExpressionMatrix = std::vector<std::vector<GiNaC::ex>>;
@@ -37,9 +37,10 @@ struct Derivatives : ResidualDerivatives {
 };
 
 /// df/dq alone.
-[[nodiscard]] ExpressionMatrix closure_jacobian(const ImplicitEquations& equations);
-[[nodiscard]] ResidualDerivatives differentiate_residuals(const ImplicitEquations& equations);
+[[nodiscard]] ExpressionMatrix closure_jacobian(const equations::ImplicitEquations& equations);
+[[nodiscard]] ResidualDerivatives differentiate_residuals(
+    const equations::ImplicitEquations& equations);
 
-[[nodiscard]] Derivatives differentiate(const ClosureEquations& equations);
+[[nodiscard]] Derivatives differentiate(const equations::ClosureEquations& equations);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::derivatives

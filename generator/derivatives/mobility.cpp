@@ -5,7 +5,7 @@
 
 #include "error.hpp"
 
-namespace assur::generator {
+namespace assur::generator::derivatives {
 
 namespace {
 
@@ -17,7 +17,7 @@ class RandomRational {
     return GiNaC::numeric(integer(-60, 60), 1) / GiNaC::numeric(integer(1, 30), 1);
   }
   /// A rational point of the unit circle, other than (1, 0).
-  Vector2 direction() {
+  equations::Vector2 direction() {
     const GiNaC::numeric t = GiNaC::numeric(integer(1, 60), 1) / GiNaC::numeric(integer(1, 30), 1);
     const GiNaC::numeric scale = GiNaC::numeric(1) / (GiNaC::numeric(1) + t * t);
     const GiNaC::numeric sign = integer(0, 1) == 0 ? -1 : 1;
@@ -34,16 +34,17 @@ class RandomRational {
 };
 
 /// An angle of a compatibility condition that occurs in no earlier one, and its factor there.
-const Variable& angle_to_solve_for(const ClosureEquations& equations, std::size_t condition) {
-  for (const std::deque<Variable>* list : {&equations.dimensions, &equations.inputs}) {
-    for (const Variable& variable : *list) {
+const equations::Variable& angle_to_solve_for(const equations::ClosureEquations& equations,
+                                              std::size_t condition) {
+  for (const std::deque<equations::Variable>* list : {&equations.dimensions, &equations.inputs}) {
+    for (const equations::Variable& variable : *list) {
       if (equations.compatibility[condition].factor(variable) == 0) {
         continue;
       }
-      const bool taken =
-          std::any_of(equations.compatibility.begin(),
-                      equations.compatibility.begin() + static_cast<std::ptrdiff_t>(condition),
-                      [&](const AngleSum& earlier) { return earlier.factor(variable) != 0; });
+      const bool taken = std::any_of(
+          equations.compatibility.begin(),
+          equations.compatibility.begin() + static_cast<std::ptrdiff_t>(condition),
+          [&](const equations::AngleSum& earlier) { return earlier.factor(variable) != 0; });
       if (!taken) {
         return variable;
       }
@@ -53,7 +54,7 @@ const Variable& angle_to_solve_for(const ClosureEquations& equations, std::size_
 }
 
 /// Names of the prismatic joints and of the links they join, for the verdict.
-std::string cause(const ClosureEquations& equations) {
+std::string cause(const equations::ClosureEquations& equations) {
   if (equations.compatibility.empty()) {
     return "";
   }
@@ -68,15 +69,15 @@ std::string cause(const ClosureEquations& equations) {
 
 }  // namespace
 
-GiNaC::exmap random_assembly(const ClosureEquations& equations, unsigned seed) {
+GiNaC::exmap random_assembly(const equations::ClosureEquations& equations, unsigned seed) {
   RandomRational random(seed);
   GiNaC::exmap values;
   GiNaC::lst lengths;
-  for (const std::deque<Variable>* list :
+  for (const std::deque<equations::Variable>* list :
        {&equations.unknowns, &equations.dimensions, &equations.inputs}) {
-    for (const Variable& variable : *list) {
+    for (const equations::Variable& variable : *list) {
       if (variable.is_angle()) {
-        const Vector2 direction = random.direction();
+        const equations::Vector2 direction = random.direction();
         values[variable.cosine] = direction.x;
         values[variable.sine] = direction.y;
       } else {
@@ -85,11 +86,11 @@ GiNaC::exmap random_assembly(const ClosureEquations& equations, unsigned seed) {
     }
   }
   for (std::size_t index = 0; index < equations.compatibility.size(); ++index) {
-    const Variable& angle = angle_to_solve_for(equations, index);
+    const equations::Variable& angle = angle_to_solve_for(equations, index);
     const int factor = equations.compatibility[index].factor(angle);
-    AngleSum rest = equations.compatibility[index];
+    equations::AngleSum rest = equations.compatibility[index];
     rest.add(angle, -factor);
-    const Vector2 direction = rest.direction();
+    const equations::Vector2 direction = rest.direction();
     values[angle.cosine] = direction.x.subs(values);
     values[angle.sine] = (-factor * direction.y).subs(values);
   }
@@ -111,7 +112,8 @@ GiNaC::exmap random_assembly(const ClosureEquations& equations, unsigned seed) {
   return values;
 }
 
-Mobility mobility_of(const ClosureEquations& equations, const ExpressionMatrix& jacobian) {
+Mobility mobility_of(const equations::ClosureEquations& equations,
+                     const ExpressionMatrix& jacobian) {
   const auto rows = static_cast<unsigned>(jacobian.size());
   const auto columns = static_cast<unsigned>(equations.unknowns.size());
   int rank = 0;
@@ -133,4 +135,4 @@ Mobility mobility_of(const ClosureEquations& equations, const ExpressionMatrix& 
   return result;
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::derivatives

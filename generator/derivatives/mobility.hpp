@@ -6,7 +6,7 @@
 
 #include "derivatives/differentiate.hpp"
 
-namespace assur::generator {
+namespace assur::generator::derivatives {
 
 /// Whether a group is a structure once its external joints are held.
 struct Mobility {
@@ -20,10 +20,11 @@ struct Mobility {
 /// Evaluates the Jacobian in rational numbers at random assembled configurations: random rational
 /// points of the circle for the angles, lengths that solve the (in lengths linear) equations. The
 /// rank at a point is never above the generic rank, so the largest over a few points is taken.
-[[nodiscard]] Mobility mobility_of(const ClosureEquations& equations,
+[[nodiscard]] Mobility mobility_of(const equations::ClosureEquations& equations,
                                    const ExpressionMatrix& jacobian);
 
 /// An assembled configuration in rational numbers: a value for every symbol of the variables.
-[[nodiscard]] GiNaC::exmap random_assembly(const ClosureEquations& equations, unsigned seed);
+[[nodiscard]] GiNaC::exmap random_assembly(const equations::ClosureEquations& equations,
+                                           unsigned seed);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::derivatives

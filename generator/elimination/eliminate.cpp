@@ -7,12 +7,12 @@
 #include "elimination/polynomial_record.hpp"
 #include "error.hpp"
 
-namespace assur::generator {
+namespace assur::generator::elimination {
 
 namespace {
 
 /// a0 + a1 cos x + a2 sin x as a Laurent polynomial in exp(i x), or a0 + a1 x + a2 x^2.
-Univariate in_unknown(const GiNaC::ex& expression, const Variable& unknown) {
+Univariate in_unknown(const GiNaC::ex& expression, const equations::Variable& unknown) {
   Univariate result;
   if (!unknown.is_angle()) {
     const GiNaC::ex expanded = expression.expand();
@@ -33,8 +33,9 @@ Univariate in_unknown(const GiNaC::ex& expression, const Variable& unknown) {
 
 class BezoutElimination {
  public:
-  BezoutElimination(const ClosureEquations& equations, const Reduction& reduction,
-                    const Vocabulary& vocabulary, const Variable& first, const Variable* second)
+  BezoutElimination(const equations::ClosureEquations& equations, const Reduction& reduction,
+                    const equations::Vocabulary& vocabulary, const equations::Variable& first,
+                    const equations::Variable* second)
       : equations_(equations), result_{reduction, &first,     second,           {}, {}, 0,
                                        0,         vocabulary, reduction.record, {}} {}
 
@@ -83,7 +84,7 @@ class BezoutElimination {
   }
 
   [[nodiscard]] std::array<GiNaC::ex, 3> coefficients_in_second(const GiNaC::ex& equation) const {
-    const Variable& z = *result_.second;
+    const equations::Variable& z = *result_.second;
     if (z.is_angle()) {
       const GiNaC::ex rest = equation.subs(GiNaC::lst{z.cosine == 0, z.sine == 0}).expand();
       return {equation.diff(z.cosine).expand(), equation.diff(z.sine).expand(), rest};
@@ -200,14 +201,14 @@ class BezoutElimination {
       const ComplexExpression coefficient = polynomial.at(power);
       // f_k w^k + conj(f_k) w^-k = 2 Re f_k cos kx - 2 Im f_k sin kx.
       result_.polynomial.push_back(trigonometric && power > 0
-                                       ? Vector2{2 * coefficient.re, -2 * coefficient.im}
-                                       : Vector2{coefficient.re, 0});
+                                       ? equations::Vector2{2 * coefficient.re, -2 * coefficient.im}
+                                       : equations::Vector2{coefficient.re, 0});
     }
     result_.degree = -1;
     for (unsigned seed = 1; seed <= 3; ++seed) {
-      const GiNaC::exmap values = random_assembly(equations_, seed);
+      const GiNaC::exmap values = derivatives::random_assembly(equations_, seed);
       for (int power = 0; power < static_cast<int>(result_.polynomial.size()); ++power) {
-        const Vector2& pair = result_.polynomial[static_cast<std::size_t>(power)];
+        const equations::Vector2& pair = result_.polynomial[static_cast<std::size_t>(power)];
         const auto vanishes = [&](const GiNaC::ex& part) {
           return result_.vocabulary.expand(part).subs(values).expand().is_zero();
         };
@@ -232,17 +233,17 @@ class BezoutElimination {
     }
   }
 
-  const ClosureEquations& equations_;
+  const equations::ClosureEquations& equations_;
   Elimination result_;
 };
 
 }  // namespace
 
-Elimination eliminate(const ClosureEquations& equations) {
-  Vocabulary vocabulary;
+Elimination eliminate(const equations::ClosureEquations& equations) {
+  equations::Vocabulary vocabulary;
   const Reduction reduction = reduce(equations, vocabulary);
-  const std::vector<const Variable*>& remaining = reduction.remaining;
-  std::vector<std::pair<const Variable*, const Variable*>> choices;
+  const std::vector<const equations::Variable*>& remaining = reduction.remaining;
+  std::vector<std::pair<const equations::Variable*, const equations::Variable*>> choices;
   if (remaining.size() == 1) {
     choices = {{remaining[0], nullptr}};
   } else {
@@ -264,4 +265,4 @@ Elimination eliminate(const ClosureEquations& equations) {
   return std::move(*best);
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::elimination

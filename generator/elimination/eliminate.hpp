@@ -7,28 +7,29 @@
 #include "elimination/reduction.hpp"
 #include "elimination/univariate.hpp"
 
-namespace assur::generator {
+namespace assur::generator::elimination {
 
 /// The closed form of a rigid model's position analysis.
 struct Elimination {
   Reduction reduction;
-  const Variable* first;   ///< the unknown of the final polynomial
-  const Variable* second;  ///< the unknown that the determinant eliminated; null if there is none
+  const equations::Variable* first;  ///< the unknown of the final polynomial
+  const equations::Variable*
+      second;  ///< the unknown that the determinant eliminated; null if there is none
   /// Each reduced equation as a polynomial in the second unknown: for an angle z the coefficients
   /// of cos z, sin z and 1; for a displacement those of z^2, z and 1. Empty without a second.
   std::vector<std::array<GiNaC::ex, 3>> in_second;
   /// The final polynomial: for an angle x the pairs (cos kx, sin kx), k = 0 .. degree; for a
   /// displacement the coefficients of x^k with a zero second part.
-  std::vector<Vector2> polynomial;
+  std::vector<equations::Vector2> polynomial;
   int degree;
   int max_configurations;  ///< generic number of complex solutions
-  Vocabulary vocabulary;
+  equations::Vocabulary vocabulary;
   std::vector<RecordedStep> record;  ///< every step from the closures to the polynomial
   std::string polynomial_text;       ///< the polynomial in the names that `record` gives it
 };
 
 /// The elimination of a rigid model. Of the possible choices of the final unknown the one of lowest
 /// generic degree is taken, the first of those.
-[[nodiscard]] Elimination eliminate(const ClosureEquations& equations);
+[[nodiscard]] Elimination eliminate(const equations::ClosureEquations& equations);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::elimination

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace assur::generator {
+namespace assur::generator::elimination {
 
 namespace {
 
@@ -21,7 +21,8 @@ std::string up_to_degree(int degree, int formal_degree) {
 }  // namespace
 
 RecordedStep ordered_by_second(const std::vector<std::array<GiNaC::ex, 3>>& equations,
-                               const Variable& second, const Variable& first) {
+                               const equations::Variable& second,
+                               const equations::Variable& first) {
   const std::string& z = second.name;
   const std::array<std::string, 3> parts =
       second.is_angle() ? std::array<std::string, 3>{"cos(" + z + ")", "sin(" + z + ")", "1"}
@@ -44,8 +45,8 @@ RecordedStep ordered_by_second(const std::vector<std::array<GiNaC::ex, 3>>& equa
   return step;
 }
 
-RecordedStep final_coefficients(const std::vector<Vector2>& polynomial, const Variable& unknown,
-                                int formal_degree) {
+RecordedStep final_coefficients(const std::vector<equations::Vector2>& polynomial,
+                                const equations::Variable& unknown, int formal_degree) {
   const std::string& x = unknown.name;
   const std::string degrees = up_to_degree(static_cast<int>(polynomial.size()) - 1, formal_degree);
   RecordedStep step{
@@ -58,7 +59,7 @@ RecordedStep final_coefficients(const std::vector<Vector2>& polynomial, const Va
       {}};
   std::string formula;
   for (std::size_t power = 0; power < polynomial.size(); ++power) {
-    const Vector2& pair = polynomial[power];
+    const equations::Vector2& pair = polynomial[power];
     const std::string k = std::to_string(power);
     const std::string plus = power == 0 ? "" : " + ";
     if (!unknown.is_angle()) {
@@ -81,7 +82,7 @@ RecordedStep final_coefficients(const std::vector<Vector2>& polynomial, const Va
 }
 
 RecordedStep half_angle_form(const std::vector<RecordedQuantity>& coefficients,
-                             const Variable& unknown) {
+                             const equations::Variable& unknown) {
   const std::size_t degree = coefficients.size() / 2;
   const GiNaC::symbol t("t");
   const ComplexExpression twice_turned = ComplexExpression{1, t} * ComplexExpression{1, t};
@@ -112,4 +113,4 @@ RecordedStep half_angle_form(const std::vector<RecordedQuantity>& coefficients,
   return step;
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::elimination

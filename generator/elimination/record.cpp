@@ -1,6 +1,6 @@
 #include "elimination/record.hpp"
 
-namespace assur::generator {
+namespace assur::generator::elimination {
 
 GiNaC::symbol RecordedStep::record(const std::string& name, const GiNaC::ex& value,
                                    const std::string& meaning) {
@@ -8,10 +8,11 @@ GiNaC::symbol RecordedStep::record(const std::string& name, const GiNaC::ex& val
   return quantities.back().symbol;
 }
 
-Vector2 RecordedStep::record(const std::string& name, const Vector2& value,
-                             const std::string& meaning) {
+equations::Vector2 RecordedStep::record(const std::string& name, const equations::Vector2& value,
+                                        const std::string& meaning) {
   const auto component = [&](const std::string& axis, const GiNaC::ex& part) -> GiNaC::ex {
-    return is_plain(part) ? part : record(name + "_" + axis, part, meaning + ", " + axis);
+    return equations::is_plain(part) ? part
+                                     : record(name + "_" + axis, part, meaning + ", " + axis);
   };
   const GiNaC::ex x = component("x", value.x);
   return {x, component("y", value.y)};
@@ -22,4 +23,4 @@ void RecordedStep::record_equation(const std::string& name, const GiNaC::ex& val
   quantities.push_back({GiNaC::symbol(name), value, meaning, true});
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::elimination

@@ -6,7 +6,7 @@
 
 #include "elimination/univariate.hpp"
 
-namespace assur::generator {
+namespace assur::generator::elimination {
 
 /// A quantity that a step introduces beside the names of the vocabulary.
 struct RecordedQuantity {
@@ -25,10 +25,10 @@ struct RecordedSeries {
 
 /// One step from the closures to the final polynomial.
 struct RecordedStep {
-  std::string title;                        ///< `BCDEB squared: free of theta_CD`
-  std::string rule;                         ///< why the step is allowed; formulas in backquotes
-  std::vector<std::string> formulas;        ///< the rule in symbols, in the syntax of scene files
-  std::vector<const Variable*> eliminated;  ///< the unknowns that no later step holds
+  std::string title;                  ///< `BCDEB squared: free of theta_CD`
+  std::string rule;                   ///< why the step is allowed; formulas in backquotes
+  std::vector<std::string> formulas;  ///< the rule in symbols, in the syntax of scene files
+  std::vector<const equations::Variable*> eliminated;  ///< the unknowns that no later step holds
   std::vector<RecordedQuantity> quantities = {};
   std::vector<RecordedSeries> series = {};
   std::size_t vocabulary_size = 0;  ///< how many names there are once the step is done
@@ -36,9 +36,10 @@ struct RecordedStep {
   /// Records a quantity and gives its symbol, so that later ones are written in it.
   GiNaC::symbol record(const std::string& name, const GiNaC::ex& value, const std::string& meaning);
   /// Likewise both components of a vector, but for those that are plain already.
-  Vector2 record(const std::string& name, const Vector2& value, const std::string& meaning);
+  equations::Vector2 record(const std::string& name, const equations::Vector2& value,
+                            const std::string& meaning);
   /// Records an equation, value = 0.
   void record_equation(const std::string& name, const GiNaC::ex& value, const std::string& meaning);
 };
 
-}  // namespace assur::generator
+}  // namespace assur::generator::elimination

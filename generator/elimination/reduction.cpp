@@ -5,38 +5,44 @@
 
 #include "error.hpp"
 
-namespace assur::generator {
+namespace assur::generator::elimination {
 
 namespace {
 
 /// One vector loop equation, linear in displacements and in the (cos, sin) of each angle.
 struct LoopVector {
   std::string name;
-  Vector2 closure;
+  equations::Vector2 closure;
 };
 
-bool depends_on(const GiNaC::ex& expression, const Variable& variable) {
+bool depends_on(const GiNaC::ex& expression, const equations::Variable& variable) {
   return variable.is_angle() ? expression.has(variable.cosine) || expression.has(variable.sine)
                              : expression.has(variable.value);
 }
-bool depends_on(const Vector2& vector, const Variable& variable) {
+bool depends_on(const equations::Vector2& vector, const equations::Variable& variable) {
   return depends_on(vector.x, variable) || depends_on(vector.y, variable);
 }
 
-GiNaC::ex dot(const Vector2& a, const Vector2& b) { return a.x * b.x + a.y * b.y; }
-GiNaC::ex cross(const Vector2& a, const Vector2& b) { return a.x * b.y - a.y * b.x; }
+GiNaC::ex dot(const equations::Vector2& a, const equations::Vector2& b) {
+  return a.x * b.x + a.y * b.y;
+}
+GiNaC::ex cross(const equations::Vector2& a, const equations::Vector2& b) {
+  return a.x * b.y - a.y * b.x;
+}
 
 /// d(vector)/d(displacement): the direction of the slide, with its sign in the loop.
-Vector2 direction(const Vector2& vector, const Variable& displacement) {
+equations::Vector2 direction(const equations::Vector2& vector,
+                             const equations::Variable& displacement) {
   return {vector.x.diff(displacement.value), vector.y.diff(displacement.value)};
 }
-Vector2 without(const Vector2& vector, const Variable& displacement) {
+equations::Vector2 without(const equations::Vector2& vector,
+                           const equations::Variable& displacement) {
   return {vector.x.subs(displacement.value == 0), vector.y.subs(displacement.value == 0)};
 }
 
 class LoopReduction {
  public:
-  LoopReduction(const ClosureEquations& equations, Vocabulary& vocabulary)
+  LoopReduction(const equations::ClosureEquations& equations, equations::Vocabulary& vocabulary)
       : equations_(equations), vocabulary_(vocabulary) {}
 
   Reduction run() {
@@ -45,7 +51,7 @@ class LoopReduction {
       reduce_loop(loop);
     }
     for (const bool angles : {true, false}) {
-      for (const Variable& unknown : equations_.unknowns) {
+      for (const equations::Variable& unknown : equations_.unknowns) {
         if (unknown.is_angle() == angles && !is_eliminated(unknown)) {
           result_.remaining.push_back(&unknown);
         }
@@ -60,12 +66,12 @@ class LoopReduction {
   }
 
  private:
-  [[nodiscard]] bool is_eliminated(const Variable& unknown) const {
+  [[nodiscard]] bool is_eliminated(const equations::Variable& unknown) const {
     return std::any_of(result_.steps.begin(), result_.steps.end(),
                        [&](const BackSubstitution& step) { return step.unknown == &unknown; });
   }
   [[nodiscard]] GiNaC::ex on_circle(const GiNaC::ex& expression) const {
-    return generator::on_circle(expression, equations_);
+    return elimination::on_circle(expression, equations_);
   }
 
   void finish(RecordedStep step) {
@@ -79,22 +85,23 @@ class LoopReduction {
 
   void put_origin_at_last_joint() {
     std::vector<std::string> external;
-    for (const Joint& joint : equations_.model->group->joints()) {
+    for (const structure::Joint& joint : equations_.model->group->joints()) {
       if (joint.external()) {
         external.emplace_back(1, joint.name);
       }
     }
-    const auto input = [&](const std::string& name) -> const Variable& {
-      return *std::find_if(equations_.inputs.begin(), equations_.inputs.end(),
-                           [&](const Variable& variable) { return variable.name == name; });
+    const auto input = [&](const std::string& name) -> const equations::Variable& {
+      return *std::find_if(
+          equations_.inputs.begin(), equations_.inputs.end(),
+          [&](const equations::Variable& variable) { return variable.name == name; });
     };
     GiNaC::exmap shift;
     for (const std::string axis : {"x", "y"}) {
-      const Variable& origin = input(axis + "_" + external.back());
+      const equations::Variable& origin = input(axis + "_" + external.back());
       shift[origin.value] = 0;
       for (const std::string& joint : external) {
         if (joint != external.back()) {
-          const Variable& place = input(axis + "_" + joint);
+          const equations::Variable& place = input(axis + "_" + joint);
           shift[place.value] =
               vocabulary_.name(external.back() + joint + "_" + axis, place.value - origin.value,
                                "from joint " + external.back() + " to " + joint);
@@ -106,7 +113,7 @@ class LoopReduction {
                       "their differences alone",
                       {},
                       {}};
-    for (const LoopClosure& loop : equations_.loops) {
+    for (const equations::LoopClosure& loop : equations_.loops) {
       const auto shifted = [&](const GiNaC::ex& component) {
         return equations_.vocabulary.expand(component).subs(shift).expand();
       };
@@ -116,10 +123,10 @@ class LoopReduction {
   }
 
   /// Displacements that occur in this loop and in no other.
-  [[nodiscard]] std::vector<const Variable*> own_unknowns(const LoopVector& loop,
-                                                          bool angles) const {
-    std::vector<const Variable*> own;
-    for (const Variable& unknown : equations_.unknowns) {
+  [[nodiscard]] std::vector<const equations::Variable*> own_unknowns(const LoopVector& loop,
+                                                                     bool angles) const {
+    std::vector<const equations::Variable*> own;
+    for (const equations::Variable& unknown : equations_.unknowns) {
       const bool elsewhere =
           std::any_of(loops_.begin(), loops_.end(), [&](const LoopVector& other) {
             return &other != &loop && depends_on(other.closure, unknown);
@@ -132,7 +139,7 @@ class LoopReduction {
   }
 
   void reduce_loop(const LoopVector& loop) {
-    const std::vector<const Variable*> slides = own_unknowns(loop, false);
+    const std::vector<const equations::Variable*> slides = own_unknowns(loop, false);
     // Two slides that are all the unknowns there are: one of them stays for the final polynomial.
     if (slides.size() == 2 && equations_.unknowns.size() > 2) {
       solve_two_slides(loop, *slides[0], *slides[1]);
@@ -144,9 +151,9 @@ class LoopReduction {
   }
 
   /// Loop . normal = 0 holds no displacement; loop . direction = 0 gives it back.
-  void project(const LoopVector& loop, const Variable& slide) {
-    const Vector2 along = direction(loop.closure, slide);
-    const Vector2 rest = without(loop.closure, slide);
+  void project(const LoopVector& loop, const equations::Variable& slide) {
+    const equations::Vector2 along = direction(loop.closure, slide);
+    const equations::Vector2 rest = without(loop.closure, slide);
     result_.equations.push_back(on_circle(2 * cross(along, rest)));
     result_.steps.push_back({&slide, {on_circle(-dot(along, rest))}, 1, ""});
 
@@ -157,17 +164,20 @@ class LoopReduction {
             slide.name + ", what is along `e` gives it back",
         {"cross(e, r) = 0", slide.name + " = -dot(e, r)"},
         {&slide}};
-    const Vector2 e = step.record("e_" + loop.name, along, "direction of the slide in the loop");
-    const Vector2 r = step.record("r_" + loop.name, rest, "the other vectors of loop " + loop.name);
+    const equations::Vector2 e =
+        step.record("e_" + loop.name, along, "direction of the slide in the loop");
+    const equations::Vector2 r =
+        step.record("r_" + loop.name, rest, "the other vectors of loop " + loop.name);
     step.record_equation(equation_name(), 2 * cross(e, r), "twice the part across the slide");
     finish(std::move(step));
   }
 
   /// Both components of the loop go into its two displacements.
-  void solve_two_slides(const LoopVector& loop, const Variable& first, const Variable& second) {
-    const Vector2 first_along = direction(loop.closure, first);
-    const Vector2 second_along = direction(loop.closure, second);
-    const Vector2 rest = without(without(loop.closure, first), second);
+  void solve_two_slides(const LoopVector& loop, const equations::Variable& first,
+                        const equations::Variable& second) {
+    const equations::Vector2 first_along = direction(loop.closure, first);
+    const equations::Vector2 second_along = direction(loop.closure, second);
+    const equations::Vector2 rest = without(without(loop.closure, first), second);
     const GiNaC::ex determinant = on_circle(cross(first_along, second_along));
     const std::string degeneracy =
         "the slides of " + first.name + " and " + second.name + " are parallel";
@@ -191,21 +201,22 @@ class LoopReduction {
 
   /// |rest|^2 - |v|^2 = 0 where the loop is rest + R(theta) v and theta occurs nowhere else.
   void square(const LoopVector& loop) {
-    for (const Variable* angle : own_unknowns(loop, true)) {
-      const Vector2 vector{loop.closure.x.diff(angle->cosine), loop.closure.y.diff(angle->cosine)};
-      const bool is_single =
-          std::none_of(equations_.unknowns.begin(), equations_.unknowns.end(),
-                       [&](const Variable& unknown) { return depends_on(vector, unknown); });
+    for (const equations::Variable* angle : own_unknowns(loop, true)) {
+      const equations::Vector2 vector{loop.closure.x.diff(angle->cosine),
+                                      loop.closure.y.diff(angle->cosine)};
+      const bool is_single = std::none_of(
+          equations_.unknowns.begin(), equations_.unknowns.end(),
+          [&](const equations::Variable& unknown) { return depends_on(vector, unknown); });
       if (!is_single) {
         continue;
       }
       const GiNaC::lst erased{angle->cosine == 0, angle->sine == 0};
-      const Vector2 rest{loop.closure.x.subs(erased), loop.closure.y.subs(erased)};
+      const equations::Vector2 rest{loop.closure.x.subs(erased), loop.closure.y.subs(erased)};
       result_.equations.push_back(on_circle(dot(rest, rest) - dot(vector, vector)));
       // R(theta) v = -rest, so exp(i theta) = -rest conj(v) / |v|^2; for v = (L, 0) it is -rest /
       // L.
       const bool on_axis = vector.y.is_zero();
-      const Vector2 by = on_axis ? Vector2{1, 0} : vector;
+      const equations::Vector2 by = on_axis ? equations::Vector2{1, 0} : vector;
       result_.steps.push_back({angle,
                                {on_circle(-dot(rest, by)), on_circle(-cross(by, rest))},
                                on_axis ? vector.x : on_circle(dot(vector, vector)),
@@ -219,9 +230,10 @@ class LoopReduction {
           {"dot(r, r) - dot(v, v) = 0", "cos(" + angle->name + ") = -dot(v, r)/dot(v, v)",
            "sin(" + angle->name + ") = -cross(v, r)/dot(v, v)"},
           {angle}};
-      const Vector2 r =
+      const equations::Vector2 r =
           step.record("r_" + loop.name, rest, "the other vectors of loop " + loop.name);
-      const Vector2 v = step.record("v_" + loop.name, vector, "the vector that turns, in its link");
+      const equations::Vector2 v =
+          step.record("v_" + loop.name, vector, "the vector that turns, in its link");
       step.record_equation(equation_name(), dot(r, r) - dot(v, v), "difference of the squares");
       finish(std::move(step));
       return;
@@ -230,19 +242,19 @@ class LoopReduction {
                          "loop " + loop.name + " has no slide and no single vector of its own");
   }
 
-  const ClosureEquations& equations_;
-  Vocabulary& vocabulary_;
+  const equations::ClosureEquations& equations_;
+  equations::Vocabulary& vocabulary_;
   std::vector<LoopVector> loops_;
   Reduction result_;
 };
 
 }  // namespace
 
-GiNaC::ex on_circle(const GiNaC::ex& expression, const ClosureEquations& equations) {
+GiNaC::ex on_circle(const GiNaC::ex& expression, const equations::ClosureEquations& equations) {
   GiNaC::ex result = expression.expand();
-  for (const std::deque<Variable>* list :
+  for (const std::deque<equations::Variable>* list :
        {&equations.unknowns, &equations.dimensions, &equations.inputs}) {
-    for (const Variable& variable : *list) {
+    for (const equations::Variable& variable : *list) {
       if (!variable.is_angle()) {
         continue;
       }
@@ -259,8 +271,8 @@ GiNaC::ex on_circle(const GiNaC::ex& expression, const ClosureEquations& equatio
   return result;
 }
 
-Reduction reduce(const ClosureEquations& equations, Vocabulary& vocabulary) {
+Reduction reduce(const equations::ClosureEquations& equations, equations::Vocabulary& vocabulary) {
   return LoopReduction(equations, vocabulary).run();
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::elimination

@@ -7,12 +7,12 @@
 #include "elimination/record.hpp"
 #include "equations/closure.hpp"
 
-namespace assur::generator {
+namespace assur::generator::elimination {
 
 /// How an unknown follows once the remaining unknowns are known. The values are numerators; each is
 /// divided by the denominator, whose zero is a degeneracy of the group.
 struct BackSubstitution {
-  const Variable* unknown;
+  const equations::Variable* unknown;
   std::vector<GiNaC::ex> numerators;  ///< a displacement's value; an angle's cosine and sine
   GiNaC::ex denominator;              ///< one, or what must not vanish
   std::string degeneracy;             ///< what the vanishing of the denominator means
@@ -21,16 +21,18 @@ struct BackSubstitution {
 /// The reduced system. All expressions are polynomials in variables, with the last external joint
 /// as the origin: closure is translation-invariant, and far from the origin this loses no digits.
 struct Reduction {
-  std::vector<GiNaC::ex> equations;        ///< as many as `remaining`
-  std::vector<const Variable*> remaining;  ///< angles first
+  std::vector<GiNaC::ex> equations;                   ///< as many as `remaining`
+  std::vector<const equations::Variable*> remaining;  ///< angles first
   std::vector<BackSubstitution> steps;
   std::vector<RecordedStep> record;  ///< how the equations came about
 };
 
 /// `vocabulary` receives the names of the reduced quantities, such as `EB_x`.
-[[nodiscard]] Reduction reduce(const ClosureEquations& equations, Vocabulary& vocabulary);
+[[nodiscard]] Reduction reduce(const equations::ClosureEquations& equations,
+                               equations::Vocabulary& vocabulary);
 
 /// Replaces cos^2 by 1 - sin^2 for every angle of the equations, and expands.
-[[nodiscard]] GiNaC::ex on_circle(const GiNaC::ex& expression, const ClosureEquations& equations);
+[[nodiscard]] GiNaC::ex on_circle(const GiNaC::ex& expression,
+                                  const equations::ClosureEquations& equations);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::elimination

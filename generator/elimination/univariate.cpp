@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-namespace assur::generator {
+namespace assur::generator::elimination {
 
 ComplexExpression operator+(const ComplexExpression& a, const ComplexExpression& b) {
   return {(a.re + b.re).expand(), (a.im + b.im).expand()};
@@ -45,7 +45,7 @@ Univariate Univariate::circle_conjugate() const {
 }
 
 Univariate Univariate::named(const std::string& name, const std::string& meaning,
-                             Vocabulary& vocabulary) const {
+                             equations::Vocabulary& vocabulary) const {
   Univariate result;
   for (const auto& [power, coefficient] : coefficients_) {
     const std::string place = name + (power < 0 ? "_m" : "_") + std::to_string(std::abs(power));
@@ -90,4 +90,4 @@ Univariate operator*(const ComplexExpression& factor, const Univariate& a) {
   return product;
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::elimination

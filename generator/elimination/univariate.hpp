@@ -6,7 +6,7 @@
 
 #include "equations/vocabulary.hpp"
 
-namespace assur::generator {
+namespace assur::generator::elimination {
 
 /// A complex number of two real expressions.
 struct ComplexExpression {
@@ -38,7 +38,7 @@ class Univariate {
   [[nodiscard]] Univariate circle_conjugate() const;
   /// The polynomial with every coefficient named `<name>_<power>` in the vocabulary.
   [[nodiscard]] Univariate named(const std::string& name, const std::string& meaning,
-                                 Vocabulary& vocabulary) const;
+                                 equations::Vocabulary& vocabulary) const;
 
  private:
   std::map<int, ComplexExpression> coefficients_;
@@ -49,4 +49,4 @@ class Univariate {
 [[nodiscard]] Univariate operator*(const Univariate& a, const Univariate& b);
 [[nodiscard]] Univariate operator*(const ComplexExpression& factor, const Univariate& a);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::elimination

@@ -5,7 +5,7 @@
 
 #include "error.hpp"
 
-namespace assur::generator {
+namespace assur::generator::equations {
 
 namespace {
 
@@ -30,8 +30,8 @@ struct Place {
 /// Builds the equations of one model in the order of the pipeline below.
 class ClosureWalk {
  public:
-  explicit ClosureWalk(const Model& model)
-      : group_(*model.group), tree_(spanning_tree(group_)), result_(model) {}
+  explicit ClosureWalk(const structure::Model& model)
+      : group_(*model.group), tree_(structure::spanning_tree(group_)), result_(model) {}
 
   ClosureEquations run() {
     declare_frames();
@@ -44,7 +44,7 @@ class ClosureWalk {
   }
 
  private:
-  [[nodiscard]] const Joint& joint(int index) const {
+  [[nodiscard]] const structure::Joint& joint(int index) const {
     return group_.joints()[static_cast<std::size_t>(index)];
   }
   [[nodiscard]] std::string letter(int index) const { return {joint(index).name}; }
@@ -52,7 +52,8 @@ class ClosureWalk {
     return group_.links()[static_cast<std::size_t>(link)];
   }
   [[nodiscard]] bool slides(int index) const {
-    return result_.model->representative[static_cast<std::size_t>(index)] == JointType::prismatic;
+    return result_.model->representative[static_cast<std::size_t>(index)] ==
+           structure::JointType::prismatic;
   }
   [[nodiscard]] const LinkFrame& frame(int link) const {
     return result_.frames[static_cast<std::size_t>(link)];
@@ -90,7 +91,7 @@ class ClosureWalk {
 
   /// The direction of a joint's line as one of its links sees it.
   [[nodiscard]] AngleSum line_angle(int index, int link) {
-    if (link == base_link) {
+    if (link == structure::base_link) {
       return AngleSum(find(result_.inputs, "phi_" + letter(index)));
     }
     return pose(link).angle + frame(link).feature_of(index).direction;
@@ -104,11 +105,11 @@ class ClosureWalk {
     std::vector<bool> tied(group_.links().size(), false);
     std::vector<bool> crossed(group_.joints().size(), false);
     const auto is_tied = [&](int link) {
-      return link == base_link || tied[static_cast<std::size_t>(link)];
+      return link == structure::base_link || tied[static_cast<std::size_t>(link)];
     };
     const auto spread = [&] {
       for (int index = 0; index < group_.joint_count();) {
-        const Joint& at = joint(index);
+        const structure::Joint& at = joint(index);
         if (!slides(index) || crossed[static_cast<std::size_t>(index)] ||
             is_tied(at.first) == is_tied(at.second)) {
           ++index;
@@ -157,7 +158,7 @@ class ClosureWalk {
             "s_" + letter(index), Variable::Quantity::length,
             "displacement along the slide at " + letter(index) + " of link " +
                 word(joint(index).second) + " against " +
-                (first == base_link ? std::string("the base") : "link " + word(first)));
+                (first == structure::base_link ? std::string("the base") : "link " + word(first)));
       }
     }
   }
@@ -167,7 +168,7 @@ class ClosureWalk {
     const int first = joint(index).first;
     // Either link knows the direction; the one with fewer angles in it reads better.
     const bool first_is_plain =
-        first == base_link || frame(first).feature_of(index).direction.text() == "0";
+        first == structure::base_link || frame(first).feature_of(index).direction.text() == "0";
     const AngleSum angle = line_angle(index, first_is_plain ? first : joint(index).second);
     const Vector2 plain = angle.direction();
     const Vector2 along = {
@@ -203,10 +204,10 @@ class ClosureWalk {
   /// The feature of a joint on a link, reached along the tree.
   Place feature_place(int link, int index) {
     const int entry = tree_.entry[static_cast<std::size_t>(link)];
-    const Joint& door = joint(entry);
+    const structure::Joint& door = joint(entry);
     const int before = door.first == link ? door.second : door.first;
     Place place;
-    if (before == base_link) {
+    if (before == structure::base_link) {
       place = {{find(result_.inputs, "x_" + letter(entry)).value,
                 find(result_.inputs, "y_" + letter(entry)).value},
                {"+ " + letter(entry)}};
@@ -237,7 +238,7 @@ class ClosureWalk {
 
   void close_loops() {
     for (const int chord : tree_.chords) {
-      const Joint& at = joint(chord);
+      const structure::Joint& at = joint(chord);
       Place near = feature_place(at.second, chord);
       Place far = across(feature_place(at.first, chord), chord, at.first);
       std::string equation;
@@ -248,24 +249,26 @@ class ClosureWalk {
       for (const std::string& vector : far.vectors) {
         equation += (vector[0] == '+' ? " - " : " + ") + vector.substr(2);
       }
-      result_.loops.push_back({loop_name(group_, tree_, chord), chord, equation + " = 0",
+      result_.loops.push_back({structure::loop_name(group_, tree_, chord), chord, equation + " = 0",
                                near.position - far.position});
       result_.residuals.push_back(result_.loops.back().residual.x.expand());
       result_.residuals.push_back(result_.loops.back().residual.y.expand());
     }
   }
 
-  const Group& group_;
-  SpanningTree tree_;
+  const structure::Group& group_;
+  structure::SpanningTree tree_;
   ClosureEquations result_;
 };
 
 }  // namespace
 
-ClosureEquations::ClosureEquations(const Model& of_model) : model(&of_model) {
+ClosureEquations::ClosureEquations(const structure::Model& of_model) : model(&of_model) {
   residuals_meaning = "the x and y of each loop closure";
 }
 
-ClosureEquations closure_equations(const Model& model) { return ClosureWalk(model).run(); }
+ClosureEquations closure_equations(const structure::Model& model) {
+  return ClosureWalk(model).run();
+}
 
-}  // namespace assur::generator
+}  // namespace assur::generator::equations

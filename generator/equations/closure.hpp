@@ -7,7 +7,7 @@
 #include "equations/implicit_equations.hpp"
 #include "equations/link_frame.hpp"
 
-namespace assur::generator {
+namespace assur::generator::equations {
 
 /// One vector loop-closure equation: the chord joint reached on both sides coincides.
 struct LoopClosure {
@@ -28,9 +28,9 @@ struct LinkPose {
 /// the unknowns are one angle for each set of links that turn together and one displacement for
 /// each prismatic joint. The residuals are x and y of each loop.
 struct ClosureEquations : ImplicitEquations {
-  explicit ClosureEquations(const Model& of_model);
+  explicit ClosureEquations(const structure::Model& of_model);
 
-  const Model* model;
+  const structure::Model* model;
   std::vector<int>
       owners;  ///< for each unknown the link whose angle, or the joint whose slide it is
   std::vector<LinkFrame> frames;
@@ -41,6 +41,6 @@ struct ClosureEquations : ImplicitEquations {
   std::vector<AngleSum> compatibility;
 };
 
-[[nodiscard]] ClosureEquations closure_equations(const Model& model);
+[[nodiscard]] ClosureEquations closure_equations(const structure::Model& model);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::equations

@@ -7,7 +7,7 @@
 #include "equations/variable.hpp"
 #include "equations/vocabulary.hpp"
 
-namespace assur::generator {
+namespace assur::generator::equations {
 
 /// Scalar equations f(q, d, u) = 0 with unknowns q, dimensions d, which are held, and inputs u,
 /// which may move. Non-copyable: what is derived refers to the variables.
@@ -27,4 +27,4 @@ struct ImplicitEquations {
   Vocabulary vocabulary;
 };
 
-}  // namespace assur::generator
+}  // namespace assur::generator::equations

@@ -5,7 +5,7 @@
 
 #include "error.hpp"
 
-namespace assur::generator {
+namespace assur::generator::equations {
 
 const Feature& LinkFrame::feature_of(int joint) const {
   const auto found = std::find_if(features.begin(), features.end(),
@@ -16,12 +16,12 @@ const Feature& LinkFrame::feature_of(int joint) const {
   return *found;
 }
 
-LinkFrame link_frame(const Model& model, int link, std::deque<Variable>& dimensions) {
-  const Group& group = *model.group;
+LinkFrame link_frame(const structure::Model& model, int link, std::deque<Variable>& dimensions) {
+  const structure::Group& group = *model.group;
   const std::string& word = group.links()[static_cast<std::size_t>(link)];
   const std::vector<int> joints = group.joints_of(link);
   const auto is_line = [&](int joint) {
-    return model.representative[static_cast<std::size_t>(joint)] == JointType::prismatic;
+    return model.representative[static_cast<std::size_t>(joint)] == structure::JointType::prismatic;
   };
   std::vector<int> points;
   std::vector<int> lines;
@@ -90,4 +90,4 @@ LinkFrame link_frame(const Model& model, int link, std::deque<Variable>& dimensi
   return frame;
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::equations

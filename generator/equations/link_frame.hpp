@@ -8,7 +8,7 @@
 #include "equations/variable.hpp"
 #include "structure/kind.hpp"
 
-namespace assur::generator {
+namespace assur::generator::equations {
 
 /// A joint as a feature of a link, in the link's frame. A revolute joint is a point; a prismatic
 /// joint is a directed line, given by the foot of the perpendicular from the frame's origin.
@@ -31,6 +31,7 @@ struct LinkFrame {
 
 /// The frame of `link` in the model's representative kind; its dimensions are appended to
 /// `dimensions`, whose elements the features refer to.
-[[nodiscard]] LinkFrame link_frame(const Model& model, int link, std::deque<Variable>& dimensions);
+[[nodiscard]] LinkFrame link_frame(const structure::Model& model, int link,
+                                   std::deque<Variable>& dimensions);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::equations

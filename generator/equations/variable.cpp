@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace assur::generator {
+namespace assur::generator::equations {
 
 namespace {
 
@@ -98,4 +98,4 @@ std::string AngleSum::text() const {
   return text.empty() ? "0" : text;
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::equations

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace assur::generator {
+namespace assur::generator::equations {
 
 /// A vector in the plane, or the (cos, sin) pair of an angle.
 struct Vector2 {
@@ -68,4 +68,4 @@ class AngleSum {
   std::map<std::string, Entry> terms_;  // by name, so that the order is the same in every process
 };
 
-}  // namespace assur::generator
+}  // namespace assur::generator::equations

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace assur::generator {
+namespace assur::generator::equations {
 
 namespace {
 
@@ -129,4 +129,4 @@ GiNaC::ex Vocabulary::recognise(const GiNaC::ex& expression) const {
   return expression;
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::equations

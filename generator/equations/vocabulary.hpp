@@ -8,7 +8,7 @@
 
 #include "equations/variable.hpp"
 
-namespace assur::generator {
+namespace assur::generator::equations {
 
 /// Whether an expression is a number or plus or minus a single symbol, and so needs no name.
 [[nodiscard]] bool is_plain(const GiNaC::ex& expression);
@@ -68,4 +68,4 @@ class Vocabulary {
   mutable std::map<std::pair<std::string, std::string>, GiNaC::ex> derivatives_;
 };
 
-}  // namespace assur::generator
+}  // namespace assur::generator::equations

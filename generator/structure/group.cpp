@@ -9,7 +9,7 @@
 
 #include "error.hpp"
 
-namespace assur::generator {
+namespace assur::generator::structure {
 
 namespace {
 
@@ -174,4 +174,4 @@ const Group& group_named(const std::string& name) {
   throw GeneratorError("structure", name, "no such group");
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::structure

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace assur::generator {
+namespace assur::generator::structure {
 
 /// The frame, or whatever moving links the external joints attach to.
 inline constexpr int base_link = -1;
@@ -70,4 +70,4 @@ struct SpanningTree {
 [[nodiscard]] const std::vector<Group>& known_groups();
 [[nodiscard]] const Group& group_named(const std::string& name);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::structure

@@ -8,7 +8,7 @@
 #include "error.hpp"
 #include "structure/printed_table.hpp"
 
-namespace assur::generator {
+namespace assur::generator::structure {
 
 namespace {
 
@@ -149,4 +149,4 @@ const Model& model_of(const Group& group, const Kind& kind) {
   throw GeneratorError("structure", group.name(), "a kind without a model");
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::structure

@@ -7,7 +7,7 @@
 
 #include "structure/group.hpp"
 
-namespace assur::generator {
+namespace assur::generator::structure {
 
 enum class JointType : unsigned char { revolute, prismatic };
 
@@ -45,4 +45,4 @@ struct Model {
 /// The model to which a kind belongs.
 [[nodiscard]] const Model& model_of(const Group& group, const Kind& kind);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::structure

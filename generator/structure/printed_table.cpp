@@ -1,6 +1,6 @@
 #include "structure/printed_table.hpp"
 
-namespace assur::generator {
+namespace assur::generator::structure {
 
 const std::vector<PrintedRow>* printed_table(const Group& group) {
   // Copied as printed: rows 9, 14, 15 and 18 contain misprints, which the catalogue reports.
@@ -33,4 +33,4 @@ const std::vector<PrintedRow>* printed_table(const Group& group) {
   return group.name() == "tetrad" ? &tetrad : nullptr;
 }
 
-}  // namespace assur::generator
+}  // namespace assur::generator::structure

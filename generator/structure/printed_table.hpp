@@ -6,7 +6,7 @@
 
 #include "structure/group.hpp"
 
-namespace assur::generator {
+namespace assur::generator::structure {
 
 /// One row of a printed table of kinematic models, with its misprints.
 struct PrintedRow {
@@ -21,4 +21,4 @@ struct PrintedRow {
 /// Table 2 of Mitsi, Popescu and Luca for the tetrad; null for a group that no paper tabulates.
 [[nodiscard]] const std::vector<PrintedRow>* printed_table(const Group& group);
 
-}  // namespace assur::generator
+}  // namespace assur::generator::structure

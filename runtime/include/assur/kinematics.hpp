@@ -3,6 +3,9 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <assur/detail/index.hpp>
+#include <assur/detail/limit_turns.hpp>
+#include <assur/detail/pivots.hpp>
 #include <assur/model.hpp>
 #include <assur/status.hpp>
 #include <assur/variables.hpp>
@@ -10,23 +13,6 @@
 #include <limits>
 
 namespace assur {
-
-/// The relative error of the sensitivities, among unknowns of one unit, is at most this times
-/// eps/margin (see `regularity`), by measurement over all models.
-inline constexpr int derivative_error_constant = 64;
-
-/// How far a configuration is from singular, by the pivots of the model's structured elimination.
-template <typename Scalar>
-struct Regularity {
-  /// ok; near_singular where derivatives may keep fewer than six digits; singular where there are
-  /// none; not_finite.
-  Status status = Status::singular;
-  /// The derivatives' relative error is about rounding/margin: the product of what the core's
-  /// determinant keeps of its terms and of how firmly the closures hold the unknowns. One at best,
-  /// zero where J has no inverse. It does not depend on the unit of length.
-  Scalar margin = Scalar(0);
-  int weakest = 0;  ///< index in Model::pivots of the pivot nearest to zero
-};
 
 /// The regularity of an assembled configuration, without an inverse or singular values.
 ///
@@ -43,50 +29,15 @@ template <typename Model, typename Scalar>
                                             const typename Model::template Configuration<Scalar>& q,
                                             const Scalar& displaced = Scalar(0)) {
   static_assert(Model::rigid, "a degenerate model has no inverse Jacobian");
-  using std::abs;
-  Regularity<Scalar> result;
   if (!is_finite(d) || !is_finite(u) || !is_finite(q)) {
-    result.status = Status::not_finite;
-    return result;
+    return {Status::not_finite};
   }
-  Vector<Scalar, Model::pivot_count> pivots;
-  Vector<Scalar, Model::pivot_count> sizes;
-  Scalar terms(0);
-  Model::degeneracies(d, u, q, pivots, sizes, terms);
-  // Of the core's pivots the product counts, of the others the smallest.
-  Scalar core(1);
-  Scalar core_firmness(1);
-  Scalar other_firmness(1);
-  Scalar smallest = std::numeric_limits<Scalar>::infinity();
-  for (int index = 0; index < Model::pivot_count; ++index) {
-    const Scalar value = abs(pivots(index));
-    const Scalar firmness = value / sizes(index);
-    if (index < Model::core_pivot_count) {
-      core = core * value;
-      core_firmness = core_firmness * firmness;
-    } else if (!(firmness >= other_firmness)) {
-      other_firmness = firmness;
-    }
-    if (!(firmness >= smallest)) {
-      smallest = firmness;
-      result.weakest = index;
-    }
-  }
-  const Scalar kept = core / terms;
-  const Scalar firmness = core_firmness * other_firmness * other_firmness;
-  const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
-  if (!(kept > epsilon && firmness > Scalar(0))) {
-    return result;
-  }
-  result.margin = kept * firmness;
-  const auto six_digits = Scalar(5e-7);
-  const Scalar error = Scalar(derivative_error_constant) * epsilon + displaced;
-  const bool keeps = error < six_digits * result.margin;
-  result.status = keeps ? Status::ok : Status::near_singular;
-  return result;
+  return detail::regularity_of(detail::pivots_at<Model, Scalar>(d, u, q),
+                               Scalar(detail::derivative_rounding<Scalar>() + displaced));
 }
 
-/// The inverse of the loop Jacobian J, for right-hand sides of every sort.
+/// The inverse of the loop Jacobian J = dF/dq, for right-hand sides of every sort. It holds the
+/// status of all that it solves.
 template <typename Model, typename Scalar>
 class InverseJacobian {
  public:
@@ -98,6 +49,8 @@ class InverseJacobian {
       : regularity_(assur::regularity<Model, Scalar>(d, u, q)) {
     if (solvable()) {
       Model::inverse_jacobian(d, u, q, inverse_);
+    } else {
+      inverse_.setConstant(std::numeric_limits<Scalar>::quiet_NaN());
     }
   }
 
@@ -106,7 +59,7 @@ class InverseJacobian {
   /// Whether J has an inverse as far as rounding lets tell.
   [[nodiscard]] bool solvable() const { return is_solvable(status()); }
 
-  /// X with J X = rhs. Requires solvable().
+  /// X with J X = rhs; NaN where J is not solvable().
   template <int Columns>
   [[nodiscard]] Matrix<Scalar, size, Columns> solve(
       const Matrix<Scalar, size, Columns>& rhs) const {
@@ -217,44 +170,6 @@ template <typename Model, typename Scalar>
   return inverse.status();
 }
 
-namespace detail {
-
-/// Shortens a Newton step that turns a link too far for its linearisation: as a whole, so that an
-/// angle moves by at most half a radian, where short levers count less. Such a
-/// link's turn moves no joint far and need not hold back the others; it is cut alone.
-template <typename Model, typename Scalar>
-void limit_turns(const Matrix<Scalar, Model::equation_count, Model::unknown_count>& jacobian,
-                 Vector<Scalar, Model::unknown_count>& step) {
-  using std::abs;
-  using std::max;
-  using std::min;
-  const auto for_each_angle = [](auto use) {
-    for (int index = 0; index < Model::unknown_count; ++index) {
-      if (Model::unknowns[static_cast<std::size_t>(index)].is_angle) {
-        use(index);
-      }
-    }
-  };
-  const auto lever = [&jacobian](int index) {
-    return Scalar(jacobian.col(index).cwiseAbs().maxCoeff());
-  };
-  Scalar longest(0);
-  for_each_angle([&](int index) { longest = max(longest, lever(index)); });
-  Scalar largest(0);
-  for_each_angle([&](int index) {
-    // From a quarter of the longest on a lever counts in full.
-    const Scalar weight = min(Scalar(1), Scalar(4) * lever(index) / longest);
-    largest = max(largest, weight * abs(step(index)));
-  });
-  const Scalar limit = Scalar(0.5);
-  if (largest > limit) {
-    step *= limit / largest;
-  }
-  for_each_angle([&](int index) { step(index) = max(-limit, min(limit, step(index))); });
-}
-
-}  // namespace detail
-
 /// Newton's iteration from a guess to the loop closure, until the step is at rounding level. An
 /// angle moves by at most half a radian a step. On `ok` and `near_singular` the configuration is
 /// assembled; otherwise it is the last iterate. Newton may settle on any branch.
@@ -277,7 +192,7 @@ template <typename Model, typename Scalar>
     Vector<Scalar, size> step = jacobian.solve(Vector<Scalar, size>(-residual));
     Scalar largest_turn(0);
     for (int index = 0; index < size; ++index) {
-      if (Model::unknowns[static_cast<std::size_t>(index)].is_angle) {
+      if (detail::is_angle<Model>(index)) {
         using std::abs;
         using std::max;
         largest_turn = max(largest_turn, abs(step(index)));

@@ -1,8 +1,10 @@
-// The vocabulary of generated models: directions, poses and the tables that describe a model.
+// Turns numbers into the vocabulary of generated models: directions, poses, and tables that
+// describe a model.
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <tuple>
 
 namespace assur {

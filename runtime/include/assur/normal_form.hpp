@@ -2,10 +2,14 @@
 #pragma once
 
 #include <array>
+#include <assur/detail/index.hpp>
+#include <assur/detail/members.hpp>
+#include <assur/directions.hpp>
 #include <assur/model.hpp>
 #include <assur/status.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
+#include <cstddef>
 
 namespace assur {
 
@@ -24,6 +28,10 @@ struct DimensionValue {
   bool is_angle = false;
   Scalar length{};
   Direction<Scalar> angle{};
+
+  /// Into a variable of a model: a length or an angle, as the model has it.
+  void put_into(Scalar& member) const { member = length; }
+  void put_into(Direction<Scalar>& member) const { member = angle; }
 };
 
 /// The normal form of a link of up to three joints: x-axis along its first line, or else from its
@@ -41,19 +49,29 @@ struct NormalForm {
   std::array<Scalar, 3> shift{};
 };
 
-/// Brings a link of two or three joints into its normal form. `singular` if the points or lines
-/// that define the frame coincide or are parallel; then the group is degenerate or a relabelling is
-/// needed.
+/// Brings a link of two or three joints, `count` of them, into its normal form; all features are
+/// given in one frame, and the form is in theirs. Set where the status is ok. singular: the points
+/// or lines that define the frame coincide or are parallel, so that the group is degenerate or a
+/// relabelling is needed; or there are not two or three. not_finite.
 template <typename Scalar>
 [[nodiscard]] Status normal_form(const std::array<LinkFeature<Scalar>, 3>& features, int count,
                                  NormalForm<Scalar>& result) {
   using std::sqrt;
+  result.dimension_count = 0;
+  if (count < 2 || count > 3) {
+    return Status::singular;
+  }
+  const auto joints = static_cast<std::size_t>(count);
   std::array<const LinkFeature<Scalar>*, 3> points{};
   std::array<const LinkFeature<Scalar>*, 3> lines{};
   std::size_t point_count = 0;
   std::size_t line_count = 0;
-  for (std::size_t index = 0; index < static_cast<std::size_t>(count); ++index) {
+  for (std::size_t index = 0; index < joints; ++index) {
     const LinkFeature<Scalar>& feature = features[index];
+    if (!detail::is_number(feature.x) || !detail::is_number(feature.y) ||
+        !detail::is_number(feature.along.cos) || !detail::is_number(feature.along.sin)) {
+      return Status::not_finite;
+    }
     if (feature.line) {
       lines[line_count++] = &feature;
     } else {
@@ -90,18 +108,17 @@ template <typename Scalar>
     result.frame.y = lines[0]->y + along * axis.sin;
   }
 
-  result.dimension_count = 0;
-  const auto add_length = [&result](const Scalar& value) {
-    result.dimensions[static_cast<std::size_t>(result.dimension_count++)] = {false, value, {}};
+  const auto add = [&result](const DimensionValue<Scalar>& value) {
+    detail::entry(result.dimensions, result.dimension_count++) = value;
   };
-  for (std::size_t index = 0; index < static_cast<std::size_t>(count); ++index) {
+  const auto add_length = [&add](const Scalar& value) { add({false, value, {}}); };
+  for (std::size_t index = 0; index < joints; ++index) {
     const LinkFeature<Scalar>& feature = features[index];
     const Scalar dx = feature.x - result.frame.x;
     const Scalar dy = feature.y - result.frame.y;
     if (feature.line) {
       if (&feature != lines[0]) {
-        result.dimensions[static_cast<std::size_t>(result.dimension_count++)] = {
-            true, Scalar(0), turned(feature.along, reversed(axis))};
+        add({true, Scalar(0), turned(feature.along, reversed(axis))});
       }
       if (point_count > 0 || (&feature != lines[0] && &feature != lines[1])) {
         add_length(dy * feature.along.cos - dx * feature.along.sin);
@@ -119,37 +136,30 @@ template <typename Scalar>
   return Status::ok;
 }
 
-namespace detail {
-
-template <typename Scalar>
-void take_value(Scalar& member, const DimensionValue<Scalar>& value) {
-  member = value.length;
-}
-template <typename Scalar>
-void take_value(Direction<Scalar>& member, const DimensionValue<Scalar>& value) {
-  member = value.angle;
-}
-
-}  // namespace detail
-
-/// Fills a model's Dimensions from the normal forms of its links, in the order of Model::links.
+/// Fills a model's Dimensions from the normal forms of its links, in the order of Model::links. The
+/// dimensions are set where the status is ok. singular: the forms have not as many dimensions as
+/// the model, because a link has no normal form or is of another model.
 template <typename Model, typename Scalar>
-void fill_dimensions(
-    const std::array<NormalForm<Scalar>, static_cast<std::size_t>(Model::link_count)>& links,
+[[nodiscard]] Status fill_dimensions(
+    const std::array<NormalForm<Scalar>, detail::size(Model::link_count)>& links,
     typename Model::template Dimensions<Scalar>& dimensions) {
-  std::array<DimensionValue<Scalar>, static_cast<std::size_t>(Model::dimension_count)> values;
+  constexpr std::size_t count = detail::size(Model::dimension_count);
+  std::array<DimensionValue<Scalar>, count> values;
   std::size_t filled = 0;
   for (const NormalForm<Scalar>& link : links) {
-    for (std::size_t index = 0; index < static_cast<std::size_t>(link.dimension_count); ++index) {
-      values[filled++] = link.dimensions[index];
+    for (int index = 0; index < link.dimension_count; ++index) {
+      if (filled == count) {
+        return Status::singular;
+      }
+      values[filled++] = detail::entry(link.dimensions, index);
     }
   }
-  std::apply(
-      [&values](auto&... member) {
-        std::size_t index = 0;
-        (detail::take_value(member, values[index++]), ...);
-      },
-      dimensions.members());
+  if (filled != count) {
+    return Status::singular;
+  }
+  for_each_member(dimensions,
+                  [&values](auto& member, std::size_t index) { values[index].put_into(member); });
+  return Status::ok;
 }
 
 }  // namespace assur

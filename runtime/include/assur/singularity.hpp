@@ -2,7 +2,11 @@
 #pragma once
 
 #include <Eigen/SVD>
-#include <assur/kinematics.hpp>
+#include <assur/model.hpp>
+#include <assur/status.hpp>
+#include <assur/variables.hpp>
+#include <cmath>
+#include <limits>
 
 namespace assur {
 
@@ -14,6 +18,9 @@ enum class SingularityType : unsigned char {
 /// A singularity along a motion dd/dt, du/dt.
 template <typename Scalar>
 struct Singularity {
+  /// ok: the rest is set. singular: J vanishes, and no direction is nearer to its range than
+  /// another. not_finite.
+  Status status = Status::singular;
   SingularityType type = SingularityType::fold;
   /// |w F_t| / |F_t| for the unit left null vector w of J and F_t = F_d dd/dt + F_u du/dt: how far
   /// the motion leaves the closures' range. Zero at a crossing.
@@ -23,8 +30,9 @@ struct Singularity {
   Scalar distance = Scalar(0);
 };
 
-/// The type of the singularity at or near a configuration. J dq/dt = -F_t has a solution where J is
-/// singular only if F_t has no part along w; near a crossing that part falls with the distance.
+/// The type of the singularity at or near an assembled configuration. J dq/dt = -F_t has a solution
+/// where J is singular only if F_t has no part along w; near a crossing that part falls with the
+/// distance.
 template <typename Model, typename Scalar>
 [[nodiscard]] Singularity<Scalar> singularity_along(
     const typename Model::template Dimensions<Scalar>& d,
@@ -34,6 +42,11 @@ template <typename Model, typename Scalar>
     const Vector<Scalar, Model::input_count>& u_rate) {
   using Square = Matrix<Scalar, Model::equation_count, Model::unknown_count>;
   using std::sqrt;
+  Singularity<Scalar> result;
+  if (!is_finite(d) || !is_finite(u) || !is_finite(q) || !is_finite(d_rate) || !is_finite(u_rate)) {
+    result.status = Status::not_finite;
+    return result;
+  }
   Square jacobian;
   Matrix<Scalar, Model::equation_count, Model::dimension_count> f_d;
   Vector<Scalar, Model::equation_count> f_t;
@@ -49,7 +62,9 @@ template <typename Model, typename Scalar>
   }
   const Eigen::JacobiSVD<Square> factors(jacobian, Eigen::ComputeFullU);
   const int last = Model::unknown_count - 1;
-  Singularity<Scalar> result;
+  if (!(factors.singularValues()(0) > Scalar(0))) {
+    return result;
+  }
   result.distance = factors.singularValues()(last) / factors.singularValues()(0);
   const Scalar size = f_t.norm();
   if (size > Scalar(0)) {
@@ -61,6 +76,7 @@ template <typename Model, typename Scalar>
   const Scalar rounding = std::numeric_limits<Scalar>::epsilon();
   const bool falls = result.transversality <= sqrt(result.distance + rounding);
   result.type = falls ? SingularityType::crossing : SingularityType::fold;
+  result.status = Status::ok;
   return result;
 }
 

@@ -1,8 +1,9 @@
-// Solves a generated model's velocities and accelerations by special Assur points, as Quintero,
+// Turns a configuration into velocities and accelerations by special Assur points, as Quintero,
 // Calle, Diaz and Henao published it: a vector diagram for each point, then one system of lengths.
 #pragma once
 
 #include <Eigen/LU>
+#include <assur/detail/index.hpp>
 #include <assur/kinematics.hpp>
 #include <assur/model.hpp>
 #include <assur/status.hpp>
@@ -58,9 +59,7 @@ class SpecialPointSystem {
 
   [[nodiscard]] Status status() const { return status_; }
   /// Whether L has an inverse as far as rounding lets tell.
-  [[nodiscard]] bool solvable() const {
-    return status_ == Status::ok || status_ == Status::near_singular;
-  }
+  [[nodiscard]] bool solvable() const { return is_solvable(status_); }
 
   /// Whether the points are known, even where the rates are not.
   [[nodiscard]] bool has_points() const { return solvable() || status_ == Status::singular; }
@@ -76,9 +75,14 @@ class SpecialPointSystem {
   /// Reciprocal of condition(L) in the 1-norm, columns scaled as those of J; zero if unknown.
   [[nodiscard]] Scalar reciprocal_condition() const { return reciprocal_condition_; }
 
-  /// The vector diagram: sums a_i of each point with known_1 + a_1 n_1 = known_2 + a_2 n_2.
+  /// The vector diagram: sums a_i of each point with known_1 + a_1 n_1 = known_2 + a_2 n_2; NaN
+  /// where the points are not known.
   [[nodiscard]] Vector<Scalar, sides> sums(const Matrix<Scalar, sides, 2>& known) const {
     Vector<Scalar, sides> result;
+    if (!has_points()) {
+      result.setConstant(std::numeric_limits<Scalar>::quiet_NaN());
+      return result;
+    }
     for (int first = 0; first < sides; first += 2) {
       const int second = first + 1;
       const Scalar x = known(second, 0) - known(first, 0);
@@ -89,8 +93,11 @@ class SpecialPointSystem {
     }
     return result;
   }
-  /// q' with L q' = sums. Requires solvable().
+  /// q' with L q' = sums; NaN where L is not solvable().
   [[nodiscard]] Vector<Scalar, size> solve(const Vector<Scalar, sides>& sums) const {
+    if (!solvable()) {
+      return Vector<Scalar, size>::Constant(std::numeric_limits<Scalar>::quiet_NaN());
+    }
     return column_scale_.asDiagonal() * factors_.solve(sums);
   }
 
@@ -101,9 +108,9 @@ class SpecialPointSystem {
            normals_(first, 1) * normals_(first + 1, 0);
   }
 
-  Status cross_lines(const typename Model::template Dimensions<Scalar>& d,
-                     const typename Model::template Inputs<Scalar>& u,
-                     const typename Model::template Configuration<Scalar>& q) {
+  [[nodiscard]] Status cross_lines(const typename Model::template Dimensions<Scalar>& d,
+                                   const typename Model::template Inputs<Scalar>& u,
+                                   const typename Model::template Configuration<Scalar>& q) {
     using std::abs;
     Matrix<Scalar, sides, 3> lines;
     Model::special_point_lines(d, u, q, lines);
@@ -144,7 +151,7 @@ class SpecialPointSystem {
     return largest;
   }
 
-  Status factor() {
+  [[nodiscard]] Status factor() {
     column_scale_ = jacobian_columns();
     column_scale_ = column_scale_.cwiseInverse();
     if (!column_scale_.allFinite()) {
@@ -184,8 +191,7 @@ template <typename Model, typename Scalar>
     Poses<Scalar, Model::link_count> poses;
     Model::link_poses(d, u, q, poses);
     for (int point = 0; point < Model::closure_link_count; ++point) {
-      const int link = Model::closure_links[static_cast<std::size_t>(point)];
-      const Pose<Scalar>& frame = poses[static_cast<std::size_t>(link)];
+      const Pose<Scalar>& frame = detail::entry(poses, detail::entry(Model::closure_links, point));
       points(point, 0) = frame.x + system.places()(point, 0);
       points(point, 1) = frame.y + system.places()(point, 1);
     }

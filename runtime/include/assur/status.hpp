@@ -1,4 +1,5 @@
-// The answers that the runtime gives instead of exceptions.
+// Turns what may be wrong with a result into answers, which the runtime gives instead of
+// exceptions.
 #pragma once
 
 namespace assur {
@@ -35,5 +36,22 @@ enum class Status : unsigned char {
   }
   return "unknown";
 }
+
+/// The relative error of the sensitivities, among unknowns of one unit, is at most this times
+/// eps/margin (see `regularity`), by measurement over all models.
+inline constexpr int derivative_error_constant = 64;
+
+/// How far a configuration is from singular, by the pivots of the model's structured elimination.
+template <typename Scalar>
+struct Regularity {
+  /// ok; near_singular where derivatives may keep fewer than six digits; singular where there are
+  /// none; not_finite.
+  Status status = Status::singular;
+  /// The derivatives' relative error is about rounding/margin: the product of what the core's
+  /// determinant keeps of its terms and of how firmly the closures hold the unknowns. One at best,
+  /// zero where J has no inverse. It does not depend on the unit of length.
+  Scalar margin = Scalar(0);
+  int weakest = 0;  ///< index in Model::pivots of the pivot nearest to zero
+};
 
 }  // namespace assur

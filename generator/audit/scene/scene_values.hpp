@@ -1,0 +1,17 @@
+// Turns one configuration of a scene into named numbers.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace assur::generator::audit::scene {
+
+/// Of every link L: L_x, L_y, L_theta, L_vx, L_vy, L_omega, L_ax, L_ay, L_alpha; of every output P:
+/// P_x, P_y, P_vx, P_vy, P_ax, P_ay; of every slide S: S_displacement, S_velocity, S_acceleration.
+/// Throws InputError if the scene has no such configuration. `settings` replace parameters that the
+/// scene has; others are passed over.
+[[nodiscard]] std::map<std::string, double> scene_values(const std::string& file, int configuration,
+                                                         const std::vector<std::string>& settings);
+
+}  // namespace assur::generator::audit::scene

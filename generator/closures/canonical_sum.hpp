@@ -1,0 +1,66 @@
+// Turns an expression into a sum of products whose order and signs depend on nothing but the
+// mathematics.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace assur::generator::closures {
+
+class CanonicalSum;
+
+/// A whole power of something with a text: a name, a function, a root, or a sum in parentheses.
+struct CanonicalFactor {
+  enum class Kind : unsigned char { plain, sum, root };
+
+  Kind kind = Kind::plain;
+  std::shared_ptr<const CanonicalSum> inside = nullptr;  ///< of a sum or of a root
+  GiNaC::numeric exponent = 1;
+};
+
+/// A number times factors, by their texts.
+struct CanonicalTerm {
+  GiNaC::numeric coefficient = 1;
+  std::map<std::string, CanonicalFactor> factors = {};
+
+  /// Without the sign of the coefficient.
+  [[nodiscard]] std::string size_text() const;
+};
+
+/// GiNaC orders terms by addresses and gives products of sums the signs that come of it: 1/(a - b)
+/// is -1/(b - a) in some runs. Here terms have the order of their texts, and a sum that is a
+/// factor, or the argument of an odd or even function, begins with a plus; what sign that takes is
+/// the product's.
+class CanonicalSum {
+ public:
+  explicit CanonicalSum(const GiNaC::ex& expression);
+
+  /// By their texts without signs.
+  [[nodiscard]] const std::vector<CanonicalTerm>& terms() const { return terms_; }
+  [[nodiscard]] std::string text() const;
+  /// Of two opposite sums one is reversed.
+  [[nodiscard]] bool is_reversed() const;
+  [[nodiscard]] CanonicalSum scaled(const GiNaC::numeric& factor) const;
+
+ private:
+  explicit CanonicalSum(std::vector<CanonicalTerm> terms) : terms_(std::move(terms)) { gather(); }
+
+  /// Adds up terms that are alike, and sorts.
+  void gather();
+  /// The number of which all coefficients are coprime whole multiples, the first a positive one.
+  [[nodiscard]] GiNaC::numeric content() const;
+  static void multiply(CanonicalTerm& product, const std::string& text, CanonicalFactor factor);
+  static void multiply(CanonicalTerm& product, const CanonicalSum& sum,
+                       const GiNaC::numeric& exponent);
+  static void multiply(CanonicalTerm& product, const GiNaC::ex& factor);
+  static void multiply_function(CanonicalTerm& product, const GiNaC::ex& function);
+  static void multiply_power(CanonicalTerm& product, const GiNaC::ex& power);
+
+  std::vector<CanonicalTerm> terms_;
+};
+
+}  // namespace assur::generator::closures

@@ -1,0 +1,86 @@
+#include "command/solve.hpp"
+
+#include <algorithm>
+#include <assur/mechanism/report.hpp>
+#include <assur/text/error.hpp>
+#include <iostream>
+
+#include "command/output.hpp"
+#include "command/progress.hpp"
+
+namespace assur::generator::command {
+
+namespace {
+
+/// `--branch` must name one of `count` configurations or branches.
+void expect_branch(const SolveOptions& options, int count, const std::string& what) {
+  if (options.branch > count) {
+    throw text::InputError(options.scene + ": --branch: no " + what + " " +
+                           std::to_string(options.branch) + "; there are " +
+                           std::to_string(count));
+  }
+}
+
+bool print_one(const SolveOptions& options, const mechanism::Plan& plan) {
+  const mechanism::Values values = plan.values();
+  const mechanism::Solution solution = plan.solve(values);
+  const bool degenerate = solution.status == mechanism::SolutionStatus::degenerate;
+  if (!degenerate) {
+    expect_branch(options, static_cast<int>(solution.configurations.size()), "configuration");
+  }
+  const mechanism::Report report{plan, values, solution, options.scene, options.branch};
+  if (degenerate && options.format == "csv") {
+    std::cerr << "degenerate: " << solution.reason << '\n';
+  }
+  print(options.format == "csv"    ? csv_header(plan) + csv_rows(report)
+        : options.format == "json" ? report_json(report)
+                                   : report_text(report));
+  return degenerate;
+}
+
+/// Prints rows as they are computed. The head waits for the first row of the branch that is asked
+/// for, so that nothing is printed of one that does not exist.
+bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
+  ProgressBar bar(plan.request().sweep->count);
+  bool degenerate = false;
+  int last_branch = 0;
+  std::string text = csv_header(plan);
+  const auto record = [&](const mechanism::SweepRecord& row) {
+    last_branch = std::max(last_branch, row.branch);
+    if (options.branch == 0 || row.branch == options.branch) {
+      add_csv_row(plan, row, text);
+    }
+  };
+  const auto judge = [&](const mechanism::Solution& solution) {
+    if (solution.status == mechanism::SolutionStatus::degenerate) {
+      degenerate = true;
+      std::cerr << "degenerate: " << solution.reason << '\n';
+    }
+  };
+  const auto step_done = [&](int done) {
+    bar.show(done);
+    if (options.branch <= last_branch) {
+      print(text);
+      text.clear();
+    }
+  };
+  sweep(plan, {record, judge, step_done});
+  expect_branch(options, last_branch, "branch");
+  print(text);
+  return degenerate;
+}
+
+}  // namespace
+
+bool print_solution(const SolveOptions& options) {
+  const mechanism::Scene scene = mechanism::read_scene(options.scene, options.settings);
+  try {
+    const mechanism::Plan plan(scene);
+    return options.format == "csv" && scene.request.sweep ? print_sweep(options, plan)
+                                                          : print_one(options, plan);
+  } catch (const mechanism::MechanismError& error) {
+    throw text::InputError(scene.file + ": " + error.what());
+  }
+}
+
+}  // namespace assur::generator::command

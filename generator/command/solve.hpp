@@ -1,0 +1,21 @@
+// Turns a scene file into what `assur solve` prints of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace assur::generator::command {
+
+struct SolveOptions {
+  std::string scene;
+  std::vector<std::string> settings;
+  std::string format = "text";
+  int branch = 0;
+};
+
+/// Solves or sweeps the scene, prints the result to standard output, and returns whether it is
+/// negative: the structure is degenerate. Throws InputError for what cannot be used; of a sweep
+/// that is before anything is printed, but for a branch that does not exist.
+[[nodiscard]] bool print_solution(const SolveOptions& options);
+
+}  // namespace assur::generator::command

@@ -1,0 +1,236 @@
+#include "document/derivation.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "derivatives/mobility.hpp"
+#include "document/formula.hpp"
+#include "elimination/eliminate.hpp"
+#include "pivoting/structured_jacobian.hpp"
+
+namespace assur::generator::document {
+
+namespace {
+
+std::vector<std::string> names_of(const std::vector<DerivedVariable>& variables) {
+  std::vector<std::string> names;
+  names.reserve(variables.size());
+  for (const DerivedVariable& variable : variables) {
+    names.push_back(variable.name);
+  }
+  return names;
+}
+
+std::vector<DerivedVariable> described(const std::deque<equations::Variable>& variables) {
+  std::vector<DerivedVariable> list;
+  list.reserve(variables.size());
+  for (const equations::Variable& variable : variables) {
+    list.push_back({variable.name, variable.is_angle(), variable.rate.get_name(),
+                    variable.second_rate.get_name(), variable.meaning});
+  }
+  return list;
+}
+
+/// Builds the derivation of one model in the order in which it is read.
+class DerivationGatherer {
+ public:
+  DerivationGatherer(const structure::Model& model, const structure::Kind& kind)
+      : equations_(equations::closure_equations(model)), write_(equations_) {
+    result_.model = &model;
+    result_.kind = kind;
+  }
+
+  Derivation run() {
+    gather_structure();
+    const derivatives::Derivatives derivatives = derivatives::differentiate(equations_);
+    gather_closures(derivatives);
+    const derivatives::Mobility mobility =
+        derivatives::mobility_of(equations_, derivatives.jacobian);
+    result_.rigid = mobility.rigid;
+    result_.rank = mobility.rank;
+    result_.mobility = mobility.freedom;
+    result_.reason = mobility.reason;
+    if (mobility.rigid) {
+      gather_determinant();
+      gather_elimination();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void gather_structure() {
+    const structure::Group& group = *equations_.model->group;
+    const auto member = std::find_if(
+        equations_.model->members.begin(), equations_.model->members.end(),
+        [&](const structure::Relabelling& candidate) { return candidate.kind == result_.kind; });
+    for (const int role : member->role) {
+      result_.roles.emplace_back(1, group.joints()[static_cast<std::size_t>(role)].name);
+    }
+    for (std::size_t link = 0; link < equations_.frames.size(); ++link) {
+      result_.frames.push_back(equations_.frames[link].description);
+      result_.angles.push_back(equations_.poses[link].angle.text());
+    }
+    result_.unknowns = described(equations_.unknowns);
+    result_.dimensions = described(equations_.dimensions);
+    result_.inputs = described(equations_.inputs);
+    for (const equations::AngleSum& sum : equations_.compatibility) {
+      result_.compatibility.push_back(sum.text());
+    }
+  }
+
+  void gather_closures(const derivatives::Derivatives& derivatives) {
+    const std::vector<GiNaC::ex> residuals = equations_.residuals;
+    std::vector<std::string> rows;
+    for (std::size_t loop = 0; loop < equations_.loops.size(); ++loop) {
+      DerivedClosure closure{equations_.loops[loop].name, equations_.loops[loop].equation, {}, {}};
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        rows.push_back("f" + std::to_string(2 * loop + axis + 1));
+        closure.names[axis] = rows.back();
+        closure.values[axis] = write_(residuals[2 * loop + axis]);
+      }
+      result_.closures.push_back(closure);
+    }
+    std::vector<GiNaC::ex> used = residuals;
+    const auto matrix = [&](const std::string& name, const derivatives::ExpressionMatrix& entries,
+                            const std::vector<DerivedVariable>& columns) {
+      for (const auto& row : entries) {
+        used.insert(used.end(), row.begin(), row.end());
+      }
+      return DerivedMatrix{name, rows, names_of(columns), written(entries)};
+    };
+    result_.jacobian = matrix("J", derivatives.jacobian, result_.unknowns);
+    result_.dimension_jacobian = matrix("F_d", derivatives.dimension_jacobian, result_.dimensions);
+    result_.input_jacobian = matrix("F_u", derivatives.input_jacobian, result_.inputs);
+    for (const auto* rhs : {&derivatives.velocity_rhs, &derivatives.acceleration_rhs}) {
+      used.insert(used.end(), rhs->begin(), rhs->end());
+    }
+    result_.velocity_rhs = written(derivatives.velocity_rhs);
+    result_.acceleration_rhs = written(derivatives.acceleration_rhs);
+    result_.quantities = newly_used(equations_.vocabulary, std::move(used));
+  }
+
+  void gather_determinant() {
+    const pivoting::StructuredJacobian structured(equations_);
+    const pivoting::FramedClosures& framed = structured.closures();
+    DerivedDeterminant& result = result_.determinant.emplace();
+    std::vector<GiNaC::ex> used;
+    for (const equations::NamedQuantity& quantity : structured.vocabulary().quantities()) {
+      write_.declare(quantity.symbol);
+    }
+    derivatives::ExpressionMatrix entries(static_cast<std::size_t>(framed.row_count()));
+    for (const equations::Variable& unknown : equations_.unknowns) {
+      const std::vector<GiNaC::ex> column = framed.derivative(unknown);
+      used.insert(used.end(), column.begin(), column.end());
+      for (std::size_t row = 0; row < entries.size(); ++row) {
+        entries[row].push_back(column[row]);
+      }
+    }
+    result.framed = {"K", {}, names_of(result_.unknowns), written(entries)};
+    for (int row = 0; row < framed.row_count(); ++row) {
+      result.framed.rows.push_back(framed.row_name(row));
+    }
+    GiNaC::ex product = structured.sign();
+    for (const pivoting::Pivot& pivot : structured.pivots()) {
+      used.push_back(pivot.value);
+      product *= pivot.value;
+      result.pivots.push_back({write_(pivot.value), pivot.cause, pivot.degeneracy});
+    }
+    result.value = write_(product);
+    result.text = structured.determinant_text();
+    result.quantities = newly_used(structured.vocabulary(), std::move(used));
+  }
+
+  void gather_elimination() {
+    const elimination::Elimination elimination = elimination::eliminate(equations_);
+    const std::vector<equations::NamedQuantity>& names = elimination.vocabulary.quantities();
+    DerivedElimination& result = result_.elimination.emplace();
+    std::size_t known = 0;
+    for (const elimination::RecordedStep& step : elimination.record) {
+      result.steps.push_back({step.title, step.rule, step.formulas, {}, {}, {}});
+      DerivedStep& text = result.steps.back();
+      for (const equations::Variable* unknown : step.eliminated) {
+        text.eliminated.push_back(unknown->name);
+      }
+      for (; known < step.vocabulary_size; ++known) {
+        write_.declare(names[known].symbol);
+        text.quantities.push_back({names[known].symbol.get_name(), write_(names[known].definition),
+                                   names[known].meaning, false});
+      }
+      for (const elimination::RecordedQuantity& quantity : step.quantities) {
+        write_.declare(quantity.symbol);
+        text.quantities.push_back({quantity.symbol.get_name(), write_(quantity.value),
+                                   quantity.meaning, quantity.vanishes});
+      }
+      for (const elimination::RecordedSeries& series : step.series) {
+        text.series.push_back({series.name,
+                               series.formula,
+                               elimination.first->is_angle() ? "w" : elimination.first->name,
+                               {}});
+        for (const auto& [power, coefficient] : series.value.coefficients()) {
+          text.series.back().terms.push_back(
+              {power, write_(coefficient.re), write_(coefficient.im)});
+        }
+      }
+    }
+    for (const elimination::BackSubstitution& step : elimination.reduction.steps) {
+      result.back_substitution.push_back({step.unknown->name, step.unknown->is_angle(),
+                                          written(step.numerators), write_(step.denominator),
+                                          step.degeneracy});
+    }
+    result.unknown = elimination.first->name;
+    result.is_angle = elimination.first->is_angle();
+    result.polynomial = elimination.polynomial_text;
+    result.degree = elimination.degree;
+    result.max_configurations = elimination.max_configurations;
+  }
+
+  [[nodiscard]] std::vector<std::string> written(const std::vector<GiNaC::ex>& list) const {
+    std::vector<std::string> texts;
+    texts.reserve(list.size());
+    for (const GiNaC::ex& expression : list) {
+      texts.push_back(write_(expression));
+    }
+    return texts;
+  }
+  [[nodiscard]] TextMatrix written(const derivatives::ExpressionMatrix& matrix) const {
+    TextMatrix texts;
+    for (const std::vector<GiNaC::ex>& row : matrix) {
+      texts.push_back(written(row));
+    }
+    return texts;
+  }
+
+  /// The quantities that expressions need, in the order of their definition, but for those that
+  /// were given before.
+  std::vector<DerivedQuantity> newly_used(const equations::Vocabulary& vocabulary,
+                                          std::vector<GiNaC::ex> used) {
+    std::vector<DerivedQuantity> list;
+    const std::vector<equations::NamedQuantity>& quantities = vocabulary.quantities();
+    for (std::size_t at = quantities.size(); at-- > 0;) {
+      const equations::NamedQuantity& quantity = quantities[at];
+      const bool needed = std::any_of(used.begin(), used.end(), [&](const GiNaC::ex& expression) {
+        return expression.has(quantity.symbol);
+      });
+      if (needed && given_.insert(quantity.symbol.get_name()).second) {
+        used.push_back(quantity.definition);
+        list.push_back(
+            {quantity.symbol.get_name(), write_(quantity.definition), quantity.meaning, false});
+      }
+    }
+    std::reverse(list.begin(), list.end());
+    return list;
+  }
+
+  equations::ClosureEquations equations_;
+  FormulaWriter write_;
+  Derivation result_{};
+  std::set<std::string> given_;
+};
+
+}  // namespace
+
+Derivation derive(const structure::Group& group, const structure::Kind& kind) {
+  return DerivationGatherer(structure::model_of(group, kind), kind).run();
+}
+
+}  // namespace assur::generator::document

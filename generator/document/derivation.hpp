@@ -1,0 +1,131 @@
+// Gathers every step of a model's derivation, from its graph to its final polynomial, as text that
+// the renderers lay out.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "structure/kind.hpp"
+
+namespace assur::generator::document {
+
+/// An unknown, dimension or input. All formulas below are in the syntax of scene files.
+struct DerivedVariable {
+  std::string name;
+  bool is_angle;
+  std::string rate, second_rate;
+  std::string meaning;
+};
+
+/// A quantity that gets a name.
+struct DerivedQuantity {
+  std::string name;
+  std::string value;
+  std::string meaning;
+  bool vanishes;  ///< zero wherever the group is assembled
+};
+
+/// One vector loop closure and its two components.
+struct DerivedClosure {
+  std::string loop;      ///< `BCDEB`
+  std::string equation;  ///< `B + BC + CD - ED - E = 0`
+  std::array<std::string, 2> names;
+  std::array<std::string, 2> values;
+};
+
+using TextMatrix = std::vector<std::vector<std::string>>;
+
+/// A matrix of the rows' derivatives by the columns' variables.
+struct DerivedMatrix {
+  std::string name;
+  std::vector<std::string> rows;
+  std::vector<std::string> columns;
+  TextMatrix entries;
+};
+
+/// A factor of the Jacobian's determinant.
+struct DerivedPivot {
+  std::string value;
+  std::string zero;     ///< `CD = 0`, `a dead centre`
+  std::string meaning;  ///< what it means for the group
+};
+
+/// The Jacobian in the frames of its loops, where its determinant is a product.
+struct DerivedDeterminant {
+  std::vector<DerivedQuantity> quantities;  ///< beside those of the closures
+  DerivedMatrix framed;
+  std::vector<DerivedPivot> pivots;
+  std::string value;  ///< sign times product of the pivots
+  std::string text;   ///< the same with the core's determinant written out
+};
+
+/// One coefficient of a series: (re + i im) w^power.
+struct DerivedTerm {
+  int power;
+  std::string re, im;
+};
+
+struct DerivedSeries {
+  std::string name;
+  std::string formula;
+  std::string base;  ///< what is raised to the powers: `w`, or the unknown
+  std::vector<DerivedTerm> terms;
+};
+
+struct DerivedStep {
+  std::string title;
+  std::string rule;
+  std::vector<std::string> formulas;
+  std::vector<std::string> eliminated;
+  std::vector<DerivedQuantity> quantities;
+  std::vector<DerivedSeries> series;
+};
+
+/// How an unknown follows from those known before it: numerators over the denominator, which are a
+/// displacement, or an angle's cosine and sine.
+struct DerivedBackSubstitution {
+  std::string unknown;
+  bool is_angle;
+  std::vector<std::string> numerators;
+  std::string denominator;
+  std::string degeneracy;
+};
+
+struct DerivedElimination {
+  std::vector<DerivedStep> steps;
+  std::string unknown;
+  bool is_angle;
+  std::string polynomial;  ///< in the coefficients that the steps name; zero at a configuration
+  std::vector<DerivedBackSubstitution> back_substitution;
+  int degree;
+  int max_configurations;
+};
+
+struct Derivation {
+  const structure::Model* model;
+  structure::Kind kind;            ///< the kind asked for
+  std::vector<std::string> roles;  ///< for each of its joints the model's joint that it plays
+
+  std::vector<std::string> frames;  ///< of the links, in words
+  std::vector<std::string> angles;  ///< of the links, as sums
+  std::vector<DerivedVariable> unknowns, dimensions, inputs;
+  std::vector<DerivedQuantity> quantities;
+  std::vector<DerivedClosure> closures;
+  std::vector<std::string> compatibility;  ///< sums of angles that must vanish
+  DerivedMatrix jacobian, dimension_jacobian, input_jacobian;
+  std::vector<std::string> velocity_rhs, acceleration_rhs;
+
+  bool rigid;
+  int rank;
+  int mobility;
+  std::string reason;
+  std::optional<DerivedDeterminant> determinant;  ///< of a rigid model
+  std::optional<DerivedElimination> elimination;  ///< likewise
+};
+
+/// The derivation of the model that `kind` belongs to.
+[[nodiscard]] Derivation derive(const structure::Group& group, const structure::Kind& kind);
+
+}  // namespace assur::generator::document

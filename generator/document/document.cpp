@@ -1,0 +1,273 @@
+#include "document/document.hpp"
+
+#include <algorithm>
+#include <assur/text/names.hpp>
+#include <utility>
+
+#include "document/phrases.hpp"
+
+namespace assur::generator::document {
+
+namespace {
+
+class DocumentBuilder {
+ public:
+  explicit DocumentBuilder(const Derivation& derivation)
+      : from_(derivation), group_(*derivation.model->group) {}
+
+  Document run() {
+    document_.title = "Derivation of " + from_.model->title();
+    document_.kind = structure::spell(group_, from_.model->representative);
+    structure();
+    variables();
+    closures();
+    derivatives();
+    singularities();
+    if (from_.elimination) {
+      elimination();
+    }
+    return std::move(document_);
+  }
+
+ private:
+  void begin(const std::string& title) { document_.sections.push_back({title, {}}); }
+  void add(Block block) { document_.sections.back().blocks.push_back(std::move(block)); }
+  void formula(const std::string& text, bool vectors = false) {
+    add(Formula{++number_, text, vectors});
+  }
+  void prose(const std::string& text) { add(Prose{text}); }
+
+  void structure() {
+    begin("Structure");
+    const std::vector<structure::Joint>& joints = group_.joints();
+    prose("The " + group_.name() + " is an Assur group of class " +
+          std::to_string(group_.assur_class()) + ": " + counted(group_.links().size(), "link") +
+          ", " + counted(joints.size(), "joint") + ", " +
+          counted(from_.closures.size(), "independent loop") + " (" +
+          text::joined(from_.closures, ", ", [](const DerivedClosure& each) { return each.loop; }) +
+          "). Its kinds are spelled " + group_.spelling() +
+          ", R for a revolute and P for a prismatic joint.");
+    prose("Model " + std::to_string(from_.model->number) + " holds the kinds " +
+          text::joined(from_.model->members, ", ",
+                       [&](const structure::Relabelling& member) {
+                         return structure::spell(group_, member.kind);
+                       }) +
+          "; the equations are those of " + document_.kind + ".");
+    if (from_.kind != from_.model->representative) {
+      relabelling();
+    }
+    Table links{{{"link", false}, {"frame", false}, {"angle", true}}, {}};
+    for (std::size_t link = 0; link < group_.links().size(); ++link) {
+      links.rows.push_back({group_.links()[link], from_.frames[link], from_.angles[link]});
+    }
+    add(std::move(links));
+    const auto link_name = [&](int link) {
+      return link == structure::base_link ? std::string("base")
+                                          : group_.links()[static_cast<std::size_t>(link)];
+    };
+    Table table{{{"joint", false}, {"type", false}, {"between", false}}, {}};
+    for (std::size_t joint = 0; joint < joints.size(); ++joint) {
+      table.rows.push_back(
+          {{joints[joint].name},
+           from_.model->representative[joint] == structure::JointType::prismatic ? "prismatic"
+                                                                                 : "revolute",
+           link_name(joints[joint].first) + " and " + link_name(joints[joint].second)});
+    }
+    add(std::move(table));
+  }
+
+  void relabelling() {
+    const std::string asked = structure::spell(group_, from_.kind);
+    prose("Asked for was " + asked + ": read its joints as the model's by this relabelling.");
+    Table table{{{"joint of " + asked, false}, {"plays joint", false}}, {}};
+    for (std::size_t joint = 0; joint < from_.roles.size(); ++joint) {
+      table.rows.push_back({{group_.joints()[joint].name}, from_.roles[joint]});
+    }
+    add(std::move(table));
+  }
+
+  void variables() {
+    begin("Variables");
+    prose(
+        "Lengths share one unit of the user's choice, angles are radians, counter-clockwise; "
+        "rates are per second. Joints without an angle or a displacement here add no unknown: "
+        "angles that prismatic joints tie together are one.");
+    list_variables("unknown", from_.unknowns, true);
+    list_variables("dimension", from_.dimensions, false);
+    list_variables("input", from_.inputs, true);
+  }
+
+  void list_variables(const std::string& what, const std::vector<DerivedVariable>& variables,
+                      bool moving) {
+    Table table{{{what, true}}, {}};
+    if (moving) {
+      table.columns.push_back({"rates", true});
+    }
+    table.columns.push_back({"unit", false});
+    table.columns.push_back({"meaning", false});
+    for (const DerivedVariable& variable : variables) {
+      std::vector<std::string> row{variable.name};
+      if (moving) {
+        row.push_back(variable.rate + ", " + variable.second_rate);
+      }
+      row.emplace_back(variable.is_angle ? "rad" : "length");
+      row.push_back(variable.meaning);
+      table.rows.push_back(std::move(row));
+    }
+    add(std::move(table));
+  }
+
+  void closures() {
+    begin("Loop closure");
+    if (!from_.quantities.empty()) {
+      prose("Vectors in the fixed frame, and directions, by their components:");
+      add(Definitions{from_.quantities});
+    }
+    for (const DerivedClosure& closure : from_.closures) {
+      prose("Loop " + closure.loop + ", as vectors and by components:");
+      formula(closure.equation, true);
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        add(ScalarClosure{++number_, closure.names[axis], closure.values[axis]});
+      }
+    }
+    if (!from_.compatibility.empty()) {
+      prose("Prismatic joints alone close a loop, so its angles must satisfy beside these:");
+      for (const std::string& sum : from_.compatibility) {
+        formula(sum + " = 0");
+      }
+    }
+  }
+
+  void derivatives() {
+    begin("Derivatives");
+    prose(
+        "The Jacobian `J` of the closures `f` by the unknowns `q`, F_d by the dimensions `d` and "
+        "F_u by "
+        "the inputs `u`. The unknowns' sensitivities solve `J*dq/dd = -F_d` and `J*dq/du = -F_u`.");
+    for (const DerivedMatrix* matrix :
+         {&from_.jacobian, &from_.dimension_jacobian, &from_.input_jacobian}) {
+      add_fitting(*matrix);
+    }
+    right_hand_side("Velocity: the rates of the unknowns solve `J*dq/dt = b` with", "b",
+                    from_.velocity_rhs);
+    right_hand_side("Acceleration: their second rates solve `J*d2q/dt2 = c` with", "c",
+                    from_.acceleration_rhs);
+  }
+
+  /// A matrix of derivatives. Its longest entries get names where a row would not fit on a line.
+  void add_fitting(DerivedMatrix matrix) {
+    constexpr std::size_t longest_row = 96;
+    Definitions named;
+    for (std::size_t row = 0; row < matrix.rows.size(); ++row) {
+      std::vector<std::string>& entries = matrix.entries[row];
+      while (text::joined(entries, ", ").size() > longest_row) {
+        const auto longest = std::max_element(
+            entries.begin(), entries.end(),
+            [](const std::string& a, const std::string& b) { return a.size() < b.size(); });
+        const std::string& closure = matrix.rows[row];
+        const std::string& column =
+            matrix.columns[static_cast<std::size_t>(longest - entries.begin())];
+        const std::string name = closure + "_" + column;
+        if (name.size() >= longest->size()) {
+          break;
+        }
+        named.quantities.push_back(
+            {name, *longest, "derivative of " + closure + " by " + column, false});
+        *longest = name;
+      }
+    }
+    if (!named.quantities.empty()) {
+      add(std::move(named));
+    }
+    add(MatrixDisplay{++number_, std::move(matrix), true});
+  }
+
+  void right_hand_side(const std::string& what, const std::string& letter,
+                       const std::vector<std::string>& rows) {
+    prose(what);
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      formula(letter + std::to_string(row + 1) + " = " + rows[row]);
+    }
+  }
+
+  void singularities() {
+    begin("Mobility and singularities");
+    prose(std::string(from_.rigid ? "Rigid" : "Degenerate") + ": " + from_.reason +
+          (from_.rigid
+               ? "."
+               : ". Where it can be assembled its mobility is " + std::to_string(from_.mobility) +
+                     ". There is no polynomial to eliminate to."));
+    if (!from_.determinant) {
+      return;
+    }
+    const DerivedDeterminant& determinant = *from_.determinant;
+    prose(
+        "Each loop, turned into the frame of the vector that closes it, gives a row along and a "
+        "row across that vector. This keeps the determinant and makes zeros:");
+    add(Definitions{determinant.quantities});
+    add(MatrixDisplay{++number_, determinant.framed, false});
+    prose(
+        "Rows with one unknown and unknowns in one row are expanded first; the rest is the core. "
+        "So the determinant is the product");
+    formula("det(J) = " + determinant.value);
+    prose("`J` is singular where one of its factors vanishes:");
+    Table table{{{"factor", true}, {"zero where", false}, {"meaning", false}}, {}};
+    for (const DerivedPivot& pivot : determinant.pivots) {
+      table.rows.push_back({pivot.value, pivot.zero, pivot.meaning});
+    }
+    add(std::move(table));
+  }
+
+  void elimination() {
+    begin("Elimination");
+    const DerivedElimination& elimination = *from_.elimination;
+    int count = 0;
+    for (const DerivedStep& step : elimination.steps) {
+      add(Heading{"Step " + std::to_string(++count) + ": " + step.title});
+      prose(sentence(step.rule));
+      for (const std::string& text : step.formulas) {
+        formula(text);
+      }
+      for (const DerivedSeries& series : step.series) {
+        formula(series_text(series));
+      }
+      add(Definitions{step.quantities});
+      if (!step.eliminated.empty()) {
+        prose("Eliminated: " + text::joined(step.eliminated, ", ") + ".");
+      }
+    }
+    add(Heading{"Step " + std::to_string(++count) + ": the way back"});
+    prose("Each root gives the unknowns that the steps eliminated:");
+    for (const DerivedBackSubstitution& back : elimination.back_substitution) {
+      back_substitution(back);
+    }
+    prose("The polynomial has degree " + std::to_string(elimination.degree) + " in " +
+          (elimination.is_angle ? "(cos, sin) of " : "") + elimination.unknown + ": at most " +
+          counted(static_cast<std::size_t>(elimination.max_configurations), "configuration") + ".");
+  }
+
+  void back_substitution(const DerivedBackSubstitution& back) {
+    const bool whole = back.denominator == "1";
+    for (std::size_t part = 0; part < back.numerators.size(); ++part) {
+      const std::string name =
+          !back.is_angle ? back.unknown : (part == 0 ? "cos(" : "sin(") + back.unknown + ")";
+      formula(name + " = " +
+              (whole ? back.numerators[part]
+                     : bracketed(back.numerators[part]) + "/" + bracketed(back.denominator)));
+    }
+    if (!whole) {
+      prose("The denominator vanishes where " + back.degeneracy + ".");
+    }
+  }
+
+  const Derivation& from_;
+  const structure::Group& group_;
+  Document document_;
+  int number_ = 0;
+};
+
+}  // namespace
+
+Document document_of(const Derivation& derivation) { return DocumentBuilder(derivation).run(); }
+
+}  // namespace assur::generator::document

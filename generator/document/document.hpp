@@ -1,0 +1,73 @@
+// Turns a derivation into a document in reading order: sections of prose, tables and numbered
+// formulas, for the renderers to lay out.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "document/derivation.hpp"
+
+namespace assur::generator::document {
+
+struct Prose {
+  std::string text;
+};
+
+/// The title of one step within a section.
+struct Heading {
+  std::string text;
+};
+
+struct Table {
+  struct Column {
+    std::string title;
+    bool formula;  ///< the cells are formulas
+  };
+  std::vector<Column> columns;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// Quantities that get a name.
+struct Definitions {
+  std::vector<DerivedQuantity> quantities;
+};
+
+/// A numbered formula for reading.
+struct Formula {
+  int number;
+  std::string text;
+  bool vectors = false;  ///< its names are those of vectors
+};
+
+/// A numbered scalar loop closure, name = value = 0.
+struct ScalarClosure {
+  int number;
+  std::string name;
+  std::string value;
+};
+
+/// A numbered matrix; one of `derivatives` holds d row / d column.
+struct MatrixDisplay {
+  int number;
+  DerivedMatrix matrix;
+  bool derivatives;
+};
+
+using Block =
+    std::variant<Prose, Heading, Table, Definitions, Formula, ScalarClosure, MatrixDisplay>;
+
+struct Section {
+  std::string title;
+  std::vector<Block> blocks;
+};
+
+struct Document {
+  std::string title;
+  std::string kind;  ///< for which the equations are derived
+  std::vector<Section> sections;
+};
+
+[[nodiscard]] Document document_of(const Derivation& derivation);
+
+}  // namespace assur::generator::document

@@ -1,0 +1,83 @@
+#include "document/formula.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+namespace assur::generator::document {
+
+FormulaWriter::FormulaWriter(const equations::ClosureEquations& equations)
+    : order_(program::symbol_order(equations, equations.vocabulary)) {
+  for (const auto* variables : {&equations.unknowns, &equations.dimensions, &equations.inputs}) {
+    for (const equations::Variable& variable : *variables) {
+      spellings_[variable.cosine.get_name()] = {"cos(" + variable.name + ")", 1};
+      spellings_[variable.sine.get_name()] = {"sin(" + variable.name + ")", 1};
+      for (const GiNaC::symbol& rate : {variable.rate, variable.second_rate}) {
+        spellings_[rate.get_name()] = {rate.get_name(), 2};
+      }
+    }
+  }
+}
+
+FormulaWriter::Spelled FormulaWriter::spelled(int rank) const {
+  const std::string& name = order_.name(rank);
+  const auto found = spellings_.find(name);
+  return found == spellings_.end() ? Spelled{name, 0} : found->second;
+}
+
+std::string FormulaWriter::term(const program::Monomial& monomial,
+                                const GiNaC::numeric& size) const {
+  std::vector<std::pair<Spelled, int>> powers;
+  for (std::size_t at = 0; at < monomial.size();) {
+    const auto end = std::find_if(monomial.begin() + static_cast<std::ptrdiff_t>(at),
+                                  monomial.end(), [&](int rank) { return rank != monomial[at]; });
+    const auto next = static_cast<std::size_t>(end - monomial.begin());
+    powers.emplace_back(spelled(monomial[at]), static_cast<int>(next - at));
+    at = next;
+  }
+  std::stable_sort(powers.begin(), powers.end(), [](const auto& left, const auto& right) {
+    return left.first.place < right.first.place;
+  });
+  std::string text;
+  if (size != 1 || powers.empty()) {
+    std::ostringstream number;
+    number << size;
+    text = number.str();
+  }
+  for (const auto& [factor, power] : powers) {
+    text += (text.empty() ? "" : "*") + factor.text;
+    text += power == 1 ? "" : "^" + std::to_string(power);
+  }
+  return text;
+}
+
+std::string FormulaWriter::operator()(const GiNaC::ex& expression) const {
+  struct Term {
+    bool negative;
+    std::string text;
+  };
+  std::vector<Term> terms;
+  for (const auto& [monomial, coefficient] : program::polynomial(expression, order_)) {
+    if (!coefficient.is_zero()) {
+      terms.push_back({coefficient.is_negative(), term(monomial, GiNaC::abs(coefficient))});
+    }
+  }
+  if (terms.empty()) {
+    return "0";
+  }
+  // A positive term first reads better than a sign in front.
+  const auto positive =
+      std::find_if(terms.begin(), terms.end(), [](const Term& each) { return !each.negative; });
+  if (positive != terms.end()) {
+    std::rotate(terms.begin(), positive, std::next(positive));
+  }
+  std::string text;
+  for (const Term& each : terms) {
+    text += text.empty() ? (each.negative ? "-" : "") : (each.negative ? " - " : " + ");
+    text += each.text;
+  }
+  return text;
+}
+
+}  // namespace assur::generator::document

@@ -1,0 +1,20 @@
+// Turns lists, counts and series of a derivation into phrases and formulas.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "document/derivation.hpp"
+
+namespace assur::generator::document {
+
+/// `1 loop`, `2 loops`.
+[[nodiscard]] std::string counted(std::size_t count, const std::string& what);
+/// `U = P1*C2 - P2*C1 = (U_0_re + i*U_0_im) + ...`.
+[[nodiscard]] std::string series_text(const DerivedSeries& series);
+/// The formula in brackets where it is a sum.
+[[nodiscard]] std::string bracketed(const std::string& formula);
+/// A clause with a capital letter and a full stop.
+[[nodiscard]] std::string sentence(std::string text);
+
+}  // namespace assur::generator::document

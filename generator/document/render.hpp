@@ -1,0 +1,17 @@
+// Renders a derivation: as an annotated audit file, as a LaTeX document, or as JSON.
+#pragma once
+
+#include <string>
+
+#include "document/derivation.hpp"
+
+namespace assur::generator::document {
+
+/// Text that is an audit file at once: names, closures and matrices are its statements, all else
+/// its comments.
+[[nodiscard]] std::string derivation_text(const Derivation& derivation);
+/// A complete LaTeX document.
+[[nodiscard]] std::string derivation_latex(const Derivation& derivation);
+[[nodiscard]] std::string derivation_json(const Derivation& derivation);
+
+}  // namespace assur::generator::document

@@ -1,0 +1,98 @@
+#include "emission/closures/emit_closures.hpp"
+
+#include <assur/text/error.hpp>
+#include <assur/text/identifiers.hpp>
+
+#include "closures/implicit_form.hpp"
+#include "derivatives/differentiate.hpp"
+#include "emission/model/model_view.hpp"
+
+namespace assur::generator::emission::closures {
+
+namespace {
+
+/// The words of the template that no type and no member of the user's may hide ...
+const std::vector<std::string> types = {"Scalar",     "Dimensions", "Inputs", "Configuration",
+                                        "Direction",  "Vector",     "Matrix", "ModelVariable",
+                                        "SolvedByLu", "members",    "std"};
+/// ... and those that no local variable of a function may hide.
+const std::vector<std::string> names_in_functions = {"q",
+                                                     "d",
+                                                     "u",
+                                                     "f",
+                                                     "J",
+                                                     "F_d",
+                                                     "F_u",
+                                                     "rhs",
+                                                     "q_rate",
+                                                     "q_second_rate",
+                                                     "u_rate",
+                                                     "u_second_rate",
+                                                     "u_third_rate",
+                                                     "d_rate",
+                                                     "abs",
+                                                     "sqrt",
+                                                     "constant",
+                                                     "rigid",
+                                                     "equation_count",
+                                                     "unknown_count",
+                                                     "dimension_count",
+                                                     "input_count",
+                                                     "unknowns",
+                                                     "dimensions",
+                                                     "inputs",
+                                                     "pivot_count",
+                                                     "core_pivot_count",
+                                                     "pivots"};
+
+equations::ImplicitEquations equations_of(const generator::closures::TypedClosures& closures) {
+  try {
+    return generator::closures::implicit_form(closures.system, types, names_in_functions);
+  } catch (const generator::closures::NotAlgebraic& error) {
+    throw text::InputError(closures.file + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+cpp::EmittedFile emit_closures(const generator::closures::TypedClosures& closures) {
+  const equations::ImplicitEquations equations = equations_of(closures);
+  const derivatives::ResidualDerivatives derivatives =
+      derivatives::differentiate_residuals(equations);
+  const model::ModelSpelling spelling(equations.unknowns, equations.dimensions, equations.inputs);
+  const program::SymbolOrder order = program::symbol_order(equations, equations.vocabulary);
+  const std::filesystem::path file = std::filesystem::path(closures.file).filename();
+
+  cpp::View view;
+  cpp::View::List functions;
+  bool has_roots = false;
+  for (const model::ModelFunction& function : model::residual_functions(equations, derivatives)) {
+    const program::Program program(order, equations.vocabulary.quantities(), function.results);
+    has_roots = has_roots || program.count().square_roots > 0;
+    functions.push_back(
+        model::function_view(function, program, spelling, model::ZeroResults::assigned));
+  }
+  std::vector<std::string> lines;
+  for (const std::string& line : closures.lines) {
+    lines.push_back(cpp::comment_text(line));
+  }
+  view.set("functions", functions);
+  view.set("has_roots", has_roots);
+  view.set("file", cpp::comment_text(file.string()));
+  view.set("source", closures.source.empty() ? "" : ": " + cpp::comment_text(closures.source));
+  view.set("lines", cpp::line_list(lines, ""));
+  view.set("struct",
+           text::member_names({text::struct_name(file.stem().string(), "Closures")}, types)[0]);
+  view.set("dimensions_doc", "Dimensions d: the parameters that are held.");
+  view.set("inputs_doc", "Inputs u: the parameters that move.");
+  view.set("equation_count", std::to_string(equations.residuals.size()));
+  view.set("rigid", cpp::boolean(equations.residuals.size() == equations.unknowns.size()));
+  model::show_variables(equations.unknowns, "unknown", view);
+  model::show_variables(equations.dimensions, "dimension", view);
+  model::show_variables(equations.inputs, "input", view);
+  return {std::filesystem::path("assur") / "closures" /
+              (text::c_identifier(file.stem().string()) + ".hpp"),
+          cpp::page("closures.hpp", view)};
+}
+
+}  // namespace assur::generator::emission::closures

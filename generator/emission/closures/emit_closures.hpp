@@ -1,0 +1,13 @@
+// Turns closures that a user typed into a C++ header, as emit_model does those of a model.
+#pragma once
+
+#include "closures/typed_closures.hpp"
+#include "emission/cpp/files.hpp"
+
+namespace assur::generator::emission::closures {
+
+/// The header of a user's own closures: `assur/closures/gear_five_bar.hpp`. Throws InputError,
+/// with the closure's name, for one that is no polynomial in sines, cosines and square roots.
+[[nodiscard]] cpp::EmittedFile emit_closures(const generator::closures::TypedClosures& closures);
+
+}  // namespace assur::generator::emission::closures

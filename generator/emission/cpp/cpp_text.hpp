@@ -1,0 +1,28 @@
+// Turns a straight-line program into lines of C++.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "program/program.hpp"
+
+namespace assur::generator::emission::cpp {
+
+/// How a symbol that a program reads is spelled in C++: `q.theta_BCG.cos`.
+using Spelling = std::function<std::string(const std::string& symbol)>;
+
+/// The shortest decimal number that reads back as the same double.
+[[nodiscard]] std::string round_trip(double value);
+
+/// The rational number that a double is.
+[[nodiscard]] GiNaC::numeric exact(double value);
+
+/// The program's statements, one a line.
+[[nodiscard]] std::vector<std::string> cpp_lines(const program::Program& program,
+                                                 const Spelling& spelling);
+
+/// The text with every line over 100 columns broken, code after commas and before operators.
+[[nodiscard]] std::string fitted_to_width(const std::string& text);
+
+}  // namespace assur::generator::emission::cpp

@@ -1,0 +1,23 @@
+// Turns emitted text into the files of a directory, or compares it with what is there.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace assur::generator::emission::cpp {
+
+/// A file to be: its path below the output directory, and its text.
+struct EmittedFile {
+  std::filesystem::path path;
+  std::string text;
+};
+
+/// Writes the files. Each is written beside its place and then moved there, so that none is ever
+/// half-written. Throws InputError if the directory cannot be written.
+void write_files(const std::vector<EmittedFile>& files, const std::filesystem::path& directory);
+/// The files that are missing or differ in `directory`.
+[[nodiscard]] std::vector<std::filesystem::path> differing_files(
+    const std::vector<EmittedFile>& files, const std::filesystem::path& directory);
+
+}  // namespace assur::generator::emission::cpp

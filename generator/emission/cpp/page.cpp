@@ -1,0 +1,95 @@
+#include "emission/cpp/page.hpp"
+
+#include <algorithm>
+#include <kainjow/mustache.hpp>
+#include <sstream>
+#include <string_view>
+
+#include "emission/cpp/cpp_text.hpp"
+#include "emission/cpp/templates.hpp"
+#include "error.hpp"
+
+namespace assur::generator::emission::cpp {
+
+namespace {
+
+namespace mustache = kainjow::mustache;
+
+/// Stands on blank lines until a template is filled in: a blank line behind a tag must not become
+/// a line of that tag alone.
+const std::string blank_line = "\x01";
+
+/// A template without the ends of lines that hold nothing but a tag. The library keeps these ends
+/// where a section is hidden, which leaves a blank line.
+std::string without_tag_lines(const std::string& text) {
+  std::istringstream in(text);
+  std::string page;
+  std::string line;
+  while (std::getline(in, line)) {
+    const bool tag = line.starts_with("{{") && line.find("}}") == line.size() - 2 &&
+                     std::string("#^/>").find(line[2]) != std::string::npos;
+    page += tag ? line : (line.empty() ? blank_line : line) + "\n";
+  }
+  return page;
+}
+
+mustache::data shown(const View& view) {
+  mustache::data data;
+  for (const auto& [name, value] : view.values()) {
+    if (const auto* text = std::get_if<std::string>(&value)) {
+      data.set(name, *text);
+    } else if (const auto* stands = std::get_if<bool>(&value)) {
+      data.set(name, *stands);
+    } else {
+      mustache::data list{mustache::data::type::list};
+      for (const View& entry : std::get<View::List>(value)) {
+        list << shown(entry);
+      }
+      data.set(name, list);
+    }
+  }
+  return data;
+}
+
+}  // namespace
+
+View::List line_list(const std::vector<std::string>& lines, const std::string& indentation) {
+  View::List list;
+  for (const std::string& line : lines) {
+    list.emplace_back("line", indentation + line);
+  }
+  return list;
+}
+
+std::string boolean(bool value) { return value ? "true" : "false"; }
+
+std::string comment_text(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  std::replace(text.begin(), text.end(), '\\', '/');
+  return text;
+}
+
+std::string page(const std::string& name, const View& view) {
+  mustache::data data = shown(view);
+  std::string page_text;
+  for (const auto& [file, text] : templates::all) {
+    const std::string part(file.substr(0, file.find('.')));
+    if (!view.values().contains(part)) {
+      data.set(part, mustache::partial([text = text] { return without_tag_lines(text); }));
+    }
+    if (file == name) {
+      page_text = without_tag_lines(text);
+    }
+  }
+  mustache::mustache page{page_text};
+  page.set_custom_escape([](const std::string& raw) { return raw; });
+  if (page_text.empty() || !page.is_valid()) {
+    throw GeneratorError("emission", "template " + name, page.error_message());
+  }
+  std::string result = page.render(data);
+  std::erase(result, blank_line.front());
+  return fitted_to_width(result);
+}
+
+}  // namespace assur::generator::emission::cpp

@@ -1,0 +1,172 @@
+#include <assur/text/names.hpp>
+#include <cctype>
+
+#include "derivatives/mobility.hpp"
+#include "emission/model/emit.hpp"
+#include "emission/model/model_view.hpp"
+#include "emission/model/solution_functions.hpp"
+#include "emission/model/special_point_functions.hpp"
+
+namespace assur::generator::emission::model {
+
+namespace {
+
+std::string padded(int number) { return (number < 10 ? "0" : "") + std::to_string(number); }
+std::string struct_name(const structure::Model& model) { return "Model" + padded(model.number); }
+std::string file_name(const structure::Model& model) {
+  return "model_" + padded(model.number) + ".hpp";
+}
+
+std::string capitalised(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+cpp::View::List joint_list(const structure::Model& model) {
+  cpp::View::List list;
+  for (int index = 0; index < model.group->joint_count(); ++index) {
+    const auto slot = static_cast<std::size_t>(index);
+    const structure::Joint& joint = model.group->joints()[slot];
+    cpp::View entry;
+    entry.set("name", std::string(1, joint.name));
+    entry.set("first", joint.external() ? std::string("base_link") : std::to_string(joint.first));
+    entry.set("second", std::to_string(joint.second));
+    entry.set("prismatic",
+              cpp::boolean(model.representative[slot] == structure::JointType::prismatic));
+    list.push_back(entry);
+  }
+  return list;
+}
+
+cpp::View::List kind_list(const structure::Model& model) {
+  cpp::View::List list;
+  for (const structure::Relabelling& member : model.members) {
+    cpp::View entry;
+    entry.set("kind", structure::spell(*model.group, member.kind));
+    entry.set("role_list",
+              text::joined(member.role, ", ", [](int joint) { return std::to_string(joint); }));
+    list.push_back(entry);
+  }
+  return list;
+}
+
+cpp::EmittedFile emit_model_list(const structure::Group& group) {
+  cpp::View view;
+  view.set("group", group.name());
+  cpp::View::List models;
+  bool first = true;
+  for (const structure::Model& model : structure::models_of(group)) {
+    cpp::View entry;
+    entry.set("file", file_name(model));
+    entry.set("struct", struct_name(model));
+    entry.set("separator", first ? "" : ", ");
+    models.push_back(entry);
+    first = false;
+  }
+  view.set("models", models);
+  return {std::filesystem::path("assur") / group.name() / "models.hpp",
+          cpp::page("models.hpp", view)};
+}
+
+}  // namespace
+
+cpp::EmittedFile emit_model(const structure::Model& model) {
+  const equations::ClosureEquations equations = equations::closure_equations(model);
+  const derivatives::Derivatives derivatives = derivatives::differentiate(equations);
+  const derivatives::Mobility mobility = derivatives::mobility_of(equations, derivatives.jacobian);
+  ModelSpelling spelling(equations.unknowns, equations.dimensions, equations.inputs);
+  SpecialPointFunctions special_functions;
+  special_points::SpecialPoints special{{}, false, "the group is no structure"};
+  if (mobility.rigid) {
+    special = special_points::special_points(equations, derivatives);
+  }
+  if (special.defined) {
+    special_functions = special_point_functions(equations, special);
+    for (const auto& [symbol, entry] : special_functions.symbols) {
+      spelling.take_out(symbol, entry);
+    }
+  }
+
+  cpp::View::List functions;
+  const auto add_functions = [&](const std::vector<ModelFunction>& list,
+                                 const equations::Vocabulary& vocabulary) {
+    program::SymbolOrder order = program::symbol_order(equations, vocabulary);
+    for (const auto& [symbol, entry] : special_functions.symbols) {
+      order.declare(symbol);
+    }
+    for (const ModelFunction& function : list) {
+      const program::Program program(order, vocabulary.quantities(), function.results);
+      functions.push_back(function_view(function, program, spelling));
+    }
+  };
+  add_functions(model_functions(equations, derivatives), equations.vocabulary);
+  add_functions(special_functions.functions, equations.vocabulary);
+
+  cpp::View view;
+  view.set("general", true);
+  view.set("dimensions_doc", "Link dimensions d.");
+  view.set("inputs_doc", "Inputs u: where the base holds the external joints.");
+  view.set("group", model.group->name());
+  view.set("title", capitalised(model.title()));
+  view.set("struct", struct_name(model));
+  view.set("number", std::to_string(model.number));
+  view.set("kinds", text::joined(model.members, ", ", [&](const structure::Relabelling& member) {
+             return structure::spell(*model.group, member.kind);
+           }));
+  view.set("verdict", mobility.rigid ? "rigid"
+                                     : "degenerate, mobility " + std::to_string(mobility.freedom) +
+                                           " where it can be assembled");
+  view.set("reason", mobility.reason);
+  view.set("rigid", cpp::boolean(mobility.rigid));
+  view.set("mobility", std::to_string(mobility.freedom));
+  std::vector<std::string> closure = closure_lines(equations);
+  view.set("frames", link_list(equations));
+  view.set("special_points", cpp::line_list(special_point_lines(equations, special), ""));
+  view.set("closure_link_list", text::joined(special_points::closure_links(*model.group), ", ",
+                                             [](int link) { return std::to_string(link); }));
+  view.set("has_special_points", cpp::boolean(special.defined));
+  view.set("has_positions", mobility.rigid);
+  if (mobility.rigid) {
+    const pivoting::StructuredJacobian structured(equations);
+    for (const NamingFunction& naming : solution_functions(structured)) {
+      add_functions({naming.function}, naming.vocabulary);
+    }
+    elimination::Elimination elimination = elimination::eliminate(equations);
+    const std::vector<ModelFunction> list = position_functions(equations, elimination);
+    add_functions(list, elimination.vocabulary);
+    show_solution(structured, equations, elimination, view);
+    const std::vector<std::string> steps = elimination_steps(elimination);
+    closure.insert(closure.end(), steps.begin(), steps.end());
+  }
+  view.set("closure", cpp::line_list(closure, ""));
+  view.set("functions", functions);
+  const auto count = [&view](const std::string& name, std::size_t size) {
+    view.set(name, std::to_string(size));
+  };
+  count("link_count", equations.poses.size());
+  count("joint_count", model.group->joints().size());
+  count("equation_count", 2 * equations.loops.size());
+  count("compatibility_count", equations.compatibility.size());
+  count("closure_link_count", special_points::closure_links(*model.group).size());
+  count("kind_count", model.members.size());
+  show_variables(equations.unknowns, "unknown", view, equations.owners);
+  show_variables(equations.dimensions, "dimension", view);
+  show_variables(equations.inputs, "input", view);
+  view.set("joints", joint_list(model));
+  view.set("kind_roles", kind_list(model));
+  return {std::filesystem::path("assur") / model.group->name() / file_name(model),
+          cpp::page("model.hpp", view)};
+}
+
+std::vector<cpp::EmittedFile> emit_all() {
+  std::vector<cpp::EmittedFile> files;
+  for (const structure::Group& group : structure::known_groups()) {
+    for (const structure::Model& model : structure::models_of(group)) {
+      files.push_back(emit_model(model));
+    }
+    files.push_back(emit_model_list(group));
+  }
+  return files;
+}
+
+}  // namespace assur::generator::emission::model

@@ -1,0 +1,42 @@
+// Turns a model's equations and derivatives into the list of functions that its header holds.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "derivatives/differentiate.hpp"
+#include "elimination/eliminate.hpp"
+#include "program/program.hpp"
+
+namespace assur::generator::emission::model {
+
+/// A parameter of an emitted function; it stays unnamed in C++ where the body does not use it.
+struct Parameter {
+  std::string type;
+  std::string name;
+};
+
+/// One function to emit: results are assigned to the `outputs`, which are cleared first where most
+/// of their entries are zero.
+struct ModelFunction {
+  std::string name;
+  std::vector<std::string> doc;
+  std::vector<Parameter> inputs;
+  std::vector<Parameter> outputs;
+  std::vector<program::Result> results;
+};
+
+/// Residual, Jacobians and right-hand sides.
+[[nodiscard]] std::vector<ModelFunction> residual_functions(
+    const equations::ImplicitEquations& equations,
+    const derivatives::ResidualDerivatives& derivatives);
+/// The same, and the poses of the links with their derivatives.
+[[nodiscard]] std::vector<ModelFunction> model_functions(
+    const equations::ClosureEquations& equations, const derivatives::Derivatives& derivatives);
+
+/// The functions of a rigid model's position analysis; they use the elimination's vocabulary, to
+/// which reciprocals are added.
+[[nodiscard]] std::vector<ModelFunction> position_functions(
+    const equations::ClosureEquations& equations, elimination::Elimination& elimination);
+
+}  // namespace assur::generator::emission::model

@@ -1,0 +1,211 @@
+#include "emission/model/model_view.hpp"
+
+#include <algorithm>
+#include <assur/text/names.hpp>
+#include <set>
+
+#include "emission/cpp/cpp_text.hpp"
+
+namespace assur::generator::emission::model {
+
+namespace {
+
+/// Outputs most of whose entries are zero are cleared before the others are assigned.
+bool mostly_zero(const ModelFunction& function, const Parameter& output) {
+  const std::string entries = output.name + "(";
+  return std::any_of(function.results.begin(), function.results.end(),
+                     [&](const program::Result& result) {
+                       return result.target.starts_with(entries) && result.value.is_zero();
+                     });
+}
+
+cpp::View::List pivot_list(const pivoting::StructuredJacobian& jacobian) {
+  cpp::View::List list;
+  for (const pivoting::Pivot& pivot : jacobian.pivots()) {
+    list.emplace_back("meaning", pivot.degeneracy);
+  }
+  return list;
+}
+
+cpp::View::List variable_list(const std::deque<equations::Variable>& variables,
+                              const std::vector<int>& owners) {
+  cpp::View::List list;
+  for (std::size_t index = 0; index < variables.size(); ++index) {
+    const equations::Variable& variable = variables[index];
+    cpp::View entry;
+    if (!owners.empty()) {
+      entry.set("owner", std::to_string(owners[index]));
+    }
+    entry.set("type", variable.is_angle() ? "Direction<Scalar>" : "Scalar");
+    entry.set("name", variable.name);
+    entry.set("meaning", cpp::comment_text(variable.meaning));
+    entry.set("is_angle", cpp::boolean(variable.is_angle()));
+    list.push_back(entry);
+  }
+  return list;
+}
+
+std::string names_of(const std::deque<equations::Variable>& variables) {
+  return text::joined(variables, ", ",
+                      [](const equations::Variable& variable) { return variable.name; });
+}
+
+}  // namespace
+
+void ModelSpelling::add(const std::deque<equations::Variable>& variables,
+                        const std::string& argument) {
+  for (std::size_t index = 0; index < variables.size(); ++index) {
+    const equations::Variable& variable = variables[index];
+    const std::string member = argument + "." + variable.name;
+    members_[variable.value.get_name()] = member;
+    members_[variable.size.get_name()] = "abs(" + member + ")";
+    members_[variable.cosine.get_name()] = member + ".cos";
+    members_[variable.sine.get_name()] = member + ".sin";
+    const std::string place = "(" + std::to_string(index) + ")";
+    rates_[variable.rate.get_name()] = argument + "_rate" + place;
+    rates_[variable.second_rate.get_name()] = argument + "_second_rate" + place;
+    rates_[variable.third_rate.get_name()] = argument + "_third_rate" + place;
+  }
+}
+
+void show_variables(const std::deque<equations::Variable>& variables, const std::string& kind,
+                    cpp::View& view, const std::vector<int>& owners) {
+  view.set(kind + "s", variable_list(variables, owners));
+  view.set(kind + "_names", names_of(variables));
+  view.set(kind + "_count", std::to_string(variables.size()));
+}
+
+cpp::View::List link_list(const equations::ClosureEquations& equations) {
+  const structure::Group& group = *equations.model->group;
+  cpp::View::List list;
+  for (int link = 0; link < group.link_count(); ++link) {
+    const auto slot = static_cast<std::size_t>(link);
+    std::vector<int> joints = group.joints_of(link);
+    joints.resize(3, -1);
+    cpp::View entry;
+    entry.set("link", group.links()[slot]);
+    entry.set("text",
+              equations.frames[slot].description + ", angle " + equations.poses[slot].angle.text());
+    entry.set("joint_list",
+              text::joined(joints, ", ", [](int joint) { return std::to_string(joint); }));
+    list.push_back(entry);
+  }
+  return list;
+}
+
+cpp::View function_view(const ModelFunction& function, const program::Program& program,
+                        const ModelSpelling& spelling, ZeroResults zeros) {
+  const auto spell = [&](const std::string& symbol) { return spelling.spell(symbol); };
+  std::vector<std::string> body;
+  std::set<std::string> used;
+  bool sizes = false;
+  for (const std::string& symbol : program.reads()) {
+    const std::string alias = spelling.taken_out(symbol);
+    const std::string source = alias.empty() ? spell(symbol) : alias.substr(alias.find('=') + 2);
+    const bool size = source.starts_with("abs(");
+    const std::size_t start = size ? source.find('(') + 1 : 0;
+    used.insert(source.substr(start, source.find_first_of(".(", start) - start));
+    sizes = sizes || size;
+    if (!alias.empty()) {
+      body.push_back(alias);
+    }
+  }
+  const program::OperationCount count = program.count();
+  if (sizes) {
+    body.insert(body.begin(), "using std::abs;");
+  }
+  if (count.square_roots > 0) {
+    body.insert(body.begin(), "using std::sqrt;");
+  }
+  for (const Parameter& output : function.outputs) {
+    if (mostly_zero(function, output)) {
+      body.push_back(output.name + ".setZero();");
+    }
+  }
+  if (zeros == ZeroResults::assigned) {
+    for (const program::Result& result : function.results) {
+      if (result.value.is_zero() && result.target.find('(') == std::string::npos) {
+        body.push_back(result.target + " = Scalar(0);");
+      }
+    }
+  }
+  const std::vector<std::string> lines = cpp::cpp_lines(program, spell);
+  body.insert(body.end(), lines.begin(), lines.end());
+
+  const auto input_text = [&](const Parameter& parameter) {
+    return parameter.type + (used.contains(parameter.name) ? " " + parameter.name : "");
+  };
+  const auto output_text = [&](const Parameter& parameter) {
+    const bool assigned = zeros == ZeroResults::left_out ||
+                          std::any_of(function.results.begin(), function.results.end(),
+                                      [&](const program::Result& result) {
+                                        return result.target.starts_with(parameter.name);
+                                      });
+    return parameter.type + (assigned ? " " + parameter.name : "");
+  };
+  cpp::View view;
+  view.set("name", function.name);
+  view.set("doc", cpp::line_list(function.doc, ""));
+  view.set("parameters", text::joined(function.inputs, ", ", input_text) + ", " +
+                             text::joined(function.outputs, ", ", output_text));
+  view.set("body", cpp::line_list(body, "    "));
+  view.set("padded_name", function.name + ":" + std::string(28 - function.name.size(), ' '));
+  view.set("multiplications", std::to_string(count.multiplications));
+  view.set("additions", std::to_string(count.additions));
+  view.set("divisions", std::to_string(count.divisions));
+  view.set("square_roots", std::to_string(count.square_roots));
+  return view;
+}
+
+std::vector<std::string> closure_lines(const equations::ClosureEquations& equations) {
+  std::vector<std::string> lines;
+  for (const equations::LoopClosure& loop : equations.loops) {
+    lines.push_back(loop.name + ":  " + loop.equation);
+  }
+  for (const equations::AngleSum& sum : equations.compatibility) {
+    lines.push_back("angles that prismatic joints alone close:  " + sum.text() + " = 0");
+  }
+  return lines;
+}
+
+std::vector<std::string> elimination_steps(const elimination::Elimination& elimination) {
+  std::vector<std::string> steps;
+  for (const elimination::RecordedStep& step : elimination.record) {
+    if (!step.eliminated.empty()) {
+      steps.push_back(step.title);
+    }
+  }
+  const std::string first = elimination.first->name;
+  const std::string degree = std::to_string(elimination.degree);
+  steps.push_back(elimination.first->is_angle()
+                      ? "trigonometric polynomial of degree " + degree + " in " + first
+                      : "polynomial of degree " + degree + " in " + first);
+  steps.push_back("at most " + std::to_string(elimination.max_configurations) +
+                  (elimination.max_configurations == 1 ? " configuration" : " configurations"));
+  return steps;
+}
+
+void show_solution(const pivoting::StructuredJacobian& structured,
+                   const equations::ClosureEquations& equations,
+                   const elimination::Elimination& elimination, cpp::View& view) {
+  view.set("pivots", pivot_list(structured));
+  view.set("pivot_count", std::to_string(structured.pivots().size()));
+  view.set("core_pivot_count", std::to_string(structured.core_pivot_count()));
+  view.set("determinant_sign", std::to_string(structured.sign()));
+  const auto index_of = [&](const equations::Variable* unknown) {
+    int index = 0;
+    for (const equations::Variable& candidate : equations.unknowns) {
+      if (&candidate == unknown) {
+        return index;
+      }
+      ++index;
+    }
+    return -1;
+  };
+  view.set("max_configurations", std::to_string(elimination.max_configurations));
+  view.set("polynomial_degree", std::to_string(elimination.degree));
+  view.set("first_unknown", std::to_string(index_of(elimination.first)));
+  view.set("second_unknown", std::to_string(index_of(elimination.second)));
+}
+
+}  // namespace assur::generator::emission::model

@@ -1,0 +1,76 @@
+// Turns the parts of a model into the views that the templates show.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "elimination/eliminate.hpp"
+#include "emission/cpp/page.hpp"
+#include "emission/model/model_functions.hpp"
+#include "pivoting/structured_jacobian.hpp"
+
+namespace assur::generator::emission::model {
+
+/// C++ spellings of the symbols that a model's programs read. Rates keep their own names: the
+/// function's first lines take them out of the vectors.
+class ModelSpelling {
+ public:
+  /// The inputs are those that the vectors of their rates hold.
+  ModelSpelling(const std::deque<equations::Variable>& unknowns,
+                const std::deque<equations::Variable>& dimensions,
+                const std::deque<equations::Variable>& inputs) {
+    add(unknowns, "q");
+    add(dimensions, "d");
+    add(inputs, "u");
+  }
+
+  /// A symbol that is an entry of a parameter and is taken out of it, as rates are.
+  void take_out(const GiNaC::symbol& symbol, const std::string& entry) {
+    rates_[symbol.get_name()] = entry;
+  }
+
+  [[nodiscard]] std::string spell(const std::string& symbol) const {
+    const auto found = members_.find(symbol);
+    return found == members_.end() ? symbol : found->second;
+  }
+  /// `const Scalar omega_BCG = q_rate(0);`, or nothing for a symbol that is no entry.
+  [[nodiscard]] std::string taken_out(const std::string& symbol) const {
+    const auto found = rates_.find(symbol);
+    return found == rates_.end() ? "" : "const Scalar " + symbol + " = " + found->second + ";";
+  }
+
+ private:
+  void add(const std::deque<equations::Variable>& variables, const std::string& argument);
+
+  std::map<std::string, std::string> members_;
+  std::map<std::string, std::string> rates_;
+};
+
+/// What is said of the unknowns, dimensions or inputs: `<kind>s` is the list of name, type and
+/// meaning and, for unknowns, owner; `<kind>_names` the names, `<kind>_count` their number.
+void show_variables(const std::deque<equations::Variable>& variables, const std::string& kind,
+                    cpp::View& view, const std::vector<int>& owners = {});
+/// The links with their joints and frames.
+[[nodiscard]] cpp::View::List link_list(const equations::ClosureEquations& equations);
+/// Whether results that are zero, of outputs that are not cleared, are assigned or left out: the
+/// numbers of a mechanism may make zero what the reader of a general model knows to be none.
+enum class ZeroResults : unsigned char { left_out, assigned };
+
+[[nodiscard]] cpp::View function_view(const ModelFunction& function,
+                                      const program::Program& program,
+                                      const ModelSpelling& spelling,
+                                      ZeroResults zeros = ZeroResults::left_out);
+/// The vector equations, and what the angles must satisfy beside them, a line each.
+[[nodiscard]] std::vector<std::string> closure_lines(const equations::ClosureEquations& equations);
+/// How the closed form comes about, a line a step.
+[[nodiscard]] std::vector<std::string> elimination_steps(
+    const elimination::Elimination& elimination);
+
+/// What the runtime reads of a rigid model: its pivots and its closed form.
+void show_solution(const pivoting::StructuredJacobian& structured,
+                   const equations::ClosureEquations& equations,
+                   const elimination::Elimination& elimination, cpp::View& view);
+
+}  // namespace assur::generator::emission::model

@@ -1,0 +1,152 @@
+#include "emission/scene/group_numbers.hpp"
+
+#include <algorithm>
+#include <assur/directions.hpp>
+#include <assur/text/names.hpp>
+#include <cmath>
+
+#include "emission/cpp/page.hpp"
+
+namespace assur::generator::emission::scene {
+
+namespace {
+
+/// The power of two below the longest length of a group: of its dimensions, of the arms of the
+/// moving links that hold it, and between the joints that the ground holds.
+double unit_of(const SolverScene& solver, mechanism::GroupIndex group) {
+  double longest = 0;
+  for (const auto& value : solver.values.group(group).dimensions()) {
+    longest = std::max(longest, std::abs(value.length.value()));
+  }
+  std::optional<LinkFeature<mechanism::Dual>> first;
+  for (const ExternalJoint& held : external_joints(solver, group)) {
+    const LinkFeature<mechanism::Dual> feature = held.feature(solver);
+    const bool fixed = solver.is_ground(held.base);
+    if (fixed && !first) {
+      first = feature;
+    }
+    const double x = feature.x.value() - (fixed ? first->x.value() : 0);
+    const double y = feature.y.value() - (fixed ? first->y.value() : 0);
+    longest = std::max({longest, std::abs(x), std::abs(y)});
+  }
+  return longest > 0 ? std::ldexp(1.0, std::ilogb(longest)) : 1;
+}
+
+DimensionValue<double> in_unit(const DimensionValue<mechanism::Dual>& value, double unit) {
+  return {value.is_angle,
+          value.length.value() / unit,
+          {value.angle.cos.value(), value.angle.sin.value()}};
+}
+
+/// Collects values in the group's unit, each with a row of derivatives to the parameters.
+class NumberList {
+ public:
+  NumberList(const ModelledParameters& parameters, double unit)
+      : parameters_(parameters), unit_(unit), gradient_(0, parameters.count()) {}
+
+  void add(const DimensionValue<mechanism::Dual>& value) {
+    values_.emplace_back(in_unit(value, unit_));
+    add_row(value.is_angle ? parameters_.gradient(angle_of(value.angle))
+                           : parameters_.gradient(value.length) / unit_);
+  }
+  /// What moves is no number, and has no derivatives of its own.
+  void add_moving() {
+    values_.emplace_back(std::nullopt);
+    add_row(Eigen::VectorXd::Zero(parameters_.count()));
+  }
+
+  [[nodiscard]] const std::vector<std::optional<DimensionValue<double>>>& values() const {
+    return values_;
+  }
+  [[nodiscard]] const Eigen::MatrixXd& gradient() const { return gradient_; }
+
+ private:
+  void add_row(const Eigen::VectorXd& row) {
+    gradient_.conservativeResize(gradient_.rows() + 1, Eigen::NoChange);
+    gradient_.row(gradient_.rows() - 1) = row.transpose();
+  }
+
+  const ModelledParameters& parameters_;
+  double unit_;
+  std::vector<std::optional<DimensionValue<double>>> values_;
+  Eigen::MatrixXd gradient_;
+};
+
+std::string names_of(const SolverScene& solver, mechanism::GroupIndex group) {
+  return text::listed(solver.plan.structure().names_of(solver.group(group).links));
+}
+
+}  // namespace
+
+const mechanism::GroupGeometry& normal_group(const SolverScene& solver,
+                                             mechanism::GroupIndex group) {
+  const std::string part = "links: " + names_of(solver, group);
+  if (!solver.group(group).model->rigid) {
+    throw mechanism::MechanismError(
+        part, "the group is degenerate, prismatic joints over-determine its angles, so it has no "
+              "solver");
+  }
+  const mechanism::GroupGeometry& geometry = solver.values.group(group);
+  if (geometry.roles == nullptr) {
+    throw mechanism::MechanismError(part, "the group is degenerate: " + geometry.obstacle);
+  }
+  return geometry;
+}
+
+std::vector<ExternalJoint> external_joints(const SolverScene& solver,
+                                           mechanism::GroupIndex group) {
+  std::vector<ExternalJoint> list;
+  const mechanism::RoleAssignment& roles = *solver.values.group(group).roles;
+  int joint = 0;
+  for (const ModelJoint& wanted : solver.group(group).model->group->joints) {
+    if (wanted.first == base_link) {
+      const mechanism::ElementaryJoint& at = solver.played_joint(group, joint);
+      list.push_back({&at, at.other(roles.links[static_cast<std::size_t>(wanted.second)])});
+    }
+    ++joint;
+  }
+  return list;
+}
+
+GroupNumbers group_numbers(const SolverScene& solver, mechanism::GroupIndex group) {
+  const double unit = unit_of(solver, group);
+  std::vector<DimensionValue<double>> dimensions;
+  NumberList of_dimensions(solver.parameters, unit);
+  for (const DimensionValue<mechanism::Dual>& value : normal_group(solver, group).dimensions()) {
+    dimensions.push_back(in_unit(value, unit));
+    of_dimensions.add(value);
+  }
+  NumberList of_inputs(solver.parameters, unit);
+  for (const ExternalJoint& held : external_joints(solver, group)) {
+    const LinkFeature<mechanism::Dual> feature = held.feature(solver);
+    std::vector<DimensionValue<mechanism::Dual>> values = {{false, feature.x, {}},
+                                                           {false, feature.y, {}}};
+    if (held.joint->prismatic) {
+      values.push_back({true, mechanism::Dual(0), feature.along});
+    }
+    for (const DimensionValue<mechanism::Dual>& value : values) {
+      if (solver.is_ground(held.base)) {
+        of_inputs.add(value);
+      } else {
+        of_inputs.add_moving();
+      }
+    }
+  }
+  return {&derived_model(solver.group(group)), unit, solver.derivative_order, dimensions,
+          of_dimensions.gradient(), of_inputs.values(), of_inputs.gradient()};
+}
+
+SpecialisedGroup specialised_group_of(const SolverScene& solver, mechanism::GroupIndex group) {
+  const std::string number = std::to_string(group.place() + 1);
+  const std::string title = "Group " + number + ", links " +
+                            cpp::comment_text(names_of(solver, group)) + ", " +
+                            derived_model(solver.group(group)).title();
+  const GroupNumbers numbers = group_numbers(solver, group);
+  try {
+    return specialised_group(numbers, solver.structure + "Group" + number, title);
+  } catch (const text::InputError& error) {
+    throw mechanism::MechanismError("links: " + names_of(solver, group), error.what());
+  }
+}
+
+}  // namespace assur::generator::emission::scene

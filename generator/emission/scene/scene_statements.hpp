@@ -1,0 +1,29 @@
+// Turns the steps that place a scene's links into the statements of its solver.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "emission/scene/solver_scene.hpp"
+
+namespace assur::generator::emission::scene {
+
+/// Statements that place links, and the members of the slides that they place.
+struct PlacingStatements {
+  std::vector<std::string> lines;
+  std::vector<std::string> slides;
+};
+
+/// Places the driven links.
+[[nodiscard]] PlacingStatements driving_statements(const SolverScene& solver);
+/// Holds a group's external joints where moving links have them.
+[[nodiscard]] std::vector<std::string> holding_statements(const SolverScene& solver,
+                                                          mechanism::GroupIndex group);
+/// Places the links and slides of a group in one of its configurations.
+[[nodiscard]] PlacingStatements placing_statements(const SolverScene& solver,
+                                                   mechanism::GroupIndex group);
+/// Fills a state from what is placed.
+[[nodiscard]] std::vector<std::string> listing_statements(const SolverScene& solver,
+                                                          const std::vector<std::string>& slides);
+
+}  // namespace assur::generator::emission::scene

@@ -1,0 +1,88 @@
+#include "emission/scene/solver_scene.hpp"
+
+#include <algorithm>
+#include <assur/text/identifiers.hpp>
+#include <filesystem>
+
+namespace assur::generator::emission::scene {
+
+namespace {
+
+/// Those that have a tolerance, all if none has, and none if no sensitivity is wanted.
+ModelledParameters modelled_parameters(const mechanism::Plan& plan,
+                                       const mechanism::Values& values) {
+  const auto& parameters = plan.mechanism().parameters();
+  const bool any =
+      std::any_of(parameters.begin(), parameters.end(),
+                  [](const mechanism::Parameter& one) { return one.tolerance.exists(); });
+  std::vector<Eigen::Index> columns;
+  std::vector<std::string> names;
+  Eigen::Index column = 0;
+  for (const mechanism::ParameterIndex index : values.columns()) {
+    const mechanism::Parameter& parameter = parameters[index];
+    if (plan.request().want.sensitivity && (parameter.tolerance.exists() || !any)) {
+      columns.push_back(column);
+      names.push_back(parameter.name);
+    }
+    ++column;
+  }
+  return {columns, names};
+}
+
+/// Members for the items of a table, by their names.
+template <typename Key>
+mechanism::Table<Key, std::string> members_of(const std::vector<std::string>& names,
+                                              const std::vector<std::string>& taken) {
+  mechanism::Table<Key, std::string> members;
+  for (const std::string& member : text::member_names(names, taken)) {
+    members.add(member);
+  }
+  return members;
+}
+
+SceneMembers scene_members(const mechanism::Mechanism& described) {
+  SceneMembers members;
+  members.joints = members_of<mechanism::JointIndex>(names_of(described.joints()), {});
+  // In what is placed so far, slides and other things stand among the links.
+  std::vector<std::string> taken = {"order", "regularity", "residual", "displaced"};
+  for (const std::string& member : members.joints) {
+    taken.push_back("slide_" + member);
+  }
+  members.links = members_of<mechanism::LinkIndex>(names_of(described.links()), taken);
+  std::vector<std::string> driven;
+  for (const mechanism::Driver& driver : described.drivers()) {
+    driven.push_back(described.joints()[driver.joint].name);
+  }
+  members.drivers = members_of<mechanism::DriverIndex>(driven, {});
+  members.outputs = members_of<mechanism::OutputIndex>(names_of(described.outputs()), {});
+  return members;
+}
+
+int order_of(const mechanism::Want& want) { return want.acceleration ? 2 : want.velocity ? 1 : 0; }
+
+}  // namespace
+
+SolverScene::SolverScene(const mechanism::Scene& described)
+    : plan(described),
+      values(plan.values()),
+      parameters(modelled_parameters(plan, values)),
+      members(scene_members(described.mechanism)),
+      derivative_order(order_of(described.request.want)),
+      file(std::filesystem::path(described.file).filename().string()),
+      structure(text::struct_name(std::filesystem::path(described.file).stem().string())) {}
+
+const mechanism::ElementaryJoint& SolverScene::played_joint(mechanism::GroupIndex group,
+                                                            int joint) const {
+  const mechanism::RoleAssignment& roles = *values.group(group).roles;
+  return this->joint(roles.joints[static_cast<std::size_t>(joint)]);
+}
+
+const structure::Model& derived_model(const mechanism::FoundGroup& group) {
+  const std::vector<structure::Model>& models =
+      structure::models_of(structure::group_named(group.model->group->name));
+  return *std::find_if(models.begin(), models.end(), [&](const structure::Model& model) {
+    return model.number == group.model->number;
+  });
+}
+
+}  // namespace assur::generator::emission::scene

@@ -1,0 +1,68 @@
+// Turns a scene into what the text of its solver is made from: values, order and names.
+#pragma once
+
+#include <assur/mechanism/plan.hpp>
+#include <string>
+#include <vector>
+
+#include "emission/scene/scene_lines.hpp"
+#include "structure/kind.hpp"
+
+namespace assur::generator::emission::scene {
+
+/// The members that stand for what the scene names.
+struct SceneMembers {
+  mechanism::Table<mechanism::LinkIndex, std::string> links;
+  mechanism::Table<mechanism::JointIndex, std::string> joints;
+  mechanism::Table<mechanism::DriverIndex, std::string> drivers;
+  mechanism::Table<mechanism::OutputIndex, std::string> outputs;
+};
+
+/// A scene as its solver sees it.
+struct SolverScene {
+  /// Throws MechanismError for a scene that cannot be taken apart into known groups.
+  explicit SolverScene(const mechanism::Scene& described);
+
+  mechanism::Plan plan;
+  mechanism::Values values;
+  ModelledParameters parameters;
+  SceneMembers members;
+  int derivative_order;   ///< of the time derivatives that are wanted: 0, 1 or 2
+  std::string file;       ///< without directories
+  std::string structure;  ///< the name of the solver's struct
+
+  [[nodiscard]] const mechanism::Mechanism& mechanism() const { return plan.mechanism(); }
+  [[nodiscard]] const mechanism::Linkage& linkage() const { return plan.structure().linkage; }
+  [[nodiscard]] const mechanism::FoundGroup& group(mechanism::GroupIndex index) const {
+    return plan.structure().groups[index];
+  }
+  [[nodiscard]] const mechanism::ElementaryJoint& joint(
+      mechanism::ElementaryJointIndex index) const {
+    return linkage().joints[index];
+  }
+  /// The joint that plays a joint of a group.
+  [[nodiscard]] const mechanism::ElementaryJoint& played_joint(mechanism::GroupIndex group,
+                                                               int joint) const;
+  [[nodiscard]] const std::string& link_name(mechanism::LinkIndex link) const {
+    return linkage().links[link];
+  }
+  [[nodiscard]] bool is_ground(mechanism::LinkIndex link) const {
+    return link == linkage().ground;
+  }
+  /// Whether the scene lists the link; the block of a pin in a slot it does not.
+  [[nodiscard]] bool lists(mechanism::LinkIndex link) const {
+    return link.place() < mechanism().links().size();
+  }
+  /// `placed.crank`, or nothing for the ground, which is the frame of all.
+  [[nodiscard]] std::string placed(mechanism::LinkIndex link) const {
+    return is_ground(link) ? "" : "placed." + members.links[link];
+  }
+  [[nodiscard]] const std::string& slide_member(const mechanism::ElementaryJoint& at) const {
+    return members.joints[at.joint];
+  }
+};
+
+/// The model of a group as the generator derives it.
+[[nodiscard]] const structure::Model& derived_model(const mechanism::FoundGroup& group);
+
+}  // namespace assur::generator::emission::scene

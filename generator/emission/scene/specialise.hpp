@@ -1,0 +1,24 @@
+// Turns named quantities and results into those of one mechanism: numbers in place of symbols.
+#pragma once
+
+#include <vector>
+
+#include "program/program.hpp"
+
+namespace assur::generator::emission::scene {
+
+/// What a `Program` is made of.
+struct NamedResults {
+  std::vector<equations::NamedQuantity> quantities;
+  std::vector<program::Result> results;
+};
+
+/// Puts `values` in place of symbols, in the definitions of the quantities and in the results, and
+/// folds exactly. A quantity that becomes a number, or a symbol up to its sign, is put in place of
+/// its name. This is the last step before common subexpressions: in elimination, the two rounded
+/// parts of a direction would not satisfy cos^2 + sin^2 = 1. Throws InputError where a reciprocal
+/// is of zero.
+[[nodiscard]] NamedResults specialised(const std::vector<equations::NamedQuantity>& quantities,
+                                       const std::vector<program::Result>& results, GiNaC::exmap values);
+
+}  // namespace assur::generator::emission::scene

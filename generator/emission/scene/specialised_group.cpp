@@ -1,0 +1,231 @@
+#include "emission/scene/specialised_group.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "emission/cpp/cpp_text.hpp"
+#include "emission/model/model_view.hpp"
+#include "emission/model/solution_functions.hpp"
+#include "emission/scene/specialise.hpp"
+#include <assur/text/error.hpp>
+
+namespace assur::generator::emission::scene {
+
+namespace {
+
+class GroupSpecialiser {
+ public:
+  explicit GroupSpecialiser(const GroupNumbers& numbers)
+      : numbers_(numbers),
+        equations_(equations::closure_equations(*numbers.model)),
+        derivatives_(derivatives::differentiate(equations_)),
+        structured_(equations_),
+        elimination_(elimination::eliminate(equations_)) {
+    collect_values();
+  }
+
+  SpecialisedGroup run(const std::string& struct_name, const std::string& title) {
+    const model::ModelSpelling spelling(equations_.unknowns, equations_.dimensions, moving_inputs_);
+    SpecialisedGroup result;
+    cpp::View::List functions;
+    const auto add = [&](const model::ModelFunction& function, const equations::Vocabulary& vocabulary) {
+      const NamedResults special = specialised(vocabulary.quantities(), function.results, values_);
+      model::ModelFunction folded = function;
+      folded.results = special.results;
+      expect_positions(folded);
+      const program::SymbolOrder order = program::symbol_order(equations_, vocabulary);
+      const program::Program program(order, special.quantities, special.results);
+      functions.push_back(model::function_view(folded, program, spelling, model::ZeroResults::assigned));
+      result.operations += program.count();
+    };
+    for (const model::ModelFunction& function : model::model_functions(equations_, derivatives_)) {
+      if (is_wanted(function.name)) {
+        add(function, equations_.vocabulary);
+      }
+    }
+    if (parameter_count() > 0) {
+      for (const model::ModelFunction& function : sensitivity_functions()) {
+        add(function, equations_.vocabulary);
+      }
+    }
+    for (const model::NamingFunction& naming : model::solution_functions(structured_)) {
+      if (is_wanted(naming.function.name)) {
+        add(naming.function, naming.vocabulary);
+      }
+    }
+    const std::vector<model::ModelFunction> positions = model::position_functions(equations_, elimination_);
+    for (const model::ModelFunction& function : positions) {
+      add(function, elimination_.vocabulary);
+    }
+    result.view = view(struct_name, title);
+    result.view.set("functions", functions);
+    result.max_configurations = elimination_.max_configurations;
+    return result;
+  }
+
+ private:
+  [[nodiscard]] Eigen::Index parameter_count() const { return numbers_.dimension_gradient.cols(); }
+
+  void put(const equations::Variable& variable, const DimensionValue<double>& value) {
+    values_[variable.cosine] = cpp::exact(value.angle.cos);
+    values_[variable.sine] = cpp::exact(value.angle.sin);
+    values_[variable.value] = cpp::exact(value.length);
+    values_[variable.size] = cpp::exact(std::abs(value.length));
+    values_[variable.rate] = 0;
+    values_[variable.second_rate] = 0;
+  }
+
+  void collect_values() {
+    for (std::size_t index = 0; index < equations_.dimensions.size(); ++index) {
+      put(equations_.dimensions[index], numbers_.dimensions[index]);
+    }
+    for (std::size_t index = 0; index < equations_.inputs.size(); ++index) {
+      if (numbers_.inputs[index]) {
+        put(equations_.inputs[index], *numbers_.inputs[index]);
+      } else {
+        moving_inputs_.push_back(equations_.inputs[index]);
+      }
+    }
+  }
+
+  /// What `assemblies` and `place_group` call; what only the wanted derivatives need.
+  [[nodiscard]] bool is_wanted(const std::string& function) const {
+    const auto any_of = [&](const std::vector<std::string>& names) {
+      return std::find(names.begin(), names.end(), function) != names.end();
+    };
+    return any_of({"residual", "jacobian", "link_poses", "degeneracies", "inverse_jacobian"}) ||
+           (numbers_.order == 1 && function == "velocity") ||
+           (numbers_.order == 2 && any_of({"motion", "link_accelerations"})) ||
+           (numbers_.order > 0 && function == "link_velocities");
+  }
+
+  static void expect_positions(const model::ModelFunction& function) {
+    const bool vanishes = std::all_of(function.results.begin(), function.results.end(),
+                                      [](const program::Result& result) { return result.value.is_zero(); });
+    if (function.name == "position_polynomial" && vanishes) {
+      throw text::InputError("the group's position is not determined with these dimensions");
+    }
+  }
+
+  /// The entries of `of_inputs` in the columns of the inputs that move.
+  [[nodiscard]] std::vector<program::Result> moving_columns(const std::string& target,
+                                                   const derivatives::ExpressionMatrix& of_inputs) const {
+    std::vector<program::Result> results;
+    for (std::size_t row = 0; row < of_inputs.size(); ++row) {
+      std::size_t place = 0;
+      for (std::size_t column = 0; column < of_inputs[row].size(); ++column) {
+        if (!numbers_.inputs[column]) {
+          results.push_back({entry(target, row, place++), of_inputs[row][column]});
+        }
+      }
+    }
+    return results;
+  }
+
+  /// of_dimensions d_a + of_inputs u_a, for the inputs that are held.
+  [[nodiscard]] std::vector<program::Result> parameter_columns(const std::string& target,
+                                                      const derivatives::ExpressionMatrix& of_dimensions,
+                                                      const derivatives::ExpressionMatrix& of_inputs) const {
+    std::vector<program::Result> results;
+    for (std::size_t row = 0; row < of_dimensions.size(); ++row) {
+      for (Eigen::Index parameter = 0; parameter < parameter_count(); ++parameter) {
+        GiNaC::ex sum;
+        const auto add = [&](const std::vector<GiNaC::ex>& partials,
+                             const Eigen::MatrixXd& gradient) {
+          for (std::size_t index = 0; index < partials.size(); ++index) {
+            sum += partials[index] * cpp::exact(gradient(static_cast<Eigen::Index>(index), parameter));
+          }
+        };
+        add(of_dimensions[row], numbers_.dimension_gradient);
+        add(of_inputs[row], numbers_.input_gradient);
+        results.push_back({entry(target, row, static_cast<std::size_t>(parameter)), sum});
+      }
+    }
+    return results;
+  }
+
+  static std::string entry(const std::string& matrix, std::size_t row, std::size_t column) {
+    return matrix + "(" + std::to_string(row) + ", " + std::to_string(column) + ")";
+  }
+
+  [[nodiscard]] std::vector<model::ModelFunction> sensitivity_functions() const {
+    const std::vector<model::Parameter> place = {{"const Dimensions<Scalar>&", "d"},
+                                          {"const Inputs<Scalar>&", "u"},
+                                          {"const Configuration<Scalar>&", "q"}};
+    const std::string columns = std::to_string(parameter_count());
+    std::vector<model::ModelFunction> functions = {
+        {"parameter_jacobian",
+         {"F_a = df/da: what the scene's parameters a change at the dimensions and at the ground."},
+         place,
+         {{"Matrix<Scalar, equation_count, " + columns + ">&", "F_a"}},
+         parameter_columns("F_a", derivatives_.dimension_jacobian, derivatives_.input_jacobian)},
+        {"input_jacobian",
+         {"F_u = df/du; the sensitivities solve J dq/da = -(F_a + F_u du/da)."},
+         place,
+         {{"Matrix<Scalar, equation_count, input_count>&", "F_u"}},
+         moving_columns("F_u", derivatives_.input_jacobian)},
+        {"pose_jacobians",
+         {"Partial derivatives of the link frames p, rows (x, y, theta) link by link:",
+          "P_q = dp/dq, P_a = dp/da, P_u = dp/du, each with the other two held."},
+         place,
+         {{"Matrix<Scalar, 3 * link_count, unknown_count>&", "P_q"},
+          {"Matrix<Scalar, 3 * link_count, " + columns + ">&", "P_a"},
+          {"Matrix<Scalar, 3 * link_count, input_count>&", "P_u"}},
+         parameter_columns("P_a", derivatives_.pose_dimension_jacobian,
+                           derivatives_.pose_input_jacobian)}};
+    std::vector<program::Result>& poses = functions.back().results;
+    const std::vector<program::Result> inputs = moving_columns("P_u", derivatives_.pose_input_jacobian);
+    poses.insert(poses.end(), inputs.begin(), inputs.end());
+    for (std::size_t row = 0; row < derivatives_.pose_unknown_jacobian.size(); ++row) {
+      for (std::size_t column = 0; column < equations_.unknowns.size(); ++column) {
+        poses.push_back(
+            {entry("P_q", row, column), derivatives_.pose_unknown_jacobian[row][column]});
+      }
+    }
+    return functions;
+  }
+
+  [[nodiscard]] cpp::View view(const std::string& struct_name,
+                                    const std::string& title) const {
+    cpp::View view;
+    view.set("general", false);
+    view.set("has_positions", true);
+    view.set("struct", struct_name);
+    view.set("title", title);
+    view.set("verdict", "with the numbers of one mechanism");
+    view.set("reason", "lengths are given in units of " + cpp::round_trip(numbers_.unit));
+    view.set("rigid", cpp::boolean(true));
+    view.set("unit", cpp::round_trip(numbers_.unit));
+    view.set("dimensions_doc", "Link dimensions d: numbers in the functions below.");
+    view.set("inputs_doc", "Inputs u: where moving links hold the external joints.");
+    std::vector<std::string> closure = model::closure_lines(equations_);
+    const std::vector<std::string> steps = model::elimination_steps(elimination_);
+    closure.insert(closure.end(), steps.begin(), steps.end());
+    view.set("closure", cpp::line_list(closure, ""));
+    view.set("frames", model::link_list(equations_));
+    model::show_solution(structured_, equations_, elimination_, view);
+    view.set("link_count", std::to_string(equations_.poses.size()));
+    view.set("equation_count", std::to_string(2 * equations_.loops.size()));
+    model::show_variables(equations_.unknowns, "unknown", view, equations_.owners);
+    model::show_variables({}, "dimension", view);
+    model::show_variables(moving_inputs_, "input", view);
+    return view;
+  }
+
+  const GroupNumbers& numbers_;
+  equations::ClosureEquations equations_;
+  derivatives::Derivatives derivatives_;
+  pivoting::StructuredJacobian structured_;
+  elimination::Elimination elimination_;
+  GiNaC::exmap values_;
+  std::deque<equations::Variable> moving_inputs_;
+};
+
+}  // namespace
+
+SpecialisedGroup specialised_group(const GroupNumbers& numbers, const std::string& struct_name,
+                                   const std::string& title) {
+  return GroupSpecialiser(numbers).run(struct_name, title);
+}
+
+}  // namespace assur::generator::emission::scene

@@ -1,0 +1,40 @@
+// Turns a model and the numbers of one mechanism's group into the view of a specialised model.
+#pragma once
+
+#include <Eigen/Core>
+#include <assur/normal_form.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "emission/cpp/page.hpp"
+#include "program/expression_graph.hpp"
+#include "structure/kind.hpp"
+
+namespace assur::generator::emission::scene {
+
+/// The numbers of a group. Lengths and the gradients of lengths are in `unit`, a power of two.
+struct GroupNumbers {
+  const structure::Model* model;
+  double unit;
+  int order;  ///< of the time derivatives that are wanted: 0, 1 or 2
+  std::vector<DimensionValue<double>> dimensions;
+  Eigen::MatrixXd dimension_gradient;  ///< one column a parameter; none: no sensitivity is wanted
+  std::vector<std::optional<DimensionValue<double>>> inputs;  ///< those that the ground holds
+  Eigen::MatrixXd input_gradient;                             ///< of these; zero for the others
+};
+
+/// The view that templates/model_struct.hpp.mustache shows, and what all its functions cost.
+struct SpecialisedGroup {
+  cpp::View view;
+  program::OperationCount operations;
+  int max_configurations;
+};
+
+/// The functions of a rigid model that the runtime needs and the scene wants, with the dimensions
+/// and the held inputs as numbers. Throws InputError if the numbers leave no closed form.
+[[nodiscard]] SpecialisedGroup specialised_group(const GroupNumbers& numbers,
+                                                 const std::string& struct_name,
+                                                 const std::string& title);
+
+}  // namespace assur::generator::emission::scene

@@ -1,0 +1,87 @@
+// Turns the framed Jacobian into an order of elimination: what its zeros let be solved alone, and
+// the core that is solved at once.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pivoting/framed_jacobian.hpp"
+
+namespace assur::generator::pivoting {
+
+/// A quantity that the elimination divides by.
+struct Pivot {
+  GiNaC::ex value;         ///< in names of the vocabulary
+  GiNaC::ex bound;         ///< of |value|, from the size of the loops: the unit it is measured in
+  std::string text;        ///< `GF`, `sin(phi_B - phi_E)`, or the core's determinant in its entries
+  std::string cause;       ///< `a dead centre`, `CD = 0`
+  std::string degeneracy;  ///< what its vanishing means
+};
+
+/// One unknown from one row, once the row's other unknowns are known.
+struct EliminationStep {
+  int row;
+  int unknown;
+};
+
+/// The structure of J x = b in the frames of the loops: rows that hold a single unknown come first,
+/// unknowns that a single row holds come last, and between them stands the core, solved by Cramer's
+/// rule. With the pivots, det J = sign * product of their values.
+class StructuredJacobian {
+ public:
+  /// Throws GeneratorError if the Jacobian is not square or structurally singular.
+  explicit StructuredJacobian(const equations::ClosureEquations& equations);
+
+  [[nodiscard]] const FramedClosures& closures() const { return closures_; }
+  /// Names of the closures, the core's determinant and the one reciprocal.
+  [[nodiscard]] const equations::Vocabulary& vocabulary() const { return vocabulary_; }
+  /// The core's determinant first, as a product where it is one; then what single steps divide by,
+  /// unless it is plus or minus one.
+  [[nodiscard]] const std::vector<Pivot>& pivots() const { return pivots_; }
+  [[nodiscard]] int core_pivot_count() const { return core_pivot_count_; }
+  /// Sum of the sizes of the terms of the core's determinant: what rounding is measured against.
+  [[nodiscard]] const GiNaC::ex& core_terms() const { return core_terms_; }
+  [[nodiscard]] int sign() const { return sign_; }
+  /// det J as the product of its factors, for reading.
+  [[nodiscard]] std::string determinant_text() const;
+
+  /// The solution of J x = b, for b in names. What occurs more than once is named in `names`, with
+  /// `label` for a prefix, and the solution itself by `symbols` where its unknown has one.
+  [[nodiscard]] std::vector<GiNaC::ex> solve(const std::vector<GiNaC::ex>& rhs,
+                                             const std::vector<GiNaC::symbol>& symbols,
+                                             const std::string& meaning,
+                                             equations::Vocabulary& names) const;
+
+ private:
+  using Core = std::vector<std::vector<GiNaC::ex>>;
+
+  void fill_entries();
+  void order_elimination();
+  void name_pivots();
+  void divide_once();
+  [[nodiscard]] const GiNaC::ex& entry(int row, int unknown) const {
+    return entries_[static_cast<std::size_t>(row)][static_cast<std::size_t>(unknown)];
+  }
+  [[nodiscard]] GiNaC::ex inverse_of(const GiNaC::ex& pivot) const;
+  [[nodiscard]] std::string core_text() const;
+  [[nodiscard]] std::string readable(const GiNaC::ex& value) const;
+  [[nodiscard]] Core core() const;
+  void name_core_pivots(const GiNaC::ex& determinant, const GiNaC::ex& size);
+  /// row - sum of the entries times the values of the unknowns that are known already.
+  [[nodiscard]] GiNaC::ex reduced(int row, const GiNaC::ex& rhs,
+                                  const std::vector<GiNaC::ex>& solved) const;
+
+  FramedClosures closures_;
+  equations::Vocabulary vocabulary_;
+  Core entries_;                               ///< [row][unknown]
+  std::vector<EliminationStep> first_, last_;  ///< in the order in which they are solved
+  std::vector<int> core_rows_, core_unknowns_;
+  std::vector<Pivot> pivots_;
+  int core_pivot_count_ = 0;
+  GiNaC::ex core_terms_;
+  std::vector<std::pair<GiNaC::ex, GiNaC::ex>> inverses_;
+  int sign_ = 1;
+};
+
+}  // namespace assur::generator::pivoting

@@ -1,0 +1,408 @@
+#include "program/expression_graph.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <sstream>
+
+namespace assur::generator::program {
+
+namespace {
+
+std::string text(const GiNaC::numeric& number) {
+  std::ostringstream out;
+  out << number;
+  return out.str();
+}
+
+/// The symbol that occurs in most terms, the first of those, if it occurs in two or more.
+int most_frequent_factor(const Polynomial& polynomial) {
+  std::map<int, int> counts;
+  for (const auto& [monomial, coefficient] : polynomial) {
+    int last = -1;
+    for (const int symbol : monomial) {
+      if (symbol != last) {
+        ++counts[symbol];
+      }
+      last = symbol;
+    }
+  }
+  int best = -1;
+  int best_count = 1;
+  for (const auto& [symbol, count] : counts) {
+    if (count > best_count) {
+      best = symbol;
+      best_count = count;
+    }
+  }
+  return best;
+}
+
+/// The positive rational number by which all coefficients can be divided to coprime integers; one
+/// where these would be large, as they are for decimal fractions that have nothing in common.
+GiNaC::numeric content_of(const Polynomial& polynomial) {
+  constexpr int large = 20;
+  GiNaC::numeric numerators = 0;
+  GiNaC::numeric denominators = 1;
+  for (const auto& [monomial, coefficient] : polynomial) {
+    numerators = GiNaC::gcd(numerators, coefficient.numer());
+    denominators = GiNaC::lcm(denominators, coefficient.denom());
+  }
+  if (numerators.is_zero()) {
+    return 1;
+  }
+  const GiNaC::numeric content = GiNaC::abs(numerators / denominators);
+  const bool in_common = std::all_of(polynomial.begin(), polynomial.end(), [&](const auto& term) {
+    return GiNaC::abs(term.second / content) < large;
+  });
+  return in_common ? content : GiNaC::numeric(1);
+}
+
+template <typename Pair>
+const Pair* most_frequent(const std::map<Pair, int>& counts) {
+  const auto best = std::max_element(
+      counts.begin(), counts.end(),
+      [](const auto& left, const auto& right) { return left.second < right.second; });
+  return best == counts.end() || best->second < 2 ? nullptr : &best->first;
+}
+
+}  // namespace
+
+OperationCount& OperationCount::operator+=(const OperationCount& other) {
+  multiplications += other.multiplications;
+  additions += other.additions;
+  divisions += other.divisions;
+  square_roots += other.square_roots;
+  return *this;
+}
+
+ExpressionGraph::Key ExpressionGraph::key_of(const Node& node) {
+  std::vector<int> children = {static_cast<int>(node.operation), node.symbol};
+  children.insert(children.end(), node.factors.begin(), node.factors.end());
+  std::string coefficients;
+  for (const ScaledNode& term : node.terms) {
+    children.push_back(term.node);
+    coefficients += text(term.coefficient) + " ";
+  }
+  return {children, coefficients};
+}
+
+int ExpressionGraph::intern(Node node) {
+  const auto [entry, fresh] = index_.try_emplace(key_of(node), size());
+  if (fresh) {
+    nodes_.push_back(std::move(node));
+  }
+  return entry->second;
+}
+
+ScaledNode ExpressionGraph::make_product(std::vector<int> factors) {
+  if (factors.empty()) {
+    return {1, intern({Operation::constant, -1, {}, {}})};
+  }
+  if (factors.size() == 1) {
+    return {1, factors.front()};
+  }
+  std::sort(factors.begin(), factors.end());
+  return {1, intern({Operation::product, -1, std::move(factors), {}})};
+}
+
+ScaledNode ExpressionGraph::make_sum(std::vector<ScaledNode> terms) {
+  // Equal nodes add up; the order is by age with a positive term in front, and the sign of the
+  // whole goes to the user of the sum, so that a - b and b - a are one node.
+  std::map<int, GiNaC::numeric> sums;
+  for (const ScaledNode& term : terms) {
+    sums[term.node] += term.coefficient;
+  }
+  terms.clear();
+  for (const auto& [node, coefficient] : sums) {
+    if (!coefficient.is_zero()) {
+      terms.push_back({coefficient, node});
+    }
+  }
+  if (terms.empty()) {
+    return {0, intern({Operation::constant, -1, {}, {}})};
+  }
+  if (terms.size() == 1) {
+    return terms.front();
+  }
+  const bool negate = terms.front().coefficient.is_negative();
+  if (negate) {
+    for (ScaledNode& term : terms) {
+      term.coefficient = -term.coefficient;
+    }
+  }
+  return {negate ? -1 : 1, intern({Operation::sum, -1, {}, std::move(terms)})};
+}
+
+ScaledNode ExpressionGraph::add(const Polynomial& polynomial) {
+  const GiNaC::numeric content = content_of(polynomial);
+  if (content != 1) {
+    Polynomial primitive = polynomial;
+    for (auto& [monomial, coefficient] : primitive) {
+      coefficient /= content;
+    }
+    const ScaledNode result = add(primitive);
+    return {content * result.coefficient, result.node};
+  }
+  const int factor = most_frequent_factor(polynomial);
+  if (factor < 0) {
+    std::vector<ScaledNode> terms;
+    for (const auto& [monomial, coefficient] : polynomial) {
+      std::vector<int> factors;
+      for (const int symbol : monomial) {
+        factors.push_back(intern({Operation::symbol, symbol, {}, {}}));
+      }
+      const ScaledNode product = make_product(std::move(factors));
+      terms.push_back({coefficient * product.coefficient, product.node});
+    }
+    return make_sum(std::move(terms));
+  }
+  Polynomial divided;
+  Polynomial rest;
+  for (const auto& [monomial, coefficient] : polynomial) {
+    const auto found = std::find(monomial.begin(), monomial.end(), factor);
+    if (found == monomial.end()) {
+      rest.emplace(monomial, coefficient);
+    } else {
+      Monomial quotient(monomial.begin(), found);
+      quotient.insert(quotient.end(), found + 1, monomial.end());
+      divided.emplace(quotient, coefficient);
+    }
+  }
+  const ScaledNode inner = add(divided);
+  std::vector<int> factors = {intern({Operation::symbol, factor, {}, {}})};
+  if (node(inner.node).operation == Operation::product) {
+    factors.insert(factors.end(), node(inner.node).factors.begin(), node(inner.node).factors.end());
+  } else {
+    factors.push_back(inner.node);
+  }
+  const ScaledNode product = make_product(std::move(factors));
+  ScaledNode head{inner.coefficient * product.coefficient, product.node};
+  if (rest.empty()) {
+    return head;
+  }
+  const ScaledNode tail = add(rest);
+  std::vector<ScaledNode> terms = {head};
+  if (node(tail.node).operation == Operation::sum) {
+    for (const ScaledNode& term : node(tail.node).terms) {
+      terms.push_back({tail.coefficient * term.coefficient, term.node});
+    }
+  } else {
+    terms.push_back(tail);
+  }
+  return make_sum(std::move(terms));
+}
+
+std::vector<bool> ExpressionGraph::reachable(const std::vector<ScaledNode>& roots) const {
+  std::vector<bool> reached(nodes_.size(), false);
+  const std::function<void(int)> visit = [&](int index) {
+    if (reached[static_cast<std::size_t>(index)]) {
+      return;
+    }
+    reached[static_cast<std::size_t>(index)] = true;
+    for (const int factor : node(index).factors) {
+      visit(factor);
+    }
+    for (const ScaledNode& term : node(index).terms) {
+      visit(term.node);
+    }
+  };
+  for (const ScaledNode& root : roots) {
+    visit(root.node);
+  }
+  return reached;
+}
+
+std::vector<int> ExpressionGraph::uses(const std::vector<ScaledNode>& roots) const {
+  std::vector<int> counts(nodes_.size(), 0);
+  const std::vector<bool> reached = reachable(roots);
+  for (const ScaledNode& root : roots) {
+    ++counts[static_cast<std::size_t>(root.node)];
+  }
+  for (int index = 0; index < size(); ++index) {
+    if (!reached[static_cast<std::size_t>(index)]) {
+      continue;
+    }
+    for (const int factor : node(index).factors) {
+      ++counts[static_cast<std::size_t>(factor)];
+    }
+    for (const ScaledNode& term : node(index).terms) {
+      ++counts[static_cast<std::size_t>(term.node)];
+    }
+  }
+  return counts;
+}
+
+void ExpressionGraph::rebuild(std::vector<ScaledNode>& roots,
+                              const std::map<int, Node>& rewritten) {
+  // What a node became: itself, another node, or a multiple of one.
+  std::map<int, ScaledNode> image;
+  const std::function<ScaledNode(int)> moved = [&](int index) -> ScaledNode {
+    const auto known = image.find(index);
+    if (known != image.end()) {
+      return known->second;
+    }
+    const auto found = rewritten.find(index);
+    const Node content = found == rewritten.end() ? node(index) : found->second;
+    ScaledNode result{1, index};
+    if (content.operation == Operation::product) {
+      std::vector<int> factors;
+      GiNaC::numeric coefficient = 1;
+      for (const int factor : content.factors) {
+        const ScaledNode part = moved(factor);
+        factors.push_back(part.node);
+        coefficient *= part.coefficient;
+      }
+      result = make_product(std::move(factors));
+      result.coefficient *= coefficient;
+    } else if (content.operation == Operation::sum) {
+      std::vector<ScaledNode> terms;
+      for (const ScaledNode& term : content.terms) {
+        const ScaledNode part = moved(term.node);
+        terms.push_back({term.coefficient * part.coefficient, part.node});
+      }
+      result = make_sum(std::move(terms));
+    }
+    image.emplace(index, result);
+    return result;
+  };
+  for (ScaledNode& root : roots) {
+    const ScaledNode part = moved(root.node);
+    root = {root.coefficient * part.coefficient, part.node};
+  }
+}
+
+bool ExpressionGraph::share_factor_pair(std::vector<ScaledNode>& roots) {
+  using Pair = std::pair<int, int>;
+  const std::vector<bool> reached = reachable(roots);
+  std::map<Pair, int> counts;
+  for (int index = 0; index < size(); ++index) {
+    const std::vector<int>& factors = node(index).factors;
+    if (!reached[static_cast<std::size_t>(index)]) {
+      continue;
+    }
+    std::map<Pair, int> here;
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+      for (std::size_t j = i + 1; j < factors.size(); ++j) {
+        here[{factors[i], factors[j]}] = 1;
+      }
+    }
+    for (const auto& [pair, count] : here) {
+      counts[pair] += count;
+    }
+  }
+  const Pair* best = most_frequent(counts);
+  if (best == nullptr) {
+    return false;
+  }
+  const auto [first, second] = *best;
+  const int shared = make_product({first, second}).node;
+  std::map<int, Node> rewritten;
+  for (int index = 0; index < static_cast<int>(reached.size()); ++index) {
+    if (!reached[static_cast<std::size_t>(index)] || node(index).factors.size() < 3) {
+      continue;
+    }
+    std::vector<int> factors = node(index).factors;
+    const auto one = std::find(factors.begin(), factors.end(), first);
+    if (one == factors.end()) {
+      continue;
+    }
+    const auto other = std::find(one + 1, factors.end(), second);
+    if (other == factors.end()) {
+      continue;
+    }
+    factors.erase(other);
+    factors.erase(one);
+    factors.push_back(shared);
+    rewritten[index] = {Operation::product, -1, std::move(factors), {}};
+  }
+  rebuild(roots, rewritten);
+  return true;
+}
+
+bool ExpressionGraph::share_term_pair(std::vector<ScaledNode>& roots) {
+  // A pair is two nodes and the ratio of their coefficients.
+  using Pair = std::pair<std::pair<int, int>, std::string>;
+  const std::vector<bool> reached = reachable(roots);
+  const auto ratio = [](const ScaledNode& first, const ScaledNode& second) {
+    return text(second.coefficient / first.coefficient);
+  };
+  std::map<Pair, int> counts;
+  for (int index = 0; index < size(); ++index) {
+    const std::vector<ScaledNode>& terms = node(index).terms;
+    if (!reached[static_cast<std::size_t>(index)]) {
+      continue;
+    }
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      for (std::size_t j = i + 1; j < terms.size(); ++j) {
+        ++counts[{{terms[i].node, terms[j].node}, ratio(terms[i], terms[j])}];
+      }
+    }
+  }
+  const Pair* best = most_frequent(counts);
+  if (best == nullptr) {
+    return false;
+  }
+  const Pair pair = *best;
+  ScaledNode shared{0, -1};
+  std::map<int, Node> rewritten;
+  for (int index = 0; index < static_cast<int>(reached.size()); ++index) {
+    if (!reached[static_cast<std::size_t>(index)] || node(index).terms.size() < 2) {
+      continue;
+    }
+    // A copy: making the shared node may move the nodes.
+    const std::vector<ScaledNode> terms = node(index).terms;
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      for (std::size_t j = i + 1; j < terms.size(); ++j) {
+        if (Pair{{terms[i].node, terms[j].node}, ratio(terms[i], terms[j])} != pair ||
+            rewritten.contains(index)) {
+          continue;
+        }
+        if (shared.node < 0) {
+          shared = make_sum(
+              {{1, terms[i].node}, {terms[j].coefficient / terms[i].coefficient, terms[j].node}});
+        }
+        if (shared.node == index) {
+          i = j = terms.size();
+          continue;
+        }
+        std::vector<ScaledNode> rest;
+        for (std::size_t k = 0; k < terms.size(); ++k) {
+          if (k != i && k != j) {
+            rest.push_back(terms[k]);
+          }
+        }
+        rest.push_back({terms[i].coefficient * shared.coefficient, shared.node});
+        rewritten[index] = {Operation::sum, -1, {}, std::move(rest)};
+        i = j = terms.size();
+      }
+    }
+  }
+  rebuild(roots, rewritten);
+  return true;
+}
+
+void ExpressionGraph::share_pairs(std::vector<ScaledNode>& roots) {
+  while (share_factor_pair(roots)) {
+  }
+  while (share_term_pair(roots)) {
+  }
+}
+
+OperationCount ExpressionGraph::cost(int index) const {
+  const Node& at = node(index);
+  OperationCount count;
+  if (at.operation == Operation::product) {
+    count.multiplications = static_cast<int>(at.factors.size()) - 1;
+  } else if (at.operation == Operation::sum) {
+    count.additions = static_cast<int>(at.terms.size()) - 1;
+    for (const ScaledNode& term : at.terms) {
+      const GiNaC::numeric size = GiNaC::abs(term.coefficient);
+      if (size != 1 && node(term.node).operation != Operation::constant) {
+        ++count.multiplications;
+      }
+    }
+  }
+  return count;
+}
+
+}  // namespace assur::generator::program

@@ -1,0 +1,63 @@
+#include "program/polynomial.hpp"
+
+#include <algorithm>
+
+#include "error.hpp"
+
+namespace assur::generator::program {
+
+namespace {
+
+[[noreturn]] void not_a_polynomial(const GiNaC::ex& part) {
+  std::ostringstream text;
+  text << part;
+  throw GeneratorError("program", "polynomial", "not a polynomial: " + text.str());
+}
+
+void add_term(Polynomial& sum, const GiNaC::ex& term, const SymbolOrder& order) {
+  GiNaC::numeric coefficient = 1;
+  Monomial monomial;
+  const auto multiply = [&](const GiNaC::ex& factor) {
+    if (GiNaC::is_a<GiNaC::numeric>(factor)) {
+      coefficient *= GiNaC::ex_to<GiNaC::numeric>(factor);
+    } else if (GiNaC::is_a<GiNaC::symbol>(factor)) {
+      monomial.push_back(order.rank(GiNaC::ex_to<GiNaC::symbol>(factor)));
+    } else if (GiNaC::is_a<GiNaC::power>(factor) && GiNaC::is_a<GiNaC::symbol>(factor.op(0)) &&
+               factor.op(1).info(GiNaC::info_flags::posint)) {
+      const int rank = order.rank(GiNaC::ex_to<GiNaC::symbol>(factor.op(0)));
+      monomial.insert(monomial.end(),
+                      static_cast<std::size_t>(GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int()),
+                      rank);
+    } else {
+      not_a_polynomial(factor);
+    }
+  };
+  if (GiNaC::is_a<GiNaC::mul>(term)) {
+    for (const GiNaC::ex& factor : term) {
+      multiply(factor);
+    }
+  } else {
+    multiply(term);
+  }
+  std::sort(monomial.begin(), monomial.end());
+  if (!coefficient.is_zero()) {
+    sum[monomial] += coefficient;
+  }
+}
+
+}  // namespace
+
+Polynomial polynomial(const GiNaC::ex& expression, const SymbolOrder& order) {
+  const GiNaC::ex expanded = expression.expand();
+  Polynomial sum;
+  if (GiNaC::is_a<GiNaC::add>(expanded)) {
+    for (const GiNaC::ex& term : expanded) {
+      add_term(sum, term, order);
+    }
+  } else {
+    add_term(sum, expanded, order);
+  }
+  return sum;
+}
+
+}  // namespace assur::generator::program

@@ -1,0 +1,20 @@
+// Turns GiNaC expressions into polynomials in an order of our own, the same in every process.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "program/symbol_order.hpp"
+
+namespace assur::generator::program {
+
+/// A product of symbols, by ascending rank, a square as the rank twice.
+using Monomial = std::vector<int>;
+
+/// A polynomial: coefficients by monomial, in lexicographic order of the ranks.
+using Polynomial = std::map<Monomial, GiNaC::numeric>;
+
+/// The polynomial that an expression is; throws GeneratorError if it is none.
+[[nodiscard]] Polynomial polynomial(const GiNaC::ex& expression, const SymbolOrder& order);
+
+}  // namespace assur::generator::program

@@ -1,0 +1,167 @@
+#include "program/program.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+namespace assur::generator::program {
+
+namespace {
+
+using Operation = ExpressionGraph::Operation;
+
+/// The quantities that a set of expressions needs, in the order in which they were named.
+std::vector<equations::NamedQuantity> needed(
+    const std::vector<equations::NamedQuantity>& quantities, const std::vector<Result>& results) {
+  std::vector<bool> wanted(quantities.size(), false);
+  const auto occurs = [](const GiNaC::symbol& symbol, const GiNaC::ex& expression) {
+    return expression.has(symbol);
+  };
+  for (std::size_t back = quantities.size(); back-- > 0;) {
+    const GiNaC::symbol& symbol = quantities[back].symbol;
+    wanted[back] = std::any_of(results.begin(), results.end(),
+                               [&](const Result& result) { return occurs(symbol, result.value); });
+    for (std::size_t later = back + 1; later < quantities.size() && !wanted[back]; ++later) {
+      wanted[back] = wanted[later] && occurs(symbol, quantities[later].definition);
+    }
+  }
+  std::vector<equations::NamedQuantity> list;
+  for (std::size_t index = 0; index < quantities.size(); ++index) {
+    if (wanted[index]) {
+      list.push_back(quantities[index]);
+    }
+  }
+  return list;
+}
+
+}  // namespace
+
+Program::Program(const SymbolOrder& order, const std::vector<equations::NamedQuantity>& quantities,
+                 const std::vector<Result>& results)
+    : graph_(order) {
+  const std::vector<equations::NamedQuantity> named = needed(quantities, results);
+  std::vector<ScaledNode> roots;
+  roots.reserve(named.size() + results.size());
+  for (const equations::NamedQuantity& quantity : named) {
+    roots.push_back(graph_.add(polynomial(quantity.definition, order)));
+  }
+  std::vector<std::string> targets;
+  for (const Result& result : results) {
+    const Polynomial value = polynomial(result.value, order);
+    if (!value.empty()) {
+      targets.push_back(result.target);
+      roots.push_back(graph_.add(value));
+    }
+  }
+  graph_.share_pairs(roots);
+
+  const std::vector<int> uses = graph_.uses(roots);
+  names_.resize(static_cast<std::size_t>(graph_.size()));
+  shared_.assign(names_.size(), false);
+  done_.assign(names_.size(), false);
+  for (int node = 0; node < graph_.size(); ++node) {
+    const Operation operation = graph_.node(node).operation;
+    const bool computed = operation == Operation::product || operation == Operation::sum;
+    shared_[static_cast<std::size_t>(node)] = computed && uses[static_cast<std::size_t>(node)] > 1;
+    if (operation == Operation::symbol) {
+      names_[static_cast<std::size_t>(node)] = order.name(graph_.node(node).symbol);
+    }
+  }
+  for (std::size_t index = 0; index < named.size(); ++index) {
+    const std::string name = named[index].symbol.get_name();
+    const equations::NamedQuantity::Form form = named[index].form;
+    const bool plain = form == equations::NamedQuantity::Form::itself;
+    definitions_[name] = {name, roots[index], form, plain ? "" : named[index].meaning};
+  }
+  for (const equations::NamedQuantity& quantity : named) {
+    schedule(graph_.add(polynomial(quantity.symbol, order)).node);
+  }
+  for (std::size_t index = 0; index < targets.size(); ++index) {
+    assignments_.push_back({targets[index], roots[named.size() + index]});
+    schedule(assignments_.back().value.node);
+  }
+}
+
+void Program::schedule(int node) {
+  const auto slot = static_cast<std::size_t>(node);
+  if (done_[slot]) {
+    return;
+  }
+  done_[slot] = true;
+  const ExpressionGraph::Node content = graph_.node(node);
+  if (content.operation == Operation::symbol) {
+    const auto definition = definitions_.find(names_[slot]);
+    if (definition != definitions_.end()) {
+      schedule(definition->second.value.node);
+      steps_.push_back(definition->second);
+    }
+    return;
+  }
+  for (const int factor : content.factors) {
+    schedule(factor);
+  }
+  for (const ScaledNode& term : content.terms) {
+    schedule(term.node);
+  }
+  if (shared_[slot]) {
+    ++temporaries_;
+    names_[slot] = (temporaries_ < 10 ? "t0" : "t") + std::to_string(temporaries_);
+    steps_.push_back({names_[slot], {1, node}, equations::NamedQuantity::Form::itself, ""});
+  }
+}
+
+OperationCount Program::count() const {
+  OperationCount total;
+  const auto is_constant = [&](int node) {
+    return graph_.node(node).operation == Operation::constant;
+  };
+  // Inside a step, nodes without a name are computed in place.
+  const std::function<void(int)> inner = [&](int node) {
+    total += graph_.cost(node);
+    const ExpressionGraph::Node& content = graph_.node(node);
+    for (const int factor : content.factors) {
+      if (name_of(factor).empty()) {
+        inner(factor);
+      }
+    }
+    for (const ScaledNode& term : content.terms) {
+      if (name_of(term.node).empty()) {
+        inner(term.node);
+      }
+    }
+  };
+  for (const Step& step : steps_) {
+    total.divisions += step.form == equations::NamedQuantity::Form::reciprocal ? 1 : 0;
+    total.square_roots += step.form == equations::NamedQuantity::Form::square_root ? 1 : 0;
+    if (name_of(step.value.node).empty() || name_of(step.value.node) == step.name) {
+      inner(step.value.node);
+    }
+  }
+  for (const Assignment& assignment : assignments_) {
+    if (name_of(assignment.value.node).empty()) {
+      inner(assignment.value.node);
+    }
+    if (GiNaC::abs(assignment.value.coefficient) != 1 && !is_constant(assignment.value.node)) {
+      ++total.multiplications;
+    }
+  }
+  return total;
+}
+
+std::vector<std::string> Program::reads() const {
+  std::set<int> ranks;
+  for (int node = 0; node < graph_.size(); ++node) {
+    if (done_[static_cast<std::size_t>(node)] && graph_.node(node).operation == Operation::symbol &&
+        !definitions_.contains(name_of(node))) {
+      ranks.insert(graph_.node(node).symbol);
+    }
+  }
+  std::vector<std::string> names;
+  names.reserve(ranks.size());
+  for (const int rank : ranks) {
+    names.push_back(graph_.order().name(rank));
+  }
+  return names;
+}
+
+}  // namespace assur::generator::program

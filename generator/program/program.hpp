@@ -1,0 +1,65 @@
+// Turns named quantities and results into a straight-line program: each step computed once, in
+// order.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "equations/vocabulary.hpp"
+#include "program/expression_graph.hpp"
+
+namespace assur::generator::program {
+
+/// One result of a program: where it goes and what it is.
+struct Result {
+  std::string target;  ///< `jacobian(0, 1)`
+  GiNaC::ex value;
+};
+
+/// A straight-line program without branches.
+class Program {
+ public:
+  /// A step gives a node its name: that of a geometric quantity, or `t01` where none exists.
+  struct Step {
+    std::string name;
+    ScaledNode value;
+    equations::NamedQuantity::Form form =
+        equations::NamedQuantity::Form::itself;  ///< what the step is of the value
+    std::string degeneracy;  ///< what it means that no reciprocal or root of the value exists
+  };
+  struct Assignment {
+    std::string target;
+    ScaledNode value;
+  };
+
+  /// `order` ranks every symbol, the quantities' among them. Only quantities that the results need
+  /// are computed, and results that are zero are left out.
+  Program(const SymbolOrder& order, const std::vector<equations::NamedQuantity>& quantities,
+          const std::vector<Result>& results);
+
+  [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
+  [[nodiscard]] const std::vector<Assignment>& assignments() const { return assignments_; }
+  [[nodiscard]] const ExpressionGraph& graph() const { return graph_; }
+  /// The name under which a node is known once its step is done; empty if it has none.
+  [[nodiscard]] const std::string& name_of(int node) const {
+    return names_[static_cast<std::size_t>(node)];
+  }
+  [[nodiscard]] OperationCount count() const;
+  /// Names of the symbols that the program reads, i.e. that no step computes, in order of rank.
+  [[nodiscard]] std::vector<std::string> reads() const;
+
+ private:
+  void schedule(int node);
+
+  ExpressionGraph graph_;
+  std::vector<Step> steps_;
+  std::vector<Assignment> assignments_;
+  std::vector<std::string> names_;
+  // What scheduling needs: the definition of each computed symbol, and the nodes worth a step.
+  std::map<std::string, Step> definitions_;
+  std::vector<bool> shared_;
+  std::vector<bool> done_;
+  int temporaries_ = 0;
+};
+
+}  // namespace assur::generator::program

@@ -1,0 +1,158 @@
+// Turns arithmetic on values into arithmetic on values, gradients and, where asked, Hessians.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <utility>
+
+namespace assur::mechanism {
+
+/// A value with its gradient to the mechanism's parameters and, where it is carried, its Hessian.
+/// An Eigen::AutoDiffScalar of AutoDiffScalars would carry the Hessian too, but as a vector of
+/// vectors with each allocated on its own, and the gradient twice.
+///
+/// A number made from a bare double is a constant: it has no gradient, and counts as having zero
+/// derivatives of every order. A result carries a Hessian if all operands that are not constants
+/// do.
+class Dual {
+ public:
+  Dual() = default;
+  explicit Dual(double value) : value_(value) {}
+  Dual(double value, Eigen::VectorXd derivatives, Eigen::MatrixXd hessian = {})
+      : value_(value), derivatives_(std::move(derivatives)), hessian_(std::move(hessian)) {}
+
+  [[nodiscard]] double value() const { return value_; }
+  /// Empty for a constant.
+  [[nodiscard]] const Eigen::VectorXd& derivatives() const { return derivatives_; }
+  /// Symmetric; empty where it is not carried, and for a constant.
+  [[nodiscard]] const Eigen::MatrixXd& hessian() const { return hessian_; }
+  [[nodiscard]] bool has_hessian() const { return hessian_.size() != 0; }
+
+  /// f(a) by the chain rule: f' da, f' d2a + f'' da da^T.
+  [[nodiscard]] static Dual chained(double f, const Dual& a, double f_a, double f_aa) {
+    Dual result(f);
+    if (!a.is_constant()) {
+      result.derivatives_ = f_a * a.derivatives_;
+      if (a.has_hessian()) {
+        result.hessian_ = f_a * a.hessian_;
+        result.hessian_ += f_aa * a.derivatives_ * a.derivatives_.transpose();
+      }
+    }
+    return result;
+  }
+
+  /// First and second partial derivatives of a function f(a, b).
+  struct Partials {
+    double a, b;
+    double aa, ab, bb;
+  };
+  /// f(a, b) by the chain rule.
+  [[nodiscard]] static Dual chained(double f, const Dual& a, const Dual& b,
+                                    const Partials& partial) {
+    if (b.is_constant()) {
+      return chained(f, a, partial.a, partial.aa);
+    }
+    if (a.is_constant()) {
+      return chained(f, b, partial.b, partial.bb);
+    }
+    Dual result(f);
+    result.derivatives_ = partial.a * a.derivatives_ + partial.b * b.derivatives_;
+    if (a.has_hessian() && b.has_hessian()) {
+      const Eigen::MatrixXd mixed = partial.ab * a.derivatives_ * b.derivatives_.transpose();
+      result.hessian_ = partial.a * a.hessian_ + partial.b * b.hessian_ + mixed + mixed.transpose();
+      result.hessian_ += partial.aa * a.derivatives_ * a.derivatives_.transpose();
+      result.hessian_ += partial.bb * b.derivatives_ * b.derivatives_.transpose();
+    }
+    return result;
+  }
+
+  friend bool operator==(const Dual& a, const Dual& b) { return a.value_ == b.value_; }
+  friend bool operator>(const Dual& a, const Dual& b) { return a.value_ > b.value_; }
+
+ private:
+  [[nodiscard]] bool is_constant() const { return derivatives_.size() == 0; }
+
+  double value_ = 0;
+  Eigen::VectorXd derivatives_;
+  Eigen::MatrixXd hessian_;
+};
+
+inline Dual operator-(const Dual& a) { return Dual::chained(-a.value(), a, -1, 0); }
+inline Dual operator+(const Dual& a, const Dual& b) {
+  return Dual::chained(a.value() + b.value(), a, b, {1, 1, 0, 0, 0});
+}
+inline Dual operator-(const Dual& a, const Dual& b) {
+  return Dual::chained(a.value() - b.value(), a, b, {1, -1, 0, 0, 0});
+}
+inline Dual operator*(const Dual& a, const Dual& b) {
+  return Dual::chained(a.value() * b.value(), a, b, {b.value(), a.value(), 0, 1, 0});
+}
+inline Dual operator/(const Dual& a, const Dual& b) {
+  const double inverse = 1 / b.value();
+  const double quotient = a.value() / b.value();
+  return Dual::chained(
+      quotient, a, b,
+      {inverse, -quotient * inverse, 0, -inverse * inverse, 2 * quotient * inverse * inverse});
+}
+inline Dual operator*(double a, const Dual& b) { return Dual(a) * b; }
+inline Dual operator/(const Dual& a, double b) { return a / Dual(b); }
+
+inline Dual sqrt(const Dual& a) {
+  const double root = std::sqrt(a.value());
+  return Dual::chained(root, a, 0.5 / root, -0.25 / (root * a.value()));
+}
+inline Dual exp(const Dual& a) {
+  const double power = std::exp(a.value());
+  return Dual::chained(power, a, power, power);
+}
+inline Dual log(const Dual& a) {
+  const double inverse = 1 / a.value();
+  return Dual::chained(std::log(a.value()), a, inverse, -inverse * inverse);
+}
+inline Dual sin(const Dual& a) {
+  const double sine = std::sin(a.value());
+  return Dual::chained(sine, a, std::cos(a.value()), -sine);
+}
+inline Dual cos(const Dual& a) {
+  const double cosine = std::cos(a.value());
+  return Dual::chained(cosine, a, -std::sin(a.value()), -cosine);
+}
+inline Dual tan(const Dual& a) {
+  const double tangent = std::tan(a.value());
+  const double slope = 1 + tangent * tangent;
+  return Dual::chained(tangent, a, slope, 2 * tangent * slope);
+}
+inline Dual asin(const Dual& a) {
+  const double slope = 1 / std::sqrt((1 - a.value()) * (1 + a.value()));
+  return Dual::chained(std::asin(a.value()), a, slope, a.value() * slope * slope * slope);
+}
+inline Dual acos(const Dual& a) {
+  const double slope = -1 / std::sqrt((1 - a.value()) * (1 + a.value()));
+  return Dual::chained(std::acos(a.value()), a, slope, a.value() * slope * slope * slope);
+}
+inline Dual atan(const Dual& a) {
+  const double slope = 1 / (1 + a.value() * a.value());
+  return Dual::chained(std::atan(a.value()), a, slope, -2 * a.value() * slope * slope);
+}
+/// The angle of (x, y); with c = x/r, s = y/r its partial derivatives are -s/r, c/r of first order
+/// and (2 c s, s^2 - c^2, -2 c s)/r^2 of second.
+inline Dual atan2(const Dual& y, const Dual& x) {
+  const double radius = std::hypot(x.value(), y.value());
+  const double c = x.value() / radius;
+  const double s = y.value() / radius;
+  const double curvature = 2 * c * s / radius / radius;
+  return Dual::chained(
+      std::atan2(y.value(), x.value()), y, x,
+      {c / radius, -s / radius, -curvature, (s - c) * (s + c) / radius / radius, curvature});
+}
+/// A constant power of any base. Where the exponent has taken the factor to zero, the power of
+/// the base does not matter: 0^(n - 2) is infinite.
+inline Dual pow(const Dual& a, double exponent) {
+  const auto term = [&](double factor, double power) {
+    return factor == 0 ? 0.0 : factor * std::pow(a.value(), power);
+  };
+  return Dual::chained(std::pow(a.value(), exponent), a, term(exponent, exponent - 1),
+                       term(exponent * (exponent - 1), exponent - 2));
+}
+
+}  // namespace assur::mechanism

@@ -1,0 +1,82 @@
+// Turns an expression in named parameters into operations on parameters by index.
+#pragma once
+
+#include <assur/mechanism/index.hpp>
+#include <assur/text/expression.hpp>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace assur::mechanism {
+
+using ParameterIndex = Index<struct Parameter>;
+
+/// A number of a mechanism, as a function of its parameters: operations in postfix order.
+class Formula {
+ public:
+  /// A constant.
+  Formula(double number = 0) : steps_{{Step::Kind::number, text::Operation::other, number, {}}} {}
+  /// What an expression says, its names resolved; `parameter_named` may throw.
+  Formula(const text::Expression& expression,
+          const std::function<ParameterIndex(const std::string&)>& parameter_named);
+
+  /// The parameters that occur in it, each once.
+  [[nodiscard]] std::vector<ParameterIndex> parameters() const;
+
+  /// The value, with `value_of(parameter)` for parameters. A `Scalar` is made from a double, and
+  /// its operators and functions are found by argument-dependent look-up.
+  template <typename Scalar, typename ValueOf>
+  [[nodiscard]] Scalar evaluate(const ValueOf& value_of) const {
+    if (steps_.size() == 1) {  // most numbers: a constant, or one parameter
+      return steps_[0].kind == Step::Kind::number ? Scalar(steps_[0].number)
+                                                  : Scalar(value_of(steps_[0].parameter));
+    }
+    std::vector<Scalar> stack;
+    for (const Step& step : steps_) {
+      apply(step, value_of, stack);
+    }
+    return std::move(stack.back());
+  }
+
+ private:
+  struct Step {
+    enum class Kind : unsigned char { number, parameter, unary, binary, constant_power };
+    Kind kind;
+    text::Operation operation;  ///< of a unary or binary step
+    double number;              ///< the constant, or the exponent of a constant power
+    ParameterIndex parameter;
+  };
+
+  void append(const text::Expression& expression,
+              const std::function<ParameterIndex(const std::string&)>& parameter_named);
+
+  template <typename Scalar, typename ValueOf>
+  static void apply(const Step& step, const ValueOf& value_of, std::vector<Scalar>& stack) {
+    using std::pow;
+    switch (step.kind) {
+      case Step::Kind::number:
+        stack.push_back(Scalar(step.number));
+        break;
+      case Step::Kind::parameter:
+        stack.push_back(Scalar(value_of(step.parameter)));
+        break;
+      case Step::Kind::unary:
+        stack.back() = text::applied<Scalar>(step.operation, stack.back());
+        break;
+      case Step::Kind::constant_power:  // no logarithm, so any base
+        stack.back() = Scalar(pow(stack.back(), step.number));
+        break;
+      case Step::Kind::binary: {
+        const Scalar last = std::move(stack.back());
+        stack.pop_back();
+        stack.back() = text::applied<Scalar>(step.operation, stack.back(), last);
+        break;
+      }
+    }
+  }
+
+  std::vector<Step> steps_;
+};
+
+}  // namespace assur::mechanism

@@ -1,0 +1,60 @@
+// Turns frames that stand in one another into the frames and points that they carry.
+#pragma once
+
+#include <Eigen/Core>
+#include <assur/mechanism/dual.hpp>
+#include <assur/model.hpp>
+#include <vector>
+
+namespace assur::mechanism {
+
+/// A row per coordinate, a column per parameter; what is done to all parameters runs along rows.
+template <int Coordinates>
+using ParameterRows = Eigen::Matrix<double, Coordinates, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// How some coordinates follow the parameters: first derivatives and, where they are carried, a
+/// symmetric matrix of second derivatives for each coordinate.
+template <int Coordinates>
+struct Derivatives {
+  ParameterRows<Coordinates> first;
+  std::vector<Eigen::MatrixXd> second;  ///< of each coordinate; empty where not carried
+
+  [[nodiscard]] bool has_second() const { return !second.empty(); }
+  /// Zero, for a number of parameters.
+  void set_zero(Eigen::Index parameters, bool with_second);
+};
+
+/// A frame in another: its pose (x, y, theta), [vx, vy, omega], [ax, ay, alpha] of its origin, and
+/// how the pose follows the parameters.
+struct Frame {
+  Pose<double> pose;
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
+  Derivatives<3> follows;
+
+  /// At rest in the outer frame, where `pose` is.
+  [[nodiscard]] static Frame at(const Pose<Dual>& pose);
+  /// On the axes of the outer frame.
+  [[nodiscard]] static Frame identity(Eigen::Index parameters, bool with_second);
+};
+
+/// A point in a frame, likewise.
+struct Point {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
+  Eigen::Vector2d acceleration = Eigen::Vector2d::Zero();
+  Derivatives<2> follows;
+};
+
+/// The frame `inner`, which is given in `frame`, in the frame in which that one stands. `result`
+/// may not be one of the two.
+void compose(const Frame& frame, const Frame& inner, Frame& result);
+[[nodiscard]] Frame composed(const Frame& frame, const Frame& inner);
+
+/// The origin of `inner`, likewise.
+void carry(const Frame& frame, const Frame& inner, Point& result);
+
+/// A frame's own outer frame, seen from it.
+[[nodiscard]] Pose<Dual> inverse(const Pose<Dual>& pose);
+
+}  // namespace assur::mechanism

@@ -1,0 +1,164 @@
+// Turns links, joints, drivers and outputs, named and added one by one, into one planar mechanism.
+#pragma once
+
+#include <assur/mechanism/error.hpp>
+#include <assur/mechanism/formula.hpp>
+#include <assur/mechanism/index.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace assur::mechanism {
+
+using NumberIndex = Index<struct Number>;
+using FeatureIndex = Index<struct Feature>;
+using LinkIndex = Index<struct Link>;
+using JointIndex = Index<struct Joint>;
+using DriverIndex = Index<struct Driver>;
+using OutputIndex = Index<struct Output>;
+
+/// A number of a mechanism, and the part of the mechanism that it is, for messages.
+struct Number {
+  Formula formula;
+  std::string part;  ///< `links.crank.B[0]`
+};
+
+struct Parameter {
+  std::string name;
+  NumberIndex value;
+  NumberIndex tolerance;  ///< a half-width; none if the parameter has no tolerance
+};
+
+/// A named place on a link, in the link's local frame: a point, or a line through it.
+struct Feature {
+  std::string name;
+  LinkIndex link;
+  bool is_line = false;
+  NumberIndex x, y;              ///< of the point, or of the line's `through`
+  NumberIndex along_x, along_y;  ///< of a line; it need not have unit length, its sense matters
+};
+
+struct Link {
+  std::string name;
+  std::vector<FeatureIndex> features;
+};
+
+enum class JointType : unsigned char {
+  revolute,    ///< the points coincide; k links at one pin are k - 1 joints
+  prismatic,   ///< the two lines coincide and point the same way
+  pin_in_slot  ///< the point lies on the line
+};
+
+struct Joint {
+  std::string name;
+  JointType type = JointType::revolute;
+  std::vector<FeatureIndex> between;
+};
+
+/// The law of a joint of two links: the angle theta_second - theta_first, or the displacement.
+struct Driver {
+  JointIndex joint;
+  NumberIndex position, velocity, acceleration;
+};
+
+struct Output {
+  std::string name;
+  FeatureIndex point;
+};
+
+/// One planar mechanism: what there is, without a word on what is wanted of it. Every function
+/// that adds a part throws MechanismError where the part does not fit what is there, and then
+/// leaves the mechanism as it was.
+///
+///     Mechanism four_bar("a four-bar");
+///     four_bar.add_parameter("phi", "60*deg");
+///     four_bar.add_link("ground");
+///     four_bar.add_point("ground.A", 0, 0);
+///     ...
+///     four_bar.add_joint("A", JointType::revolute, {"ground.A", "crank.A"});
+///     four_bar.add_driver("A", "phi", 1);
+///     four_bar.add_output("P", "coupler.P");
+///
+/// Lengths share one unit; angles are radians. The link named `ground`, if there is any, is the
+/// fixed frame. A number may be given as a number or as an expression in parameters that have been
+/// declared (docs/scenes.md).
+class Mechanism {
+ public:
+  /// A number as the caller has it: a number, or the text of an expression.
+  class Given {
+   public:
+    Given(double number) : number_(number) {}
+    Given(int number) : number_(number) {}
+    Given(const char* expression) : text_(expression) {}
+    Given(std::string expression) : text_(std::move(expression)) {}
+
+   private:
+    friend class Mechanism;
+    double number_ = 0;
+    std::optional<std::string> text_;
+  };
+
+  explicit Mechanism(std::string name = "") : name_(std::move(name)) {}
+
+  /// Makes a name known to expressions; it must get a value before the mechanism is used.
+  ParameterIndex declare_parameter(const std::string& name);
+  /// Gives a declared parameter a value, or another one; `part` is what messages call it.
+  void set_parameter(const std::string& name, const Given& value, const std::string& part = "");
+  void set_tolerance(const std::string& name, const Given& half_width);
+  /// Declares and sets.
+  ParameterIndex add_parameter(const std::string& name, const Given& value);
+
+  LinkIndex add_link(const std::string& name);
+  /// `name` is `link.feature`.
+  FeatureIndex add_point(const std::string& name, const Given& x, const Given& y);
+  FeatureIndex add_line(const std::string& name, const Given& x, const Given& y,
+                        const Given& along_x, const Given& along_y);
+  JointIndex add_joint(const std::string& name, JointType type,
+                       const std::vector<std::string>& between);
+  DriverIndex add_driver(const std::string& joint, const Given& position, const Given& velocity = 0,
+                         const Given& acceleration = 0);
+  OutputIndex add_output(const std::string& name, const std::string& point);
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  void set_name(const std::string& name) { name_ = name; }
+  [[nodiscard]] const Table<ParameterIndex, Parameter>& parameters() const { return parameters_; }
+  [[nodiscard]] const Table<NumberIndex, Number>& numbers() const { return numbers_; }
+  [[nodiscard]] const Table<FeatureIndex, Feature>& features() const { return features_; }
+  [[nodiscard]] const Table<LinkIndex, Link>& links() const { return links_; }
+  [[nodiscard]] const Table<JointIndex, Joint>& joints() const { return joints_; }
+  [[nodiscard]] const Table<DriverIndex, Driver>& drivers() const { return drivers_; }
+  [[nodiscard]] const Table<OutputIndex, Output>& outputs() const { return outputs_; }
+  /// The fixed frame; none if no link is named `ground`.
+  [[nodiscard]] LinkIndex ground() const { return index_of(links_, std::string("ground")); }
+
+  /// The parameter with a name; `part` is what a message says of the place that names it.
+  [[nodiscard]] ParameterIndex parameter_named(const std::string& name,
+                                               const std::string& part = "") const;
+  /// A number that a request adds; it counts as one of the mechanism's.
+  NumberIndex add_number(const Given& given, const std::string& part);
+
+ private:
+  [[nodiscard]] Formula formula(const std::string& text, const std::string& part) const;
+  [[nodiscard]] Number number(const Given& given, const std::string& part) const;
+  /// Puts a number where one stands already, or adds it.
+  void put_number(const Given& given, const std::string& part, NumberIndex& place);
+  void expect_new_parameter(const std::string& name) const;
+  [[nodiscard]] Feature new_feature(const std::string& name, const std::string& part) const;
+  FeatureIndex add_feature(Feature feature);
+  [[nodiscard]] FeatureIndex feature_named(const std::string& name, const std::string& part) const;
+  void expect_fitting(const Joint& joint, const std::string& part) const;
+
+  std::string name_;
+  Table<ParameterIndex, Parameter> parameters_;
+  Table<NumberIndex, Number> numbers_;
+  Table<FeatureIndex, Feature> features_;
+  Table<LinkIndex, Link> links_;
+  Table<JointIndex, Joint> joints_;
+  Table<DriverIndex, Driver> drivers_;
+  Table<OutputIndex, Output> outputs_;
+};
+
+/// What a message calls a text that a user wrote: short, on one line, in quotes.
+[[nodiscard]] std::string quoted(const std::string& text);
+
+}  // namespace assur::mechanism

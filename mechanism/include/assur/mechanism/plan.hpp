@@ -1,0 +1,46 @@
+// Turns a mechanism and what is wanted of it, once, into what any number of values is solved with.
+#pragma once
+
+#include <assur/mechanism/request.hpp>
+#include <assur/mechanism/scene_file.hpp>
+#include <assur/mechanism/solution.hpp>
+#include <assur/mechanism/structure.hpp>
+#include <assur/mechanism/values.hpp>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace assur::mechanism {
+
+/// The order in which a mechanism's formulas are evaluated and its links are placed.
+///
+///     const Plan plan(mechanism);
+///     const Solution solution = plan.solve(plan.values({{"phi", 1.0}}));
+///     solution.configurations[0].output("P").velocity;
+class Plan {
+ public:
+  /// Throws MechanismError for a mechanism that is over- or under-constrained, that has no ground,
+  /// that holds a group that is not known, or whose parameters depend on themselves.
+  explicit Plan(const Mechanism& mechanism, const Request& request = {});
+  /// Throws InputError, with the scene's file before what a MechanismError says.
+  explicit Plan(const Scene& scene);
+
+  /// The mechanism's numbers, with values in place of some parameters' formulas.
+  [[nodiscard]] Values values(
+      const std::vector<std::pair<std::string, double>>& replaced = {}) const;
+
+  /// The driven links, then the groups one after the other; every combination of their
+  /// configurations is one of the mechanism. Throws MechanismError where the lengths differ by more
+  /// powers of ten than double precision holds.
+  [[nodiscard]] Solution solve(const Values& values) const;
+
+  [[nodiscard]] const Mechanism& mechanism() const;
+  [[nodiscard]] const Request& request() const;
+  [[nodiscard]] const Structure& structure() const;
+
+ private:
+  std::shared_ptr<const PlanData> data_;
+};
+
+}  // namespace assur::mechanism

@@ -1,0 +1,26 @@
+// Turns a scene file (JSON) into a mechanism and what is wanted of it.
+#pragma once
+
+#include <assur/mechanism/request.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace assur::mechanism {
+
+/// What a scene file holds, and the name of the file, which messages begin with.
+struct Scene {
+  std::string file;
+  Mechanism mechanism;
+  Request request;
+};
+
+/// Reads a scene. `settings` replace parameters' values: `NAME=EXPR`. Throws InputError with one
+/// line: file, place, what is wrong, and the mend where there is one.
+[[nodiscard]] Scene read_scene(const std::filesystem::path& file,
+                               const std::vector<std::string>& settings = {});
+/// The same from text; `file` is its name in messages.
+[[nodiscard]] Scene parse_scene(const std::string& text, const std::string& file,
+                                const std::vector<std::string>& settings = {});
+
+}  // namespace assur::mechanism

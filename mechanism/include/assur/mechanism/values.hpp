@@ -1,0 +1,121 @@
+// Turns a mechanism's parameters and formulas into numbers with derivatives to the parameters.
+#pragma once
+
+#include <Eigen/Core>
+#include <assur/mechanism/dual.hpp>
+#include <assur/mechanism/frame.hpp>
+#include <assur/mechanism/structure.hpp>
+#include <assur/normal_form.hpp>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace assur::mechanism {
+
+struct Dependents;
+struct PlanData;
+
+/// The links of a group in normal form, under the first assignment of roles that has one.
+struct GroupGeometry {
+  const RoleAssignment* roles = nullptr;  ///< null where no assignment has a normal form
+  std::string obstacle;                   ///< then: which link has none, and why
+  std::vector<NormalForm<Dual>> links;    ///< of each link of the model
+
+  /// The dimensions of the model, in its order.
+  [[nodiscard]] std::vector<DimensionValue<Dual>> dimensions() const;
+};
+
+/// How a mechanism measures a slide of a group: sense * (displacement + shift).
+struct SlideMeasure {
+  double sense;
+  Dual shift;
+};
+
+/// How the parameters vary about their values.
+struct Spread {
+  Eigen::VectorXd tolerances;  ///< half-widths of all parameters; zero where one has none
+  /// Of all parameters, zero for those that the request does not name; empty without a covariance.
+  Eigen::MatrixXd covariance;
+};
+
+/// The numbers of a mechanism at one set of parameter values. A parameter may be a formula in
+/// others; its own derivative is one, and what it depends on enters by the chain rule. Made by
+/// `Plan::values`; `set` evaluates again only what depends on the parameter.
+class Values {
+ public:
+  /// Puts a value in place of each of some parameters' formulas. Throws MechanismError for a value
+  /// or a derivative that is not finite, a negative tolerance, a line without a direction, or a
+  /// covariance that is none.
+  Values(std::shared_ptr<const PlanData> plan,
+         const std::vector<std::pair<ParameterIndex, double>>& replaced);
+
+  /// Another value of one parameter. Throws as the constructor does; until a value is set that can
+  /// be used, these values then refuse to be solved.
+  void set(ParameterIndex parameter, double value);
+  /// Whether the last `set` went through.
+  [[nodiscard]] bool usable() const { return usable_; }
+
+  [[nodiscard]] double parameter(ParameterIndex parameter) const {
+    return parameters_[parameter].value();
+  }
+  /// A number of a joint's or an output's feature, of a driver or a tolerance, with its
+  /// derivatives.
+  [[nodiscard]] const Dual& number(NumberIndex number) const { return numbers_[number]; }
+  /// The value of any number, evaluated here and now. Throws MechanismError where it is not finite.
+  [[nodiscard]] double value_of(NumberIndex number) const;
+  /// A feature in its link's frame; that of a block, which is none, has no extent.
+  [[nodiscard]] LinkFeature<Dual> feature(FeatureIndex feature, bool is_line) const;
+  /// The frame of a feature on its link: a line along its x-axis, a point on the link's axes.
+  [[nodiscard]] const Frame& frame(FeatureIndex feature) const {
+    return feature.exists() ? frames_[feature] : block_;
+  }
+  [[nodiscard]] const GroupGeometry& group(GroupIndex group) const { return groups_[group]; }
+  [[nodiscard]] SlideMeasure slide_measure(GroupIndex group, int model_joint) const;
+
+  /// The parameters to which derivatives are taken, in the order of their columns: all where
+  /// sensitivities are wanted, otherwise the swept one, if any.
+  [[nodiscard]] const std::vector<ParameterIndex>& columns() const;
+  /// Whether second derivatives are carried: a covariance and sensitivities are wanted.
+  [[nodiscard]] bool second_order() const;
+  [[nodiscard]] const Spread& spread() const { return spread_; }
+  [[nodiscard]] const PlanData& plan() const { return *plan_; }
+  /// A number that does not depend on the parameters.
+  [[nodiscard]] Dual constant(double value) const;
+
+ private:
+  void expect_finite(ParameterIndex parameter, double value) const;
+  void evaluate();
+  void evaluate_dependents(ParameterIndex parameter);
+  void evaluate_parameter(ParameterIndex parameter);
+  void evaluate_number(NumberIndex number);
+  void evaluate_feature(FeatureIndex feature);
+  void evaluate_group(GroupIndex group);
+  void evaluate_requests();
+  [[nodiscard]] Dual evaluated(NumberIndex number) const;
+  /// A parameter's deviation from its formula: zero, with its own derivative one.
+  [[nodiscard]] Dual deviation(ParameterIndex parameter) const;
+
+  std::shared_ptr<const PlanData> plan_;
+  std::vector<std::pair<ParameterIndex, double>> replaced_;
+  /// Of each parameter that was set; null for the others.
+  Table<ParameterIndex, std::shared_ptr<const Dependents>> dependents_;
+  Table<ParameterIndex, Dual> parameters_;
+  Table<NumberIndex, Dual> numbers_;
+  Table<FeatureIndex, LinkFeature<Dual>> features_;
+  Table<FeatureIndex, Frame> frames_;
+  Frame block_;
+  Table<GroupIndex, GroupGeometry> groups_;
+  Spread spread_;
+  bool usable_ = true;
+
+ public:
+  /// What solving needs of a group, in plain numbers; made with the group's geometry.
+  struct GroupNumbers;
+
+ private:
+  friend class GroupSolver;
+  Table<GroupIndex, std::shared_ptr<const GroupNumbers>> group_numbers_;
+};
+
+}  // namespace assur::mechanism

@@ -1,0 +1,84 @@
+#include "json_values.hpp"
+
+#include <algorithm>
+#include <assur/text/suggestion.hpp>
+#include <set>
+
+namespace assur::mechanism {
+
+SceneJson parsed(const std::string& text) {
+  // The library keeps the last of two equal keys without a word; a scene must not.
+  std::vector<std::set<std::string>> open;
+  const auto watch = [&](int /*depth*/, SceneJson::parse_event_t event, SceneJson& value) {
+    if (event == SceneJson::parse_event_t::object_start) {
+      open.emplace_back();
+    } else if (event == SceneJson::parse_event_t::object_end) {
+      open.pop_back();
+    } else if (event == SceneJson::parse_event_t::key) {
+      const auto key = value.get<std::string>();
+      if (!open.back().insert(key).second) {
+        throw MechanismError("", "the key " + quoted(key) + " stands twice in one object");
+      }
+    }
+    return true;
+  };
+  try {
+    return SceneJson::parse(text, watch);
+  } catch (const SceneJson::exception& error) {
+    std::string what = error.what();
+    what = what.substr(what.find("] ") == std::string::npos ? 0 : what.find("] ") + 2);
+    std::replace_if(
+        what.begin(), what.end(),
+        [](char letter) { return static_cast<unsigned char>(letter) < 0x20; }, ' ');
+    throw MechanismError("", "not JSON: " + what);
+  }
+}
+
+void expect_object(const SceneJson& value, const std::string& part) {
+  if (!value.is_object()) {
+    throw MechanismError(part, std::string("expected an object {...}, found ") + value.type_name());
+  }
+}
+
+void expect_keys(const SceneJson& value, const std::string& part,
+                 const std::vector<std::string>& known) {
+  for (const auto& [key, ignored] : value.items()) {
+    if (std::find(known.begin(), known.end(), key) == known.end()) {
+      throw MechanismError(part, "unknown key " + quoted(key) + text::suggestion(key, known));
+    }
+  }
+}
+
+const SceneJson& required(const SceneJson& value, const std::string& key, const std::string& part) {
+  if (!value.contains(key)) {
+    throw MechanismError(part, "the key '" + key + "' is missing");
+  }
+  return value.at(key);
+}
+
+std::string text_of(const SceneJson& value, const std::string& part) {
+  if (!value.is_string()) {
+    throw MechanismError(part, std::string("expected a text, found ") + value.type_name());
+  }
+  return value.get<std::string>();
+}
+
+Mechanism::Given number_of(const SceneJson& value, const std::string& part) {
+  if (value.is_string()) {
+    return value.get<std::string>();
+  }
+  if (!value.is_number()) {
+    throw MechanismError(
+        part, std::string("expected a number or an expression, found ") + value.type_name());
+  }
+  return value.get<double>();
+}
+
+std::array<Mechanism::Given, 2> pair_of(const SceneJson& value, const std::string& part) {
+  if (!value.is_array() || value.size() != 2) {
+    throw MechanismError(part, "expected two numbers [x, y]");
+  }
+  return {number_of(value[0], part + "[0]"), number_of(value[1], part + "[1]")};
+}
+
+}  // namespace assur::mechanism

@@ -1,0 +1,31 @@
+// Turns the values of a scene's JSON into texts and numbers, or into one line of complaint.
+#pragma once
+
+#include <array>
+#include <assur/mechanism/mechanism.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace assur::mechanism {
+
+/// Ordered, because the order of links and joints decides how a group is spelled.
+using SceneJson = nlohmann::ordered_json;
+
+/// The document that a text spells. Throws MechanismError for what is not JSON, and for a key that
+/// stands twice in one object.
+[[nodiscard]] SceneJson parsed(const std::string& text);
+
+/// Each throws MechanismError where a value is not what it must be; `part` is what it calls it.
+void expect_object(const SceneJson& value, const std::string& part);
+void expect_keys(const SceneJson& value, const std::string& part,
+                 const std::vector<std::string>& known);
+[[nodiscard]] const SceneJson& required(const SceneJson& value, const std::string& key,
+                                        const std::string& part);
+[[nodiscard]] std::string text_of(const SceneJson& value, const std::string& part);
+/// A number, or the text of an expression.
+[[nodiscard]] Mechanism::Given number_of(const SceneJson& value, const std::string& part);
+[[nodiscard]] std::array<Mechanism::Given, 2> pair_of(const SceneJson& value,
+                                                      const std::string& part);
+
+}  // namespace assur::mechanism

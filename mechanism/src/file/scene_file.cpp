@@ -1,0 +1,279 @@
+#include <algorithm>
+#include <array>
+#include <assur/mechanism/scene_file.hpp>
+#include <assur/text/input_file.hpp>
+#include <assur/text/suggestion.hpp>
+
+#include "json_values.hpp"
+
+namespace assur::mechanism {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& part, const std::string& what) {
+  throw MechanismError(part, what);
+}
+
+/// Reads a document from its parameters to its requests: each part may name what earlier ones hold.
+class SceneReader {
+ public:
+  SceneReader(const SceneJson& root, const std::vector<std::string>& settings, Scene& scene)
+      : root_(root), settings_(settings), mechanism_(scene.mechanism), request_(scene.request) {}
+
+  void read() {
+    expect_object(root_, "");
+    expect_keys(root_, "",
+                {"name", "parameters", "links", "joints", "drivers", "outputs", "want", "sweep",
+                 "covariance"});
+    if (root_.contains("name")) {
+      mechanism_.set_name(text_of(root_["name"], "name"));
+    }
+    read_parameters();
+    apply_settings();
+    read_links();
+    read_joints();
+    read_drivers();
+    read_outputs();
+    read_want();
+    read_sweep();
+    read_covariance();
+  }
+
+ private:
+  void read_parameters() {
+    if (!root_.contains("parameters")) {
+      return;
+    }
+    const SceneJson& parameters = root_["parameters"];
+    expect_object(parameters, "parameters");
+    for (const auto& [name, value] : parameters.items()) {
+      mechanism_.declare_parameter(name);
+    }
+    for (const auto& [name, value] : parameters.items()) {
+      const std::string part = "parameters." + name;
+      if (!value.is_object()) {
+        mechanism_.set_parameter(name, number_of(value, part), part);
+        continue;
+      }
+      expect_keys(value, part, {"value", "tolerance"});
+      const std::string value_part = part + ".value";
+      mechanism_.set_parameter(name, number_of(required(value, "value", part), value_part),
+                               value_part);
+      if (value.contains("tolerance")) {
+        mechanism_.set_tolerance(name, number_of(value["tolerance"], part + ".tolerance"));
+      }
+    }
+  }
+
+  void apply_settings() {
+    for (const std::string& setting : settings_) {
+      const std::size_t equals = setting.find('=');
+      if (equals == std::string::npos) {
+        fail("--set", "expected NAME=EXPR, found " + quoted(setting));
+      }
+      const std::string name = setting.substr(0, equals);
+      (void)mechanism_.parameter_named(name, "--set");
+      mechanism_.set_parameter(name, setting.substr(equals + 1), "--set " + name);
+    }
+  }
+
+  void read_links() {
+    const SceneJson& links = required(root_, "links", "");
+    expect_object(links, "links");
+    for (const auto& [name, value] : links.items()) {
+      mechanism_.add_link(name);
+      expect_object(value, "links." + name);
+      for (const auto& [feature, place] : value.items()) {
+        read_feature(name, feature, place);
+      }
+    }
+  }
+
+  void read_feature(const std::string& link, const std::string& name, const SceneJson& value) {
+    const std::string whole = link + "." + name;
+    const std::string part = "links." + whole;
+    if (value.is_object()) {
+      expect_keys(value, part, {"through", "along"});
+      const auto through = pair_of(required(value, "through", part), part + ".through");
+      const auto along = pair_of(required(value, "along", part), part + ".along");
+      mechanism_.add_line(whole, through[0], through[1], along[0], along[1]);
+    } else if (value.is_array()) {
+      const auto point = pair_of(value, part);
+      mechanism_.add_point(whole, point[0], point[1]);
+    } else {
+      fail(part, R"(expected a point [x, y] or a line {"through": [x, y], "along": [dx, dy]})");
+    }
+  }
+
+  void read_joints() {
+    const SceneJson& joints = required(root_, "joints", "");
+    expect_object(joints, "joints");
+    const std::vector<std::string> types = {"revolute", "prismatic", "pin-in-slot"};
+    for (const auto& [name, value] : joints.items()) {
+      const std::string part = "joints." + name;
+      expect_object(value, part);
+      expect_keys(value, part, {"type", "between"});
+      const std::string type = text_of(required(value, "type", part), part + ".type");
+      const auto found = std::find(types.begin(), types.end(), type);
+      if (found == types.end()) {
+        fail(part + ".type", "no joint type " + quoted(type) + text::suggestion(type, types) +
+                                 "; the types are revolute, prismatic, pin-in-slot");
+      }
+      const SceneJson& between = required(value, "between", part);
+      if (!between.is_array()) {
+        fail(part + ".between", "expected two or more features [\"link.feature\", ...]");
+      }
+      std::vector<std::string> features;
+      for (std::size_t index = 0; index < between.size(); ++index) {
+        features.push_back(
+            text_of(between[index], part + ".between[" + std::to_string(index) + "]"));
+      }
+      mechanism_.add_joint(name, static_cast<JointType>(found - types.begin()), features);
+    }
+  }
+
+  void read_drivers() {
+    if (!root_.contains("drivers")) {
+      return;
+    }
+    expect_object(root_["drivers"], "drivers");
+    for (const auto& [name, value] : root_["drivers"].items()) {
+      const std::string part = "drivers." + name;
+      if (!index_of(mechanism_.joints(), name).exists()) {
+        fail("drivers", "no joint named " + quoted(name) +
+                            text::suggestion(name, names_of(mechanism_.joints())));
+      }
+      expect_object(value, part);
+      expect_keys(value, part, {"position", "velocity", "acceleration"});
+      const SceneJson zero = 0;
+      const auto rate = [&](const std::string& key) {
+        return number_of(value.contains(key) ? value[key] : zero, part + "." + key);
+      };
+      mechanism_.add_driver(name, number_of(required(value, "position", part), part + ".position"),
+                            rate("velocity"), rate("acceleration"));
+    }
+  }
+
+  void read_outputs() {
+    if (!root_.contains("outputs")) {
+      return;
+    }
+    expect_object(root_["outputs"], "outputs");
+    for (const auto& [name, value] : root_["outputs"].items()) {
+      mechanism_.add_output(name, text_of(value, "outputs." + name));
+    }
+  }
+
+  void read_want() {
+    if (!root_.contains("want")) {
+      return;
+    }
+    if (!root_["want"].is_array()) {
+      fail("want", "expected a list of position, velocity, acceleration, sensitivity");
+    }
+    Want& want = request_.want;
+    want = {false, false, false, false};
+    const std::vector<std::string> known = {"position", "velocity", "acceleration", "sensitivity"};
+    const std::array<bool*, 4> flags = {&want.position, &want.velocity, &want.acceleration,
+                                        &want.sensitivity};
+    for (std::size_t index = 0; index < root_["want"].size(); ++index) {
+      const std::string part = "want[" + std::to_string(index) + "]";
+      const std::string wish = text_of(root_["want"][index], part);
+      const auto found = std::find(known.begin(), known.end(), wish);
+      if (found == known.end()) {
+        fail(part, "no such result " + quoted(wish) + text::suggestion(wish, known));
+      }
+      *flags[static_cast<std::size_t>(found - known.begin())] = true;
+    }
+  }
+
+  void read_sweep() {
+    if (!root_.contains("sweep")) {
+      return;
+    }
+    const SceneJson& value = root_["sweep"];
+    expect_object(value, "sweep");
+    expect_keys(value, "sweep", {"parameter", "from", "to", "count"});
+    Sweep sweep;
+    sweep.parameter = mechanism_.parameter_named(
+        text_of(required(value, "parameter", "sweep"), "sweep.parameter"), "sweep.parameter");
+    const auto end = [&](const std::string& key) {
+      const std::string part = "sweep." + key;
+      return mechanism_.add_number(number_of(required(value, key, "sweep"), part), part);
+    };
+    sweep.from = end("from");
+    sweep.to = end("to");
+    const SceneJson& count = required(value, "count", "sweep");
+    if (!count.is_number_integer() || count.get<double>() < 1 || count.get<double>() > 1e7) {
+      fail("sweep.count", "expected a whole number from 1 to 10000000");
+    }
+    sweep.count = count.get<int>();
+    request_.sweep = sweep;
+  }
+
+  void read_covariance() {
+    if (!root_.contains("covariance")) {
+      return;
+    }
+    const SceneJson& value = root_["covariance"];
+    expect_object(value, "covariance");
+    expect_keys(value, "covariance", {"parameters", "matrix"});
+    const SceneJson& parameters = required(value, "parameters", "covariance");
+    if (!parameters.is_array() || parameters.empty()) {
+      fail("covariance.parameters", "expected one or more names of parameters [\"AB\", ...]");
+    }
+    Covariance covariance;
+    for (std::size_t index = 0; index < parameters.size(); ++index) {
+      const std::string part = "covariance.parameters[" + std::to_string(index) + "]";
+      const std::string name = text_of(parameters[index], part);
+      const ParameterIndex parameter = mechanism_.parameter_named(name, part);
+      if (std::find(covariance.parameters.begin(), covariance.parameters.end(), parameter) !=
+          covariance.parameters.end()) {
+        fail(part, "the parameter " + quoted(name) + " stands twice");
+      }
+      covariance.parameters.push_back(parameter);
+    }
+    const SceneJson& matrix = required(value, "matrix", "covariance");
+    const std::string size = std::to_string(parameters.size());
+    if (!matrix.is_array() || matrix.size() != parameters.size()) {
+      fail("covariance.matrix", "expected a row for each of the parameters, " + size + " in all");
+    }
+    for (std::size_t row = 0; row < matrix.size(); ++row) {
+      const std::string part = "covariance.matrix[" + std::to_string(row) + "]";
+      if (!matrix[row].is_array() || matrix[row].size() != parameters.size()) {
+        fail(part, "expected a number for each of the parameters, " + size + " in all");
+      }
+      covariance.matrix.emplace_back();
+      for (std::size_t column = 0; column < parameters.size(); ++column) {
+        const std::string entry = part + "[" + std::to_string(column) + "]";
+        covariance.matrix.back().push_back(
+            mechanism_.add_number(number_of(matrix[row][column], entry), entry));
+      }
+    }
+    request_.covariance = std::move(covariance);
+  }
+
+  const SceneJson& root_;
+  const std::vector<std::string>& settings_;
+  Mechanism& mechanism_;
+  Request& request_;
+};
+
+}  // namespace
+
+Scene parse_scene(const std::string& text, const std::string& file,
+                  const std::vector<std::string>& settings) {
+  Scene scene{file, Mechanism(), {}};
+  try {
+    SceneReader(parsed(text), settings, scene).read();
+  } catch (const MechanismError& error) {
+    throw InputError(file + ": " + error.what());
+  }
+  return scene;
+}
+
+Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& settings) {
+  return parse_scene(text::read_input_file(file), file.string(), settings);
+}
+
+}  // namespace assur::mechanism

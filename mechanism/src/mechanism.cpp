@@ -1,0 +1,255 @@
+#include <assur/mechanism/mechanism.hpp>
+#include <assur/text/suggestion.hpp>
+#include <set>
+
+namespace assur::mechanism {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& part, const std::string& what) {
+  throw MechanismError(part, what);
+}
+
+template <typename Key, typename Item>
+void expect_new(const Table<Key, Item>& table, const std::string& name, const std::string& part) {
+  if (index_of(table, name).exists()) {
+    fail(part, "the name " + quoted(name) + " is taken");
+  }
+}
+
+}  // namespace
+
+std::string quoted(const std::string& text) {
+  std::string shown;
+  for (const char letter : text.substr(0, 40)) {
+    shown += static_cast<unsigned char>(letter) < 0x20 ? '?' : letter;
+  }
+  return "'" + shown + (text.size() > 40 ? "..." : "") + "'";
+}
+
+ParameterIndex Mechanism::parameter_named(const std::string& name, const std::string& part) const {
+  const ParameterIndex found = index_of(parameters_, name);
+  if (!found.exists()) {
+    fail(part,
+         "no parameter named " + quoted(name) + text::suggestion(name, names_of(parameters_)));
+  }
+  return found;
+}
+
+Formula Mechanism::formula(const std::string& text, const std::string& part) const {
+  try {
+    return {text::parse_expression(text),
+            [&](const std::string& name) { return parameter_named(name, part); }};
+  } catch (const text::ExpressionError& error) {
+    fail(part, std::string(error.what()) + " at column " + std::to_string(error.column) + " of " +
+                   quoted(text));
+  }
+}
+
+Number Mechanism::number(const Given& given, const std::string& part) const {
+  return {given.text_ ? formula(*given.text_, part) : Formula(given.number_), part};
+}
+
+NumberIndex Mechanism::add_number(const Given& given, const std::string& part) {
+  return numbers_.add(number(given, part));
+}
+
+void Mechanism::put_number(const Given& given, const std::string& part, NumberIndex& place) {
+  if (place.exists()) {
+    numbers_[place] = number(given, part);
+  } else {
+    place = add_number(given, part);
+  }
+}
+
+void Mechanism::expect_new_parameter(const std::string& name) const {
+  if (!text::is_identifier(name)) {
+    fail("parameters", quoted(name) + " is not a name (letters, digits, underscores)");
+  }
+  if (text::is_reserved_name(name)) {
+    fail("parameters", quoted(name) + " is the name of a function or constant");
+  }
+  expect_new(parameters_, name, "parameters");
+}
+
+ParameterIndex Mechanism::declare_parameter(const std::string& name) {
+  expect_new_parameter(name);
+  return parameters_.add({name, {}, {}});
+}
+
+void Mechanism::set_parameter(const std::string& name, const Given& value,
+                              const std::string& part) {
+  const ParameterIndex parameter = parameter_named(name, part);
+  put_number(value, part.empty() ? "parameters." + name : part, parameters_[parameter].value);
+}
+
+void Mechanism::set_tolerance(const std::string& name, const Given& half_width) {
+  const std::string part = "parameters." + name + ".tolerance";
+  const ParameterIndex parameter = parameter_named(name, part);
+  put_number(half_width, part, parameters_[parameter].tolerance);
+}
+
+ParameterIndex Mechanism::add_parameter(const std::string& name, const Given& value) {
+  expect_new_parameter(name);
+  return parameters_.add({name, add_number(value, "parameters." + name), {}});
+}
+
+LinkIndex Mechanism::add_link(const std::string& name) {
+  if (name.empty() || name.find('.') != std::string::npos) {
+    fail("links", quoted(name) + " is not a name: it is empty or has a dot");
+  }
+  expect_new(links_, name, "links");
+  return links_.add({name, {}});
+}
+
+Feature Mechanism::new_feature(const std::string& name, const std::string& part) const {
+  const std::size_t dot = name.find('.');
+  if (dot == std::string::npos) {
+    fail(part, "expected 'link.feature', found " + quoted(name));
+  }
+  const std::string link_name = name.substr(0, dot);
+  const LinkIndex link = index_of(links_, link_name);
+  if (!link.exists()) {
+    fail(part,
+         "no link named " + quoted(link_name) + text::suggestion(link_name, names_of(links_)));
+  }
+  Feature feature;
+  feature.name = name.substr(dot + 1);
+  feature.link = link;
+  for (const FeatureIndex other : links_[link].features) {
+    if (features_[other].name == feature.name) {
+      fail(part, "the name " + quoted(feature.name) + " is taken");
+    }
+  }
+  return feature;
+}
+
+FeatureIndex Mechanism::add_feature(Feature feature) {
+  const LinkIndex link = feature.link;
+  const FeatureIndex added = features_.add(std::move(feature));
+  links_[link].features.push_back(added);
+  return added;
+}
+
+FeatureIndex Mechanism::add_point(const std::string& name, const Given& x, const Given& y) {
+  const std::string part = "links." + name;
+  Feature feature = new_feature(name, part);
+  Number first = number(x, part + "[0]");
+  Number second = number(y, part + "[1]");
+  feature.x = numbers_.add(std::move(first));
+  feature.y = numbers_.add(std::move(second));
+  return add_feature(std::move(feature));
+}
+
+FeatureIndex Mechanism::add_line(const std::string& name, const Given& x, const Given& y,
+                                 const Given& along_x, const Given& along_y) {
+  const std::string part = "links." + name;
+  Feature feature = new_feature(name, part);
+  Number through_x = number(x, part + ".through[0]");
+  Number through_y = number(y, part + ".through[1]");
+  Number sense_x = number(along_x, part + ".along[0]");
+  Number sense_y = number(along_y, part + ".along[1]");
+  feature.is_line = true;
+  feature.x = numbers_.add(std::move(through_x));
+  feature.y = numbers_.add(std::move(through_y));
+  feature.along_x = numbers_.add(std::move(sense_x));
+  feature.along_y = numbers_.add(std::move(sense_y));
+  return add_feature(std::move(feature));
+}
+
+FeatureIndex Mechanism::feature_named(const std::string& name, const std::string& part) const {
+  const std::size_t dot = name.find('.');
+  if (dot == std::string::npos) {
+    fail(part, "expected 'link.feature', found " + quoted(name));
+  }
+  const std::string link_name = name.substr(0, dot);
+  const std::string feature_name = name.substr(dot + 1);
+  const LinkIndex link = index_of(links_, link_name);
+  if (!link.exists()) {
+    fail(part,
+         "no link named " + quoted(link_name) + text::suggestion(link_name, names_of(links_)));
+  }
+  std::vector<std::string> names;
+  for (const FeatureIndex feature : links_[link].features) {
+    if (features_[feature].name == feature_name) {
+      return feature;
+    }
+    names.push_back(features_[feature].name);
+  }
+  fail(part, "link '" + link_name + "' has no feature " + quoted(feature_name) +
+                 text::suggestion(feature_name, names));
+}
+
+JointIndex Mechanism::add_joint(const std::string& name, JointType type,
+                                const std::vector<std::string>& between) {
+  const std::string part = "joints." + name + ".between";
+  expect_new(joints_, name, "joints");
+  if (between.size() < 2) {
+    fail(part, "expected two or more features [\"link.feature\", ...]");
+  }
+  Joint joint{name, type, {}};
+  for (std::size_t place = 0; place < between.size(); ++place) {
+    joint.between.push_back(
+        feature_named(between[place], part + "[" + std::to_string(place) + "]"));
+  }
+  expect_fitting(joint, part);
+  return joints_.add(std::move(joint));
+}
+
+void Mechanism::expect_fitting(const Joint& joint, const std::string& part) const {
+  if (joint.type != JointType::revolute && joint.between.size() != 2) {
+    fail(part, "only a revolute joint may join more than two links");
+  }
+  int lines = 0;
+  std::set<LinkIndex> links;
+  for (const FeatureIndex index : joint.between) {
+    const Feature& feature = features_[index];
+    lines += feature.is_line ? 1 : 0;
+    if (!links.insert(feature.link).second) {
+      fail(part, "link '" + links_[feature.link].name + "' stands twice in one joint");
+    }
+  }
+  if (joint.type == JointType::revolute && lines != 0) {
+    fail(part, "a revolute joint joins points, and one of these features is a line");
+  }
+  if (joint.type == JointType::prismatic && lines != 2) {
+    fail(part, "a prismatic joint joins two lines, and one of these features is a point");
+  }
+  if (joint.type == JointType::pin_in_slot && lines != 1) {
+    fail(part, "a pin-in-slot joint joins a point and a line");
+  }
+}
+
+DriverIndex Mechanism::add_driver(const std::string& joint, const Given& position,
+                                  const Given& velocity, const Given& acceleration) {
+  const std::string part = "drivers." + joint;
+  Driver driver;
+  driver.joint = index_of(joints_, joint);
+  if (!driver.joint.exists()) {
+    fail("drivers", "no joint named " + quoted(joint) + text::suggestion(joint, names_of(joints_)));
+  }
+  for (const Driver& other : drivers_) {
+    if (other.joint == driver.joint) {
+      fail(part, "the joint has a driver already");
+    }
+  }
+  Number law = number(position, part + ".position");
+  Number first_rate = number(velocity, part + ".velocity");
+  Number second_rate = number(acceleration, part + ".acceleration");
+  driver.position = numbers_.add(std::move(law));
+  driver.velocity = numbers_.add(std::move(first_rate));
+  driver.acceleration = numbers_.add(std::move(second_rate));
+  return drivers_.add(driver);
+}
+
+OutputIndex Mechanism::add_output(const std::string& name, const std::string& point) {
+  const std::string part = "outputs." + name;
+  expect_new(outputs_, name, "outputs");
+  const FeatureIndex feature = feature_named(point, part);
+  if (features_[feature].is_line) {
+    fail(part, "an output is a point, and this feature is a line");
+  }
+  return outputs_.add({name, feature});
+}
+
+}  // namespace assur::mechanism

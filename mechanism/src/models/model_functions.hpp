@@ -1,0 +1,247 @@
+// Turns a generated model into its kernel and its row in the list of models.
+#pragma once
+
+#include <algorithm>
+#include <assur/assembly.hpp>
+#include <assur/mechanism/group_model.hpp>
+#include <assur/support/displacement.hpp>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "models/model_kernel.hpp"
+
+namespace assur::mechanism {
+
+/// The functions of a model on flat variables.
+template <typename Model>
+class ModelFunctions {
+  using Dimensions = typename Model::template Dimensions<double>;
+  using Inputs = typename Model::template Inputs<double>;
+  using Configuration = typename Model::template Configuration<double>;
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+ public:
+  static void assemble(const FlatVariables& d, const FlatVariables& u, GroupAssemblies& result) {
+    const Assemblies<Model> found = assemblies<Model>(read<Dimensions>(d), read<Inputs>(u));
+    result.status = found.status;
+    result.mobility = found.mobility;
+    result.undecided = found.undecided;
+    result.count = static_cast<std::size_t>(found.count);
+    for (std::size_t index = 0; index < result.count; ++index) {
+      write(found.configurations[index], result.configurations[index]);
+      result.regularity[index] = found.regularity[index];
+    }
+  }
+
+  static void move(const FlatVariables& flat_d, const FlatVariables& flat_u,
+                   const FlatVariables& flat_q, const MotionQuery& query, GroupMotion& motion) {
+    const auto d = read<Dimensions>(flat_d);
+    const auto u = read<Inputs>(flat_u);
+    const auto q = read<Configuration>(flat_q);
+    Vector<double, Model::equation_count> f;
+    Model::residual(d, u, q, f);
+    motion.residual = largest(f.data(), Model::equation_count);
+    Poses<double, Model::link_count> poses;
+    Model::link_poses(d, u, q, poses);
+    std::copy(poses.begin(), poses.end(), motion.poses.begin());
+
+    Vector<double, Model::input_count> u_rate;
+    Vector<double, Model::input_count> u_second_rate;
+    fetch(query.input_rate, u_rate);
+    fetch(query.input_second_rate, u_second_rate);
+    const bool moves = is_finite(u_rate) && is_finite(u_second_rate);
+    const Status own = regularity<Model, double>(d, u, q).status;
+    Vector<double, Model::unknown_count> q_rate;
+    Vector<double, Model::unknown_count> q_second_rate;
+    Matrix<double, Model::unknown_count, Model::dimension_count> q_d;
+    Matrix<double, Model::unknown_count, Model::input_count> q_u;
+    if (is_solvable(own)) {
+      Model::motion(d, u, q, u_rate, u_second_rate, q_rate, q_second_rate);
+    }
+    if (!is_solvable(own) || !moves) {
+      forget(q_rate);
+      forget(q_second_rate);
+    }
+    if (is_solvable(own) && query.derivatives) {
+      Model::sensitivities(d, u, q, q_d, q_u);
+    } else {
+      forget(q_d);
+      forget(q_u);
+    }
+    const support::DisplacedGroup<Model> among(d, u, query.displaced);
+    const Status standing = among.regularity(d, u, q).status;
+    motion.regularity =
+        own == Status::ok && moves && standing == Status::ok ? Status::ok : Status::near_singular;
+    Matrix<double, Model::unknown_count, Model::equation_count> inverse;
+    if (is_solvable(standing)) {
+      Model::inverse_jacobian(d, u, q, inverse);
+    } else {
+      forget(inverse);
+    }
+    motion.displaced = among.displaced(inverse);
+
+    Matrix<double, Model::link_count, 3> velocities;
+    Matrix<double, Model::link_count, 3> accelerations;
+    Model::link_velocities(d, u, q, q_rate, u_rate, velocities);
+    Model::link_accelerations(d, u, q, q_rate, q_second_rate, u_rate, u_second_rate, accelerations);
+    store(q_rate, motion.rate);
+    store(q_second_rate, motion.second_rate);
+    store(velocities, motion.velocities);
+    store(accelerations, motion.accelerations);
+    if (query.derivatives) {
+      Matrix<double, 3 * Model::link_count, Model::unknown_count> p_q;
+      Matrix<double, 3 * Model::link_count, Model::dimension_count> p_d;
+      Matrix<double, 3 * Model::link_count, Model::input_count> p_u;
+      Model::pose_jacobians(d, u, q, p_q, p_d, p_u);
+      store(inverse, motion.inverse);
+      store(q_d, motion.q_d);
+      store(q_u, motion.q_u);
+      store(p_q, motion.p_q);
+      store(p_d, motion.p_d);
+      store(p_u, motion.p_u);
+    }
+  }
+
+  static void bend(const FlatVariables& d, const FlatVariables& u, const FlatVariables& q,
+                   const SmallVector& q_x, const SmallVector& d_x, const SmallVector& u_x,
+                   Curvature& along_x) {
+    Vector<double, Model::unknown_count> q_rate;
+    Vector<double, Model::dimension_count> d_rate;
+    Vector<double, Model::input_count> u_rate;
+    fetch(q_x, q_rate);
+    fetch(d_x, d_rate);
+    fetch(u_x, u_rate);
+    Vector<double, Model::equation_count> rhs;
+    Matrix<double, Model::link_count, 3> p;
+    const auto dimensions = read<Dimensions>(d);
+    const auto inputs = read<Inputs>(u);
+    const auto configuration = read<Configuration>(q);
+    Model::curvature_rhs(dimensions, inputs, configuration, q_rate, d_rate, u_rate, rhs);
+    Model::pose_curvatures(dimensions, inputs, configuration, q_rate, d_rate, u_rate, p);
+    store(rhs, along_x.closures);
+    along_x.poses.resize(3 * Model::link_count);
+    for (int link = 0; link < Model::link_count; ++link) {
+      for (int coordinate = 0; coordinate < 3; ++coordinate) {
+        along_x.poses(3 * link + coordinate) = p(link, coordinate);
+      }
+    }
+  }
+
+  static bool is_compatible(const FlatVariables& d, const FlatVariables& u) {
+    if constexpr (Model::compatibility_count > 0) {
+      Matrix<double, Model::compatibility_count, 2> c;
+      Model::compatibility(read<Dimensions>(d), read<Inputs>(u), c);
+      // Directions come from the scene's expressions, a few roundings each.
+      constexpr double tolerance = 1e-12;
+      return c.col(0).minCoeff() > 0 && c.col(1).cwiseAbs().maxCoeff() < tolerance;
+    } else {
+      (void)d;
+      (void)u;
+      return true;
+    }
+  }
+
+ private:
+  // Plain loops: Eigen's expressions would be compiled anew for the sizes of every model.
+  static double largest(const double* numbers, int count) {
+    double result = 0;
+    for (int index = 0; index < count; ++index) {
+      result = !(std::abs(numbers[index]) <= result) ? std::abs(numbers[index]) : result;
+    }
+    return result;
+  }
+  template <int Rows, int Columns>
+  static void forget(Matrix<double, Rows, Columns>& matrix) {
+    std::fill_n(matrix.data(), Rows * Columns, unknown);
+  }
+  template <int Rows>
+  static void fetch(const SmallVector& from, Vector<double, Rows>& to) {
+    std::copy_n(from.data(), Rows, to.data());
+  }
+  template <int Rows, int Columns, typename Target>
+  static void store(const Matrix<double, Rows, Columns>& matrix, Target& target) {
+    target.resize(Rows, Columns);
+    std::copy_n(matrix.data(), Rows * Columns, target.data());
+  }
+  static void take(const double*& from, double& length) { length = *from++; }
+  static void take(const double*& from, Direction<double>& angle) {
+    angle = {from[0], from[1]};
+    from += 2;
+  }
+  static void give(double length, double*& to) { *to++ = length; }
+  static void give(const Direction<double>& angle, double*& to) {
+    *to++ = angle.cos;
+    *to++ = angle.sin;
+  }
+
+  template <typename Variables>
+  static Variables read(const FlatVariables& flat) {
+    Variables result;
+    const double* from = flat.data();
+    std::apply([&](auto&... member) { (take(from, member), ...); }, result.members());
+    return result;
+  }
+  template <typename Variables>
+  static void write(const Variables& variables, FlatVariables& flat) {
+    double* to = flat.data();
+    std::apply([&](const auto&... member) { (give(member, to), ...); }, variables.members());
+  }
+};
+
+/// The kernel of a model; a degenerate one can only be asked whether it is compatible.
+template <typename Model>
+[[nodiscard]] const ModelKernel* kernel_of() {
+  using Functions = ModelFunctions<Model>;
+  if constexpr (Model::rigid) {
+    static_assert(Model::link_count <= most_links && 2 * Model::unknown_count <= 2 * most_rows &&
+                  Model::dimension_count <= most_rows && Model::input_count <= most_rows &&
+                  Model::max_configurations <= most_configurations);
+    static constexpr ModelKernel kernel = {&Functions::assemble, &Functions::move, &Functions::bend,
+                                           &Functions::is_compatible};
+    return &kernel;
+  } else {
+    static constexpr ModelKernel kernel = {nullptr, nullptr, nullptr, &Functions::is_compatible};
+    return &kernel;
+  }
+}
+
+/// The row of a model, but for its group.
+template <typename Model>
+[[nodiscard]] GroupModel row_of() {
+  GroupModel row{nullptr,
+                 Model::number,
+                 Model::rigid,
+                 Model::mobility,
+                 {},
+                 {},
+                 {Model::unknowns.begin(), Model::unknowns.end()},
+                 static_cast<std::size_t>(Model::dimension_count),
+                 static_cast<std::size_t>(Model::input_count),
+                 kernel_of<Model>()};
+  for (const ModelJoint& joint : Model::joints) {
+    row.prismatic.push_back(joint.prismatic);
+  }
+  for (const auto& kind : Model::kinds) {
+    row.kinds.emplace_back(kind.kind);
+  }
+  return row;
+}
+
+/// The rows of those models of a list whose place leaves the rest `Part` on division by `Parts`:
+/// the list is compiled in so many parts.
+template <typename Models, std::size_t Part, std::size_t Parts>
+void add_rows(std::vector<GroupModel>& rows) {
+  const auto add = [&]<std::size_t Place>() {
+    if constexpr (Place % Parts == Part) {
+      rows.push_back(row_of<std::tuple_element_t<Place, Models>>());
+    }
+  };
+  [&]<std::size_t... Place>(std::index_sequence<Place...>) {
+    (add.template operator()<Place>(), ...);
+  }
+  (std::make_index_sequence<std::tuple_size_v<Models>>());
+}
+
+}  // namespace assur::mechanism

@@ -1,0 +1,75 @@
+// Turns the numbers of one group into its configurations and their motion, the same for every
+// model.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <assur/assembly.hpp>
+#include <assur/model.hpp>
+#include <assur/status.hpp>
+
+namespace assur::mechanism {
+
+/// A group has at most four links; nothing of it is larger than the rows of all its link poses.
+inline constexpr int most_links = 4;
+inline constexpr int most_unknowns = 8;
+inline constexpr int most_configurations = 6;
+inline constexpr int most_rows = 3 * most_links;
+using SmallMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_rows, most_rows>;
+using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_rows, 1>;
+
+/// Variables of a model one after the other: a length is one number, an angle its cosine and sine.
+using FlatVariables = std::array<double, std::size_t{2} * most_rows>;
+
+/// Every configuration of a group; the fields are those of `Assemblies`.
+struct GroupAssemblies {
+  AssemblyStatus status = AssemblyStatus::ok;
+  int mobility = 0;
+  int undecided = 0;
+  std::size_t count = 0;
+  std::array<FlatVariables, most_configurations> configurations;
+  std::array<Status, most_configurations> regularity{};
+};
+
+/// What is asked of one configuration, and how the group's neighbours move.
+struct MotionQuery {
+  bool derivatives;  ///< to dimensions and inputs
+  SmallVector input_rate, input_second_rate;
+  double displaced;  ///< how far rounding may have moved the neighbours
+};
+
+/// One configuration of a group: rows in the order of the model's tables, poses (x, y, theta) link
+/// by link. Where the Jacobian has no inverse, rates and derivatives are NaN.
+struct GroupMotion {
+  double residual;    ///< largest of the closures
+  Status regularity;  ///< ok or near_singular
+  double displaced;   ///< how far rounding may have moved neighbours and links
+  std::array<Pose<double>, most_links> poses;
+  SmallVector rate, second_rate;          ///< of the unknowns
+  SmallMatrix velocities, accelerations;  ///< a row (x, y, theta) per link
+  SmallMatrix inverse;                    ///< of the loop Jacobian
+  SmallMatrix q_d, q_u;                   ///< how the unknowns follow dimensions and inputs
+  SmallMatrix p_q, p_d, p_u;              ///< partial derivatives of the poses
+};
+
+/// A direction in which unknowns, dimensions and inputs move, and the second derivatives along it:
+/// `closures` = -d2f and `poses` = d2p of the loop closures f(q, d, u) and the link poses p(q, d,
+/// u), all variables independent.
+struct Curvature {
+  SmallVector closures, poses;
+};
+
+/// The functions of one model behind plain numbers: d, u and q are flat.
+struct ModelKernel {
+  void (*assemble)(const FlatVariables& d, const FlatVariables& u, GroupAssemblies& found);
+  void (*move)(const FlatVariables& d, const FlatVariables& u, const FlatVariables& q,
+               const MotionQuery& query, GroupMotion& motion);
+  void (*bend)(const FlatVariables& d, const FlatVariables& u, const FlatVariables& q,
+               const SmallVector& q_x, const SmallVector& d_x, const SmallVector& u_x,
+               Curvature& along_x);
+  /// Whether the angles that prismatic joints tie are compatible (of a degenerate model).
+  bool (*is_compatible)(const FlatVariables& d, const FlatVariables& u);
+};
+
+}  // namespace assur::mechanism

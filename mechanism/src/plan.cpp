@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <assur/mechanism/plan.hpp>
+#include <assur/text/suggestion.hpp>
+
+#include "plan/plan_data.hpp"
+#include "solve/solver.hpp"
+
+namespace assur::mechanism {
+
+namespace {
+
+/// Throws MechanismError where a request names what the mechanism does not have.
+void expect_usable(const Mechanism& mechanism, const Request& request) {
+  const auto expect_parameter = [&](ParameterIndex parameter, const std::string& part) {
+    if (!parameter.exists() || parameter.place() >= mechanism.parameters().size()) {
+      throw MechanismError(part, "no such parameter");
+    }
+  };
+  const auto expect_number = [&](NumberIndex number, const std::string& part) {
+    if (!number.exists() || number.place() >= mechanism.numbers().size()) {
+      throw MechanismError(part, "the number is missing");
+    }
+  };
+  if (request.sweep) {
+    expect_parameter(request.sweep->parameter, "sweep.parameter");
+    expect_number(request.sweep->from, "sweep.from");
+    expect_number(request.sweep->to, "sweep.to");
+    if (request.sweep->count < 1) {
+      throw MechanismError("sweep.count", "expected a whole number from 1 on");
+    }
+  }
+  if (request.covariance) {
+    const std::vector<ParameterIndex>& named = request.covariance->parameters;
+    for (std::size_t place = 0; place < named.size(); ++place) {
+      expect_parameter(named[place], "covariance.parameters");
+      if (std::find(named.begin(), named.begin() + static_cast<std::ptrdiff_t>(place),
+                    named[place]) != named.begin() + static_cast<std::ptrdiff_t>(place)) {
+        throw MechanismError("covariance.parameters", "a parameter stands twice");
+      }
+    }
+    const auto& matrix = request.covariance->matrix;
+    for (const std::vector<NumberIndex>& row : matrix) {
+      if (matrix.size() != named.size() || row.size() != named.size()) {
+        throw MechanismError("covariance.matrix",
+                             "expected a row and a column for each of the parameters");
+      }
+      for (const NumberIndex entry : row) {
+        expect_number(entry, "covariance.matrix");
+      }
+    }
+  }
+}
+
+std::shared_ptr<const PlanData> planned(const Mechanism& mechanism, const Request& request) {
+  expect_usable(mechanism, request);
+  Structure structure = structure_of(mechanism);
+  EvaluationOrder order = evaluation_order(mechanism, request);
+  return std::make_shared<const PlanData>(
+      PlanData{mechanism, request, std::move(structure), std::move(order)});
+}
+
+/// The item with a name, for messages of what a program asks for.
+template <typename Key, typename Part, typename Item>
+const Item& item_named(const Table<Key, Part>& parts, const Table<Key, Item>& items,
+                       const std::string& name, const std::string& what) {
+  const Key key = index_of(parts, name);
+  if (!key.exists()) {
+    throw MechanismError(
+        "", "no " + what + " named " + quoted(name) + text::suggestion(name, names_of(parts)));
+  }
+  return items[key];
+}
+
+}  // namespace
+
+Plan::Plan(const Mechanism& mechanism, const Request& request)
+    : data_(planned(mechanism, request)) {}
+
+Plan::Plan(const Scene& scene) {
+  try {
+    data_ = planned(scene.mechanism, scene.request);
+  } catch (const MechanismError& error) {
+    throw InputError(scene.file + ": " + error.what());
+  }
+}
+
+Values Plan::values(const std::vector<std::pair<std::string, double>>& replaced) const {
+  std::vector<std::pair<ParameterIndex, double>> indexed;
+  indexed.reserve(replaced.size());
+  for (const auto& [name, value] : replaced) {
+    indexed.emplace_back(data_->mechanism.parameter_named(name, ""), value);
+  }
+  return {data_, indexed};
+}
+
+Solution Plan::solve(const Values& values) const {
+  if (&values.plan() != data_.get()) {
+    throw MechanismError("", "the values belong to another plan");
+  }
+  if (!values.usable()) {
+    throw MechanismError("", "the values cannot be used: the last one that was set was refused");
+  }
+  return mechanism::solve(data_, values);
+}
+
+const Mechanism& Plan::mechanism() const { return data_->mechanism; }
+const Request& Plan::request() const { return data_->request; }
+const Structure& Plan::structure() const { return data_->structure; }
+
+const Frame& Configuration::link(const std::string& name) const {
+  expect_solved();
+  return item_named(plan->mechanism.links(), links, name, "link");
+}
+
+void Configuration::expect_solved() const {
+  if (plan == nullptr) {
+    throw MechanismError("", "the configuration is empty: it comes from no solution");
+  }
+}
+
+const Point& Configuration::output(const std::string& name) const {
+  expect_solved();
+  return item_named(plan->mechanism.outputs(), outputs, name, "output");
+}
+
+}  // namespace assur::mechanism

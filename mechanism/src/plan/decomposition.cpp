@@ -1,0 +1,355 @@
+#include "decomposition.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <tuple>
+
+namespace assur::mechanism {
+
+namespace {
+
+struct Body;
+using BodyIndex = Index<Body>;
+struct Tie;
+using TieIndex = Index<Tie>;
+using ComponentIndex = Index<struct StrongComponent>;
+
+/// What moves as one: a link, or the point of a pin of several links.
+struct Body {
+  LinkIndex link;                 ///< none for a pin
+  int freedoms;                   ///< three of a link, two of a point
+  std::vector<TieIndex> matched;  ///< for each freedom that is taken, the tie that takes it
+};
+
+/// What ties one body to another, or to what is placed: two equations.
+struct Tie {
+  BodyIndex body;
+  BodyIndex other;  ///< none for what is placed
+  std::string joint;
+  int unmatched = 0;  ///< equations that take no freedom
+
+  [[nodiscard]] bool touches(BodyIndex at) const {
+    return at.exists() && (body == at || other == at);
+  }
+};
+
+constexpr int equations_of_a_tie = 2;
+
+/// The strongly connected components of bodies that depend on one another (Tarjan).
+class StrongComponents {
+ public:
+  explicit StrongComponents(const Table<BodyIndex, std::vector<BodyIndex>>& needs)
+      : needs_(needs),
+        order_(needs.size(), -1),
+        lowest_(needs.size(), -1),
+        component_(needs.size()) {
+    for (const BodyIndex body : needs.keys()) {
+      if (order_[body] < 0) {
+        visit(body);
+      }
+    }
+  }
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] ComponentIndex of(BodyIndex body) const { return component_[body]; }
+
+ private:
+  void visit(BodyIndex body) {
+    order_[body] = lowest_[body] = next_++;
+    open_.push_back(body);
+    for (const BodyIndex needed : needs_[body]) {
+      if (order_[needed] < 0) {
+        visit(needed);
+        lowest_[body] = std::min(lowest_[body], lowest_[needed]);
+      } else if (!component_[needed].exists()) {
+        lowest_[body] = std::min(lowest_[body], order_[needed]);
+      }
+    }
+    if (lowest_[body] == order_[body]) {
+      const ComponentIndex component(count_++);
+      BodyIndex closed;
+      do {
+        closed = open_.back();
+        open_.pop_back();
+        component_[closed] = component;
+      } while (closed != body);
+    }
+  }
+
+  const Table<BodyIndex, std::vector<BodyIndex>>& needs_;
+  Table<BodyIndex, int> order_, lowest_;
+  Table<BodyIndex, ComponentIndex> component_;
+  std::vector<BodyIndex> open_;
+  int next_ = 0;
+  std::size_t count_ = 0;
+};
+
+class StructuralGraph {
+ public:
+  StructuralGraph(const Linkage& linkage, const Table<LinkIndex, bool>& placed,
+                  const Table<ElementaryJointIndex, bool>& spent)
+      : linkage_(linkage), placed_(placed) {
+    collect_bodies();
+    collect_ties(spent);
+    asked_.assign(bodies_.size(), 0);
+    for (const TieIndex tie : ties_.keys()) {
+      for (int equation = 0; equation < equations_of_a_tie; ++equation) {
+        ++round_;
+        ties_[tie].unmatched += matched(tie) ? 0 : 1;
+      }
+    }
+  }
+
+  Decomposition run() {
+    Decomposition result;
+    result.linkage = linkage_;
+    find_imbalances(result);
+    if (result.free.surplus > 0 || result.overloaded.surplus > 0) {
+      return result;
+    }
+    rank_bodies();
+    resolve_pins(result.linkage);
+    list_components(result);
+    return result;
+  }
+
+ private:
+  void collect_bodies() {
+    body_of_link_.assign(linkage_.links.size(), BodyIndex());
+    for (const LinkIndex link : linkage_.links.keys()) {
+      if (!placed_[link]) {
+        body_of_link_[link] = bodies_.add({link, 3, {}});
+      }
+    }
+    for (const SharedPin& pin : linkage_.pins) {
+      const bool holds = std::any_of(pin.links.begin(), pin.links.end(),
+                                     [&](LinkIndex link) { return placed_[link]; });
+      body_of_pin_.push_back(holds ? BodyIndex() : bodies_.add({LinkIndex(), 2, {}}));
+    }
+  }
+
+  void tie(BodyIndex one, BodyIndex other, const std::string& joint) {
+    if (!one.exists()) {
+      std::swap(one, other);
+    }
+    ties_.add({one, other, joint});
+  }
+
+  void collect_ties(const Table<ElementaryJointIndex, bool>& spent) {
+    for (const ElementaryJointIndex index : linkage_.joints.keys()) {
+      const ElementaryJoint& joint = linkage_.joints[index];
+      if (!spent[index]) {
+        tie(body_of_link_[joint.first], body_of_link_[joint.second], joint.name);
+      }
+    }
+    for (std::size_t pin = 0; pin < linkage_.pins.size(); ++pin) {
+      bool holder = !body_of_pin_[pin].exists();  // the first placed link is the pin's own
+      for (const LinkIndex link : linkage_.pins[pin].links) {
+        const BodyIndex body = body_of_link_[link];
+        if (!body.exists() && holder) {
+          holder = false;
+          continue;
+        }
+        tie(body, body_of_pin_[pin], linkage_.pins[pin].name);
+      }
+    }
+  }
+
+  /// Finds a freedom for one equation of a tie, and others for those that must make way; each body
+  /// is asked once in a round.
+  [[nodiscard]] bool matched(TieIndex tie) {
+    for (const BodyIndex body : {ties_[tie].body, ties_[tie].other}) {
+      if (!body.exists() || asked_[body] == round_) {
+        continue;
+      }
+      asked_[body] = round_;
+      if (bodies_[body].matched.size() < static_cast<std::size_t>(bodies_[body].freedoms)) {
+        bodies_[body].matched.push_back(tie);
+        return true;
+      }
+      for (std::size_t freedom = 0; freedom < bodies_[body].matched.size(); ++freedom) {
+        if (matched(bodies_[body].matched[freedom])) {
+          bodies_[body].matched[freedom] = tie;
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /// What alternating paths from what is left over on one side reach.
+  void find_imbalances(Decomposition& result) const {
+    std::set<BodyIndex> free;
+    std::set<TieIndex> overloading;
+    for (const BodyIndex body : bodies_.keys()) {
+      const int left = bodies_[body].freedoms - static_cast<int>(bodies_[body].matched.size());
+      result.free.surplus += left;
+      if (left > 0) {
+        free.insert(body);
+      }
+    }
+    for (const TieIndex tie : ties_.keys()) {
+      result.overloaded.surplus += ties_[tie].unmatched;
+      if (ties_[tie].unmatched > 0) {
+        overloading.insert(tie);
+      }
+    }
+    // A free body frees those whose constraints could be matched with it instead.
+    for (bool grown = true; grown;) {
+      grown = false;
+      for (const BodyIndex body : bodies_.keys()) {
+        const bool reached = std::any_of(
+            bodies_[body].matched.begin(), bodies_[body].matched.end(), [&](TieIndex tie) {
+              return free.count(ties_[tie].body) > 0 || free.count(ties_[tie].other) > 0;
+            });
+        grown = (reached && free.insert(body).second) || grown;
+      }
+    }
+    for (bool grown = true; grown;) {
+      grown = false;
+      for (const BodyIndex body : bodies_.keys()) {
+        const bool reached = std::any_of(overloading.begin(), overloading.end(),
+                                         [&](TieIndex tie) { return ties_[tie].touches(body); });
+        if (reached) {
+          for (const TieIndex tie : bodies_[body].matched) {
+            grown = overloading.insert(tie).second || grown;
+          }
+        }
+      }
+    }
+    std::set<BodyIndex> overloaded;
+    for (const TieIndex tie : overloading) {
+      std::vector<std::string>& joints = result.overloaded.joints;
+      if (std::find(joints.begin(), joints.end(), ties_[tie].joint) == joints.end()) {
+        joints.push_back(ties_[tie].joint);
+      }
+      overloaded.insert({ties_[tie].body, ties_[tie].other});
+    }
+    add_links(free, result.free);
+    add_links(overloaded, result.overloaded);
+  }
+
+  void add_links(const std::set<BodyIndex>& bodies, Imbalance& part) const {
+    for (const BodyIndex body : bodies) {
+      if (body.exists() && bodies_[body].link.exists()) {
+        part.links.push_back(linkage_.links[bodies_[body].link]);
+      }
+    }
+  }
+
+  /// Of the components that depend on ranked ones only, the smallest goes next.
+  void rank_bodies() {
+    Table<BodyIndex, std::vector<BodyIndex>> needs(bodies_.size());
+    for (const BodyIndex body : bodies_.keys()) {
+      for (const TieIndex tie : bodies_[body].matched) {
+        const BodyIndex other = ties_[tie].body == body ? ties_[tie].other : ties_[tie].body;
+        if (other.exists()) {
+          needs[body].push_back(other);
+        }
+      }
+    }
+    const StrongComponents components(needs);
+    using Rank = std::tuple<std::size_t, BodyIndex>;  // links, first body
+    Table<ComponentIndex, Rank> ranks(components.count(), Rank(0, BodyIndex(bodies_.size())));
+    Table<ComponentIndex, std::set<ComponentIndex>> waits_for(components.count());
+    Table<ComponentIndex, std::vector<ComponentIndex>> waited_by(components.count());
+    for (const BodyIndex body : bodies_.keys()) {
+      const ComponentIndex own = components.of(body);
+      auto& [links, first] = ranks[own];
+      links += bodies_[body].link.exists() ? 1 : 0;
+      first = std::min(first, body);
+      for (const BodyIndex needed : needs[body]) {
+        const ComponentIndex other = components.of(needed);
+        if (other != own && waits_for[own].insert(other).second) {
+          waited_by[other].push_back(own);
+        }
+      }
+    }
+    std::set<std::pair<Rank, ComponentIndex>> ready;
+    for (const ComponentIndex component : ranks.keys()) {
+      if (waits_for[component].empty()) {
+        ready.insert({ranks[component], component});
+      }
+    }
+    Table<ComponentIndex, int> rank_of(components.count(), -1);
+    while (!ready.empty()) {
+      const ComponentIndex next = ready.begin()->second;
+      ready.erase(ready.begin());
+      rank_of[next] = rank_count_++;
+      for (const ComponentIndex waiting : waited_by[next]) {
+        waits_for[waiting].erase(next);
+        if (waits_for[waiting].empty()) {
+          ready.insert({ranks[waiting], waiting});
+        }
+      }
+    }
+    for (const BodyIndex body : bodies_.keys()) {
+      rank_.add(rank_of[components.of(body)]);
+    }
+  }
+
+  [[nodiscard]] int rank_of_link(LinkIndex link) const {
+    const BodyIndex body = body_of_link_[link];
+    return body.exists() ? rank_[body] : -1;
+  }
+
+  /// The links of a pin all join the one that is placed first.
+  void resolve_pins(Linkage& linkage) const {
+    for (const SharedPin& pin : linkage_.pins) {
+      std::size_t hub = 0;
+      for (std::size_t part = 1; part < pin.links.size(); ++part) {
+        if (rank_of_link(pin.links[part]) < rank_of_link(pin.links[hub])) {
+          hub = part;
+        }
+      }
+      for (std::size_t part = 0; part < pin.links.size(); ++part) {
+        if (part != hub) {
+          linkage.joints.add({pin.name, pin.joint, false, pin.links[hub], pin.links[part],
+                              pin.features[hub], pin.features[part]});
+        }
+      }
+    }
+  }
+
+  void list_components(Decomposition& result) const {
+    std::vector<Component> components(static_cast<std::size_t>(rank_count_));
+    for (const BodyIndex body : bodies_.keys()) {
+      if (bodies_[body].link.exists()) {
+        components[static_cast<std::size_t>(rank_[body])].links.push_back(bodies_[body].link);
+      }
+    }
+    for (const ElementaryJointIndex index : result.linkage.joints.keys()) {
+      const ElementaryJoint& joint = result.linkage.joints[index];
+      const int rank = std::max(rank_of_link(joint.first), rank_of_link(joint.second));
+      if (rank >= 0) {
+        components[static_cast<std::size_t>(rank)].joints.push_back(index);
+      }
+    }
+    for (Component& component : components) {
+      if (!component.links.empty()) {  // the point of a pin alone is placed by its link
+        result.components.push_back(std::move(component));
+      }
+    }
+  }
+
+  const Linkage& linkage_;
+  const Table<LinkIndex, bool>& placed_;
+  Table<BodyIndex, Body> bodies_;
+  Table<LinkIndex, BodyIndex> body_of_link_;
+  std::vector<BodyIndex> body_of_pin_;
+  Table<TieIndex, Tie> ties_;
+  Table<BodyIndex, int> asked_;  ///< the round of matching in which a body was asked last
+  int round_ = 0;
+  Table<BodyIndex, int> rank_;  ///< the number of its component in the order
+  int rank_count_ = 0;
+};
+
+}  // namespace
+
+Decomposition decompose(const Linkage& linkage, const Table<LinkIndex, bool>& placed,
+                        const Table<ElementaryJointIndex, bool>& spent) {
+  return StructuralGraph(linkage, placed, spent).run();
+}
+
+}  // namespace assur::mechanism

@@ -1,0 +1,202 @@
+#include "plan/evaluation_order.hpp"
+
+#include <algorithm>
+
+#include "plan/plan_data.hpp"
+
+namespace assur::mechanism {
+
+namespace {
+
+class OrderFinder {
+ public:
+  OrderFinder(const Mechanism& mechanism, const Request& request)
+      : mechanism_(mechanism), request_(request) {
+    const auto& parameters = mechanism.parameters();
+    marks_.assign(parameters.size(), Mark::untouched);
+    for (const ParameterIndex parameter : parameters.keys()) {
+      settle(parameter);
+    }
+    list_numbers();
+    choose_columns();
+  }
+
+  [[nodiscard]] EvaluationOrder order() { return std::move(order_); }
+
+ private:
+  enum class Mark : unsigned char { untouched, open, known };
+
+  [[nodiscard]] const Number& number(NumberIndex index) const {
+    return mechanism_.numbers()[index];
+  }
+
+  /// Puts a parameter behind those that its formula names. The list of open parameters stands in
+  /// for recursion, which a long chain of parameters would exhaust.
+  void settle(ParameterIndex first) {
+    std::vector<ParameterIndex> open = {first};
+    while (!open.empty()) {
+      const ParameterIndex parameter = open.back();
+      if (marks_[parameter] == Mark::known) {
+        open.pop_back();
+        continue;
+      }
+      const Parameter& entry = mechanism_.parameters()[parameter];
+      if (!entry.value.exists()) {
+        throw MechanismError("parameters." + entry.name, "the parameter has no value");
+      }
+      marks_[parameter] = Mark::open;
+      bool waits = false;
+      for (const ParameterIndex needed : number(entry.value).formula.parameters()) {
+        if (marks_[needed] == Mark::open) {
+          throw MechanismError(number(mechanism_.parameters()[needed].value).part,
+                               "the parameter depends on itself");
+        }
+        if (marks_[needed] == Mark::untouched) {
+          open.push_back(needed);
+          waits = true;
+          break;
+        }
+      }
+      if (!waits) {
+        marks_[parameter] = Mark::known;
+        order_.parameters.push_back(parameter);
+        open.pop_back();
+      }
+    }
+  }
+
+  /// Where a sweep begins and ends is not among them, nor what no joint and no output has.
+  void list_numbers() {
+    Table<FeatureIndex, bool> used(mechanism_.features().size(), false);
+    for (const Joint& joint : mechanism_.joints()) {
+      for (const FeatureIndex feature : joint.between) {
+        used[feature] = true;
+      }
+    }
+    for (const Output& output : mechanism_.outputs()) {
+      used[output.point] = true;
+    }
+    for (const FeatureIndex index : used.keys()) {
+      if (used[index]) {
+        order_.features.push_back(index);
+        const Feature& feature = mechanism_.features()[index];
+        add({feature.x, feature.y, feature.along_x, feature.along_y});
+      }
+    }
+    for (const Driver& driver : mechanism_.drivers()) {
+      add({driver.position, driver.velocity, driver.acceleration});
+    }
+    for (const Parameter& parameter : mechanism_.parameters()) {
+      add({parameter.tolerance});
+    }
+    if (request_.covariance) {
+      for (const std::vector<NumberIndex>& row : request_.covariance->matrix) {
+        add(row);
+      }
+    }
+  }
+
+  void add(const std::vector<NumberIndex>& numbers) {
+    for (const NumberIndex index : numbers) {
+      if (index.exists()) {
+        order_.numbers.push_back(index);
+      }
+    }
+  }
+
+  void choose_columns() {
+    const auto& parameters = mechanism_.parameters();
+    order_.column_of.assign(parameters.size(), -1);
+    for (const ParameterIndex parameter : parameters.keys()) {
+      const bool swept = request_.sweep && request_.sweep->parameter == parameter;
+      if (request_.want.sensitivity || swept) {
+        order_.column_of[parameter] = static_cast<Eigen::Index>(order_.columns.size());
+        order_.columns.push_back(parameter);
+      }
+    }
+    order_.second_order = request_.covariance && request_.want.sensitivity;
+  }
+
+  const Mechanism& mechanism_;
+  const Request& request_;
+  Table<ParameterIndex, Mark> marks_;
+  EvaluationOrder order_;
+};
+
+}  // namespace
+
+EvaluationOrder evaluation_order(const Mechanism& mechanism, const Request& request) {
+  return OrderFinder(mechanism, request).order();
+}
+
+namespace {
+
+/// Whether a tolerance or an entry of the covariance is among the numbers that change.
+bool spread_depends(const Table<NumberIndex, bool>& changes, const PlanData& plan) {
+  for (const Parameter& parameter : plan.mechanism.parameters()) {
+    if (parameter.tolerance.exists() && changes[parameter.tolerance]) {
+      return true;
+    }
+  }
+  if (plan.request.covariance) {
+    for (const std::vector<NumberIndex>& row : plan.request.covariance->matrix) {
+      if (std::any_of(row.begin(), row.end(), [&](NumberIndex entry) { return changes[entry]; })) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+Dependents dependents_of(ParameterIndex changed, const PlanData& plan) {
+  const Mechanism& mechanism = plan.mechanism;
+  Dependents result;
+  Table<ParameterIndex, bool> moves(mechanism.parameters().size(), false);
+  moves[changed] = true;
+  const auto depends = [&](NumberIndex index) {
+    const std::vector<ParameterIndex> used = mechanism.numbers()[index].formula.parameters();
+    return std::any_of(used.begin(), used.end(),
+                       [&](ParameterIndex parameter) { return moves[parameter]; });
+  };
+  for (const ParameterIndex parameter : plan.evaluation.parameters) {
+    if (parameter != changed && depends(mechanism.parameters()[parameter].value)) {
+      moves[parameter] = true;
+      result.parameters.push_back(parameter);
+    }
+  }
+  Table<NumberIndex, bool> changes(mechanism.numbers().size(), false);
+  for (const NumberIndex index : plan.evaluation.numbers) {
+    if (depends(index)) {
+      changes[index] = true;
+      result.numbers.push_back(index);
+    }
+  }
+  result.spread = spread_depends(changes, plan);
+  Table<FeatureIndex, bool> touched(mechanism.features().size(), false);
+  for (const FeatureIndex index : plan.evaluation.features) {
+    const Feature& feature = mechanism.features()[index];
+    touched[index] = changes[feature.x] || changes[feature.y] ||
+                     (feature.is_line && (changes[feature.along_x] || changes[feature.along_y]));
+    if (touched[index]) {
+      result.features.push_back(index);
+    }
+  }
+  const auto is_touched = [&](FeatureIndex feature) {
+    return feature.exists() && touched[feature];
+  };
+  for (const GroupIndex group : plan.structure.groups.keys()) {
+    const auto& joints = plan.structure.groups[group].assignments.front().joints;
+    const bool any = std::any_of(joints.begin(), joints.end(), [&](ElementaryJointIndex joint) {
+      const ElementaryJoint& at = plan.structure.linkage.joints[joint];
+      return is_touched(at.on_first) || is_touched(at.on_second);
+    });
+    if (any) {
+      result.groups.push_back(group);
+    }
+  }
+  return result;
+}
+
+}  // namespace assur::mechanism

@@ -1,0 +1,39 @@
+// Turns a mechanism's formulas into the order in which they are evaluated, and what each feeds.
+#pragma once
+
+#include <Eigen/Core>
+#include <assur/mechanism/request.hpp>
+#include <assur/mechanism/structure.hpp>
+#include <vector>
+
+namespace assur::mechanism {
+
+struct PlanData;
+
+/// What has to be evaluated again when one parameter changes, each list in an order that works.
+struct Dependents {
+  std::vector<ParameterIndex> parameters;  ///< others, through their formulas
+  std::vector<NumberIndex> numbers;        ///< that are no parameter's value
+  std::vector<FeatureIndex> features;
+  std::vector<GroupIndex> groups;
+  bool spread = false;  ///< a tolerance or a covariance
+};
+
+/// The order of evaluation. Formulas hold indices: nothing is looked up by name any more.
+struct EvaluationOrder {
+  std::vector<ParameterIndex> parameters;         ///< each behind those in its formula
+  std::vector<NumberIndex> numbers;               ///< of all else that solving reads
+  std::vector<FeatureIndex> features;             ///< of joints and outputs
+  std::vector<ParameterIndex> columns;            ///< to which derivatives are taken
+  Table<ParameterIndex, Eigen::Index> column_of;  ///< of each parameter; -1 where it has none
+  bool second_order = false;
+};
+
+/// What depends on one parameter; found when it is first asked for, because in a long chain of
+/// parameters the lists of all of them together are as long as the chain's square.
+[[nodiscard]] Dependents dependents_of(ParameterIndex changed, const PlanData& plan);
+
+/// Throws MechanismError where a parameter depends on itself or has no value.
+[[nodiscard]] EvaluationOrder evaluation_order(const Mechanism& mechanism, const Request& request);
+
+}  // namespace assur::mechanism

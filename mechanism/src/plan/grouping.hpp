@@ -1,0 +1,21 @@
+// Turns links that can only be solved together into a group of known structure: kind and roles.
+#pragma once
+
+#include <assur/mechanism/structure.hpp>
+#include <optional>
+#include <vector>
+
+namespace assur::mechanism {
+
+/// The group that `moving` links form with `joints`, all others being placed; nothing if none of
+/// the known groups has this graph. The kind is spelled from the first of the group's links in the
+/// mechanism's order, and then from its first joints.
+[[nodiscard]] std::optional<FoundGroup> find_group(const Linkage& linkage,
+                                                   const std::vector<LinkIndex>& moving,
+                                                   const std::vector<ElementaryJointIndex>& joints);
+
+/// Assur's class of the group that `moving` links form with `joints`.
+[[nodiscard]] int assur_class_of(const Linkage& linkage, const std::vector<LinkIndex>& moving,
+                                 const std::vector<ElementaryJointIndex>& joints);
+
+}  // namespace assur::mechanism

@@ -1,0 +1,20 @@
+// Turns a mechanism and a request into the orders of placing and evaluating that all solving
+// shares.
+#pragma once
+
+#include <assur/mechanism/request.hpp>
+#include <assur/mechanism/structure.hpp>
+
+#include "plan/evaluation_order.hpp"
+
+namespace assur::mechanism {
+
+/// What is planned once: the mechanism, what is wanted of it, the order of its links and formulas.
+struct PlanData {
+  Mechanism mechanism;
+  Request request;
+  Structure structure;
+  EvaluationOrder evaluation;
+};
+
+}  // namespace assur::mechanism

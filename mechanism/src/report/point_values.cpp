@@ -1,0 +1,56 @@
+#include <assur/mechanism/point_values.hpp>
+#include <cmath>
+#include <limits>
+
+namespace assur::mechanism {
+
+namespace {
+
+void expect_derivatives(const Point& point, const Spread& spread) {
+  if (point.follows.first.cols() != spread.tolerances.size()) {
+    throw MechanismError("",
+                         "the point has no derivative for every parameter: sensitivities are "
+                         "not wanted");
+  }
+}
+
+}  // namespace
+
+Eigen::Vector2d worst_case(const Point& point, const Spread& spread) {
+  expect_derivatives(point, spread);
+  return point.follows.first.cwiseAbs() * spread.tolerances;
+}
+
+Eigen::Vector2d root_sum_square(const Point& point, const Spread& spread) {
+  expect_derivatives(point, spread);
+  return (point.follows.first * spread.tolerances.asDiagonal()).rowwise().norm();
+}
+
+PointSpread spread_of(const Point& point, const Spread& spread) {
+  expect_derivatives(point, spread);
+  if (!point.follows.has_second() || spread.covariance.size() == 0) {
+    throw MechanismError("", "the point has no second derivatives: no covariance is wanted");
+  }
+  const auto& sensitivity = point.follows.first;
+  const Eigen::Matrix2d product = sensitivity * spread.covariance * sensitivity.transpose();
+  PointSpread result;
+  result.covariance = (product + product.transpose()) / 2;  // symmetric to the last digit
+  for (Eigen::Index row = 0; row < 2; ++row) {
+    const Eigen::MatrixXd& second = point.follows.second[static_cast<std::size_t>(row)];
+    result.mean_shift(row) = 0.5 * spread.covariance.cwiseProduct(second).sum();
+  }
+  return result;
+}
+
+PathAcceleration path_acceleration(const Point& point) {
+  const double speed = std::hypot(point.velocity.x(), point.velocity.y());
+  if (speed == 0) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    return {none, none};
+  }
+  const Eigen::Vector2d along = point.velocity / speed;
+  const Eigen::Vector2d& a = point.acceleration;
+  return {along.dot(a), along.x() * a.y() - along.y() * a.x()};
+}
+
+}  // namespace assur::mechanism

@@ -1,0 +1,154 @@
+// Turns solutions and sweeps into the lines of a CSV table.
+#include <array>
+#include <assur/mechanism/point_values.hpp>
+#include <charconv>
+
+#include "report_words.hpp"
+
+namespace assur::mechanism {
+
+namespace {
+
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  }
+  return quoted + "\"";
+}
+
+/// Adds a cell, with a comma ahead, of 17 significant digits.
+void add_number(double number, std::string& row) {
+  std::array<char, 32> text;
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number + 0.0,
+                                          std::chars_format::general, 17);
+  (void)error;  // 17 digits, a sign, a point and an exponent take 24 characters
+  row += ',';
+  row.append(text.data(), end);
+}
+
+template <typename Vector>
+void add_numbers(bool wanted, const Vector& numbers, std::string& row) {
+  for (Eigen::Index index = 0; wanted && index < numbers.size(); ++index) {
+    add_number(numbers(index), row);
+  }
+}
+
+/// Adds the cells of a configuration, each with a comma ahead.
+void add_cells(const Plan& plan, const Spread& spread, const Configuration& configuration,
+               std::string& row) {
+  const Want& want = plan.request().want;
+  const LinkIndex ground = plan.mechanism().ground();
+  for (const LinkIndex link : plan.mechanism().links().keys()) {
+    if (link == ground) {
+      continue;
+    }
+    const Frame& frame = configuration.links[link];
+    if (want.position) {
+      add_number(frame.pose.x, row);
+      add_number(frame.pose.y, row);
+      add_number(angle_of(frame.pose.direction), row);
+    }
+    add_numbers(want.velocity, frame.velocity, row);
+    add_numbers(want.acceleration, frame.acceleration, row);
+  }
+  for (const Point& point : configuration.outputs) {
+    add_numbers(want.position, point.position, row);
+    add_numbers(want.velocity, point.velocity, row);
+    add_numbers(want.acceleration, point.acceleration, row);
+    if (want.velocity && want.acceleration) {
+      const PathAcceleration parts = path_acceleration(point);
+      add_number(parts.tangential, row);
+      add_number(parts.normal, row);
+    }
+    if (want.sensitivity) {
+      add_numbers(true, worst_case(point, spread), row);
+      add_numbers(true, root_sum_square(point, spread), row);
+    }
+    if (want.sensitivity && plan.request().covariance) {
+      const PointSpread about = spread_of(point, spread);
+      for (const double number :
+           {about.covariance(0, 0), about.covariance(1, 1), about.covariance(0, 1),
+            about.mean_shift(0), about.mean_shift(1)}) {
+        add_number(number, row);
+      }
+    }
+  }
+  row += ',';
+  row += regularity_text(configuration.regularity);
+  add_number(configuration.residual, row);
+}
+
+}  // namespace
+
+std::string csv_header(const Plan& plan) {
+  const Mechanism& mechanism = plan.mechanism();
+  const Request& request = plan.request();
+  std::vector<std::string> cells = {"step", "configuration"};
+  if (request.sweep) {
+    cells.emplace_back("branch");
+    cells.push_back(mechanism.parameters()[request.sweep->parameter].name);
+  }
+  const auto add = [&](bool wanted, const std::string& name,
+                       const std::vector<std::string>& parts) {
+    for (const std::string& part : parts) {
+      if (wanted) {
+        cells.push_back(name + "." + part);
+      }
+    }
+  };
+  const Want& want = request.want;
+  for (const LinkIndex link : mechanism.links().keys()) {
+    const std::string& name = mechanism.links()[link].name;
+    if (link != mechanism.ground()) {
+      add(want.position, name, {"x", "y", "theta"});
+      add(want.velocity, name, {"vx", "vy", "omega"});
+      add(want.acceleration, name, {"ax", "ay", "alpha"});
+    }
+  }
+  for (const Output& output : mechanism.outputs()) {
+    add(want.position, output.name, {"x", "y"});
+    add(want.velocity, output.name, {"vx", "vy"});
+    add(want.acceleration, output.name, {"ax", "ay"});
+    add(want.velocity && want.acceleration, output.name, {"a_tangential", "a_normal"});
+    add(want.sensitivity, output.name, {"worst_case_x", "worst_case_y", "rss_x", "rss_y"});
+    add(want.sensitivity && request.covariance, output.name,
+        {"variance_x", "variance_y", "covariance_xy", "mean_shift_x", "mean_shift_y"});
+  }
+  add(true, "solution", {"regularity", "residual"});
+  if (request.sweep) {
+    cells.emplace_back("event");
+  }
+  std::string line;
+  for (const std::string& cell : cells) {
+    line += (line.empty() ? "" : ",") + csv_cell(cell);
+  }
+  return line + "\n";
+}
+
+std::string csv_rows(const Report& report) {
+  std::string rows;
+  const std::vector<Configuration>& configurations = report.solution.configurations;
+  for (std::size_t index = 0; index < configurations.size(); ++index) {
+    if (is_reported(report, index)) {
+      rows += "0," + std::to_string(index + 1);
+      add_cells(report.plan, report.values.spread(), configurations[index], rows);
+      rows += "\n";
+    }
+  }
+  return rows;
+}
+
+void add_csv_row(const Plan& plan, const SweepRecord& record, std::string& text) {
+  const auto number = [](int value) { return value > 0 ? std::to_string(value) : std::string(); };
+  text += std::to_string(record.step) + "," + number(record.configuration) + "," +
+          number(record.branch);
+  add_number(record.parameter, text);
+  add_cells(plan, *record.spread, *record.state, text);
+  text += "," + record.event + "\n";
+}
+
+}  // namespace assur::mechanism

@@ -1,0 +1,140 @@
+// Turns a solution into the JSON object of the scene format.
+#include <assur/mechanism/point_values.hpp>
+#include <nlohmann/json.hpp>
+
+#include "report_words.hpp"
+
+namespace assur::mechanism {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename Vector>
+Json list_of(const Vector& vector) {
+  Json list = Json::array();
+  for (Eigen::Index index = 0; index < vector.size(); ++index) {
+    list.push_back(vector(index));
+  }
+  return list;
+}
+
+Json link_json(const Frame& link, const Want& want) {
+  Json entry = Json::object();
+  if (want.position) {
+    entry["x"] = link.pose.x;
+    entry["y"] = link.pose.y;
+    entry["theta"] = angle_of(link.pose.direction);
+  }
+  if (want.velocity) {
+    entry["velocity"] = list_of(link.velocity);
+  }
+  if (want.acceleration) {
+    entry["acceleration"] = list_of(link.acceleration);
+  }
+  return entry;
+}
+
+Json slide_json(const SlideState& slide, const Want& want) {
+  Json entry = Json::object();
+  if (want.position) {
+    entry["displacement"] = slide.displacement;
+  }
+  if (want.velocity) {
+    entry["velocity"] = slide.velocity;
+  }
+  if (want.acceleration) {
+    entry["acceleration"] = slide.acceleration;
+  }
+  return entry;
+}
+
+Json output_json(const Point& point, const Report& report) {
+  const Want& want = report.plan.request().want;
+  Json entry = Json::object();
+  if (want.position) {
+    entry["position"] = list_of(point.position);
+  }
+  if (want.velocity) {
+    entry["velocity"] = list_of(point.velocity);
+  }
+  if (want.acceleration) {
+    entry["acceleration"] = list_of(point.acceleration);
+  }
+  if (want.velocity && want.acceleration) {
+    const PathAcceleration parts = path_acceleration(point);
+    entry["tangential"] = parts.tangential;
+    entry["normal"] = parts.normal;
+  }
+  if (want.sensitivity) {
+    Json sensitivity = Json::object();
+    for (const ParameterIndex parameter : report.plan.mechanism().parameters().keys()) {
+      sensitivity[report.plan.mechanism().parameters()[parameter].name] =
+          list_of(point.follows.first.col(parameter.row()));
+    }
+    entry["sensitivity"] = sensitivity;
+    entry["worst_case"] = list_of(worst_case(point, report.values.spread()));
+    entry["rss"] = list_of(root_sum_square(point, report.values.spread()));
+  }
+  if (report.values.second_order()) {
+    const PointSpread spread = spread_of(point, report.values.spread());
+    entry["covariance"] = {list_of(spread.covariance.row(0)), list_of(spread.covariance.row(1))};
+    entry["mean_shift"] = list_of(spread.mean_shift);
+  }
+  return entry;
+}
+
+Json groups_json(const Structure& structure) {
+  Json list = Json::array();
+  for (const FoundGroup& group : structure.groups) {
+    list.push_back({{"class", group.model->group->assur_class},
+                    {"kind", group.kind},
+                    {"model", group.model->number},
+                    {"links", structure.names_of(group.links)}});
+  }
+  return list;
+}
+
+Json configuration_json(const Configuration& configuration, const Report& report) {
+  const Mechanism& mechanism = report.plan.mechanism();
+  const Want& want = report.plan.request().want;
+  Json entry;
+  entry["links"] = Json::object();
+  for (const LinkIndex link : mechanism.links().keys()) {
+    entry["links"][mechanism.links()[link].name] = link_json(configuration.links[link], want);
+  }
+  entry["joints"] = Json::object();
+  for (const SlideState& slide : configuration.slides) {
+    entry["joints"][mechanism.joints()[slide.joint].name] = slide_json(slide, want);
+  }
+  entry["outputs"] = Json::object();
+  for (const OutputIndex output : mechanism.outputs().keys()) {
+    entry["outputs"][mechanism.outputs()[output].name] =
+        output_json(configuration.outputs[output], report);
+  }
+  entry["regularity"] = regularity_text(configuration.regularity);
+  entry["residual"] = configuration.residual;
+  return entry;
+}
+
+}  // namespace
+
+std::string report_json(const Report& report) {
+  const Solution& solution = report.solution;
+  Json root;
+  root["status"] = status_text(solution.status);
+  root["mobility"] = solution.mobility;
+  if (!solution.reason.empty()) {
+    root["reason"] = solution.reason;
+  }
+  root["groups"] = groups_json(report.plan.structure());
+  root["configurations"] = Json::array();
+  for (std::size_t number = 0; number < solution.configurations.size(); ++number) {
+    if (is_reported(report, number)) {
+      root["configurations"].push_back(configuration_json(solution.configurations[number], report));
+    }
+  }
+  return root.dump(2) + "\n";
+}
+
+}  // namespace assur::mechanism

@@ -1,0 +1,149 @@
+// Turns a solution into tables for people.
+#include <array>
+#include <assur/mechanism/point_values.hpp>
+#include <cstdio>
+#include <numbers>
+
+#include "report_words.hpp"
+
+namespace assur::mechanism {
+
+namespace {
+
+/// One row of a table: a name, then numbers with ten significant digits.
+std::string table_row(const std::string& name, const std::vector<double>& numbers) {
+  std::string row = "    " + name + std::string(name.size() < 16 ? 16 - name.size() : 1, ' ');
+  for (const double number : numbers) {
+    std::array<char, 32> text{};
+    // A zero that carries a sign would print as -0.
+    (void)std::snprintf(text.data(), text.size(), " %17.10g", number == 0 ? 0.0 : number);
+    row += text.data();
+  }
+  return row + "\n";
+}
+std::string table_row(const std::string& name, const Eigen::Vector2d& pair) {
+  return table_row(name, std::vector<double>{pair.x(), pair.y()});
+}
+std::string table_row(const std::string& name, const Eigen::Vector3d& triple) {
+  return table_row(name, std::vector<double>{triple.x(), triple.y(), triple.z()});
+}
+
+std::string table_head(const std::vector<std::string>& titles) {
+  std::string row(20, ' ');
+  for (const std::string& title : titles) {
+    row += std::string(title.size() < 18 ? 18 - title.size() : 1, ' ') + title;
+  }
+  return row + "\n";
+}
+
+std::string point_text(const Point& point, const Report& report) {
+  const Want& want = report.plan.request().want;
+  std::string text = table_head({"x", "y"});
+  if (want.position) {
+    text += table_row("position", point.position);
+  }
+  if (want.velocity) {
+    text += table_row("velocity", point.velocity);
+  }
+  if (want.acceleration) {
+    text += table_row("acceleration", point.acceleration);
+  }
+  if (want.velocity && want.acceleration) {
+    const PathAcceleration parts = path_acceleration(point);
+    text += table_row("a_t, a_n", std::vector<double>{parts.tangential, parts.normal});
+  }
+  if (want.sensitivity) {
+    const auto& parameters = report.plan.mechanism().parameters();
+    for (const ParameterIndex parameter : parameters.keys()) {
+      text += table_row("d/d" + parameters[parameter].name,
+                        Eigen::Vector2d(point.follows.first.col(parameter.row())));
+    }
+    text += table_row("worst case", worst_case(point, report.values.spread()));
+    text += table_row("rss", root_sum_square(point, report.values.spread()));
+  }
+  if (report.values.second_order()) {
+    const PointSpread spread = spread_of(point, report.values.spread());
+    text += table_row("covariance x", Eigen::Vector2d(spread.covariance.row(0)));
+    text += table_row("covariance y", Eigen::Vector2d(spread.covariance.row(1)));
+    text += table_row("mean shift", spread.mean_shift);
+  }
+  return text;
+}
+
+std::string configuration_text(const Configuration& configuration, const Report& report) {
+  const Mechanism& mechanism = report.plan.mechanism();
+  const Want& want = report.plan.request().want;
+  constexpr double degree = std::numbers::pi / 180;
+  std::string text;
+  const auto link_table = [&](const std::string& title, const std::vector<std::string>& head,
+                              const auto& numbers) {
+    text += "  " + title + "\n" + table_head(head);
+    for (const LinkIndex link : mechanism.links().keys()) {
+      if (link != mechanism.ground()) {
+        text += table_row(mechanism.links()[link].name, numbers(configuration.links[link]));
+      }
+    }
+  };
+  if (want.position) {
+    link_table("links", {"x", "y", "theta [deg]"}, [](const Frame& link) {
+      return Eigen::Vector3d(link.pose.x, link.pose.y, angle_of(link.pose.direction) / degree);
+    });
+  }
+  if (want.velocity) {
+    link_table("velocities", {"vx", "vy", "omega"},
+               [](const Frame& link) { return link.velocity; });
+  }
+  if (want.acceleration) {
+    link_table("accelerations", {"ax", "ay", "alpha"},
+               [](const Frame& link) { return link.acceleration; });
+  }
+  if (!configuration.slides.empty()) {
+    text += "  slides\n" + table_head({"displacement", "velocity", "acceleration"});
+    for (const SlideState& slide : configuration.slides) {
+      text += table_row(mechanism.joints()[slide.joint].name,
+                        Eigen::Vector3d(slide.displacement, slide.velocity, slide.acceleration));
+    }
+  }
+  for (const OutputIndex output : mechanism.outputs().keys()) {
+    text += "  point " + mechanism.outputs()[output].name + "\n" +
+            point_text(configuration.outputs[output], report);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string report_text(const Report& report) {
+  const Solution& solution = report.solution;
+  const std::string& name = report.plan.mechanism().name();
+  std::string text = name.empty() ? report.title : name;
+  text += std::string("\nstatus: ") + status_text(solution.status);
+  if (solution.status == SolutionStatus::degenerate) {
+    text += ", mobility " + std::to_string(solution.mobility) + ": " + solution.reason;
+  }
+  text += "\n";
+  const Structure& structure = report.plan.structure();
+  for (const FoundGroup& group : structure.groups) {
+    text += "group: " + group.model->group->name + " " + group.kind + ", model " +
+            std::to_string(group.model->number) + ", links";
+    for (const std::string& link : structure.names_of(group.links)) {
+      text += " " + link;
+    }
+    text += "\n";
+  }
+  for (std::size_t index = 0; index < solution.configurations.size(); ++index) {
+    if (!is_reported(report, index)) {
+      continue;
+    }
+    const Configuration& configuration = solution.configurations[index];
+    std::array<char, 32> residual{};
+    (void)std::snprintf(residual.data(), residual.size(), "%.1e", configuration.residual);
+    text += "\nconfiguration " + std::to_string(index + 1) + " of " +
+            std::to_string(solution.configurations.size()) + ": " +
+            regularity_text(configuration.regularity) + ", residual " + residual.data() + "\n";
+    text += configuration_text(configuration, report);
+  }
+  return text;
+}
+
+}  // namespace assur::mechanism

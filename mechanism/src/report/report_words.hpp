@@ -1,0 +1,29 @@
+// Turns the states of a solution into the words that every report uses.
+#pragma once
+
+#include <assur/mechanism/report.hpp>
+#include <assur/variables.hpp>
+
+namespace assur::mechanism {
+
+[[nodiscard]] inline const char* status_text(SolutionStatus status) {
+  switch (status) {
+    case SolutionStatus::ok:
+      return "ok";
+    case SolutionStatus::no_assembly:
+      return "no-assembly";
+    case SolutionStatus::degenerate:
+      return "degenerate";
+  }
+  return "unknown";
+}
+
+[[nodiscard]] inline const char* regularity_text(Status regularity) {
+  return regularity == Status::ok ? "regular" : "near-singular";
+}
+
+[[nodiscard]] inline bool is_reported(const Report& report, std::size_t configuration) {
+  return report.branch == 0 || configuration + 1 == static_cast<std::size_t>(report.branch);
+}
+
+}  // namespace assur::mechanism

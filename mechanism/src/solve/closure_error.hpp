@@ -1,0 +1,14 @@
+// Turns a configuration into how far its joints are from closed.
+#pragma once
+
+#include <assur/mechanism/solution.hpp>
+#include <assur/mechanism/values.hpp>
+
+namespace assur::mechanism {
+
+/// The largest distance by which a joint's features miss each other, in the mechanism's unit of
+/// length; the angle between the lines of a prismatic joint counts as its sine times `length`.
+[[nodiscard]] double closure_error(const Values& values, const Configuration& configuration,
+                                   double length);
+
+}  // namespace assur::mechanism

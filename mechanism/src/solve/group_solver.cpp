@@ -1,0 +1,226 @@
+#include "group_solver.hpp"
+
+#include <limits>
+
+#include "plan/plan_data.hpp"
+
+namespace assur::mechanism {
+
+namespace {
+
+/// result += a b, for few rows and any number of columns. A zero of `a` is one by structure.
+void add_product(const SmallMatrix& a, const ParameterRows<Eigen::Dynamic>& b,
+                 ParameterRows<Eigen::Dynamic>& result) {
+  const Eigen::Index columns = b.cols();
+  for (Eigen::Index row = 0; row < a.rows(); ++row) {
+    double* const to = result.data() + row * columns;
+    for (Eigen::Index k = 0; k < a.cols(); ++k) {
+      const double factor = a(row, k);
+      const double* const from = b.data() + k * columns;
+      for (Eigen::Index column = 0; factor != 0 && column < columns; ++column) {
+        to[column] += factor * from[column];
+      }
+    }
+  }
+}
+
+void add_product(const SmallMatrix& a, const std::vector<DimensionDerivative>& b,
+                 ParameterRows<Eigen::Dynamic>& result) {
+  for (const DimensionDerivative& entry : b) {
+    for (Eigen::Index row = 0; row < a.rows(); ++row) {
+      result(row, entry.parameter) += a(row, entry.dimension) * entry.value;
+    }
+  }
+}
+
+}  // namespace
+
+GroupSolver::GroupSolver(const Values& values, GroupIndex group)
+    : values_(values),
+      model_(*values.plan().structure.groups[group].model),
+      numbers_(*values.group_numbers_[group]) {
+  const auto inputs = static_cast<Eigen::Index>(model_.input_count);
+  const auto parameters = static_cast<Eigen::Index>(values.columns().size());
+  of_u_.first.resize(inputs, parameters);
+  if (values.second_order()) {
+    of_u_.second.assign(model_.input_count, Eigen::MatrixXd(parameters, parameters));
+  }
+  query_.derivatives = parameters > 0;
+  query_.input_rate.resize(inputs);
+  query_.input_second_rate.resize(inputs);
+}
+
+void GroupSolver::hold(const PlacedLinks& placed) {
+  Eigen::Index row = 0;
+  double* to = u_.data();
+  const auto take = [&](double rate, double second_rate, const auto& follows, Eigen::Index from) {
+    query_.input_rate(row) = rate;
+    query_.input_second_rate(row) = second_rate;
+    of_u_.first.row(row) = follows.first.row(from);
+    if (values_.second_order()) {
+      of_u_.second[static_cast<std::size_t>(row)] = follows.second[static_cast<std::size_t>(from)];
+    }
+    ++row;
+  };
+  for (const HeldJoint& joint : numbers_.held) {
+    const Frame& base = placed.links[joint.base];
+    const Frame& feature = values_.frame(joint.feature);
+    if (joint.prismatic) {
+      compose(base, feature, line_);
+      *to++ = line_.pose.x;
+      *to++ = line_.pose.y;
+      *to++ = line_.pose.direction.cos;
+      *to++ = line_.pose.direction.sin;
+      for (Eigen::Index from = 0; from < 3; ++from) {
+        take(line_.velocity(from), line_.acceleration(from), line_.follows, from);
+      }
+    } else {
+      carry(base, feature, point_);
+      *to++ = point_.position.x();
+      *to++ = point_.position.y();
+      for (Eigen::Index from = 0; from < 2; ++from) {
+        take(point_.velocity(from), point_.acceleration(from), point_.follows, from);
+      }
+    }
+  }
+  query_.displaced = placed.displaced;
+}
+
+const GroupAssemblies& GroupSolver::assemble() {
+  model_.kernel->assemble(numbers_.d, u_, found_);
+  return found_;
+}
+
+bool GroupSolver::is_compatible() const { return model_.kernel->is_compatible(numbers_.d, u_); }
+
+void GroupSolver::place(std::size_t configuration, std::size_t first_slide, PlacedLinks& placed) {
+  const FlatVariables& q = found_.configurations[configuration];
+  model_.kernel->move(numbers_.d, u_, q, query_, motion_);
+  follow();
+  if (values_.second_order()) {
+    follow_twice(q);
+  }
+  place_links(placed);
+  place_slides(q, first_slide, placed);
+  if (found_.regularity[configuration] != Status::ok || motion_.regularity != Status::ok) {
+    placed.regularity = Status::near_singular;
+  }
+  placed.residual = std::max(placed.residual, motion_.residual);
+  placed.displaced = motion_.displaced;
+}
+
+/// q_a = q_d d_a + q_u u_a and p_a = p_q q_a + p_d d_a + p_u u_a for every parameter a.
+void GroupSolver::follow() {
+  of_q_.first.setZero(motion_.rate.size(), of_u_.first.cols());
+  of_p_.first.setZero(3 * static_cast<Eigen::Index>(model_.group->link_count()),
+                      of_u_.first.cols());
+  if (query_.derivatives) {
+    add_product(motion_.q_d, numbers_.nonzero_of_d, of_q_.first);
+    add_product(motion_.q_u, of_u_.first, of_q_.first);
+    add_product(motion_.p_q, of_q_.first, of_p_.first);
+    add_product(motion_.p_d, numbers_.nonzero_of_d, of_p_.first);
+    add_product(motion_.p_u, of_u_.first, of_p_.first);
+  }
+}
+
+/// With J q_ab = -f''(a, b) - F_d d_ab - F_u u_ab, f'' bilinear in the first derivatives along a
+/// and b: of the quadratic form Q that the kernel computes it is (Q(a + b) - Q(a - b)) / 4. That
+/// loses what the longer of a and b has more digits than the shorter, so both are brought to one
+/// length.
+void GroupSolver::follow_twice(const FlatVariables& q) {
+  const Eigen::Index count = of_q_.first.cols();
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const Eigen::MatrixXd blank = Eigen::MatrixXd::Constant(count, count, unknown);
+  of_q_.second.assign(static_cast<std::size_t>(of_q_.first.rows()), blank);
+  of_p_.second.assign(static_cast<std::size_t>(of_p_.first.rows()), blank);
+  const auto& q_a = of_q_.first;
+  const auto& d_a = numbers_.of_d.first;
+  const auto& u_a = of_u_.first;
+  if (!q_a.allFinite()) {
+    return;
+  }
+  const auto longest = [](const auto& matrix, Eigen::Index column) {
+    return matrix.rows() == 0 ? 0.0 : matrix.col(column).cwiseAbs().maxCoeff();
+  };
+  const auto length = [&](Eigen::Index i) {
+    return std::max({longest(q_a, i), longest(d_a, i), longest(u_a, i)});
+  };
+  const auto curvature = [&](Eigen::Index i, double a, Eigen::Index j, double b) {
+    Curvature result;
+    model_.kernel->bend(numbers_.d, u_, q, SmallVector(a * q_a.col(i) + b * q_a.col(j)),
+                        SmallVector(a * d_a.col(i) + b * d_a.col(j)),
+                        SmallVector(a * u_a.col(i) + b * u_a.col(j)), result);
+    return result;
+  };
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      const SmallVector d_ab = numbers_.of_d.mixed(i, j);
+      const SmallVector u_ab = of_u_.mixed(i, j);
+      SmallVector q_ab = motion_.q_d * d_ab + motion_.q_u * u_ab;
+      SmallVector p_ab = motion_.p_d * d_ab + motion_.p_u * u_ab;
+      const double length_i = length(i);
+      const double length_j = length(j);
+      if (length_i > 0 && length_j > 0) {
+        const Curvature sum = curvature(i, 1 / length_i, j, 1 / length_j);
+        const Curvature difference = curvature(i, 1 / length_i, j, -1 / length_j);
+        const double weight = length_i * length_j / 4;
+        q_ab += motion_.inverse * SmallVector(weight * (sum.closures - difference.closures));
+        p_ab += weight * (sum.poses - difference.poses);
+      }
+      p_ab += motion_.p_q * q_ab;
+      const auto set = [i, j](ParameterDerivatives& target, const SmallVector& column) {
+        for (Eigen::Index row = 0; row < column.size(); ++row) {
+          Eigen::MatrixXd& matrix = target.second[static_cast<std::size_t>(row)];
+          matrix(i, j) = matrix(j, i) = column(row);
+        }
+      };
+      set(of_q_, q_ab);
+      set(of_p_, p_ab);
+    }
+  }
+}
+
+void GroupSolver::place_links(PlacedLinks& placed) {
+  for (std::size_t link = 0; link < numbers_.links.size(); ++link) {
+    const auto row = static_cast<Eigen::Index>(link);
+    frame_.pose = motion_.poses[link];
+    frame_.velocity = motion_.velocities.row(row).transpose();
+    frame_.acceleration = motion_.accelerations.row(row).transpose();
+    frame_.follows.first = of_p_.first.middleRows<3>(3 * row);
+    if (values_.second_order()) {
+      frame_.follows.second.assign(of_p_.second.begin() + 3 * row,
+                                   of_p_.second.begin() + 3 * row + 3);
+    }
+    compose(frame_, numbers_.own[link], placed.links[numbers_.links[link]]);
+  }
+}
+
+void GroupSolver::place_slides(const FlatVariables& q, std::size_t first_slide,
+                               PlacedLinks& placed) const {
+  for (std::size_t index = 0; index < numbers_.slides.size(); ++index) {
+    const MeasuredSlide& measured = numbers_.slides[index];
+    const auto row = static_cast<Eigen::Index>(measured.unknown);
+    std::size_t flat = 0;  // of a displacement among flat variables, where angles take two places
+    for (int unknown = 0; unknown < measured.unknown; ++unknown) {
+      flat += model_.unknowns[static_cast<std::size_t>(unknown)].is_angle ? 2 : 1;
+    }
+    SlideState& slide = placed.slides[first_slide + index];
+    slide.joint = measured.joint;
+    slide.displacement = measured.sense * (q[flat] + measured.shift.value());
+    slide.velocity = measured.sense * motion_.rate(row);
+    slide.acceleration = measured.sense * motion_.second_rate(row);
+    slide.follows.first = measured.sense * of_q_.first.row(row);
+    if (measured.shift.derivatives().size() > 0) {
+      slide.follows.first += measured.sense * measured.shift.derivatives().transpose();
+    }
+    if (values_.second_order()) {
+      slide.follows.second = {measured.sense *
+                              of_q_.second[static_cast<std::size_t>(measured.unknown)]};
+      if (measured.shift.has_hessian()) {
+        slide.follows.second[0] += measured.sense * measured.shift.hessian();
+      }
+    }
+  }
+}
+
+}  // namespace assur::mechanism

@@ -1,0 +1,59 @@
+// Turns a group whose neighbours are placed into the frames of its links, one configuration at a
+// time.
+#pragma once
+
+#include <assur/mechanism/solution.hpp>
+#include <assur/mechanism/values.hpp>
+
+#include "models/model_kernel.hpp"
+#include "values/group_numbers.hpp"
+
+namespace assur::mechanism {
+
+/// What is placed so far of one configuration.
+struct PlacedLinks {
+  Table<LinkIndex, Frame> links;  ///< blocks behind the mechanism's links
+  std::vector<SlideState> slides;
+  Status regularity = Status::ok;
+  double residual = 0;
+  double displaced = 0;  ///< how far rounding may have moved the links
+};
+
+/// The configurations of one group among placed neighbours.
+class GroupSolver {
+ public:
+  /// The group must have a normal form.
+  GroupSolver(const Values& values, GroupIndex group);
+
+  /// Takes over where `placed` holds the group's external joints.
+  void hold(const PlacedLinks& placed);
+  /// Finds all configurations of the group where it is held.
+  [[nodiscard]] const GroupAssemblies& assemble();
+  /// Places the group's links and slides in one of its configurations; its slides stand in
+  /// `placed.slides` from `first_slide` on.
+  void place(std::size_t configuration, std::size_t first_slide, PlacedLinks& placed);
+  /// Of a degenerate model: whether its angles are compatible where it is held.
+  [[nodiscard]] bool is_compatible() const;
+
+  [[nodiscard]] std::size_t slide_count() const { return numbers_.slides.size(); }
+
+ private:
+  void follow();
+  void follow_twice(const FlatVariables& q);
+  void place_links(PlacedLinks& placed);
+  void place_slides(const FlatVariables& q, std::size_t first_slide, PlacedLinks& placed) const;
+
+  const Values& values_;
+  const GroupModel& model_;
+  const Values::GroupNumbers& numbers_;
+  FlatVariables u_{};
+  ParameterDerivatives of_u_;  ///< how the inputs follow the parameters
+  MotionQuery query_;
+  GroupAssemblies found_;
+  GroupMotion motion_;
+  ParameterDerivatives of_q_, of_p_;  ///< how the unknowns and the link poses follow them
+  Point point_;                       ///< room for the points that hold the group
+  Frame line_, frame_;
+};
+
+}  // namespace assur::mechanism

@@ -1,0 +1,56 @@
+// Turns the normal forms of a group's links into the plain numbers that its model's kernel reads.
+#pragma once
+
+#include <assur/mechanism/values.hpp>
+
+#include "models/model_kernel.hpp"
+
+namespace assur::mechanism {
+
+/// First and second derivatives of some quantities to the parameters.
+struct ParameterDerivatives {
+  ParameterRows<Eigen::Dynamic> first;  ///< a row per quantity
+  std::vector<Eigen::MatrixXd> second;  ///< one per quantity; empty where not carried
+
+  /// The second derivatives of all quantities along parameters i and j.
+  [[nodiscard]] SmallVector mixed(Eigen::Index i, Eigen::Index j) const;
+};
+
+/// A slide of a group as the mechanism measures it.
+struct MeasuredSlide {
+  int unknown;  ///< of the model
+  JointIndex joint;
+  double sense;
+  Dual shift;
+};
+
+/// Where a placed link holds an external joint of the group.
+struct HeldJoint {
+  LinkIndex base;
+  FeatureIndex feature;
+  bool prismatic;
+};
+
+/// One derivative of a dimension that is not zero. Most dimensions follow one parameter or none.
+struct DimensionDerivative {
+  Eigen::Index dimension, parameter;
+  double value;
+};
+
+struct Values::GroupNumbers {
+  FlatVariables d;
+  ParameterDerivatives of_d;
+  std::vector<DimensionDerivative> nonzero_of_d;
+  std::vector<LinkIndex> links;  ///< that play the model's
+  std::vector<Frame> own;        ///< their own frames, each in its normal frame
+  std::vector<MeasuredSlide> slides;
+  std::vector<HeldJoint> held;
+};
+
+/// Derivatives of lengths, and of angles in radians.
+[[nodiscard]] ParameterDerivatives derivatives_of(const std::vector<DimensionValue<Dual>>& values,
+                                                  const Values& mechanism);
+
+[[nodiscard]] Values::GroupNumbers group_numbers(const Values& values, GroupIndex group);
+
+}  // namespace assur::mechanism

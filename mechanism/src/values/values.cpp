@@ -1,0 +1,232 @@
+#include <assur/mechanism/values.hpp>
+#include <cmath>
+
+#include "covariance.hpp"
+#include "group_geometry.hpp"
+#include "group_numbers.hpp"
+#include "plan/plan_data.hpp"
+
+namespace assur::mechanism {
+
+namespace {
+
+LinkFeature<Dual> block_feature(const Values& values, bool is_line) {
+  return {is_line,
+          values.constant(0.0),
+          values.constant(0.0),
+          {values.constant(1.0), values.constant(0.0)}};
+}
+
+}  // namespace
+
+Values::Values(std::shared_ptr<const PlanData> plan,
+               const std::vector<std::pair<ParameterIndex, double>>& replaced)
+    : plan_(std::move(plan)), replaced_(replaced) {
+  const Mechanism& mechanism = plan_->mechanism;
+  dependents_.resize(mechanism.parameters().size());
+  parameters_.resize(mechanism.parameters().size());
+  numbers_.resize(mechanism.numbers().size());
+  features_.resize(mechanism.features().size());
+  frames_.resize(mechanism.features().size());
+  groups_.resize(plan_->structure.groups.size());
+  group_numbers_.resize(plan_->structure.groups.size());
+  for (const auto& [parameter, value] : replaced_) {
+    expect_finite(parameter, value);
+  }
+  const LinkFeature<Dual> centre = block_feature(*this, true);
+  block_ = Frame::at({centre.x, centre.y, centre.along});
+  evaluate();
+}
+
+/// Everything, in the plan's order.
+void Values::evaluate() {
+  const EvaluationOrder& order = plan_->evaluation;
+  for (const ParameterIndex parameter : order.parameters) {
+    evaluate_parameter(parameter);
+  }
+  for (const NumberIndex number : order.numbers) {
+    evaluate_number(number);
+  }
+  for (const FeatureIndex feature : order.features) {
+    evaluate_feature(feature);
+  }
+  for (const GroupIndex group : groups_.keys()) {
+    evaluate_group(group);
+  }
+  evaluate_requests();
+}
+
+void Values::expect_finite(ParameterIndex parameter, double value) const {
+  if (!parameter.exists() || parameter.place() >= parameters_.size()) {
+    throw MechanismError("", "no such parameter");
+  }
+  if (!std::isfinite(value)) {
+    throw MechanismError("parameters." + plan_->mechanism.parameters()[parameter].name,
+                         "the value is not a finite number");
+  }
+}
+
+void Values::set(ParameterIndex parameter, double value) {
+  expect_finite(parameter, value);
+  bool found = false;
+  for (auto& [index, replacement] : replaced_) {
+    if (index == parameter) {
+      replacement = value;
+      found = true;
+    }
+  }
+  if (!found) {
+    replaced_.emplace_back(parameter, value);
+  }
+  if (!usable_) {  // what the failed evaluation has left is not known
+    evaluate();
+    usable_ = true;
+    return;
+  }
+  usable_ = false;
+  evaluate_dependents(parameter);
+  usable_ = true;
+}
+
+void Values::evaluate_dependents(ParameterIndex parameter) {
+  std::shared_ptr<const Dependents>& found_before = dependents_[parameter];
+  if (!found_before) {
+    found_before = std::make_shared<const Dependents>(dependents_of(parameter, *plan_));
+  }
+  const Dependents& dependents = *found_before;
+  evaluate_parameter(parameter);
+  for (const ParameterIndex other : dependents.parameters) {
+    evaluate_parameter(other);
+  }
+  for (const NumberIndex number : dependents.numbers) {
+    evaluate_number(number);
+  }
+  for (const FeatureIndex feature : dependents.features) {
+    evaluate_feature(feature);
+  }
+  for (const GroupIndex group : dependents.groups) {
+    evaluate_group(group);
+  }
+  if (dependents.spread) {
+    evaluate_requests();
+  }
+}
+
+double Values::value_of(NumberIndex index) const {
+  const Number& number = plan_->mechanism.numbers()[index];
+  const double value = number.formula.evaluate<double>(
+      [&](ParameterIndex parameter) { return parameters_[parameter].value(); });
+  if (!std::isfinite(value)) {
+    throw MechanismError(number.part, "the value is not a finite number");
+  }
+  return value;
+}
+
+Dual Values::constant(double value) const {
+  const auto count = static_cast<Eigen::Index>(columns().size());
+  const Eigen::Index order = second_order() ? count : 0;
+  return {value, Eigen::VectorXd::Zero(count), Eigen::MatrixXd::Zero(order, order)};
+}
+
+Dual Values::deviation(ParameterIndex parameter) const {
+  Dual zero = constant(0.0);
+  const Eigen::Index column = plan_->evaluation.column_of[parameter];
+  return column < 0
+             ? zero
+             : Dual(0.0, Eigen::VectorXd::Unit(zero.derivatives().size(), column), zero.hessian());
+}
+
+const std::vector<ParameterIndex>& Values::columns() const { return plan_->evaluation.columns; }
+bool Values::second_order() const { return plan_->evaluation.second_order; }
+
+void Values::evaluate_parameter(ParameterIndex parameter) {
+  for (const auto& [index, value] : replaced_) {
+    if (index == parameter) {
+      parameters_[parameter] = constant(value) + deviation(parameter);
+      return;
+    }
+  }
+  parameters_[parameter] =
+      evaluated(plan_->mechanism.parameters()[parameter].value) + deviation(parameter);
+}
+
+void Values::evaluate_number(NumberIndex number) { numbers_[number] = evaluated(number); }
+
+Dual Values::evaluated(NumberIndex index) const {
+  const Number& number = plan_->mechanism.numbers()[index];
+  Dual result = number.formula.evaluate<Dual>(
+      [&](ParameterIndex parameter) -> const Dual& { return parameters_[parameter]; });
+  if (result.derivatives().size() == 0) {  // a bare number has no gradient
+    result = constant(result.value());
+  }
+  if (!std::isfinite(result.value())) {
+    throw MechanismError(number.part, "the value is not a finite number");
+  }
+  if (!result.derivatives().allFinite()) {
+    throw MechanismError(number.part,
+                         "the derivative with respect to the parameters is not finite here");
+  }
+  if (!result.hessian().allFinite()) {
+    throw MechanismError(number.part,
+                         "the second derivative with respect to the parameters is not finite here, "
+                         "and a covariance needs it");
+  }
+  return result;
+}
+
+void Values::evaluate_feature(FeatureIndex index) {
+  const Feature& feature = plan_->mechanism.features()[index];
+  LinkFeature<Dual> result = block_feature(*this, feature.is_line);
+  result.x = numbers_[feature.x];
+  result.y = numbers_[feature.y];
+  if (feature.is_line) {
+    const Dual& dx = numbers_[feature.along_x];
+    const Dual& dy = numbers_[feature.along_y];
+    // Scaled first, so that no length overflows or underflows when squared.
+    const double scale = std::max(std::abs(dx.value()), std::abs(dy.value()));
+    if (scale == 0) {
+      const std::string link = plan_->mechanism.links()[feature.link].name;
+      throw MechanismError("links." + link + "." + feature.name + ".along",
+                           "a direction [0, 0] has no sense");
+    }
+    const Dual unit_x = dx / scale;
+    const Dual unit_y = dy / scale;
+    const Dual length = sqrt(unit_x * unit_x + unit_y * unit_y);
+    result.along = {unit_x / length, unit_y / length};
+  }
+  frames_[index] = Frame::at({result.x, result.y, result.along});
+  features_[index] = std::move(result);
+}
+
+LinkFeature<Dual> Values::feature(FeatureIndex feature, bool is_line) const {
+  return feature.exists() ? features_[feature] : block_feature(*this, is_line);
+}
+
+void Values::evaluate_group(GroupIndex group) {
+  groups_[group] = group_geometry(*this, group);
+  group_numbers_[group] = groups_[group].roles == nullptr
+                              ? nullptr
+                              : std::make_shared<const GroupNumbers>(group_numbers(*this, group));
+}
+
+/// Half-widths and the covariance.
+void Values::evaluate_requests() {
+  const auto& parameters = plan_->mechanism.parameters();
+  spread_.tolerances = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(parameters.size()));
+  for (const ParameterIndex index : parameters.keys()) {
+    const NumberIndex tolerance = parameters[index].tolerance;
+    if (tolerance.exists()) {
+      const double half_width = numbers_[tolerance].value();
+      if (half_width < 0) {
+        throw MechanismError(plan_->mechanism.numbers()[tolerance].part,
+                             "a tolerance is a half-width and cannot be negative");
+      }
+      spread_.tolerances(index.row()) = half_width;
+    }
+  }
+  if (plan_->request.covariance) {
+    spread_.covariance = covariance_matrix(*plan_->request.covariance, *this, parameters.size());
+  }
+}
+
+}  // namespace assur::mechanism

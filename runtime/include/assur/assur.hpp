@@ -1,0 +1,30 @@
+// Turns one include into all that the runtime offers to the user of a generated model.
+//
+//   Assemblies    assemblies(d, u)                    every configuration of a group
+//   Status        refine(d, u, q)                     one configuration, from a guess
+//   Regularity    regularity(d, u, q)                 how far it is from singular
+//   Status        sensitivities, motion, jerk, ...    what follows to first and second order
+//   SecondOrder   SecondOrder(d, u, q)                second derivatives, on demand
+//   BranchPoint   branch_point(d, inputs, q)          where a branch begins
+//   Track         track(d, path, from, to, start)     the same branch further on
+//   Singularity   singularity_along(d, u, q, ...)     a fold or a crossing
+//   Status        special_points, ...                 the published method, beside the Jacobian
+//   Status        normal_form, fill_dimensions        from a drawing's features to dimensions
+//
+// Each answer is a status or holds one. The models themselves are in assur/<group>/model_<n>.hpp.
+#pragma once
+
+#include <assur/assemblies.hpp>
+#include <assur/assembly.hpp>
+#include <assur/branch_point.hpp>
+#include <assur/directions.hpp>
+#include <assur/kinematics.hpp>
+#include <assur/model.hpp>
+#include <assur/normal_form.hpp>
+#include <assur/second_order.hpp>
+#include <assur/singularity.hpp>
+#include <assur/special_points.hpp>
+#include <assur/status.hpp>
+#include <assur/tracking.hpp>
+#include <assur/variables.hpp>
+#include <assur/version.hpp>

@@ -1,0 +1,53 @@
+// Turns a configuration and the motion of its inputs into the point where a branch begins.
+#pragma once
+
+#include <assur/detail/pivots.hpp>
+#include <assur/kinematics.hpp>
+#include <assur/status.hpp>
+
+namespace assur {
+
+/// Where a model's inputs are and how they move with a parameter.
+template <typename Model>
+struct InputMotion {
+  typename Model::template Inputs<double> u;
+  Vector<double, Model::input_count> rate;
+  Vector<double, Model::input_count> second_rate;
+};
+
+/// A point of a branch: a configuration and its derivatives to the parameter.
+template <typename Model>
+struct BranchPoint {
+  /// ok, or near_singular where the derivatives may keep fewer than six digits; with singular and
+  /// not_finite there are none, and nothing can be tracked from here.
+  Status status = Status::singular;
+  typename Model::template Configuration<double> q;
+  Motion<Model, double> motion;  ///< set where the status is ok or near_singular
+  int orientation = 0;  ///< the sign of det J, which a branch keeps and those it may meet have not
+};
+
+/// Where a branch begins: a configuration that `assemblies` or `refine` found, F(d, u, q) = 0, with
+/// its derivatives q' = dq/dt and q'' for inputs that move with a parameter t.
+template <typename Model>
+[[nodiscard]] BranchPoint<Model> branch_point(
+    const typename Model::template Dimensions<double>& d, const InputMotion<Model>& inputs,
+    const typename Model::template Configuration<double>& q) {
+  static_assert(Model::rigid, "a degenerate model has no inverse Jacobian");
+  BranchPoint<Model> point;
+  point.q = q;
+  if (!is_finite(d) || !is_finite(inputs.u) || !is_finite(q) || !is_finite(inputs.rate) ||
+      !is_finite(inputs.second_rate)) {
+    point.status = Status::not_finite;
+    return point;
+  }
+  const auto pivots = detail::pivots_at<Model, double>(d, inputs.u, q);
+  point.status = detail::regularity_of(pivots, detail::derivative_rounding<double>()).status;
+  if (is_solvable(point.status)) {
+    Model::motion(d, inputs.u, q, inputs.rate, inputs.second_rate, point.motion.velocity,
+                  point.motion.acceleration);
+    point.orientation = detail::orientation_of(pivots);
+  }
+  return point;
+}
+
+}  // namespace assur

@@ -1,0 +1,45 @@
+// Turns a Newton step into one that its linearisation can answer for.
+#pragma once
+
+#include <algorithm>
+#include <assur/detail/index.hpp>
+#include <assur/model.hpp>
+#include <cmath>
+
+namespace assur::detail {
+
+/// Shortens a Newton step that turns a link too far for its linearisation: as a whole, so that an
+/// angle moves by at most half a radian, where short levers count less. Such a
+/// link's turn moves no joint far and need not hold back the others; it is cut alone.
+template <typename Model, typename Scalar>
+void limit_turns(const Matrix<Scalar, Model::equation_count, Model::unknown_count>& jacobian,
+                 Vector<Scalar, Model::unknown_count>& step) {
+  using std::abs;
+  using std::max;
+  using std::min;
+  const auto for_each_angle = [](auto use) {
+    for (int index = 0; index < Model::unknown_count; ++index) {
+      if (is_angle<Model>(index)) {
+        use(index);
+      }
+    }
+  };
+  const auto lever = [&jacobian](int index) {
+    return Scalar(jacobian.col(index).cwiseAbs().maxCoeff());
+  };
+  Scalar longest(0);
+  for_each_angle([&](int index) { longest = max(longest, lever(index)); });
+  Scalar largest(0);
+  for_each_angle([&](int index) {
+    // From a quarter of the longest on a lever counts in full.
+    const Scalar weight = min(Scalar(1), Scalar(4) * lever(index) / longest);
+    largest = max(largest, weight * abs(step(index)));
+  });
+  const Scalar limit = Scalar(0.5);
+  if (largest > limit) {
+    step *= limit / largest;
+  }
+  for_each_angle([&](int index) { step(index) = max(-limit, min(limit, step(index))); });
+}
+
+}  // namespace assur::detail

@@ -1,0 +1,65 @@
+// Turns the members of a model's variables into arguments, one at a time and in pairs.
+#pragma once
+
+#include <algorithm>
+#include <assur/directions.hpp>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace assur::detail {
+
+// By indices, not by nested calls of std::apply: every model has variables of its own, and what is
+// instantiated for each of them is most of what its users compile.
+template <typename Members, typename Use, std::size_t... Index>
+constexpr void visit(Members&& members, Use& use, std::index_sequence<Index...>) {
+  (use(std::get<Index>(members), Index), ...);
+}
+template <typename Members, typename Use>
+constexpr void visit(Members&& members, Use& use) {
+  visit(members, use, std::make_index_sequence<std::tuple_size_v<std::decay_t<Members>>>());
+}
+
+template <typename One, typename Other, typename Use, std::size_t... Index>
+constexpr void visit_both(One&& one, Other&& other, Use& use, std::index_sequence<Index...>) {
+  (use(std::get<Index>(one), std::get<Index>(other)), ...);
+}
+template <typename One, typename Other, typename Use>
+constexpr void visit_both(One&& one, Other&& other, Use& use) {
+  visit_both(one, other, use, std::make_index_sequence<std::tuple_size_v<std::decay_t<One>>>());
+}
+
+template <typename Scalar>
+void advance_member(Scalar& length, const Scalar& step) {
+  length = length + step;
+}
+template <typename Scalar>
+void advance_member(Direction<Scalar>& direction, const Scalar& step) {
+  direction = normalised(turned(direction, direction_of(step)));
+}
+
+template <typename Scalar>
+[[nodiscard]] bool is_finite_number(const Scalar& length) {
+  using std::isfinite;
+  return isfinite(length);
+}
+template <typename Scalar>
+[[nodiscard]] bool is_finite_number(const Direction<Scalar>& direction) {
+  return is_finite_number(direction.cos) && is_finite_number(direction.sin);
+}
+
+/// Neither NaN nor infinite, for scalars that have no isfinite of their own.
+template <typename Scalar>
+[[nodiscard]] bool is_number(const Scalar& value) {
+  return value - value == Scalar(0);
+}
+
+/// The largest difference of two variables, of a direction's cosine or sine.
+[[nodiscard]] inline double apart(double one, double other) { return std::abs(one - other); }
+[[nodiscard]] inline double apart(const Direction<double>& one, const Direction<double>& other) {
+  return std::max(std::abs(one.cos - other.cos), std::abs(one.sin - other.sin));
+}
+
+}  // namespace assur::detail

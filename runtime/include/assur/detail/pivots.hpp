@@ -1,0 +1,84 @@
+// Turns the pivots of a model's structured elimination into a verdict and into an orientation.
+#pragma once
+
+#include <assur/model.hpp>
+#include <assur/status.hpp>
+#include <cmath>
+#include <limits>
+
+namespace assur::detail {
+
+/// The pivots at a configuration, what each could be at most, and the size of the terms of the
+/// core's determinant.
+template <typename Model, typename Scalar>
+struct Pivots {
+  Vector<Scalar, Model::pivot_count> values;
+  Vector<Scalar, Model::pivot_count> sizes;
+  Scalar terms = Scalar(0);
+};
+
+template <typename Model, typename Scalar>
+[[nodiscard]] Pivots<Model, Scalar> pivots_at(
+    const typename Model::template Dimensions<Scalar>& d,
+    const typename Model::template Inputs<Scalar>& u,
+    const typename Model::template Configuration<Scalar>& q) {
+  Pivots<Model, Scalar> pivots;
+  Model::degeneracies(d, u, q, pivots.values, pivots.sizes, pivots.terms);
+  return pivots;
+}
+
+/// The relative error of a derivative is at most this over the margin; see `regularity`.
+template <typename Scalar>
+[[nodiscard]] Scalar derivative_rounding() {
+  return Scalar(derivative_error_constant) * std::numeric_limits<Scalar>::epsilon();
+}
+
+/// `error`: the relative error of what the pivots are computed from, with all constants.
+template <typename Model, typename Scalar>
+[[nodiscard]] Regularity<Scalar> regularity_of(const Pivots<Model, Scalar>& pivots,
+                                               const Scalar& error) {
+  using std::abs;
+  Regularity<Scalar> result;
+  // Of the core's pivots the product counts, of the others the smallest.
+  Scalar core(1);
+  Scalar core_firmness(1);
+  Scalar other_firmness(1);
+  Scalar smallest = std::numeric_limits<Scalar>::infinity();
+  for (int index = 0; index < Model::pivot_count; ++index) {
+    const Scalar value = abs(pivots.values(index));
+    const Scalar firmness = value / pivots.sizes(index);
+    if (index < Model::core_pivot_count) {
+      core = core * value;
+      core_firmness = core_firmness * firmness;
+    } else if (!(firmness >= other_firmness)) {
+      other_firmness = firmness;
+    }
+    if (!(firmness >= smallest)) {
+      smallest = firmness;
+      result.weakest = index;
+    }
+  }
+  const Scalar kept = core / pivots.terms;
+  const Scalar firmness = core_firmness * other_firmness * other_firmness;
+  const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
+  if (!(kept > epsilon && firmness > Scalar(0))) {
+    return result;
+  }
+  result.margin = kept * firmness;
+  const auto six_digits = Scalar(5e-7);
+  const bool keeps = error < six_digits * result.margin;
+  result.status = keeps ? Status::ok : Status::near_singular;
+  return result;
+}
+
+/// The sign of det J; zero only where a pivot vanishes.
+template <typename Model>
+[[nodiscard]] int orientation_of(const Pivots<Model, double>& pivots) {
+  int sign = Model::determinant_sign;
+  for (const double pivot : pivots.values) {
+    sign *= (pivot > 0 ? 1 : 0) - (pivot < 0 ? 1 : 0);
+  }
+  return sign;
+}
+
+}  // namespace assur::detail

@@ -1,0 +1,137 @@
+// Turns a specialised group with held external joints into the motion of its links and slides.
+#pragma once
+
+#include <array>
+#include <assur/detail/index.hpp>
+#include <assur/support/displacement.hpp>
+#include <assur/support/placed_link.hpp>
+#include <limits>
+
+namespace assur::support {
+
+/// A slide: its displacement and the first `Order` time derivatives of it.
+template <int Order>
+struct Slide {
+  double displacement = 0;
+  Matrix<double, 1, Order> rates = Matrix<double, 1, Order>::Zero();
+};
+
+/// Where placed links hold the external joints of a specialised group, and how these move; lengths
+/// in the group's unit.
+template <typename Group, int Order, int Parameters>
+struct HeldJoints {
+  typename Group::template Inputs<double> u;
+  Matrix<double, Group::input_count, Order> rates;
+  Matrix<double, Group::input_count, Parameters> gradient;
+
+  /// A revolute joint, whose inputs (x, y) stand from `First` on.
+  template <int First>
+  void hold_point(const Point<double, Order, Parameters>& point) {
+    std::get<First>(u.members()) = point.x / Group::unit;
+    std::get<First + 1>(u.members()) = point.y / Group::unit;
+    rates.template middleRows<2>(First) = point.rates / Group::unit;
+    gradient.template middleRows<2>(First) = point.gradient / Group::unit;
+  }
+  /// A prismatic joint along the x-axis of a frame, whose inputs (x, y, phi) stand from `First` on.
+  template <int First>
+  void hold_line(const Frame<double, Order, Parameters>& frame) {
+    hold_point<First>({frame.pose.x, frame.pose.y, frame.rates.template topRows<2>(),
+                       frame.gradient.template topRows<2>()});
+    std::get<First + 2>(u.members()) = frame.pose.direction;
+    rates.row(First + 2) = frame.rates.row(2);
+    gradient.row(First + 2) = frame.gradient.row(2);
+  }
+};
+
+/// One configuration of a specialised group: the normal frames of its links and the rates of its
+/// unknowns.
+template <typename Group, int Order, int Parameters>
+struct PlacedGroup {
+  std::array<Frame<double, Order, Parameters>, detail::size(Group::link_count)> frames;
+  Matrix<double, Group::unknown_count, Order> rates;  ///< lengths in the group's unit
+  Status regularity = Status::ok;
+  double residual = 0;   ///< largest of the closures
+  double displaced = 0;  ///< by rounding, at most; as large as before at least
+};
+
+/// Places a group's links where its configuration is known and its neighbours are `displaced` by
+/// rounding. Where the Jacobian has no inverse, rates and gradients are NaN.
+template <typename Group, int Order, int Parameters>
+[[nodiscard]] PlacedGroup<Group, Order, Parameters> place_group(
+    const HeldJoints<Group, Order, Parameters>& held,
+    const typename Group::template Configuration<double>& q, double displaced) {
+  constexpr int links = Group::link_count;
+  const typename Group::template Dimensions<double> d;
+  PlacedGroup<Group, Order, Parameters> placed;
+  Vector<double, Group::equation_count> f;
+  Group::residual(d, held.u, q, f);
+  placed.residual = f.cwiseAbs().maxCoeff() * Group::unit;
+  const DisplacedGroup<Group> among(d, held.u, displaced / Group::unit);
+  placed.regularity = among.regularity(d, held.u, q).status;
+  const bool solvable = is_solvable(placed.regularity);
+  Matrix<double, Group::unknown_count, Group::equation_count> J_inverse;
+  J_inverse.setConstant(std::numeric_limits<double>::quiet_NaN());
+  if (solvable) {
+    Group::inverse_jacobian(d, held.u, q, J_inverse);
+  }
+  placed.displaced = among.displaced(J_inverse) * Group::unit;
+  Poses<double, links> poses;
+  Group::link_poses(d, held.u, q, poses);
+
+  placed.rates.setConstant(std::numeric_limits<double>::quiet_NaN());
+  Matrix<double, links, 3> velocity;
+  Matrix<double, links, 3> acceleration;
+  if constexpr (Order > 0) {
+    const Vector<double, Group::input_count> u_rate = held.rates.col(0);
+    Vector<double, Group::unknown_count> q_rate = placed.rates.col(0);
+    if constexpr (Order > 1) {
+      const Vector<double, Group::input_count> u_second_rate = held.rates.col(1);
+      Vector<double, Group::unknown_count> q_second_rate = placed.rates.col(1);
+      if (solvable) {
+        Group::motion(d, held.u, q, u_rate, u_second_rate, q_rate, q_second_rate);
+      }
+      Group::link_accelerations(d, held.u, q, q_rate, q_second_rate, u_rate, u_second_rate,
+                                acceleration);
+      placed.rates.col(1) = q_second_rate;
+    } else if (solvable) {
+      Group::velocity(d, held.u, q, u_rate, q_rate);
+    }
+    Group::link_velocities(d, held.u, q, q_rate, u_rate, velocity);
+    placed.rates.col(0) = q_rate;
+  }
+
+  Matrix<double, 3 * links, Parameters> pose_gradient;
+  if constexpr (Parameters > 0) {
+    // J q_a = -(F_a + F_u u_a), and p_a = P_a + P_u u_a + P_q q_a.
+    Matrix<double, Group::equation_count, Parameters> F_a;
+    Matrix<double, Group::equation_count, Group::input_count> F_u;
+    Matrix<double, 3 * links, Group::unknown_count> P_q;
+    Matrix<double, 3 * links, Parameters> P_a;
+    Matrix<double, 3 * links, Group::input_count> P_u;
+    Group::parameter_jacobian(d, held.u, q, F_a);
+    Group::input_jacobian(d, held.u, q, F_u);
+    Group::pose_jacobians(d, held.u, q, P_q, P_a, P_u);
+    pose_gradient = P_a + P_u * held.gradient - P_q * (J_inverse * (F_a + F_u * held.gradient));
+  }
+
+  for (int link = 0; link < links; ++link) {
+    Frame<double, Order, Parameters>& frame = detail::entry(placed.frames, link);
+    frame.pose = detail::entry(poses, link);
+    frame.pose.x *= Group::unit;
+    frame.pose.y *= Group::unit;
+    if constexpr (Order > 0) {
+      frame.rates.col(0) = velocity.row(link).transpose();
+    }
+    if constexpr (Order > 1) {
+      frame.rates.col(1) = acceleration.row(link).transpose();
+    }
+    frame.rates.template topRows<2>() *= Group::unit;
+    if constexpr (Parameters > 0) {
+      frame.gradient = pose_gradient.template middleRows<3>(3 * link);
+      frame.gradient.template topRows<2>() *= Group::unit;
+    }
+  }
+  return placed;
+}
+
+}  // namespace assur::support

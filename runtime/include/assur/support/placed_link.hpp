@@ -1,0 +1,101 @@
+// Turns links of known motion into the motion of their points and of the links that they carry.
+#pragma once
+
+#include <assur/directions.hpp>
+#include <assur/model.hpp>
+#include <assur/support/rigid_motion.hpp>
+
+namespace assur::support {
+
+/// A frame in another: its pose (x, y, theta), the first `Order` time derivatives of these, one a
+/// column, and their derivatives to `Parameters` parameters, one a column.
+template <typename Scalar, int Order, int Parameters>
+struct Frame {
+  Pose<Scalar> pose{};
+  Matrix<Scalar, 3, Order> rates = Matrix<Scalar, 3, Order>::Zero();
+  Matrix<Scalar, 3, Parameters> gradient = Matrix<Scalar, 3, Parameters>::Zero();
+};
+
+/// A point in a frame, likewise.
+template <typename Scalar, int Order, int Parameters>
+struct Point {
+  Scalar x{};
+  Scalar y{};
+  Matrix<Scalar, 2, Order> rates = Matrix<Scalar, 2, Order>::Zero();
+  Matrix<Scalar, 2, Parameters> gradient = Matrix<Scalar, 2, Parameters>::Zero();
+};
+
+/// A point that is given in a moving frame, in the frame in which that one moves: see `carried` and
+/// `carried_twice`.
+template <typename Scalar, int Order, int Parameters>
+[[nodiscard]] Point<Scalar, Order, Parameters> point_in(
+    const Frame<Scalar, Order, Parameters>& frame, const Point<Scalar, Order, Parameters>& point) {
+  const auto turn = [&frame](const Vector<Scalar, 2>& v) {
+    return rotated(frame.pose.direction, v);
+  };
+  const Vector<Scalar, 2> arm = turn({point.x, point.y});
+  Point<Scalar, Order, Parameters> result;
+  result.x = frame.pose.x + arm(0);
+  result.y = frame.pose.y + arm(1);
+  // Eigen has no columns of a matrix without columns.
+  if constexpr (Order > 0) {
+    const Vector<Scalar, 2> sliding = turn(point.rates.col(0));
+    result.rates.col(0) = carried<Scalar>(frame.rates.col(0), arm, sliding);
+    if constexpr (Order > 1) {
+      const Scalar omega = frame.rates(2, 0);
+      result.rates.col(1) = carried_twice<Scalar>(frame.rates.col(1), omega, omega, arm, sliding,
+                                                  sliding, turn(point.rates.col(1)));
+    }
+  }
+  if constexpr (Parameters > 0) {
+    for (int parameter = 0; parameter < Parameters; ++parameter) {
+      result.gradient.col(parameter) = carried<Scalar>(frame.gradient.col(parameter), arm,
+                                                       turn(point.gradient.col(parameter)));
+    }
+  }
+  return result;
+}
+
+/// A frame that is given in a moving frame, in the frame in which that one moves.
+template <typename Scalar, int Order, int Parameters>
+[[nodiscard]] Frame<Scalar, Order, Parameters> frame_in(
+    const Frame<Scalar, Order, Parameters>& frame, const Frame<Scalar, Order, Parameters>& inner) {
+  const Point<Scalar, Order, Parameters> origin =
+      point_in(frame, Point<Scalar, Order, Parameters>{inner.pose.x, inner.pose.y,
+                                                       inner.rates.template topRows<2>(),
+                                                       inner.gradient.template topRows<2>()});
+  Frame<Scalar, Order, Parameters> result;
+  result.pose = {origin.x, origin.y, turned(frame.pose.direction, inner.pose.direction)};
+  result.rates.template topRows<2>() = origin.rates;
+  result.rates.row(2) = frame.rates.row(2) + inner.rates.row(2);
+  result.gradient.template topRows<2>() = origin.gradient;
+  result.gradient.row(2) = frame.gradient.row(2) + inner.gradient.row(2);
+  return result;
+}
+
+/// The frame on the far side of a revolute joint, in that on the near side, for the joint's angle,
+/// its rates and its derivatives to the parameters.
+template <typename Scalar, int Order, int Parameters>
+[[nodiscard]] Frame<Scalar, Order, Parameters> turning(
+    Scalar angle, const Matrix<Scalar, 1, Order>& rates,
+    const Matrix<Scalar, 1, Parameters>& gradient) {
+  Frame<Scalar, Order, Parameters> frame;
+  frame.pose.direction = direction_of(angle);
+  frame.rates.row(2) = rates;
+  frame.gradient.row(2) = gradient;
+  return frame;
+}
+
+/// The same of a prismatic joint along the x-axis, for its displacement.
+template <typename Scalar, int Order, int Parameters>
+[[nodiscard]] Frame<Scalar, Order, Parameters> sliding(
+    Scalar displacement, const Matrix<Scalar, 1, Order>& rates,
+    const Matrix<Scalar, 1, Parameters>& gradient) {
+  Frame<Scalar, Order, Parameters> frame;
+  frame.pose.x = displacement;
+  frame.rates.row(0) = rates;
+  frame.gradient.row(0) = gradient;
+  return frame;
+}
+
+}  // namespace assur::support

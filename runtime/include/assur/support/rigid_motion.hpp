@@ -1,0 +1,47 @@
+// Turns derivatives of a frame, and of a point in it, into those of the point outside.
+#pragma once
+
+#include <assur/model.hpp>
+
+namespace assur::support {
+
+/// The vector turned by a direction.
+template <typename Scalar>
+[[nodiscard]] Vector<Scalar, 2> rotated(const Direction<Scalar>& direction,
+                                        const Vector<Scalar, 2>& v) {
+  return {direction.cos * v(0) - direction.sin * v(1), direction.sin * v(0) + direction.cos * v(1)};
+}
+
+/// The vector turned by a right angle: for a rate w of turning, w times this is the tip's velocity.
+template <typename Scalar>
+[[nodiscard]] Vector<Scalar, 2> across(const Vector<Scalar, 2>& v) {
+  return {-v(1), v(0)};
+}
+
+/// The point lies at p = X + r, where r = R(theta) p' is its arm in a frame (X, theta) and p' its
+/// place in the frame. Its derivative along one direction x of whatever varies:
+///     p_x = X_x + theta_x r' + R p'_x,  r' = r turned by a right angle.
+/// `frame_x` is (X_x, theta_x), `own_x` is R p'_x. Along time this is the velocity.
+template <typename Scalar>
+[[nodiscard]] Vector<Scalar, 2> carried(const Vector<Scalar, 3>& frame_x,
+                                        const Vector<Scalar, 2>& arm,
+                                        const Vector<Scalar, 2>& own_x) {
+  return frame_x.template head<2>() + frame_x(2) * across(arm) + own_x;
+}
+
+/// The second derivative along two directions x and y:
+///     p_xy = X_xy + theta_xy r' - theta_x theta_y r + theta_x (R p'_y)' + theta_y (R p'_x)'
+///            + R p'_xy.
+/// With both along time this is the acceleration: the centripetal and Coriolis terms are the middle.
+template <typename Scalar>
+[[nodiscard]] Vector<Scalar, 2> carried_twice(const Vector<Scalar, 3>& frame_xy,
+                                              const Scalar& theta_x, const Scalar& theta_y,
+                                              const Vector<Scalar, 2>& arm,
+                                              const Vector<Scalar, 2>& own_x,
+                                              const Vector<Scalar, 2>& own_y,
+                                              const Vector<Scalar, 2>& own_xy) {
+  return frame_xy.template head<2>() + frame_xy(2) * across(arm) - theta_x * theta_y * arm +
+         theta_x * across(own_y) + theta_y * across(own_x) + own_xy;
+}
+
+}  // namespace assur::support

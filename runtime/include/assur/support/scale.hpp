@@ -1,0 +1,42 @@
+// Turns lengths in any unit into lengths near one, exactly, in any scalar.
+#pragma once
+
+#include <algorithm>
+#include <assur/model.hpp>
+#include <assur/variables.hpp>
+#include <cmath>
+#include <type_traits>
+
+namespace assur::support {
+
+/// The same variables in another scalar, lengths multiplied by `scale`, a power of two.
+template <typename To, typename From, typename Scale>
+[[nodiscard]] To scaled_to(const From& from, Scale scale) {
+  To result;
+  for_each_pair(result, from, [scale](auto& target, const auto& source) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(source)>, double>) {
+      target = std::decay_t<decltype(target)>(source * scale);
+    } else {
+      using Scalar = std::decay_t<decltype(target.cos)>;
+      target = {Scalar(source.cos), Scalar(source.sin)};
+    }
+  });
+  return result;
+}
+
+/// The power of two that brings the longest length of a group near one. Only differences of the
+/// external joints' places count, not where the group is.
+template <typename Model>
+[[nodiscard]] double unit_scale(const typename Model::template Dimensions<double>& d,
+                                const typename Model::template Inputs<double>& u) {
+  if constexpr (Model::dimension_count == 0) {  // folded, and in units of the longest already
+    return 1;
+  }
+  typename Model::template Configuration<double> q;
+  Vector<double, Model::equation_count> f;
+  Model::residual(typename Model::template Dimensions<double>{}, u, q, f);
+  const double size = std::max(longest_length(d), f.cwiseAbs().maxCoeff());
+  return size > 0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
+}
+
+}  // namespace assur::support

@@ -1,0 +1,14 @@
+// Turns input that cannot be used into one line: where, what is wrong, and the mend.
+#pragma once
+
+#include <stdexcept>
+
+namespace assur::text {
+
+/// The user's input cannot be used; the text is one line: where, what and the mend.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace assur::text

@@ -1,0 +1,12 @@
+// Turns a file that the user names into its text.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace assur::text {
+
+/// The whole text. Throws InputError where there is no file to read.
+[[nodiscard]] std::string read_input_file(const std::filesystem::path& file);
+
+}  // namespace assur::text

@@ -1,0 +1,31 @@
+// Turns lists into text: names for messages, arguments and formulas with what stands between them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace assur::text {
+
+/// What `text` makes of each item, with the separator between them.
+template <typename Items, typename Text>
+[[nodiscard]] std::string joined(const Items& items, const std::string& separator,
+                                 const Text& text) {
+  std::string all;
+  bool first = true;
+  for (const auto& item : items) {
+    all += (first ? "" : separator) + text(item);
+    first = false;
+  }
+  return all;
+}
+[[nodiscard]] inline std::string joined(const std::vector<std::string>& items,
+                                        const std::string& separator) {
+  return joined(items, separator, [](const std::string& item) { return item; });
+}
+
+/// `A, B, C`.
+[[nodiscard]] inline std::string listed(const std::vector<std::string>& names) {
+  return joined(names, ", ");
+}
+
+}  // namespace assur::text

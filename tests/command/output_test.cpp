@@ -1,0 +1,125 @@
+// Law: output that cannot be written is exit 2 with one line that says so, and leaves no part of a
+// file behind.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "process.hpp"
+
+namespace assur::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+const std::string four_bar = ASSUR_EXAMPLES "/four_bar_coupler_curve.json";
+
+/// A command line that prints.
+struct Printing {
+  const char* name;
+  std::vector<std::string> arguments;
+};
+
+class UnwritableOutput : public testing::TestWithParam<Printing> {};
+
+void expect_refusal(const ProcessResult& result) {
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(std::count(result.messages.begin(), result.messages.end(), '\n'), 1) << result.messages;
+  EXPECT_TRUE(result.messages.starts_with("error: standard output")) << result.messages;
+}
+
+TEST_P(UnwritableOutput, ToAFullDeviceIsRefused) {
+  expect_refusal(run_process(GetParam().arguments, opened("/dev/full")));
+}
+
+TEST_P(UnwritableOutput, ToAClosedPipeIsRefused) {
+  expect_refusal(run_process(GetParam().arguments, closed_pipe()));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Command, UnwritableOutput,
+    testing::Values(Printing{"SolveText", {"solve", four_bar}},
+                    Printing{"SolveJson", {"solve", four_bar, "--format", "json"}},
+                    Printing{"SolveSweep", {"solve", four_bar, "--format", "csv"}},
+                    Printing{"Derive", {"derive", "RRP"}},
+                    Printing{"DeriveJson", {"derive", "RRP", "--format", "json"}},
+                    Printing{"Catalogue", {"catalogue"}},
+                    Printing{"Audit", {"audit", ASSUR_EXAMPLES "/audit/zhauyt_2017.audit"}},
+                    Printing{"Help", {"solve", "--help"}}, Printing{"Version", {"--version"}}),
+    [](const auto& printing) { return std::string(printing.param.name); });
+
+std::size_t files_in(const fs::path& directory) {
+  std::size_t count = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(directory)) {
+    count += entry.is_regular_file() ? 1 : 0;
+  }
+  return count;
+}
+
+/// Emitting prints nothing, so that its standard output does not matter.
+TEST(EmittedOutput, IsWholeWhateverTheStandardOutputIs) {
+  const TemporaryDirectory reference;
+  EXPECT_EQ(run_assur("emit --scene " + four_bar + " --output " + reference.path().string()).status,
+            0);
+  const fs::path name = "assur/scenes/four_bar_coupler_curve.hpp";
+  for (const int output : {opened("/dev/full"), closed_pipe()}) {
+    const TemporaryDirectory directory;
+    const ProcessResult result =
+        run_process({"emit", "--scene", four_bar, "--output", directory.path().string()}, output);
+    EXPECT_EQ(result.status, 0) << result.messages;
+    EXPECT_EQ(result.messages, "");
+    EXPECT_FALSE(read_file(directory.path() / name).empty());
+    EXPECT_EQ(read_file(directory.path() / name), read_file(reference.path() / name));
+  }
+}
+
+void expect_refusal_of_directory(const ProcessResult& result) {
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(std::count(result.messages.begin(), result.messages.end(), '\n'), 1) << result.messages;
+  EXPECT_TRUE(result.messages.starts_with("error: --output: cannot ")) << result.messages;
+}
+
+TEST(EmittedOutput, OnAFullDiskLeavesNoFile) {
+  const TemporaryDirectory directory;
+  expect_refusal_of_directory(
+      run_process({"emit", "--scene", four_bar, "--output", directory.path().string()},
+                  opened("/dev/null"), 4096));
+  EXPECT_EQ(files_in(directory.path()), 0U);
+}
+
+TEST(EmittedOutput, OnAFullDiskKeepsTheFileThatWasThere) {
+  const TemporaryDirectory directory;
+  const fs::path file = directory.path() / "assur/scenes/four_bar_coupler_curve.hpp";
+  fs::create_directories(file.parent_path());
+  std::ofstream(file) << "what was there\n";
+  expect_refusal_of_directory(
+      run_process({"emit", "--scene", four_bar, "--output", directory.path().string()},
+                  opened("/dev/null"), 4096));
+  EXPECT_EQ(read_file(file), "what was there\n");
+  EXPECT_EQ(files_in(directory.path()), 1U);
+}
+
+/// Where no directory can be made, whoever asks.
+TEST(EmittedOutput, InAReadOnlyPlaceIsRefused) {
+  const TemporaryDirectory directory;
+  const fs::path file = directory.write("file", "");
+  for (const std::string& place : {std::string("/proc/emitted"), (file / "below").string()}) {
+    expect_refusal_of_directory(
+        run_process({"emit", "--scene", four_bar, "--output", place}, opened("/dev/null")));
+    EXPECT_FALSE(fs::exists(place));
+  }
+}
+
+TEST(EmittedOutput, WhereADirectoryHasItsNameLeavesNoFile) {
+  const TemporaryDirectory directory;
+  fs::create_directories(directory.path() / "assur/scenes/four_bar_coupler_curve.hpp/below");
+  expect_refusal_of_directory(run_process(
+      {"emit", "--scene", four_bar, "--output", directory.path().string()}, opened("/dev/null")));
+  EXPECT_EQ(files_in(directory.path()), 0U);
+}
+
+}  // namespace
+}  // namespace assur::test

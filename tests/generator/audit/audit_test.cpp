@@ -1,0 +1,309 @@
+// Law: an audit gives each printed thing its one answer, and each unusable file one line that says
+// where; no text makes it do anything else.
+#include "audit/audit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iostream>
+#include <random>
+#include <sstream>
+
+#include "audit/audit_report.hpp"
+
+namespace assur::test {
+namespace {
+
+using namespace generator::audit;
+
+/// A crank, a bar and a slider on the x-axis.
+const std::string slider_crank = R"(angle phi theta
+length r l s
+unknown theta s
+moving phi
+loop f1 f2 = polar(r, phi) + polar(l, theta) - point(s, 0)
+)";
+
+std::vector<Finding> findings_of(const std::string& text) {
+  std::vector<Finding> all;
+  for (const AuditedStatement& statement : audit_text(text, "f.audit").statements) {
+    all.insert(all.end(), statement.findings.begin(), statement.findings.end());
+  }
+  return all;
+}
+
+Finding only_finding(const std::string& text) {
+  const std::vector<Finding> all = findings_of(text);
+  EXPECT_EQ(all.size(), 1U);
+  return all.empty() ? Finding{} : all[0];
+}
+
+TEST(Audit, EachEntryOfAMatrixHasItsAnswer) {
+  const std::vector<Finding> all =
+      findings_of(slider_crank + R"(printed matrix J of f1 f2 by theta s
+  l*sin(theta), -1
+  l*sin(theta), 0*)");
+  ASSERT_EQ(all.size(), 4U);
+  EXPECT_EQ(all[0].comparison.verdict, Verdict::differs_by_sign);
+  EXPECT_EQ(all[0].derived, "-l*sin(theta)");
+  EXPECT_EQ(all[1].comparison.verdict, Verdict::agrees);
+  EXPECT_EQ(all[1].comparison.evidence, "identically");
+  EXPECT_EQ(all[2].comparison.verdict, Verdict::differs);
+  EXPECT_EQ(all[2].derived, "l*cos(theta)");
+  EXPECT_EQ(all[3].comparison.verdict, Verdict::unreadable);
+  EXPECT_EQ(all[3].place.line, 8U);
+  EXPECT_EQ(all[3].place.column, 19U);
+}
+
+TEST(Audit, ADifferenceIsShownAtAPointThatCanBeChecked) {
+  const Finding finding =
+      only_finding(slider_crank + "printed matrix J of f1 by phi\n  -2*r*sin(phi)\n");
+  ASSERT_EQ(finding.comparison.verdict, Verdict::differs);
+  // The text tells r, cos and sin of phi, and printed less derived: -r sin(phi).
+  long r_above = 0;
+  long r_below = 1;
+  long s_above = 0;
+  long s_below = 1;
+  long cosine[2];
+  ASSERT_EQ(std::sscanf(finding.comparison.point.c_str(),
+                        "(cos, sin)(phi) = (%ld/%ld, %ld/%ld), r = %ld/%ld", &cosine[0], &cosine[1],
+                        &s_above, &s_below, &r_above, &r_below),
+            6)
+      << finding.comparison.point;
+  EXPECT_EQ(cosine[0] * cosine[0] + s_above * s_above, cosine[1] * cosine[1]);
+  const GiNaC::numeric expected =
+      -GiNaC::numeric(r_above, r_below) * GiNaC::numeric(s_above, s_below);
+  std::ostringstream text;
+  text << expected;
+  EXPECT_EQ(finding.comparison.difference, text.str());
+}
+
+TEST(Audit, ClosuresMayBePrintedWithAllSignsTurned) {
+  const std::string closure = "printed closure (1) f1 : s - r*cos(phi) = l*cos(theta)\n";
+  const std::vector<Finding> all = findings_of(
+      slider_crank + closure + "printed matrix J of f1 by s theta\n  1, l*sin(theta)\n");
+  ASSERT_EQ(all.size(), 3U);
+  for (const Finding& finding : all) {
+    EXPECT_TRUE(finding.agrees()) << finding.item;
+  }
+  EXPECT_EQ(only_finding(slider_crank + "printed closure (1) f2 : r*sin(phi) - l*sin(theta)\n")
+                .comparison.verdict,
+            Verdict::differs);
+}
+
+TEST(Audit, TotalDerivativesFollowTheClosures) {
+  const auto verdict = [](const std::string& equation) {
+    return only_finding(slider_crank + "printed equation (1) : " + equation + "\n")
+        .comparison.verdict;
+  };
+  EXPECT_EQ(verdict("D(theta, phi) = -r*cos(phi)/(l*cos(theta))"), Verdict::agrees);
+  EXPECT_EQ(verdict("D(theta, phi) = r*cos(phi)/(l*cos(theta))"), Verdict::differs_by_sign);
+  EXPECT_EQ(verdict("D(s, r) = cos(phi)"), Verdict::differs);
+  EXPECT_EQ(verdict("D(s, r) = cos(phi) + tan(theta)*sin(phi)*(0-1) + 2*tan(theta)*sin(phi)"),
+            Verdict::agrees);
+  EXPECT_EQ(verdict("rate(s) = D(s, phi)*rate(phi)"), Verdict::agrees);
+  EXPECT_EQ(verdict("l*cos(theta)*rate2(theta) = l*sin(theta)*rate(theta)^2 - r*cos(phi)*rate2(phi)"
+                    " + r*sin(phi)*rate(phi)^2"),
+            Verdict::agrees);
+  EXPECT_EQ(verdict("l*cos(theta)*rate2(theta) = l*sin(theta)*rate(theta)^2 - r*cos(phi)*rate2(phi)"
+                    " - r*sin(phi)*rate(phi)^2"),
+            Verdict::differs);
+  // Holds where the group is assembled, and only there.
+  EXPECT_EQ(verdict("r*sin(phi) = -l*sin(theta)"), Verdict::agrees);
+}
+
+TEST(Audit, SensitivityMatricesAreTotalDerivatives) {
+  const std::vector<Finding> all =
+      findings_of(slider_crank +
+                  "printed matrix S of theta by r phi\n"
+                  "  -sin(phi)/(l*cos(theta)), r*cos(phi)/(l*cos(theta))\n");
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].comparison.verdict, Verdict::agrees);
+  EXPECT_EQ(all[1].comparison.verdict, Verdict::differs_by_sign);
+}
+
+TEST(Audit, RootsAndInverseFunctionsAreExact) {
+  const std::string triangle = R"(length a b c
+let alpha = acos((a^2 + b^2 - c^2)/(2*a*b))
+)";
+  const auto verdict = [&](const std::string& equation) {
+    return only_finding(triangle + "printed equation (1) : " + equation + "\n").comparison;
+  };
+  EXPECT_EQ(verdict("a^2*b^2*sin(alpha)^2 = a^2*b^2 - (a^2 + b^2 - c^2)^2/4").evidence,
+            "identically");
+  EXPECT_EQ(verdict("d(alpha, c) = c/(a*b*sin(alpha))").verdict, Verdict::agrees);
+  EXPECT_EQ(verdict("d(alpha, a) = -(a^2 - b^2 + c^2)/(2*a^2*b*sin(alpha))").verdict,
+            Verdict::agrees);
+  EXPECT_EQ(verdict("d(alpha, a) = -(b^2 - a^2 + c^2)/(2*a^2*b*sin(alpha))").verdict,
+            Verdict::differs);
+  EXPECT_EQ(verdict("sqrt(a)*sqrt(b) = sqrt(a*b)").verdict, Verdict::agrees);
+  EXPECT_EQ(verdict("sqrt(a)*sqrt(b) = sqrt(a*b + 1/1000000000)").verdict, Verdict::differs);
+  EXPECT_EQ(verdict("cos(alpha/2) = 1").verdict, Verdict::undecided);
+}
+
+TEST(Audit, NumbersAgreeToTheirPrintedDigits) {
+  const std::string givens = "given w = 0.5, L = 300\n";
+  const auto finding = [&](const std::string& number) {
+    return only_finding(givens + "printed number " + number + "\n");
+  };
+  EXPECT_TRUE(finding("a = 75 is w^2*L").agrees());
+  EXPECT_TRUE(finding("a = 74.96 mm/s^2 is w^2*L - 0.036").agrees());
+  EXPECT_FALSE(finding("a = 74.96 is w^2*L - 0.034").agrees());
+  EXPECT_EQ(finding("a = -75 is w^2*L").comparison.verdict, Verdict::differs_by_sign);
+  const Finding wrong = finding("(32) v = 15 mm/s is w*L");
+  EXPECT_EQ(wrong.comparison.verdict, Verdict::differs);
+  EXPECT_EQ(wrong.derived, "150");
+  EXPECT_EQ(wrong.note,
+            "the printed numbers give 150; it would be right with w = 0.05, or with L = 30");
+  EXPECT_EQ(finding("v = 15 is w*lambda").comparison.verdict, Verdict::unreadable);
+}
+
+TEST(Audit, NumbersSayWhichPrintedInputTheyFollowFrom) {
+  const std::vector<Finding> all = findings_of(R"(given L = 300
+value true_speed = 2/3
+printed number w = 0.66 is true_speed
+printed number v = 198 is w*L
+printed number n = 130.68 is w*v
+)");
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[1].note, "follows from w = 0.66 as printed (derived 0.6666666667)");
+  EXPECT_EQ(all[2].note, "follows from the printed numbers together");
+}
+
+TEST(Audit, KindsAndFamilies) {
+  const AuditReport report = audit_text(R"(printed kinds (T) of tetrad
+  1 : RRR-RRR : 3
+  3 : RPR-RRP, RRP-RPP : 3+4
+  4 : RPR-RPR, RRP-RRP, RRX-RRR
+)",
+                                        "f.audit");
+  std::ostringstream seen;
+  for (const Finding& finding : report.statements[0].findings) {
+    if (!finding.agrees()) {
+      seen << finding.item << ": " << verdict_text(finding.comparison.verdict) << "; ";
+    }
+  }
+  EXPECT_EQ(seen.str(),
+            "row 3, RRP-RPP: differs; row 3, RRP-RPR left out: differs; row 3, family 3+4: "
+            "differs; row 4, RRX-RRR: does not parse; ");
+}
+
+TEST(Audit, ReportsAreReadByPeopleAndPrograms) {
+  const std::vector<AuditReport> reports = {audit_text(
+      "source A | B\n" + slider_crank + "printed matrix J of f1 by theta s\n  l*sin(theta), -1\n",
+      "f.audit")};
+  const std::string text = audit_report_text(reports);
+  EXPECT_NE(text.find("matrix J: 1 of 2 agree\n    - .\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("f.audit:8:3"), std::string::npos) << text;
+  EXPECT_NE(audit_report_markdown(reports).find("differs by sign"), std::string::npos);
+  EXPECT_NE(audit_report_json(reports).find("\"verdict\": \"differs by sign\""), std::string::npos);
+}
+
+struct Fault {
+  const char* name;
+  const char* text;
+  const char* message;
+};
+
+class BadAudit : public testing::TestWithParam<Fault> {};
+
+TEST_P(BadAudit, GetsOneLineWithItsPlace) {
+  try {
+    static_cast<void>(audit_text(GetParam().text, "f.audit"));
+    FAIL() << "nothing was thrown";
+  } catch (const text::InputError& error) {
+    EXPECT_STREQ(error.what(), GetParam().message);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Faults, BadAudit,
+    testing::Values(
+        Fault{"NoStatement", "lenght a\n",
+              "f.audit:1:1: no statement 'lenght' (did you mean 'length'?)"},
+        Fault{"Twice", "length a\nangle a\n", "f.audit:2:7: 'a' is declared already"},
+        Fault{"NoName", "length 2a\n", "f.audit:1:8: '2a' cannot be a name"},
+        Fault{"Reserved", "length sin\n", "f.audit:1:8: 'sin' cannot be a name"},
+        Fault{"UnknownOfNothing", "length ab\nunknown ac\n",
+              "f.audit:2:9: no symbol named 'ac' (did you mean 'ab'?)"},
+        Fault{"FormulaOfALet", "let a = 2 + b*3\n", "f.audit:1:13: no symbol named 'b'"},
+        Fault{"UnfinishedLet", "let a = (2\n", "f.audit:1:11: expected ')'"},
+        Fault{"EmptyLet", "let a =\n", "f.audit:1:8: a formula is missing"},
+        Fault{"Indented", "  length a\n", "f.audit:1:3: an indented line continues no statement"},
+        Fault{"VectorOfNumbers", "length a\nloop x y = a\n",
+              "f.audit:2:12: expected a sum of point(x, y) and polar(length, angle)"},
+        Fault{"Rows", "length a\nclosure f = a\nprinted matrix J of f by a\n",
+              "f.audit:3:1: expected 1 rows, found 0"},
+        Fault{"Entries", "length a\nclosure f = a\nprinted matrix J of f by a\n  1, 2\n",
+              "f.audit:4:3: expected 1 entries, found 2"},
+        Fault{"Printed", "printed matricks J\n",
+              "f.audit:1:9: expected closure, matrix, code, equation, kinds or number after "
+              "'printed'"},
+        Fault{"NoClosure", "printed closure (1) f : 0\n",
+              "f.audit:1:21: no closure named 'f' is derived"},
+        Fault{"NoKind", "model RRR-RRX\n",
+              "f.audit:1:7: no group has a kind 'RRR-RRX'; a tetrad's is spelled like RRP-RRR"},
+        Fault{"NoGroup", "printed kinds T of tertad\n",
+              "f.audit:1:20: no group named 'tertad'; there are dyad, triad and tetrad"},
+        Fault{"NoRow", "printed kinds T of tetrad\n  25 : RRR-RRR\n",
+              "f.audit:2:3: expected the number of a model, 1 to 24, found '25'"},
+        Fault{"NoNumber", "given a = b\n", "f.audit:1:11: expected a number, found 'b'"},
+        Fault{"NoFormula", "printed number a = 2\n",
+              "f.audit:1:16: expected printed number [LABEL] NAME = NUMBER [UNIT] is FORMULA"},
+        Fault{"NothingPrinted", "length a\n",
+              "f.audit: nothing to audit; say what the source prints with 'printed'"},
+        Fault{"BehindTheFirstLine", "length a\nlet b = a +\n   2*a +\n  (c + 2)\n",
+              "f.audit:4:4: no symbol named 'c'"},
+        Fault{"NoConfiguration", "scene s.json branch 1a\n",
+              "f.audit:1:21: expected the number of a configuration"},
+        Fault{"NoCode", "length a\nclosure f = a\nprinted code J no.cpp J of f by a\n",
+              "f.audit:3:16: no.cpp: cannot be read (does it exist, and is it a file?)"}),
+    [](const testing::TestParamInfo<Fault>& fault) { return fault.param.name; });
+
+TEST(Audit, SurvivesRandomText) {
+  constexpr unsigned seed = 2017;
+  constexpr int rounds = 1500;
+  const std::string good = slider_crank + R"(let u = sqrt(r^2 + l^2)
+given w = 0.5, L = 300
+printed number v = 150 is w*L
+printed kinds (T) of dyad
+  1 : RRR : 3
+printed equation (1) for j in r l : D(s, j) = d(u, j) + rate(theta)
+printed matrix J of f1 f2 by theta s
+  l*sin(theta), -1
+  l*cos(theta), 0
+)";
+  const std::string letters = "abrls()^*/+-=:,.# \n019dDfJ\"\\{";
+  std::mt19937 engine(seed);
+  int refused = 0;
+  for (int round = 0; round < rounds; ++round) {
+    std::string text = good;
+    for (unsigned change = 0; change < 1 + engine() % 4; ++change) {
+      const std::size_t at = engine() % text.size();
+      switch (engine() % 3) {
+        case 0:
+          text[at] = letters[engine() % letters.size()];
+          break;
+        case 1:
+          text.erase(at, 1 + engine() % 6);
+          break;
+        default:
+          text.insert(at, 1, letters[engine() % letters.size()]);
+          break;
+      }
+    }
+    try {
+      static_cast<void>(audit_report_text({audit_text(text, "f")}));
+    } catch (const text::InputError& error) {
+      ++refused;
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << error.what() << " for\n" << text;
+    }
+  }
+  std::cout << "seed " << seed << ": " << rounds << " texts, " << refused << " refused\n";
+  EXPECT_GT(refused, rounds / 10);
+}
+
+}  // namespace
+}  // namespace assur::test

@@ -1,0 +1,327 @@
+// Checks `assur derive`: the derivation of every model, read back and evaluated, is that of the
+// generated code, its text mentions what it must, and its LaTeX compiles.
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <assur/text/expression.hpp>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "command.hpp"
+#include "exact_assembly.hpp"
+#include "largest.hpp"
+#include "model_types.hpp"
+
+namespace assur::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Values = std::map<std::string, double>;
+
+constexpr unsigned seed = 16180;
+constexpr double tolerance = 1e-9;
+
+template <typename Model>
+std::string arguments(const std::string& format) {
+  return "derive " + std::to_string(Model::number) + " --group " + Model::group + " --format " +
+         format;
+}
+
+double value_of(const std::string& formula, const Values& values) {
+  return text::evaluate<double>(text::parse_expression(formula),
+                                [&](const std::string& name) { return values.at(name); });
+}
+double value_of(const Json& formula, const Values& values) {
+  return value_of(formula.get<std::string>(), values);
+}
+
+template <typename Derived>
+void expect_equal(const Json& formulas, const Eigen::MatrixBase<Derived>& generated,
+                  const Values& values) {
+  ASSERT_EQ(formulas.size(), static_cast<std::size_t>(generated.rows()));
+  for (Eigen::Index row = 0; row < generated.rows(); ++row) {
+    const Json& line = formulas[static_cast<std::size_t>(row)];
+    for (Eigen::Index column = 0; column < generated.cols(); ++column) {
+      const Json& entry = line.is_array() ? line[static_cast<std::size_t>(column)] : line;
+      EXPECT_NEAR(value_of(entry, values), generated(row, column),
+                  tolerance * (1 + std::abs(generated(row, column))))
+          << entry;
+    }
+  }
+}
+
+double number_of(double length) { return length; }
+double number_of(const Direction<double>& angle) { return std::atan2(angle.sin, angle.cos); }
+
+template <typename Members>
+void name_values(const Json& variables, const Members& members, Values& values) {
+  std::size_t index = 0;
+  std::apply(
+      [&](const auto&... member) {
+        ((values[variables[index++]["name"].get<std::string>()] = number_of(member)), ...);
+      },
+      members);
+}
+
+template <typename Rates>
+void name_rates(const Json& variables, const std::string& key, const Rates& rates, Values& values) {
+  for (std::size_t index = 0; index < variables.size(); ++index) {
+    values[variables[index][key].get<std::string>()] = rates(static_cast<Eigen::Index>(index));
+  }
+}
+
+void define(const Json& quantities, Values& values) {
+  for (const Json& quantity : quantities) {
+    const std::string name = quantity["name"];
+    EXPECT_FALSE(values.contains(name)) << name << " is named twice";
+    values[name] = value_of(quantity["value"], values);
+  }
+}
+
+/// A random assembled group, and its variables by name.
+template <typename Model>
+struct NamedAssembly {
+  explicit NamedAssembly(const Json& derivation) {
+    RandomInputs random(seed);
+    Assembly<Model, Rational> exact_place;
+    do {
+      exact_place.d = random.variables<typename Model::template Dimensions<Rational>>();
+      exact_place.u = random.variables<typename Model::template Inputs<Rational>>();
+      exact_place.q = random.variables<typename Model::template Configuration<Rational>>();
+    } while (!close_loops<Model>(exact_place));
+    place = rounded<double, Model>(exact_place);
+    name_values(derivation["unknowns"], place.q.members(), values);
+    name_values(derivation["dimensions"], place.d.members(), values);
+    name_values(derivation["inputs"], place.u.members(), values);
+    define(derivation["quantities"], values);
+  }
+  Assembly<Model, double> place;
+  Values values;
+};
+
+template <typename Model>
+class Derive : public testing::Test {
+ protected:
+  static Json derivation() { return Json::parse(run_assur(arguments<Model>("json")).output); }
+};
+TYPED_TEST_SUITE(Derive, AllModels, ModelNames);
+
+TYPED_TEST(Derive, EquationsAreThoseOfTheGeneratedCode) {
+  const Json derivation = this->derivation();
+  NamedAssembly<TypeParam> at(derivation);
+  const auto& [d, u, q] = at.place;
+  Vector<double, TypeParam::equation_count> f;
+  TypeParam::residual(d, u, q, f);
+  std::vector<std::string> closures;
+  for (const Json& loop : derivation["closures"]) {
+    for (const Json& scalar : loop["scalars"]) {
+      closures.push_back(scalar);
+    }
+  }
+  expect_equal(Json(closures), f, at.values);
+  Matrix<double, TypeParam::equation_count, TypeParam::unknown_count> f_q;
+  TypeParam::jacobian(d, u, q, f_q);
+  expect_equal(derivation["jacobian"], f_q, at.values);
+  Matrix<double, TypeParam::equation_count, TypeParam::dimension_count> f_d;
+  TypeParam::dimension_jacobian(d, u, q, f_d);
+  expect_equal(derivation["dimension_jacobian"], f_d, at.values);
+  Matrix<double, TypeParam::equation_count, TypeParam::input_count> f_u;
+  TypeParam::input_jacobian(d, u, q, f_u);
+  expect_equal(derivation["input_jacobian"], f_u, at.values);
+
+  RandomInputs random(seed);
+  const auto q1 = random.vector<Vector<double, TypeParam::unknown_count>>();
+  const auto u1 = random.vector<Vector<double, TypeParam::input_count>>();
+  const auto u2 = random.vector<Vector<double, TypeParam::input_count>>();
+  name_rates(derivation["unknowns"], "rate", q1, at.values);
+  name_rates(derivation["inputs"], "rate", u1, at.values);
+  name_rates(derivation["inputs"], "second_rate", u2, at.values);
+  TypeParam::velocity_rhs(d, u, q, u1, f);
+  expect_equal(derivation["velocity_rhs"], f, at.values);
+  TypeParam::acceleration_rhs(d, u, q, q1, u1, u2, f);
+  expect_equal(derivation["acceleration_rhs"], f, at.values);
+
+  EXPECT_EQ(derivation["verdict"], TypeParam::rigid ? "rigid" : "degenerate");
+  EXPECT_EQ(derivation["mobility"], TypeParam::mobility);
+  EXPECT_EQ(derivation.contains("elimination"), TypeParam::rigid);
+  if constexpr (TypeParam::rigid) {
+    define(derivation["determinant_quantities"], at.values);
+    EXPECT_NEAR(value_of(derivation["determinant"], at.values), f_q.determinant(),
+                tolerance * (1 + std::abs(f_q.determinant())));
+    EXPECT_NE(std::abs(f_q.determinant()), 0);
+    EXPECT_EQ(derivation["elimination"]["max_configurations"], TypeParam::max_configurations);
+  }
+}
+
+/// The values of the polynomial where the group is assembled and where its unknown is moved.
+std::pair<double, double> polynomial_values(const Json& elimination, Values values) {
+  const double here = value_of(elimination["polynomial"], values);
+  values[elimination["unknown"].get<std::string>()] += 0.5;
+  return {here, value_of(elimination["polynomial"], values)};
+}
+
+void expect_back_substitution(const Json& back, const Values& values) {
+  const double unknown = values.at(back["unknown"].get<std::string>());
+  const double denominator = value_of(back["denominator"], values);
+  const Json& numerators = back["numerators"];
+  const bool angle = numerators.size() == 2;
+  for (std::size_t part = 0; part < numerators.size(); ++part) {
+    const double expected = !angle ? unknown : part == 0 ? std::cos(unknown) : std::sin(unknown);
+    EXPECT_NEAR(value_of(numerators[part], values), expected * denominator,
+                tolerance * (1 + std::abs(expected * denominator)))
+        << back;
+  }
+}
+
+/// Steps lead to quantities that vanish, and every unknown is eliminated but the polynomial's.
+TYPED_TEST(Derive, EliminationHoldsAtAnAssembledGroup) {
+  if constexpr (TypeParam::rigid) {
+    const Json derivation = this->derivation();
+    NamedAssembly<TypeParam> at(derivation);
+    const Json& elimination = derivation["elimination"];
+    std::set<std::string> eliminated = {elimination["unknown"].get<std::string>()};
+    int vanishing = 0;
+    double half_angle_sum = 0;
+    for (const Json& step : elimination["steps"]) {
+      define(step["quantities"], at.values);
+      for (const Json& quantity : step["quantities"]) {
+        if (quantity.contains("vanishes")) {
+          const double size = std::abs(at.values.at(quantity["name"].get<std::string>()));
+          EXPECT_LE(size, tolerance) << quantity;
+          ++vanishing;
+        }
+        const std::string name = quantity["name"];
+        if (name.starts_with("p_")) {
+          const double t = std::tan(at.values.at(elimination["unknown"].get<std::string>()) / 2);
+          half_angle_sum += at.values.at(name) * std::pow(t, std::stoi(name.substr(2)));
+        }
+      }
+      for (const Json& name : step["eliminated"]) {
+        EXPECT_TRUE(eliminated.insert(name.get<std::string>()).second) << name;
+      }
+    }
+    EXPECT_GE(vanishing, TypeParam::group == std::string("dyad") ? 0 : 1);
+    EXPECT_EQ(eliminated.size(), static_cast<std::size_t>(TypeParam::unknown_count));
+    const auto [here, moved] = polynomial_values(elimination, at.values);
+    EXPECT_LE(std::abs(here), tolerance * std::abs(moved));
+    EXPECT_GT(std::abs(moved), 0);
+    EXPECT_LE(std::abs(half_angle_sum), 1e-6 * std::abs(moved));
+    for (const Json& back : elimination["back_substitution"]) {
+      expect_back_substitution(back, at.values);
+    }
+  }
+}
+
+int count(const std::string& text, const std::string& line_start) {
+  const std::regex start("(^|\n)" + line_start);
+  return static_cast<int>(
+      std::distance(std::sregex_iterator(text.begin(), text.end(), start), std::sregex_iterator()));
+}
+
+/// What one text line is allowed to be: a comment, a statement, a row or a continuation of one.
+TYPED_TEST(Derive, TextIsAnAuditFileThatMentionsEverything) {
+  const CommandResult result = run_assur(arguments<TypeParam>("text"));
+  EXPECT_EQ(result.status, TypeParam::rigid ? 0 : 1);
+  const std::string& text = result.output;
+  const Json derivation = this->derivation();
+  EXPECT_EQ(count(text, "model " + derivation["kind"].get<std::string>() + "\n"), 1);
+  EXPECT_EQ(count(text, "source "), 1);
+  EXPECT_EQ(count(text, "printed closure \\([0-9]+\\) f[1-4] : "), TypeParam::equation_count);
+  EXPECT_EQ(count(text, "printed matrix (J|F_d|F_u) of f1 f2 .*by "), 3);
+  const std::size_t lets = std::min<std::size_t>(derivation["quantities"].size(),
+                                                 static_cast<std::size_t>(count(text, "let ")));
+  EXPECT_EQ(lets, derivation["quantities"].size());
+  for (const char* list : {"unknowns", "dimensions", "inputs"}) {
+    for (const Json& variable : derivation[list]) {
+      EXPECT_TRUE(
+          std::regex_search(text, std::regex("\\b" + variable["name"].get<std::string>() + "\\b")))
+          << variable;
+    }
+  }
+  EXPECT_EQ(count(text, "(?!#|let |source |model |printed (closure|matrix|equation) | |\n|$)"), 0);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_TRUE(line.size() <= 100 || line.starts_with("printed matrix ")) << line;
+  }
+}
+
+TYPED_TEST(Derive, GivesTheSameBytesInTwoProcesses) {
+  // All formats lay out the same derivation; each model tries one of them.
+  const char* const format = std::array{"text", "latex", "json"}[TypeParam::number % 3];
+  const std::string once = run_assur(arguments<TypeParam>(format)).output;
+  EXPECT_FALSE(once.empty());
+  EXPECT_EQ(once, run_assur(arguments<TypeParam>(format)).output);
+}
+
+TYPED_TEST(Derive, TextAgreesWhenAudited) {
+  const TemporaryDirectory directory;
+  const auto file =
+      directory.write("derived.audit", run_assur(arguments<TypeParam>("text")).output);
+  const CommandResult audit = run_assur("audit " + file.string());
+  EXPECT_EQ(audit.status, 0) << audit.output << audit.messages;
+  EXPECT_TRUE(std::regex_search(audit.output, std::regex("in all: all [0-9]+ agree\n$")));
+}
+
+TYPED_TEST(Derive, LatexCompilesAndFitsThePage) {
+  const std::string compiler = ASSUR_PDFLATEX;
+  if (compiler.empty()) {
+    GTEST_SKIP() << "pdflatex is not installed";
+  }
+  const TemporaryDirectory directory;
+  directory.write("model.tex", run_assur(arguments<TypeParam>("latex")).output);
+  const std::string line = "cd " + directory.path().string() + " && " + compiler +
+                           " -interaction=nonstopmode -halt-on-error model.tex > out 2>&1";
+  EXPECT_EQ(std::system(line.c_str()), 0) << read_file(directory.path() / "out");
+  const std::string log = read_file(directory.path() / "model.log");
+  EXPECT_EQ(log.find("Overfull \\hbox"), std::string::npos)
+      << log.substr(std::min(log.size(), log.find("Overfull")), 200);
+}
+
+TEST(DeriveCommand, ReadsAKindAsItsModelByARelabelling) {
+  const Json asked = Json::parse(run_assur("derive RRR-RRP --format json").output);
+  EXPECT_EQ(asked["group"], "tetrad");
+  EXPECT_EQ(asked["asked"], "RRR-RRP");
+  const std::string kind = asked["kind"];
+  EXPECT_NE(kind, "RRR-RRP");
+  // The prismatic joint of the kind plays the prismatic joint of the model.
+  const std::string spelled = "BCG-EDF";
+  EXPECT_EQ(kind[spelled.find(asked["plays"]["F"].get<std::string>())], 'P');
+  const std::string text = run_assur("derive RRR-RRP").output;
+  EXPECT_NE(text.find("joint of RRR-RRP  plays joint"), std::string::npos);
+  EXPECT_NE(text.find("\nmodel " + kind + "\n"), std::string::npos);
+}
+
+TEST(DeriveCommand, FindsTheGroupOfAKindByItsSpelling) {
+  for (const auto& [kind, group] : std::map<std::string, std::string>{
+           {"RRP", "dyad"}, {"RR-RR-RP", "triad"}, {"RRP-RRR", "tetrad"}}) {
+    EXPECT_EQ(Json::parse(run_assur("derive " + kind + " --format json").output)["group"], group);
+  }
+}
+
+TEST(DeriveCommand, RefusesWhatItDoesNotKnow) {
+  const std::map<std::string, std::string> faults = {
+      {"RRX-RRR", "no kind 'RRX-RRR' (did you mean 'RRR-RRR'?)"},
+      {"rrp", "no kind 'rrp' (did you mean 'RRP'?)"},
+      {"25", "no tetrad model 25; the models are 1 to 24"},
+      {"0 --group dyad", "no dyad model 0; the models are 1 to 6"},
+      {"RRP --group triad", "no triad kind 'RRP'"},
+      {"1 --group pentad", "pentad"},
+      {"", "KIND_OR_MODEL"},
+      {"1 --format pdf", "pdf"}};
+  for (const auto& [line, expected] : faults) {
+    const CommandResult result = run_assur("derive " + line);
+    EXPECT_EQ(result.status, 2) << line;
+    EXPECT_EQ(result.output, "") << line;
+    EXPECT_EQ(std::count(result.messages.begin(), result.messages.end(), '\n'), 1) << line;
+    EXPECT_NE(result.messages.find(expected), std::string::npos) << result.messages;
+  }
+}
+
+}  // namespace
+}  // namespace assur::test

@@ -1,0 +1,185 @@
+// Law: every include of the project follows an arrow of the table below, and every folder has one
+// namespace.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "house.hpp"
+
+namespace assur::test {
+namespace {
+
+const std::string runtime = "runtime/include/assur";
+const std::string models = "generated/assur";
+const std::string words = "runtime/text/include/assur/text";
+const std::string mechanism = "mechanism/include/assur/mechanism";
+
+/// A folder of the generator: all may use the error of its root, its own name is its namespace.
+Folder stage(const std::string& path, const std::vector<std::string>& below,
+             std::vector<std::string> libraries = {"ginac"}, std::vector<std::string> more = {}) {
+  std::string name_space = "assur::generator::" + path;
+  for (std::size_t at = name_space.find('/'); at != std::string::npos; at = name_space.find('/')) {
+    name_space.replace(at, 1, "::");
+  }
+  more.push_back("generator");
+  for (const std::string& folder : below) {
+    more.push_back("generator/" + folder);
+  }
+  return {"generator/" + path, name_space, std::move(more), std::move(libraries)};
+}
+
+House house() {
+  return {{
+              {runtime, "assur", {}, {"Eigen"}, true},
+              {models, "assur", {runtime}, {"Eigen"}, true},
+              {words, "assur::text", {}, {}},
+              {"runtime/text/src", "assur::text", {words}, {}},
+
+              {mechanism, "assur::mechanism", {runtime, words}, {"Eigen"}},
+              {"mechanism/src",
+               "assur::mechanism",
+               {mechanism, runtime, models, words},
+               {"Eigen", "nlohmann"}},
+
+              {"generator", "assur::generator", {}, {}},
+              stage("structure", {}, {}),
+              stage("equations", {"structure"}),
+              stage("derivatives", {"structure", "equations"}),
+              stage("elimination", {"structure", "equations", "derivatives"}),
+              stage("special_points", {"structure", "equations", "derivatives", "elimination"}),
+              stage("pivoting", {"structure", "equations"}),
+              stage("program", {"equations"}),
+              stage("closures", {"structure", "equations"}, {"ginac"}, {words}),
+              stage("emission/cpp", {"equations", "program"}, {"ginac", "kainjow"}, {words}),
+              stage("emission/model",
+                    {"structure", "equations", "derivatives", "elimination", "special_points",
+                     "pivoting", "program", "emission/cpp"},
+                    {"ginac"}, {words}),
+              stage("emission/closures",
+                    {"equations", "derivatives", "program", "closures", "emission/cpp",
+                     "emission/model"},
+                    {"ginac"}, {words}),
+              stage("emission/scene",
+                    {"structure", "equations", "derivatives", "elimination", "pivoting", "program",
+                     "emission/cpp", "emission/model"},
+                    {"ginac", "Eigen"}, {mechanism, runtime, models, words}),
+              stage("document",
+                    {"structure", "equations", "derivatives", "elimination", "pivoting", "program"},
+                    {"ginac", "nlohmann"}, {words}),
+              stage("audit", {"structure", "equations", "derivatives", "closures"},
+                    {"ginac", "nlohmann"}, {words}),
+              stage("audit/scene", {}, {}, {mechanism, runtime, words}),
+              stage("command",
+                    {"structure", "equations", "derivatives", "elimination", "pivoting", "closures",
+                     "document", "audit", "audit/scene", "emission/cpp", "emission/model",
+                     "emission/closures", "emission/scene"},
+                    {"nlohmann", "CLI", "unistd.h"}, {mechanism, words}),
+          },
+          {"runtime/include", "runtime/text/include", "generated", "mechanism/include",
+           "mechanism/src", "generator"},
+          {{"assur/detail/", runtime}}};
+}
+
+Files files_of_the_project() {
+  const std::filesystem::path root = ASSUR_SOURCE;
+  Files files;
+  for (const std::string top : {"runtime", "mechanism", "generator", "generated"}) {
+    if (!std::filesystem::exists(root / top)) {
+      continue;
+    }
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / top)) {
+      const std::string ending = entry.path().extension().string();
+      if (ending == ".hpp" || ending == ".cpp") {
+        std::ifstream in(entry.path(), std::ios::binary);
+        files[entry.path().lexically_relative(root).generic_string()] = {
+            std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+      }
+    }
+  }
+  // It is written while the project is built.
+  files["generator/emission/cpp/templates.hpp"] = "";
+  return files;
+}
+
+TEST(House, EveryIncludeFollowsAnArrow) {
+  const Files files = files_of_the_project();
+  ASSERT_GT(files.size(), 100U);
+  const House table = house();
+  const HouseCheck check(table, files);
+  for (const std::string& complaint : check.complaints()) {
+    ADD_FAILURE() << complaint;
+  }
+}
+
+TEST(House, MechanismAndGeneratorMeetAboveBothAlone) {
+  for (const Folder& folder : house().folders) {
+    for (const std::string& below : folder.below) {
+      if (folder.path.starts_with("mechanism")) {
+        EXPECT_FALSE(below.starts_with("generator")) << folder.path;
+      }
+      if (folder.path.starts_with("generator") && below.starts_with("mechanism")) {
+        EXPECT_TRUE(folder.path == "generator/emission/scene" ||
+                    folder.path == "generator/audit/scene" || folder.path == "generator/command")
+            << folder.path;
+      }
+    }
+    for (const std::string& library : folder.libraries) {
+      EXPECT_TRUE((library != "ginac" && library != "cln") || folder.path.starts_with("generator"))
+          << folder.path;
+    }
+  }
+}
+
+/// A house of two storeys with a private room.
+House small_house() {
+  return {{{"low", "assur::low", {}, {"Eigen"}, true}, {"high", "assur::high", {"low"}, {}}},
+          {"low", "high"},
+          {{"detail/", "low"}}};
+}
+
+std::vector<std::string> complaints(const House& house, const Files& files) {
+  return HouseCheck(house, files).complaints();
+}
+
+TEST(HouseCheck, AcceptsWhatFollowsTheTable) {
+  EXPECT_EQ(
+      complaints(small_house(),
+                 {{"low/a.hpp", "#include <vector>\n#include <Eigen/Core>\nnamespace assur::low {"},
+                  {"low/detail/b.hpp", "# include \"a.hpp\"\nnamespace assur::low::detail {\n"},
+                  {"high/c.cpp", "#include <a.hpp>\nnamespace assur::high {\nnamespace {\n"}}),
+      std::vector<std::string>{});
+}
+
+TEST(HouseCheck, NamesTheLineThatBreaksARule) {
+  const std::vector<std::pair<Files, std::string>> cases = {
+      {{{"high/c.hpp", ""}, {"low/a.cpp", "\n#include \"c.hpp\"\n"}},
+       "low/a.cpp:2: low may not include high/c.hpp: no arrow leads there"},
+      {{{"low/detail/b.hpp", ""}, {"high/c.cpp", "#include \"detail/b.hpp\"\n"}},
+       "high/c.cpp:1: <detail/b.hpp> is private to low"},
+      {{{"high/c.cpp", "\n\n  #  include <ginac/ginac.h>\n"}},
+       "high/c.cpp:3: high may not include ginac/ginac.h"},
+      {{{"high/c.cpp", "#include \"gone.hpp\"\n"}},
+       "high/c.cpp:1: gone.hpp is no header of the house or the standard"},
+      {{{"high/c.cpp", "namespace assur::low {\n"}},
+       "high/c.cpp:1: namespace assur::low in a folder of assur::high"},
+      {{{"low/detail/b.hpp", "namespace assur::low {\n"}},
+       "low/detail/b.hpp:1: namespace assur::low in a folder of assur::low::detail"},
+      {{{"attic/d.cpp", ""}}, "attic/d.cpp:1: belongs to no folder of the house"}};
+  for (const auto& [files, complaint] : cases) {
+    EXPECT_EQ(complaints(small_house(), files), std::vector<std::string>{complaint});
+  }
+}
+
+TEST(HouseCheck, RefusesATableWithACircle) {
+  House circle = small_house();
+  circle.folders[0].below = {"high"};
+  EXPECT_FALSE(complaints(circle, {}).empty());
+  House gone = small_house();
+  gone.folders[0].below = {"cellar"};
+  EXPECT_EQ(complaints(gone, {}).size(), 2U);
+}
+
+}  // namespace
+}  // namespace assur::test

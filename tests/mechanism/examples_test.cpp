@@ -1,0 +1,299 @@
+// Checks every example scene, all of which have a sweep: it assembles all along its
+// sweep, and rigid bodies that know no groups agree with all that the solver says.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <assur/mechanism/sweep.hpp>
+#include <filesystem>
+#include <iostream>
+#include <map>
+
+#include "largest.hpp"
+#include "richardson.hpp"
+#include "rigid_scene.hpp"
+#include "solved.hpp"
+
+namespace assur::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> example_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(ASSUR_EXAMPLES)) {
+    if (entry.path().extension() == ".json") {
+      names.push_back(entry.path().stem().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string setting(const std::string& name, double value) {
+  std::array<char, 40> text{};
+  (void)std::snprintf(text.data(), text.size(), "=%.17g", value);
+  return name + text.data();
+}
+
+/// An example at one value of its swept parameter.
+struct Position {
+  Plan plan;
+  Values values;
+
+  Position(const std::string& file, const std::vector<std::string>& settings)
+      : plan(mechanism::read_scene(file, settings)), values(plan.values()) {}
+
+  [[nodiscard]] const mechanism::Mechanism& mechanism() const { return plan.mechanism(); }
+  [[nodiscard]] Solution solution() const { return plan.solve(values); }
+  [[nodiscard]] RigidScene rigid() const { return {plan.mechanism(), values}; }
+};
+
+class Example : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override { ASSERT_TRUE(mechanism::read_scene(file()).request.sweep.has_value()); }
+
+  [[nodiscard]] static std::string file() {
+    return (fs::path(ASSUR_EXAMPLES) / (GetParam() + ".json")).string();
+  }
+
+  /// Settings for `count` places along the sweep, away from its ends and from round angles.
+  [[nodiscard]] static std::vector<std::vector<std::string>> places(int count) {
+    const Position at(file(), {});
+    const mechanism::Sweep& sweep = *at.plan.request().sweep;
+    const double from = at.values.value_of(sweep.from);
+    const double to = at.values.value_of(sweep.to);
+    const std::string& name = at.mechanism().parameters()[sweep.parameter].name;
+    std::vector<std::vector<std::string>> result;
+    for (int place = 0; place < count; ++place) {
+      result.push_back({setting(name, from + (to - from) * (place + 0.37) / count)});
+    }
+    return result;
+  }
+};
+
+/// The pose of every moving link, as rigid bodies have it.
+RealVector coordinates(const RigidScene& rigid, const Configuration& configuration) {
+  RealVector q(rigid.size());
+  for (const mechanism::LinkIndex link : configuration.links.keys()) {
+    const Eigen::Index first = rigid.coordinate(link);
+    if (first >= 0) {
+      const ::assur::Pose<double>& pose = configuration.links[link].pose;
+      q(first) = pose.x;
+      q(first + 1) = pose.y;
+      q(first + 2) =
+          std::atan2(static_cast<Real>(pose.direction.sin), static_cast<Real>(pose.direction.cos));
+    }
+  }
+  return q;
+}
+
+/// Largest difference of poses: lengths as parts of the reach, angles modulo a turn.
+Real distance(const RigidScene& rigid, const RealVector& one, const RealVector& other) {
+  Real worst = 0;
+  for (Eigen::Index index = 0; index < one.size(); ++index) {
+    const Real difference = one(index) - other(index);
+    worst =
+        largest(worst, index % 3 == 2 ? std::abs(std::remainder(difference, 2 * std::acos(-1.0L)))
+                                      : std::abs(difference) / rigid.reach());
+  }
+  return worst;
+}
+
+/// Difference of two vectors as a part of the larger of them.
+template <typename One, typename Other>
+double relative(const One& one, const Other& other, double unit) {
+  const Real size =
+      std::max({static_cast<Real>(one.cwiseAbs().maxCoeff()),
+                static_cast<Real>(other.cwiseAbs().maxCoeff()), static_cast<Real>(unit)});
+  return static_cast<double>((one - other).cwiseAbs().maxCoeff() / size);
+}
+
+TEST_P(Example, AssemblesAllAlongItsSweep) {
+  std::size_t least = 1000;
+  std::size_t most = 0;
+  for (const auto& settings : places(60)) {
+    const Position at(file(), settings);
+    const Solution solution = at.solution();
+    EXPECT_EQ(solution.status, SolutionStatus::ok) << settings[0];
+    EXPECT_EQ(solution.undecided, 0);
+    least = std::min(least, solution.configurations.size());
+    most = std::max(most, solution.configurations.size());
+  }
+  std::cout << least << " to " << most << " configurations\n";
+}
+
+/// What a mechanism is for: one way of assembly that goes all the way without a dead centre.
+TEST_P(Example, HasABranchThatLivesThroughout) {
+  const Plan plan(mechanism::read_scene(file()));
+  std::map<int, int> rows;
+  mechanism::sweep(plan, {[&](const mechanism::SweepRecord& record) { ++rows[record.branch]; },
+                          [](const Solution&) {}, [](int) {}});
+  const auto lasting = std::count_if(rows.begin(), rows.end(), [&](const auto& branch) {
+    return branch.first > 0 && branch.second == plan.request().sweep->count;
+  });
+  std::cout << lasting << " branches live throughout\n";
+  EXPECT_GT(lasting, 0);
+}
+
+TEST_P(Example, AgreesWithRigidBodiesInMotion) {
+  double closure = 0;
+  double pose = 0;
+  double velocity = 0;
+  double acceleration = 0;
+  double joints = 0;
+  double points = 0;
+  int count = 0;
+  for (const auto& settings : places(6)) {
+    const Position at(file(), settings);
+    const RigidScene rigid = at.rigid();
+    const Solution solution = at.solution();
+    for (const Configuration& configuration : solution.configurations) {
+      SCOPED_TRACE(settings[0] + ", configuration " + std::to_string(++count));
+      const RealVector listed = coordinates(rigid, configuration);
+      ASSERT_EQ(rigid.values_of(listed).size(), rigid.size());
+      closure = largest(closure, static_cast<double>(rigid.values_of(listed).cwiseAbs().maxCoeff() /
+                                                     rigid.reach()));
+      RealVector q = listed;
+      ASSERT_TRUE(rigid.assemble(q));
+      pose = largest(pose, static_cast<double>(distance(rigid, q, listed)));
+      const RealVector v = rigid.velocity(q);
+      const RealVector a = rigid.acceleration(q, v);
+      RealVector listed_v(rigid.size());
+      RealVector listed_a(rigid.size());
+      for (const mechanism::LinkIndex link : configuration.links.keys()) {
+        const Eigen::Index first = rigid.coordinate(link);
+        if (first >= 0) {
+          listed_v.segment(first, 3) = configuration.links[link].velocity.cast<Real>();
+          listed_a.segment(first, 3) = configuration.links[link].acceleration.cast<Real>();
+        }
+      }
+      velocity = largest(velocity, relative(listed_v, v, 1e-9));
+      acceleration = largest(acceleration, relative(listed_a, a, 1e-9));
+      for (const mechanism::SlideState& state : configuration.slides) {
+        ASSERT_TRUE(state.joint.exists());
+        const mechanism::Joint& joint = at.mechanism().joints()[state.joint];
+        const RigidScene::Jet moved = rigid.displacement(joint, q, v, a);
+        const Eigen::Vector3d listed_joint(state.displacement, state.velocity, state.acceleration);
+        const Eigen::Vector3d own(static_cast<double>(moved.c0), static_cast<double>(moved.c1),
+                                  static_cast<double>(2 * moved.c2));
+        joints = largest(joints, relative(listed_joint, own, 1));
+      }
+      ASSERT_EQ(configuration.outputs.size(), at.mechanism().outputs().size());
+      for (const mechanism::OutputIndex output : configuration.outputs.keys()) {
+        const mechanism::Point& state = configuration.outputs[output];
+        const auto [x, y] = rigid.point(at.mechanism().outputs()[output].point, q, v, a);
+        Eigen::Matrix<double, 6, 1> own;
+        own << static_cast<double>(x.c0), static_cast<double>(y.c0), static_cast<double>(x.c1),
+            static_cast<double>(y.c1), static_cast<double>(2 * x.c2), static_cast<double>(2 * y.c2);
+        Eigen::Matrix<double, 6, 1> listed_point;
+        listed_point << state.position, state.velocity, state.acceleration;
+        points = largest(points, relative(listed_point, own, 1));
+      }
+    }
+  }
+  std::cout << count << " configurations; relative errors: closure " << closure << ", pose " << pose
+            << ", velocity " << velocity << ", acceleration " << acceleration << ", joints "
+            << joints << ", points " << points << '\n';
+  EXPECT_GT(count, 0);
+  EXPECT_LT(closure, 1e-15);
+  EXPECT_LT(pose, 1e-13);
+  EXPECT_LT(velocity, 1e-11);
+  EXPECT_LT(acceleration, 1e-11);
+  EXPECT_LT(joints, 1e-11);
+  EXPECT_LT(points, 1e-11);
+}
+
+/// Sensitivities of all outputs against re-assembled bodies with one parameter moved.
+TEST_P(Example, SensitivitiesAreDifferencesOfRigidBodies) {
+  double worst = 0;
+  int count = 0;
+  for (const auto& settings : places(2)) {
+    const Position at(file(), settings);
+    const Solution solution = at.solution();
+    const RigidScene rigid = at.rigid();
+    for (const mechanism::ParameterIndex index : at.mechanism().parameters().keys()) {
+      const std::string& name = at.mechanism().parameters()[index].name;
+      const double value = at.values.parameter(index);
+      for (const Configuration& configuration : solution.configurations) {
+        const RealVector start = coordinates(rigid, configuration);
+        const auto outputs = [&](double offset) -> Eigen::VectorXd {
+          std::vector<std::string> moved = settings;
+          moved.push_back(setting(name, value + offset));
+          const Position there(file(), moved);
+          const RigidScene bodies = there.rigid();
+          RealVector q = start;
+          EXPECT_TRUE(bodies.assemble(q));
+          const RealVector zero = RealVector::Zero(q.size());
+          const auto& points = at.mechanism().outputs();
+          Eigen::VectorXd result(2 * static_cast<Eigen::Index>(points.size()));
+          for (const mechanism::OutputIndex output : points.keys()) {
+            const auto [x, y] = bodies.point(points[output].point, q, zero, zero);
+            const Eigen::Index row = 2 * output.row();
+            result(row) = static_cast<double>(x.c0);
+            result(row + 1) = static_cast<double>(y.c0);
+          }
+          return result;
+        };
+        const auto difference =
+            best_richardson<Eigen::VectorXd>(outputs, 1e-3 * std::max(1.0, std::abs(value)), 2);
+        Eigen::VectorXd listed(difference.derivative.size());
+        for (const mechanism::OutputIndex output : configuration.outputs.keys()) {
+          listed.segment<2>(2 * output.row()) =
+              configuration.outputs[output].follows.first.col(index.row());
+        }
+        worst = largest(worst, relative(listed, difference.derivative, 1));
+        ++count;
+      }
+    }
+  }
+  std::cout << count << " sensitivities of all outputs; relative error " << worst << '\n';
+  EXPECT_GT(count, 0);
+  EXPECT_LT(worst, 1e-9);
+}
+
+/// Newton's method from many places finds nothing that is not listed, and all that is, each once.
+TEST_P(Example, ListsWhateverNewtonFinds) {
+  constexpr int starts = 120;
+  constexpr unsigned seed = 20;
+  for (const auto& settings : places(2)) {
+    const Position at(file(), settings);
+    const RigidScene rigid = at.rigid();
+    const Solution solution = at.solution();
+    std::vector<bool> found(solution.configurations.size(), false);
+    for (std::size_t one = 0; one < found.size(); ++one) {
+      for (std::size_t other = 0; other < one; ++other) {
+        EXPECT_GT(distance(rigid, coordinates(rigid, solution.configurations[one]),
+                           coordinates(rigid, solution.configurations[other])),
+                  1e-9)
+            << "configurations " << other + 1 << " and " << one + 1;
+      }
+    }
+    std::mt19937 engine(seed);
+    int arrived = 0;
+    for (int start = 0; start < starts; ++start) {
+      RealVector q = rigid.scattered(engine);
+      if (!rigid.assemble(q, 40)) {
+        continue;
+      }
+      ++arrived;
+      bool known = false;
+      for (std::size_t index = 0; index < found.size(); ++index) {
+        if (distance(rigid, q, coordinates(rigid, solution.configurations[index])) < 1e-9) {
+          known = true;
+          found[index] = true;
+        }
+      }
+      EXPECT_TRUE(known) << "start " << start << " of seed " << seed << " found\n" << q.transpose();
+    }
+    const auto reached = std::count(found.begin(), found.end(), true);
+    std::cout << "seed " << seed << ": " << arrived << " of " << starts << " starts arrived at "
+              << reached << " of " << found.size() << " configurations\n";
+    EXPECT_EQ(reached, static_cast<std::ptrdiff_t>(found.size()));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Example, testing::ValuesIn(example_names()),
+                         [](const auto& name) { return std::string(name.param); });
+
+}  // namespace
+}  // namespace assur::test

@@ -1,0 +1,68 @@
+// Turns every public header and every generated model into one file of C++17 under the strictest
+// warnings; headers_alone.cmake does the same with each header by itself.
+#include <assur/assur.hpp>
+#include <assur/dyad/models.hpp>
+#include <assur/numeric/bounded.hpp>
+#include <assur/numeric/double_double.hpp>
+#include <assur/numeric/order.hpp>
+#include <assur/numeric/polynomial_bracket.hpp>
+#include <assur/numeric/second_unknown.hpp>
+#include <assur/numeric/trigonometric_charts.hpp>
+#include <assur/numeric/trigonometric_roots.hpp>
+#include <assur/support/configuration_order.hpp>
+#include <assur/support/displacement.hpp>
+#include <assur/support/placed_group.hpp>
+#include <assur/support/placed_link.hpp>
+#include <assur/support/position_polynomial.hpp>
+#include <assur/support/scale.hpp>
+#include <assur/support/solved_by_lu.hpp>
+#include <assur/tetrad/models.hpp>
+#include <assur/triad/models.hpp>
+#include <tuple>
+
+static_assert(std::tuple_size_v<assur::dyad::Models> == 6);
+static_assert(std::tuple_size_v<assur::triad::Models> == 20);
+static_assert(std::tuple_size_v<assur::tetrad::Models> == 24);
+
+namespace {
+
+using Model = assur::tetrad::Model02;
+
+/// One use of each function that a program calls, so that it is compiled here.
+[[maybe_unused]] assur::Status use(const Model::Dimensions<double>& d,
+                                   const Model::Inputs<double>& u) {
+  const auto found = assur::assemblies<Model>(d, u);
+  Model::Configuration<double> q = found.configurations[0];
+  const assur::Vector<double, Model::input_count> steady =
+      assur::Vector<double, Model::input_count>::Zero();
+  const assur::Vector<double, Model::dimension_count> held =
+      assur::Vector<double, Model::dimension_count>::Zero();
+  const auto path = [&](double) { return assur::InputMotion<Model>{u, steady, steady}; };
+  const auto start = assur::branch_point<Model>(d, path(0), q);
+  const auto way = assur::track<Model>(d, path, 0, 1, start);
+  assur::Sensitivities<Model, double> sensitive;
+  assur::Motion<Model, double> moving;
+  assur::Vector<double, Model::unknown_count> third;
+  assur::SecondDerivative<Model, double> second;
+  assur::FirstDerivative<Model, double> first;
+  const assur::SecondOrder<Model, double> order(d, u, q);
+  const assur::Status statuses[] = {
+      way.status,
+      assur::refine<Model, double>(d, u, q),
+      assur::regularity<Model, double>(d, u, q).status,
+      assur::sensitivities<Model, double>(d, u, q, sensitive),
+      assur::motion<Model, double>(d, u, q, steady, steady, moving),
+      assur::sensitivities_and_motion<Model, double>(d, u, q, steady, steady, sensitive, moving),
+      assur::jerk<Model, double>(d, u, q, steady, steady, steady, moving, third),
+      assur::singularity_along<Model, double>(d, u, q, held, steady).status,
+      assur::special_point_motion<Model, double>(d, u, q, steady, steady, moving),
+      order.first(held, steady, first),
+      order.second(first, first, second)};
+  assur::Status worst = assur::Status::ok;
+  for (const assur::Status status : statuses) {
+    worst = status == assur::Status::ok ? worst : status;
+  }
+  return worst;
+}
+
+}  // namespace

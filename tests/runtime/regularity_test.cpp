@@ -1,0 +1,225 @@
+// Law: the sensitivities of an assembled configuration are as good as its margin says, against the
+// same configuration assembled in long double; six digits hold where the status is ok.
+#include <assur/kinematics.hpp>
+#include <iostream>
+
+#include "exact.hpp"
+#include "kind_in_space.hpp"
+#include "largest.hpp"
+#include "model_types.hpp"
+
+namespace assur::test {
+namespace {
+
+using Long = long double;
+
+constexpr unsigned seed = 8128;
+constexpr int samples = 300;
+
+template <typename Model>
+class Regular : public testing::Test {
+ protected:
+  template <typename Scalar>
+  struct Group {
+    typename Model::template Dimensions<Scalar> d;
+    typename Model::template Inputs<Scalar> u;
+    typename Model::template Configuration<Scalar> q;
+  };
+
+  /// A random group whose angles among the dimensions are shrunk, which makes slides parallel.
+  Group<double> drawn(double shrink) {
+    Group<double> group;
+    group.d = random_.template variables<typename Model::template Dimensions<double>>();
+    group.u = random_.template variables<typename Model::template Inputs<double>>();
+    group.q = random_.template variables<typename Model::template Configuration<double>>();
+    const auto turn_back = [shrink](auto& member) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(member)>, Direction<double>>) {
+        member = direction_of(shrink * angle_of(member));
+      }
+    };
+    std::apply([&](auto&... member) { (turn_back(member), ...); }, group.d.members());
+    return group;
+  }
+
+  template <typename To, typename From>
+  static To in_scalar(const From& from) {
+    using Scalar =
+        std::conditional_t<std::is_same_v<To, typename Model::template Configuration<double>>,
+                           double, Long>;
+    return converted<To>(from, [](const auto& source) {
+      if constexpr (requires { source.cos; }) {
+        return Direction<Scalar>{static_cast<Scalar>(source.cos), static_cast<Scalar>(source.sin)};
+      } else {
+        return static_cast<Scalar>(source);
+      }
+    });
+  }
+
+  /// Largest difference over the largest entry, among the unknowns of one unit.
+  template <typename Found, typename Truth>
+  static double relative_error(const Found& found, const Truth& truth) {
+    double worst = 0;
+    for (const bool angles : {false, true}) {
+      Long difference = 0;
+      Long size = 0;
+      for (int row = 0; row < Model::unknown_count; ++row) {
+        if (Model::unknowns[static_cast<std::size_t>(row)].is_angle == angles) {
+          for (Eigen::Index column = 0; column < found.cols(); ++column) {
+            difference = largest(difference, std::abs(found(row, column) - truth(row, column)));
+            size = std::max(size, std::abs(truth(row, column)));
+          }
+        }
+      }
+      if (size > 0) {
+        worst = largest(worst, static_cast<double>(difference / size));
+      }
+    }
+    return worst;
+  }
+
+  RandomInputs random_{seed + static_cast<unsigned>(Model::number)};
+};
+
+TYPED_TEST_SUITE(Regular, AllModels, ModelNames);
+
+TYPED_TEST(Regular, SensitivitiesAreAsGoodAsTheMarginSays) {
+  using Model = TypeParam;
+  if constexpr (Model::rigid) {
+    double worst = 0;
+    double worst_ok = 0;
+    int compared = 0;
+    for (const double shrink : {1.0, 1e-2, 1e-4, 1e-6, 1e-8}) {
+      for (int sample = 0; sample < samples; ++sample) {
+        auto group = this->drawn(shrink);
+        if (!is_solvable(refine<Model, double>(group.d, group.u, group.q))) {
+          continue;
+        }
+        const auto d = this->template in_scalar<typename Model::template Dimensions<Long>>(group.d);
+        const auto u = this->template in_scalar<typename Model::template Inputs<Long>>(group.u);
+        auto q = this->template in_scalar<typename Model::template Configuration<Long>>(group.q);
+        if (refine<Model, Long>(d, u, q) != Status::ok) {
+          continue;
+        }
+        // What double makes of the configuration, from the truth.
+        group.q = this->template in_scalar<typename Model::template Configuration<double>>(q);
+        if (!is_solvable(refine<Model, double>(group.d, group.u, group.q))) {
+          continue;
+        }
+        Sensitivities<Model, double> found;
+        Sensitivities<Model, Long> truth;
+        const Status status = sensitivities<Model, double>(group.d, group.u, group.q, found);
+        ASSERT_EQ((sensitivities<Model, Long>(d, u, q, truth)), Status::ok);
+        if (!is_solvable(status)) {
+          continue;
+        }
+        ++compared;
+        const double error = largest(this->relative_error(found.to_dimensions, truth.to_dimensions),
+                                     this->relative_error(found.to_inputs, truth.to_inputs));
+        const double margin = regularity<Model, double>(group.d, group.u, group.q).margin;
+        worst = largest(worst, error * margin / std::numeric_limits<double>::epsilon());
+        worst_ok = status == Status::ok ? largest(worst_ok, error) : worst_ok;
+      }
+    }
+    std::cout << "seed " << seed << ", " << compared << " configurations: at most " << worst
+              << " eps/margin; where ok, at most " << worst_ok << "\n";
+    EXPECT_GT(compared, samples / 10);
+    EXPECT_LE(worst, derivative_error_constant);
+    EXPECT_LE(worst_ok, 5e-7);
+  }
+}
+
+/// On configurations of ample margin, of which double's own digits are the truth: the error of the
+/// arithmetic alone. One draw in thousands has such a margin, so each is tried with neighbours.
+TEST(Accuracy, OfWellShapedTetradsIsThatOfAFewRoundings) {
+  using Model = tetrad::Model01;
+  constexpr int wanted = 2000;
+  constexpr int neighbours = 19;
+  RandomInputs random(seed);
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> nearby(0.9, 1.1);
+  const auto scaled = [&](const auto& source) {
+    auto target = source;
+    if constexpr (!requires { source.cos; }) {
+      target *= nearby(engine);
+    }
+    return target;
+  };
+  const auto to_long = [](const auto& source) {
+    if constexpr (requires { source.cos; }) {
+      return Direction<Long>{source.cos, source.sin};
+    } else {
+      return static_cast<Long>(source);
+    }
+  };
+  const auto to_double = [](const auto& source) {
+    if constexpr (requires { source.cos; }) {
+      return Direction<double>{static_cast<double>(source.cos), static_cast<double>(source.sin)};
+    } else {
+      return static_cast<double>(source);
+    }
+  };
+  const auto error = [](const auto& found, const auto& truth) {
+    return static_cast<double>((found.template cast<Long>() - truth).cwiseAbs().maxCoeff() /
+                               truth.cwiseAbs().maxCoeff());
+  };
+  double of_sensitivities = 0;
+  double of_accelerations = 0;
+  struct {
+    Model::Dimensions<double> d;
+    Model::Inputs<double> u;
+    Model::Configuration<double> q;
+  } drawn;
+  unsigned draw = seed;
+  int left = 0;
+  for (int compared = 0; compared < wanted;) {
+    const bool fresh = left == 0;
+    if (fresh) {
+      const KindInSpace<Model> space(Model::kinds[0], draw++);
+      std::array<NormalForm<Real>, Model::link_count> forms;
+      ASSERT_EQ(space.normal_forms(forms), Status::ok);
+      Model::Dimensions<Real> exact;
+      ASSERT_EQ((fill_dimensions<Model, Real>(forms, exact)), Status::ok);
+      drawn = {converted<Model::Dimensions<double>>(exact, to_double),
+               converted<Model::Inputs<double>>(space.inputs(), to_double),
+               converted<Model::Configuration<double>>(space.configuration(forms), to_double)};
+    } else {
+      --left;
+    }
+    const auto d = fresh ? drawn.d : converted<Model::Dimensions<double>>(drawn.d, scaled);
+    const auto u = fresh ? drawn.u : converted<Model::Inputs<double>>(drawn.u, scaled);
+    auto q = drawn.q;
+    const auto u1 = random.vector<Vector<double, Model::input_count>>();
+    const auto u2 = random.vector<Vector<double, Model::input_count>>();
+    if (refine<Model, double>(d, u, q) != Status::ok ||
+        regularity<Model, double>(d, u, q).margin < 1e-2) {
+      continue;
+    }
+    left = fresh ? neighbours : left;
+    ++compared;
+    Sensitivities<Model, double> sensitive;
+    Motion<Model, double> moving;
+    ASSERT_EQ((sensitivities_and_motion<Model, double>(d, u, q, u1, u2, sensitive, moving)),
+              Status::ok);
+    Sensitivities<Model, Long> true_sensitive;
+    Motion<Model, Long> true_moving;
+    ASSERT_EQ((sensitivities_and_motion<Model, Long>(
+                  converted<Model::Dimensions<Long>>(d, to_long),
+                  converted<Model::Inputs<Long>>(u, to_long),
+                  converted<Model::Configuration<Long>>(q, to_long), u1.cast<Long>(),
+                  u2.cast<Long>(), true_sensitive, true_moving)),
+              Status::ok);
+    of_sensitivities = largest(
+        of_sensitivities, std::max(error(sensitive.to_dimensions, true_sensitive.to_dimensions),
+                                   error(sensitive.to_inputs, true_sensitive.to_inputs)));
+    of_accelerations =
+        largest(of_accelerations, error(moving.acceleration, true_moving.acceleration));
+  }
+  std::cout << "seed " << seed << ", " << wanted << " RRR-RRR tetrads: relative error of the "
+            << "sensitivities " << of_sensitivities << ", of the accelerations " << of_accelerations
+            << "\n";
+  EXPECT_LE(of_sensitivities, 2e-15);
+  EXPECT_LE(of_accelerations, 1e-14);
+}
+
+}  // namespace
+}  // namespace assur::test

@@ -1,0 +1,170 @@
+// Law: at a singular Jacobian a motion that leaves the closures' range is a fold, one that stays in
+// it a crossing; and no singular configuration is called regular.
+#include <Eigen/LU>
+#include <assur/kinematics.hpp>
+#include <assur/singularity.hpp>
+#include <iostream>
+#include <random>
+
+#include "model_types.hpp"
+
+namespace assur::test {
+namespace {
+
+constexpr unsigned seed = 5;
+constexpr int samples = 200;
+
+/// Any x with A x = b; of no fixed size, so that it is compiled once.
+Eigen::VectorXd solution_of(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
+  return A.fullPivLu().solve(b);
+}
+
+template <typename Model>
+struct SingularGroup {
+  typename Model::template Dimensions<double> d;
+  typename Model::template Inputs<double> u;
+  typename Model::template Configuration<double> q;
+};
+
+template <typename Model>
+class Singular : public testing::Test {
+ protected:
+  using Group = SingularGroup<Model>;
+  using Residual = Vector<double, Model::equation_count>;
+  static constexpr int parameter_count = Model::dimension_count + Model::input_count;
+
+  template <int Count>
+  Vector<double, Count> rates() {
+    return Vector<double, Count>::NullaryExpr([this] { return rate_(engine_); });
+  }
+
+  /// Of the groups between two random ones, one whose core's determinant vanishes; false if its
+  /// sign is the same at both.
+  bool draw(Group& group) {
+    Group ends[2] = {random_group(), random_group()};
+    if (core(ends[0]) * core(ends[1]) >= 0) {
+      return false;
+    }
+    if (core(ends[0]) > 0) {
+      std::swap(ends[0], ends[1]);
+    }
+    double low = 0;
+    double high = 1;
+    for (int halving = 0; halving < 100; ++halving) {
+      const double middle = low + (high - low) / 2;
+      group = between(ends[0], ends[1], middle);
+      (core(group) < 0 ? low : high) = middle;
+    }
+    return std::abs(core(group)) < 1e-14;
+  }
+
+  /// [F_d F_u].
+  static Matrix<double, Model::equation_count, parameter_count> parameters(const Group& group) {
+    Matrix<double, Model::equation_count, Model::dimension_count> f_d;
+    Matrix<double, Model::equation_count, Model::input_count> f_u;
+    Model::dimension_jacobian(group.d, group.u, group.q, f_d);
+    Model::input_jacobian(group.d, group.u, group.q, f_u);
+    Matrix<double, Model::equation_count, parameter_count> both;
+    both << f_d, f_u;
+    return both;
+  }
+
+  static Singularity<double> along(const Group& group,
+                                   const Vector<double, parameter_count>& rate) {
+    return singularity_along<Model, double>(group.d, group.u, group.q,
+                                            rate.template head<Model::dimension_count>().eval(),
+                                            rate.template tail<Model::input_count>().eval());
+  }
+
+ private:
+  Group random_group() {
+    Group group;
+    const auto fill = [this](auto& member, auto& length) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
+        member = length(engine_);
+      } else {
+        member = direction_of(angle_(engine_));
+      }
+    };
+    std::apply([&](auto&... member) { (fill(member, length_), ...); }, group.d.members());
+    std::apply([&](auto&... member) { (fill(member, coordinate_), ...); }, group.u.members());
+    std::apply([&](auto&... member) { (fill(member, coordinate_), ...); }, group.q.members());
+    return group;
+  }
+
+  static Group between(const Group& one, const Group& other, double part) {
+    Group group = one;
+    const auto mix = [part](auto& member, const auto& target) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
+        member += part * (target - member);
+      } else {
+        member = direction_of(angle_of(member) + part * (angle_of(target) - angle_of(member)));
+      }
+    };
+    for_each_pair(group.d, other.d, mix);
+    for_each_pair(group.u, other.u, mix);
+    for_each_pair(group.q, other.q, mix);
+    return group;
+  }
+
+  /// det J, up to its sign and the pivots outside the core.
+  static double core(const Group& group) {
+    Vector<double, Model::pivot_count> pivots;
+    Vector<double, Model::pivot_count> sizes;
+    double terms = 0;
+    Model::degeneracies(group.d, group.u, group.q, pivots, sizes, terms);
+    double product = 1;
+    for (int index = 0; index < Model::core_pivot_count; ++index) {
+      product *= pivots(index);
+    }
+    return product;
+  }
+
+  std::mt19937 engine_{seed};
+  std::uniform_real_distribution<double> length_{0.5, 2};
+  std::uniform_real_distribution<double> coordinate_{-2, 2};
+  std::uniform_real_distribution<double> angle_{-3.1, 3.1};
+  std::uniform_real_distribution<double> rate_{-1, 1};
+};
+
+TYPED_TEST_SUITE(Singular, AllModels, ModelNames);
+
+TYPED_TEST(Singular, TypeFollowsTheMotion) {
+  using Model = TypeParam;
+  if constexpr (Model::rigid) {
+    constexpr int parameters = TestFixture::parameter_count;
+    double smallest_at_fold = 1;
+    double largest_at_crossing = 0;
+    int compared = 0;
+    for (int sample = 0; sample < samples; ++sample) {
+      SingularGroup<Model> group;
+      if (!this->draw(group)) {
+        continue;
+      }
+      ++compared;
+      EXPECT_NE((regularity<Model, double>(group.d, group.u, group.q).status), Status::ok);
+      const auto fold = this->along(group, this->template rates<parameters>());
+      Matrix<double, Model::equation_count, Model::unknown_count> jacobian;
+      Model::jacobian(group.d, group.u, group.q, jacobian);
+      // Any dq/dt makes a motion that stays in the range.
+      const typename TestFixture::Residual within =
+          -(jacobian * this->template rates<Model::unknown_count>());
+      const auto crossing = this->along(
+          group, Vector<double, parameters>(solution_of(TestFixture::parameters(group), within)));
+      if (fold.transversality > 1e-4) {  // a random motion may come close to the range
+        EXPECT_EQ(fold.type, SingularityType::fold) << fold.transversality << " " << fold.distance;
+      }
+      EXPECT_EQ(crossing.type, SingularityType::crossing)
+          << crossing.transversality << " " << crossing.distance;
+      smallest_at_fold = std::min(smallest_at_fold, fold.transversality);
+      largest_at_crossing = std::max(largest_at_crossing, crossing.transversality);
+    }
+    std::cout << model_name<Model>() << ", seed " << seed << ", " << compared
+              << " singular groups: transversality at least " << smallest_at_fold
+              << " at folds, at most " << largest_at_crossing << " at crossings\n";
+    EXPECT_GT(compared, samples / 5);
+  }
+}
+
+}  // namespace
+}  // namespace assur::test

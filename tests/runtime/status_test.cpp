@@ -1,0 +1,205 @@
+// Law: what cannot be computed has a status that says so, and the version is the project's.
+#include <gtest/gtest.h>
+
+#include <assur/assur.hpp>
+#include <assur/tetrad/model_01.hpp>
+#include <limits>
+#include <string>
+
+namespace assur::test {
+namespace {
+
+using Model = tetrad::Model01;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// RRR-RRR in general position, and a motion of E that it can follow for a while.
+struct Group {
+  Model::Dimensions<double> d{1.5, 1.2, 0.8, 1.4, 1.1, -0.7, 1.3, 1.6};
+  Model::Inputs<double> u{0.1, 0.2, 1.4, -0.3};
+  Model::Configuration<double> q;
+  Vector<double, 4> rate{0, 0, 0.3, -0.1};
+
+  Group() {
+    const auto found = assemblies<Model>(d, u);
+    EXPECT_EQ(found.status, AssemblyStatus::ok);
+    EXPECT_GT(found.count, 0);
+    q = found.configurations[0];
+  }
+  [[nodiscard]] InputMotion<Model> operator()(double time) const {
+    InputMotion<Model> moving{u, rate, Vector<double, 4>::Zero()};
+    advance(moving.u, Vector<double, 4>(time * rate));
+    return moving;
+  }
+};
+
+TEST(BranchPoint, HasTheMotionAndTheSignOfTheDeterminant) {
+  const Group group;
+  const auto point = branch_point<Model>(group.d, group(0), group.q);
+  EXPECT_EQ(point.status, Status::ok);
+  Motion<Model, double> expected;
+  ASSERT_EQ((motion<Model, double>(group.d, group.u, group.q, group.rate, Vector<double, 4>::Zero(),
+                                   expected)),
+            Status::ok);
+  EXPECT_EQ(point.motion.velocity, expected.velocity);
+  EXPECT_EQ(point.motion.acceleration, expected.acceleration);
+  Matrix<double, 4, 4> J;
+  Model::jacobian(group.d, group.u, group.q, J);
+  EXPECT_EQ(point.orientation, J.determinant() > 0 ? 1 : -1);
+}
+
+TEST(BranchPoint, IsRefusedWhereTheJacobianHasNoInverse) {
+  Group group;
+  group.d.CD = 0;  // a bar of no length turns freely
+  const auto point = branch_point<Model>(group.d, group(0), group.q);
+  EXPECT_EQ(point.status, Status::singular);
+  EXPECT_EQ(point.orientation, 0);
+  const auto way = track<Model>(group.d, group, 0, 0.1, point);
+  EXPECT_EQ(way.status, Status::singular);
+  EXPECT_EQ(way.reached, 0);
+}
+
+TEST(BranchPoint, IsRefusedWhereSomethingIsNoNumber) {
+  for (const double spoilt : {nan, infinity}) {
+    for (int place = 0; place < 5; ++place) {
+      Group group;
+      InputMotion<Model> inputs = group(0);
+      (place == 0   ? group.d.CD
+       : place == 1 ? inputs.u.x_B
+       : place == 2 ? inputs.rate(1)
+       : place == 3 ? inputs.second_rate(2)
+                    : group.q.theta_CD.sin) = spoilt;
+      const auto point = branch_point<Model>(group.d, inputs, group.q);
+      EXPECT_EQ(point.status, Status::not_finite) << place;
+      const auto way = track<Model>(group.d, group, 0, 0.1, point);
+      EXPECT_EQ(way.status, Status::not_finite) << place;
+    }
+  }
+}
+
+TEST(Track, OfNoWayIsItsStart) {
+  const Group group;
+  const auto start = branch_point<Model>(group.d, group(0), group.q);
+  const auto way = track<Model>(group.d, group, 0, 0, start);
+  EXPECT_EQ(way.status, Status::ok);
+  EXPECT_EQ(way.reached, 0);
+  EXPECT_EQ(way.point.q.theta_BCG.cos, group.q.theta_BCG.cos);
+}
+
+TEST(Track, LeavesItsStartAndEndsAtTheBranchesPoint) {
+  const Group group;
+  const auto start = branch_point<Model>(group.d, group(0), group.q);
+  const auto way = track<Model>(group.d, group, 0, 0.1, start);
+  ASSERT_EQ(way.status, Status::ok);
+  EXPECT_EQ(way.reached, 0.1);
+  EXPECT_EQ(way.point.status, Status::ok);
+  EXPECT_EQ(way.point.orientation, start.orientation);
+  auto expected = way.point.q;
+  ASSERT_EQ((refine<Model, double>(group.d, group(0.1).u, expected)), Status::ok);
+  for_each_pair(way.point.q, expected, [](const auto& one, const auto& other) {
+    EXPECT_NEAR(one.cos, other.cos, 1e-13);
+    EXPECT_NEAR(one.sin, other.sin, 1e-13);
+  });
+  EXPECT_EQ(start.q.theta_BCG.cos, group.q.theta_BCG.cos);
+}
+
+/// E is pulled away until the links are stretched: up to there the branch is followed.
+TEST(Track, EndsAtAFold) {
+  Group group;
+  group.rate = {0, 0, 10, 0};
+  const auto start = branch_point<Model>(group.d, group(0), group.q);
+  const auto way = track<Model>(group.d, group, 0, 1, start);
+  EXPECT_EQ(way.status, Status::no_convergence);
+  EXPECT_GT(way.reached, 0);
+  EXPECT_LT(way.reached, 1);
+  EXPECT_TRUE(is_solvable(way.point.status));
+  Vector<double, 4> f;
+  Model::residual(group.d, group(way.reached).u, way.point.q, f);
+  EXPECT_LT(f.cwiseAbs().maxCoeff(), 1e-12);
+  // A little further on the branch is gone: fewer configurations are left.
+  const auto before = assemblies<Model>(group.d, group(way.reached).u);
+  const auto after = assemblies<Model>(group.d, group(way.reached + 0.004).u);
+  EXPECT_LT(after.count, before.count);
+}
+
+TEST(Track, SaysWhatIsNoNumber) {
+  const Group group;
+  const auto start = branch_point<Model>(group.d, group(0), group.q);
+  EXPECT_EQ((track<Model>(group.d, group, nan, 0.1, start).status), Status::not_finite);
+  EXPECT_EQ((track<Model>(group.d, group, 0, infinity, start).status), Status::not_finite);
+  Model::Dimensions<double> spoilt = group.d;
+  spoilt.BC = nan;
+  EXPECT_EQ((track<Model>(spoilt, group, 0, 0.1, start).status), Status::not_finite);
+  const auto lost = [&group](double time) {
+    InputMotion<Model> inputs = group(time);
+    inputs.u.x_B = time > 0.25 ? nan : inputs.u.x_B;
+    return inputs;
+  };
+  const auto way = track<Model>(group.d, lost, 0, 0.5, start);
+  EXPECT_EQ(way.status, Status::not_finite);
+  EXPECT_LE(way.reached, 0.25);
+  EXPECT_TRUE(is_finite(way.point.q));
+}
+
+TEST(Singularity, HasAStatus) {
+  Group group;
+  const Vector<double, Model::dimension_count> held = Vector<double, 8>::Zero();
+  const auto along = [&] {
+    return singularity_along<Model, double>(group.d, group.u, group.q, held, group.rate);
+  };
+  EXPECT_EQ(along().status, Status::ok);
+  group.rate(0) = nan;
+  EXPECT_EQ(along().status, Status::not_finite);
+  group.rate(0) = 0;
+  group.d = {};  // no link has a length, and J vanishes
+  EXPECT_EQ(along().status, Status::singular);
+}
+
+TEST(InverseJacobian, SolvesNothingWhereThereIsNone) {
+  Group group;
+  group.d.CD = 0;
+  const InverseJacobian<Model, double> inverse(group.d, group.u, group.q);
+  EXPECT_EQ(inverse.status(), Status::singular);
+  EXPECT_FALSE(inverse.solve(Vector<double, 4>(1, 0, 0, 0)).allFinite());
+}
+
+TEST(NormalForm, RefusesWhatIsNoLink) {
+  NormalForm<double> form;
+  std::array<LinkFeature<double>, 3> features{{{false, 0, 0, {}}, {false, 2, 0, {}}, {}}};
+  EXPECT_EQ(normal_form(features, 1, form), Status::singular);
+  EXPECT_EQ(normal_form(features, 4, form), Status::singular);
+  EXPECT_EQ(normal_form(features, 2, form), Status::ok);
+  EXPECT_EQ(form.dimension_count, 1);
+  features[1].y = nan;
+  EXPECT_EQ(normal_form(features, 2, form), Status::not_finite);
+  features[1] = features[0];
+  EXPECT_EQ(normal_form(features, 2, form), Status::singular);
+}
+
+TEST(NormalForm, FillsDimensionsOnlyFromTheModelsLinks) {
+  std::array<NormalForm<double>, 4> forms;
+  const std::array<LinkFeature<double>, 3> ternary{
+      {{false, 0, 0, {}}, {false, 2, 0, {}}, {false, 1, 1, {}}}};
+  Model::Dimensions<double> d;
+  EXPECT_EQ((fill_dimensions<Model, double>(forms, d)), Status::singular);
+  for (int link = 0; link < 4; ++link) {
+    EXPECT_EQ(normal_form(ternary, link < 2 ? 3 : 2, forms[static_cast<std::size_t>(link)]),
+              Status::ok);
+  }
+  EXPECT_EQ((fill_dimensions<Model, double>(forms, d)), Status::ok);
+  EXPECT_EQ(d.BC, 2);
+  EXPECT_EQ(d.y_G_BCG, 1);
+  EXPECT_EQ(d.GF, 2);
+  EXPECT_EQ(normal_form(ternary, 3, forms[3]), Status::ok);
+  EXPECT_EQ((fill_dimensions<Model, double>(forms, d)), Status::singular);
+}
+
+TEST(Version, IsThatOfTheProject) {
+  EXPECT_STREQ(version, ASSUR_PROJECT_VERSION);
+  EXPECT_EQ(std::to_string(ASSUR_VERSION_MAJOR) + "." + std::to_string(ASSUR_VERSION_MINOR) + "." +
+                std::to_string(ASSUR_VERSION_PATCH),
+            version);
+}
+
+}  // namespace
+}  // namespace assur::test

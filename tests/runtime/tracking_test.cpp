@@ -1,0 +1,175 @@
+// Law: a tracked branch ends where the complete sets of configurations, followed in small steps,
+// lead; otherwise a report is given.
+#include <assur/assemblies.hpp>
+#include <assur/tracking.hpp>
+
+#include "compiled_models.hpp"
+#include "exact.hpp"
+#include "model_types.hpp"
+
+namespace assur::test {
+namespace {
+
+constexpr unsigned seed = 14142;
+
+template <typename Model>
+class Tracking : public testing::Test {
+ protected:
+  using Configuration = typename Model::template Configuration<double>;
+
+  struct Drive {
+    typename Model::template Dimensions<double> d;
+    typename Model::template Inputs<double> u;
+    Vector<double, Model::input_count> rate;
+
+    [[nodiscard]] InputMotion<Model> operator()(double time) const {
+      InputMotion<Model> motion{u, rate, Vector<double, Model::input_count>::Zero()};
+      advance(motion.u, Vector<double, Model::input_count>(time * rate));
+      return motion;
+    }
+  };
+
+  static double apart(const Configuration& a, const Configuration& b) {
+    double largest = 0;
+    const auto off = [](const auto& x, const auto& y) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(x)>, double>) {
+        return std::abs(x - y);
+      } else {
+        return std::max(std::abs(x.cos - y.cos), std::abs(x.sin - y.sin));
+      }
+    };
+    for_each_pair(a, b,
+                  [&](const auto& x, const auto& y) { largest = std::max(largest, off(x, y)); });
+    return largest;
+  }
+
+  /// 200 steps, each to the nearest configuration; false where another is nearly as near.
+  static bool follow(const Drive& drive, double to, Configuration& q) {
+    constexpr int steps = 200;
+    for (int step = 1; step <= steps; ++step) {
+      const auto set = compiled::assemblies<Model>(drive.d, drive(to * step / steps).u);
+      double nearest = 0.1;
+      double second = 10;
+      int chosen = -1;
+      for (int index = 0; index < set.count; ++index) {
+        const double distance = apart(set.configurations[static_cast<std::size_t>(index)], q);
+        if (distance < nearest) {
+          second = chosen < 0 ? second : nearest;
+          nearest = distance;
+          chosen = index;
+        } else {
+          second = std::min(second, distance);
+        }
+      }
+      if (chosen < 0 || 10 * nearest > second) {
+        return false;
+      }
+      q = set.configurations[static_cast<std::size_t>(chosen)];
+    }
+    return true;
+  }
+};
+
+TYPED_TEST_SUITE(Tracking, AllModels, ModelNames);
+
+TYPED_TEST(Tracking, KeepsTheBranchOrReports) {
+  using Model = TypeParam;
+  if constexpr (!Model::rigid) {
+    GTEST_SKIP() << "has no configurations to track";
+  } else {
+    RandomInputs random(seed + static_cast<unsigned>(Model::number));
+    int compared = 0;
+    int reported = 0;
+    for (int group = 0; group < 60; ++group) {
+      typename TestFixture::Drive drive;
+      drive.d = random.variables<typename Model::template Dimensions<double>>();
+      drive.u = random.variables<typename Model::template Inputs<double>>();
+      drive.rate = random.vector<Vector<double, Model::input_count>>();
+      const auto set = compiled::assemblies<Model>(drive.d, drive.u);
+      const double to = group % 2 == 0 ? 0.1 : 0.3;
+      for (int index = 0; index < set.count; ++index) {
+        const auto& q = set.configurations[static_cast<std::size_t>(index)];
+        auto expected = q;
+        if (!TestFixture::follow(drive, to, expected) ||
+            set.regularity[static_cast<std::size_t>(index)] != Status::ok) {
+          continue;
+        }
+        const auto start = branch_point<Model>(drive.d, drive(0), q);
+        EXPECT_EQ(start.status, Status::ok);
+        const auto way = track<Model>(drive.d, drive, 0, to, start);
+        ++compared;
+        if (way.status != Status::ok) {
+          ++reported;
+          continue;
+        }
+        EXPECT_EQ(way.reached, to);
+        EXPECT_LT(TestFixture::apart(way.point.q, expected), 1e-7)
+            << "seed " << seed << ", group " << group << ", configuration " << index;
+      }
+    }
+    EXPECT_GT(compared, 15) << "seed " << seed;
+    EXPECT_LE(20 * reported, compared) << "seed " << seed;
+  }
+}
+
+TEST(TrackingReport, BranchesThatPassCloselyAreToldApart) {
+  // Two branches come within 0.007 radians after 0.08 of the crank's 0.1 radians, and go on where
+  // the other was heading: nothing but the sign of det J tells a step over all of it from a jump.
+  using Model = tetrad::Model01;
+  const Model::Dimensions<double> d{-0.37577811848562592, -1.3833727523473776, 1.7614270028643166,
+                                    0.77184454352437148,  -1.4526254646752201, -0.26681985255125884,
+                                    -1.9220285840143581,  1.7108834703071421};
+  const auto crank = [](double angle) {
+    const double x = 0.59745757831560786 * std::cos(angle);
+    const double y = 0.59745757831560786 * std::sin(angle);
+    return InputMotion<Model>{{1.0126703636326408 + x, -0.92489419868693057 + y,
+                               0.11751261101126964, -0.6690541157942218},
+                              {-y, x, 0, 0},
+                              {-x, -y, 0, 0}};
+  };
+  const auto at_BCG = [&](double angle, double theta_BCG) {
+    const auto set = compiled::assemblies<Model>(d, crank(angle).u);
+    for (const auto& q : set.configurations) {
+      if (std::abs(q.theta_BCG.cos - std::cos(theta_BCG)) < 1e-8 &&
+          std::abs(q.theta_BCG.sin - std::sin(theta_BCG)) < 1e-8) {
+        return q;
+      }
+    }
+    ADD_FAILURE() << "no such configuration at " << angle;
+    return set.configurations[0];
+  };
+  const double from = 1.4193939272584151;
+  const double to = from + 0.1;
+  const auto start = branch_point<Model>(d, crank(from), at_BCG(from, -1.372750676));
+  const auto way = track<Model>(d, crank, from, to, start);
+  ASSERT_EQ(way.status, Status::ok);
+  EXPECT_NEAR(way.point.q.theta_GF.sin, at_BCG(to, -1.533676130).theta_GF.sin, 1e-9);
+}
+
+TEST(TrackingReport, IsGivenWhereABranchEnds) {
+  using Model = tetrad::Model01;
+  RandomInputs random(seed);
+  int ended = 0;
+  for (int group = 0; group < 200; ++group) {
+    const auto d = random.variables<Model::Dimensions<double>>();
+    const auto u = random.variables<Model::Inputs<double>>();
+    const auto away = [&](double time) {  // until no link reaches
+      InputMotion<Model> moving{u, {0, 0, 100, 0}, {0, 0, 0, 0}};
+      moving.u.x_E += 100 * time;
+      return moving;
+    };
+    const auto set = compiled::assemblies<Model>(d, u);
+    for (int index = 0; index < set.count; ++index) {
+      const auto& q = set.configurations[static_cast<std::size_t>(index)];
+      const auto start = branch_point<Model>(d, away(0), q);
+      const auto way = track<Model>(d, away, 0, 1, start);
+      EXPECT_EQ(way.status, Status::no_convergence);
+      EXPECT_LT(way.reached, 1);
+      ++ended;
+    }
+  }
+  EXPECT_GT(ended, 50);
+}
+
+}  // namespace
+}  // namespace assur::test

@@ -1,0 +1,22 @@
+// Turns a template over the rigid models into its instances, kept in a table of pointers.
+#pragma once
+
+#include <tuple>
+
+namespace assur::test {
+
+/// Of models, those that are rigid, as arguments of `Of<Model>::pointer`.
+template <template <typename> typename Of, typename Model>
+constexpr auto instance() {
+  if constexpr (Model::rigid) {
+    return Of<Model>::pointer;
+  } else {
+    return nullptr;
+  }
+}
+template <template <typename> typename Of, typename... Models>
+constexpr auto instances(std::tuple<Models...> /*models*/) {
+  return std::tuple(instance<Of, Models>()...);
+}
+
+}  // namespace assur::test

@@ -1,0 +1,12 @@
+// Turns rational numbers into a scalar of Eigen's matrices, and so of generated code.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "cln_scalars.hpp"
+#include "rational.hpp"
+
+namespace Eigen {
+template <>
+struct NumTraits<assur::test::Rational> : assur::test::ClnTraits<assur::test::Rational> {};
+}  // namespace Eigen
