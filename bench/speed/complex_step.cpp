@@ -2,9 +2,9 @@
 // tasks.
 #include <complex>
 
-#include "stability/step_methods.hpp"
 #include "derivative_methods.hpp"
 #include "solve_closure.hpp"
+#include "stability/step_methods.hpp"
 
 namespace assur::speed {
 

@@ -1,10 +1,10 @@
 // Central differences of the closures and of whole assemblies as entries of the derivative tasks.
 #include <cstdio>
 
-#include "stability/step_methods.hpp"
 #include "derivative_methods.hpp"
 #include "eigen_by_hand.hpp"
 #include "solve_closure.hpp"
+#include "stability/step_methods.hpp"
 
 namespace assur::speed {
 

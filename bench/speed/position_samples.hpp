@@ -6,10 +6,10 @@
 #include <random>
 #include <vector>
 
-#include "reference_roots.hpp"
-#include "sturm.hpp"
-#include "stability/problem.hpp"
 #include "precise.hpp"
+#include "reference_roots.hpp"
+#include "stability/problem.hpp"
+#include "sturm.hpp"
 #include "tetrad_samples.hpp"
 
 namespace assur::speed {

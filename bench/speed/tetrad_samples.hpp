@@ -4,8 +4,8 @@
 #include <assur/tetrad/model_01.hpp>
 #include <vector>
 
-#include "stability/problem.hpp"
 #include "precise.hpp"
+#include "stability/problem.hpp"
 
 namespace assur::speed {
 

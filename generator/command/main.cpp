@@ -35,8 +35,8 @@ struct CatalogueOptions {
 
 int run_catalogue(const CatalogueOptions& options) {
   print(options.format == "json"       ? catalogue_json()
-                : options.format == "markdown" ? catalogue_markdown()
-                                               : catalogue_text());
+        : options.format == "markdown" ? catalogue_markdown()
+                                       : catalogue_text());
   return exit_ok;
 }
 
@@ -44,8 +44,8 @@ int run_derive(const DeriveOptions& options) {
   const ChosenKind chosen = chosen_kind(options);
   const document::Derivation derivation = document::derive(*chosen.group, chosen.kind);
   print(options.format == "json"    ? document::derivation_json(derivation)
-                : options.format == "latex" ? document::derivation_latex(derivation)
-                                            : document::derivation_text(derivation));
+        : options.format == "latex" ? document::derivation_latex(derivation)
+                                    : document::derivation_text(derivation));
   return derivation.rigid ? exit_ok : exit_negative;
 }
 
@@ -75,9 +75,11 @@ int run_emit(const EmitOptions& options) {
   } else if (!options.scene.empty()) {
     files.push_back(emitted_scene(options.scene));
   } else if (!options.closures.empty()) {
-    files.push_back(emission::closures::emit_closures(closures::read_typed_closures(options.closures)));
+    files.push_back(
+        emission::closures::emit_closures(closures::read_typed_closures(options.closures)));
   } else {
-    const std::vector<structure::Model>& models = structure::models_of(structure::group_named(options.group));
+    const std::vector<structure::Model>& models =
+        structure::models_of(structure::group_named(options.group));
     for (const structure::Model& model : models) {
       if (model.number == options.model) {
         files.push_back(emission::model::emit_model(model));
@@ -111,8 +113,8 @@ int run_audit(const AuditOptions& options) {
     reports.push_back(audit::audit_file(file, audit::scene::scene_values));
   }
   print(options.format == "json"       ? audit::audit_report_json(reports)
-                : options.format == "markdown" ? audit::audit_report_markdown(reports)
-                                               : audit::audit_report_text(reports));
+        : options.format == "markdown" ? audit::audit_report_markdown(reports)
+                                       : audit::audit_report_text(reports));
   const bool agree = std::all_of(reports.begin(), reports.end(),
                                  [](const audit::AuditReport& report) { return report.agrees(); });
   return agree ? exit_ok : exit_negative;

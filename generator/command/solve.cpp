@@ -16,8 +16,7 @@ namespace {
 void expect_branch(const SolveOptions& options, int count, const std::string& what) {
   if (options.branch > count) {
     throw text::InputError(options.scene + ": --branch: no " + what + " " +
-                           std::to_string(options.branch) + "; there are " +
-                           std::to_string(count));
+                           std::to_string(options.branch) + "; there are " + std::to_string(count));
   }
 }
 

@@ -4,8 +4,8 @@
 #include <Eigen/LU>
 #include <assur/special_points.hpp>
 
-#include "taylor.hpp"
 #include "problem.hpp"
+#include "taylor.hpp"
 
 namespace assur::stability {
 

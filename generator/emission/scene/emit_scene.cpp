@@ -1,14 +1,14 @@
 #include "emission/scene/emit_scene.hpp"
 
 #include <algorithm>
+#include <assur/text/identifiers.hpp>
+#include <assur/text/names.hpp>
 #include <iterator>
 
 #include "emission/cpp/cpp_text.hpp"
-#include "emission/scene/group_numbers.hpp"
 #include "emission/model/model_view.hpp"
-#include <assur/text/identifiers.hpp>
+#include "emission/scene/group_numbers.hpp"
 #include "emission/scene/scene_statements.hpp"
-#include <assur/text/names.hpp>
 
 namespace assur::generator::emission::scene {
 
@@ -52,10 +52,11 @@ class SceneEmitter {
       law.resize(1 + static_cast<std::size_t>(solver_.derivative_order));
       cpp::View entry;
       entry.set("member", solver_.members.drivers[link.driver]);
-      entry.set("law", text::joined(law, ", ",
-                              [](double value) { return "Scalar(" + cpp::round_trip(value) + ")"; }));
-      entry.set("meaning", cpp::comment_text(at.name + ", from " + solver_.link_name(at.first) + " to " +
-                                        solver_.link_name(at.second)));
+      entry.set("law", text::joined(law, ", ", [](double value) {
+                  return "Scalar(" + cpp::round_trip(value) + ")";
+                }));
+      entry.set("meaning", cpp::comment_text(at.name + ", from " + solver_.link_name(at.first) +
+                                             " to " + solver_.link_name(at.second)));
       drivers.push_back(entry);
       steps_.push_back(solver_.link_name(link.to) + ", driven at " + at.name + " from " +
                        solver_.link_name(link.from));
@@ -87,10 +88,9 @@ class SceneEmitter {
                                        std::to_string(special.operations.divisions));
     groups_.push_back(special.view);
     max_configurations_ *= special.max_configurations;
-    steps_.push_back(
-        text::listed(solver_.plan.structure().names_of(solver_.group(group).links)) + ": " +
-        model.group->name() + " " + solver_.group(group).kind + ", at most " +
-        std::to_string(special.max_configurations) + " configurations");
+    steps_.push_back(text::listed(solver_.plan.structure().names_of(solver_.group(group).links)) +
+                     ": " + model.group->name() + " " + solver_.group(group).kind + ", at most " +
+                     std::to_string(special.max_configurations) + " configurations");
   }
 
   void show_results() {
@@ -128,8 +128,9 @@ class SceneEmitter {
     std::vector<std::string> steps;
     std::transform(steps_.begin(), steps_.end(), std::back_inserter(steps), cpp::comment_text);
     view_.set("groups", groups_);
-    view_.set("first_call", solver_.plan.structure().groups.empty() ? "list(placed, search)"
-                                                         : "solve_group_1(placed, search)");
+    view_.set("first_call", solver_.plan.structure().groups.empty()
+                                ? "list(placed, search)"
+                                : "solve_group_1(placed, search)");
     view_.set("steps", cpp::line_list(steps, ""));
     view_.set("max_configurations", std::to_string(max_configurations_));
     view_.set("file", cpp::comment_text(solver_.file));
@@ -154,9 +155,9 @@ class SceneEmitter {
     view_.set("sensitivity", parameters.count() > 0);
     view_.set("parameter_count", std::to_string(parameters.count()));
     view_.set("parameter_list", text::listed(parameters.names()));
-    view_.set("parameter_strings", text::joined(parameters.names(), ", ", [](const std::string& name) {
-                return "\"" + name + "\"";
-              }));
+    view_.set("parameter_strings",
+              text::joined(parameters.names(), ", ",
+                           [](const std::string& name) { return "\"" + name + "\""; }));
     view_.set("tolerances", parameters.count() > 0 && !all_tolerances.isZero(0.0));
     view_.set("tolerance_list", text::joined(tolerances, ", ", cpp::round_trip));
   }

@@ -9,8 +9,8 @@ namespace assur::generator::emission::scene {
 
 /// The header `assur/scenes/<file>.hpp` of a scene: its groups with all dimensions as numbers, and
 /// only the derivatives, points and parameters that the scene wants. Derivatives are to the
-/// parameters that have a tolerance, to all if none has. Throws MechanismError for a scene that has no
-/// solver: it is over- or under-constrained, or a group is degenerate or not known.
+/// parameters that have a tolerance, to all if none has. Throws MechanismError for a scene that has
+/// no solver: it is over- or under-constrained, or a group is degenerate or not known.
 [[nodiscard]] cpp::EmittedFile emit_scene(const mechanism::Scene& scene);
 
 }  // namespace assur::generator::emission::scene

@@ -83,8 +83,9 @@ const mechanism::GroupGeometry& normal_group(const SolverScene& solver,
   const std::string part = "links: " + names_of(solver, group);
   if (!solver.group(group).model->rigid) {
     throw mechanism::MechanismError(
-        part, "the group is degenerate, prismatic joints over-determine its angles, so it has no "
-              "solver");
+        part,
+        "the group is degenerate, prismatic joints over-determine its angles, so it has no "
+        "solver");
   }
   const mechanism::GroupGeometry& geometry = solver.values.group(group);
   if (geometry.roles == nullptr) {
@@ -93,8 +94,7 @@ const mechanism::GroupGeometry& normal_group(const SolverScene& solver,
   return geometry;
 }
 
-std::vector<ExternalJoint> external_joints(const SolverScene& solver,
-                                           mechanism::GroupIndex group) {
+std::vector<ExternalJoint> external_joints(const SolverScene& solver, mechanism::GroupIndex group) {
   std::vector<ExternalJoint> list;
   const mechanism::RoleAssignment& roles = *solver.values.group(group).roles;
   int joint = 0;
@@ -132,8 +132,13 @@ GroupNumbers group_numbers(const SolverScene& solver, mechanism::GroupIndex grou
       }
     }
   }
-  return {&derived_model(solver.group(group)), unit, solver.derivative_order, dimensions,
-          of_dimensions.gradient(), of_inputs.values(), of_inputs.gradient()};
+  return {&derived_model(solver.group(group)),
+          unit,
+          solver.derivative_order,
+          dimensions,
+          of_dimensions.gradient(),
+          of_inputs.values(),
+          of_inputs.gradient()};
 }
 
 SpecialisedGroup specialised_group_of(const SolverScene& solver, mechanism::GroupIndex group) {

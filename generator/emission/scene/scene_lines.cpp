@@ -1,10 +1,10 @@
 #include "emission/scene/scene_lines.hpp"
 
 #include <algorithm>
+#include <assur/text/identifiers.hpp>
 #include <assur/variables.hpp>
 
 #include "emission/cpp/cpp_text.hpp"
-#include <assur/text/identifiers.hpp>
 
 namespace assur::generator::emission::scene {
 
@@ -19,8 +19,10 @@ Eigen::VectorXd ModelledParameters::gradient(const mechanism::Dual& quantity) co
   return result;
 }
 
-std::string SceneLines::point(const std::string& name, const mechanism::Dual& x, const mechanism::Dual& y) {
-  const std::string values = emission::cpp::round_trip(x.value()) + ", " + emission::cpp::round_trip(y.value());
+std::string SceneLines::point(const std::string& name, const mechanism::Dual& x,
+                              const mechanism::Dual& y) {
+  const std::string values =
+      emission::cpp::round_trip(x.value()) + ", " + emission::cpp::round_trip(y.value());
   if (!varies({x, y})) {
     const bool origin = x.value() == 0 && y.value() == 0;
     return origin ? "LinkPoint{}" : "LinkPoint{" + values + "}";
@@ -41,9 +43,10 @@ std::string SceneLines::frame(const std::string& name, const Pose<mechanism::Dua
   }
   std::string frame = declared(name);
   add("LinkFrame " + frame + ";");
-  add(frame + ".pose = {" + emission::cpp::round_trip(pose.x.value()) + ", " + emission::cpp::round_trip(pose.y.value()) + ", {" +
-      emission::cpp::round_trip(pose.direction.cos.value()) + ", " + emission::cpp::round_trip(pose.direction.sin.value()) +
-      "}};");
+  add(frame + ".pose = {" + emission::cpp::round_trip(pose.x.value()) + ", " +
+      emission::cpp::round_trip(pose.y.value()) + ", {" +
+      emission::cpp::round_trip(pose.direction.cos.value()) + ", " +
+      emission::cpp::round_trip(pose.direction.sin.value()) + "}};");
   if (!constant) {
     add_gradients(frame, {pose.x, pose.y, angle});
   }
@@ -59,8 +62,8 @@ std::string SceneLines::gradient(const std::string& name, const mechanism::Dual&
   const Eigen::VectorXd gradient = parameters_.gradient(number);
   for (int place = 0; place < parameters_.count(); ++place) {
     if (gradient(place) != 0) {
-      add(row + "(" + std::to_string(place) + ") = " + emission::cpp::round_trip(gradient(place)) + ";  // " +
-          parameters_.names()[static_cast<std::size_t>(place)]);
+      add(row + "(" + std::to_string(place) + ") = " + emission::cpp::round_trip(gradient(place)) +
+          ";  // " + parameters_.names()[static_cast<std::size_t>(place)]);
     }
   }
   return row;
@@ -71,7 +74,8 @@ std::string SceneLines::declared(const std::string& name) {
   return taken_.back();
 }
 
-void SceneLines::add_gradients(const std::string& target, const std::vector<mechanism::Dual>& rows) {
+void SceneLines::add_gradients(const std::string& target,
+                               const std::vector<mechanism::Dual>& rows) {
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const Eigen::VectorXd gradient = parameters_.gradient(rows[row]);
     for (int place = 0; place < parameters_.count(); ++place) {

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-
 namespace assur::generator::emission::scene {
 
 /// The parameters of a scene to which derivatives are modelled.
@@ -37,7 +36,8 @@ class SceneLines {
   [[nodiscard]] const std::vector<std::string>& lines() const { return lines_; }
 
   /// A point of a link, as an expression; `name` is for the case that it needs a declaration.
-  [[nodiscard]] std::string point(const std::string& name, const mechanism::Dual& x, const mechanism::Dual& y);
+  [[nodiscard]] std::string point(const std::string& name, const mechanism::Dual& x,
+                                  const mechanism::Dual& y);
   /// A frame of a link, likewise; empty for the link's own.
   [[nodiscard]] std::string frame(const std::string& name, const Pose<mechanism::Dual>& pose);
   /// The derivatives of a number, likewise.

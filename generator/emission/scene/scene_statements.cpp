@@ -8,8 +8,7 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-std::string on(const SolverScene& solver, const std::string& feature,
-               mechanism::LinkIndex link) {
+std::string on(const SolverScene& solver, const std::string& feature, mechanism::LinkIndex link) {
   return feature + "_on_" + solver.link_name(link);
 }
 
@@ -51,7 +50,8 @@ PlacingStatements driving_statements(const SolverScene& solver) {
   return {lines.lines(), slides};
 }
 
-std::vector<std::string> holding_statements(const SolverScene& solver, mechanism::GroupIndex group) {
+std::vector<std::string> holding_statements(const SolverScene& solver,
+                                            mechanism::GroupIndex group) {
   SceneLines held(solver.parameters);
   int first = 0;
   for (const ExternalJoint& external : external_joints(solver, group)) {
@@ -63,12 +63,13 @@ std::vector<std::string> holding_statements(const SolverScene& solver, mechanism
     const std::string place = "<" + std::to_string(first) + ">(";
     const LinkFeature<mechanism::Dual> feature = external.feature(solver);
     if (at.prismatic) {
-      const std::string line = held.frame(on(solver, at.name, base), feature_frame(solver, at, base));
+      const std::string line =
+          held.frame(on(solver, at.name, base), feature_frame(solver, at, base));
       held.add("held.hold_line" + place + nested_frames({solver.placed(base), line}) + ");");
     } else {
       const std::string point = held.point(on(solver, at.name, base), feature.x, feature.y);
-      held.add("held.hold_point" + place + "support::point_in(" + solver.placed(base) + ", " + point +
-               "));");
+      held.add("held.hold_point" + place + "support::point_in(" + solver.placed(base) + ", " +
+               point + "));");
     }
     first += at.prismatic ? 3 : 2;
   }
@@ -88,7 +89,8 @@ PlacingStatements placing_statements(const SolverScene& solver, mechanism::Group
                 nested_frames({"group.frames[" + std::to_string(link) + "]", own}) + ";");
     }
   }
-  const equations::ClosureEquations equations = equations::closure_equations(derived_model(solver.group(group)));
+  const equations::ClosureEquations equations =
+      equations::closure_equations(derived_model(solver.group(group)));
   for (std::size_t index = 0; index < equations.unknowns.size(); ++index) {
     if (equations.unknowns[index].is_angle()) {
       continue;
@@ -100,7 +102,8 @@ PlacingStatements placing_statements(const SolverScene& solver, mechanism::Group
     const std::string& slide = solver.slide_member(at);
     const std::string unknown = "Group::unit * q." + equations.unknowns[index].name;
     const std::string shifted =
-        shift.value() == 0 ? unknown : "(" + unknown + " + " + emission::cpp::round_trip(shift.value()) + ")";
+        shift.value() == 0 ? unknown
+                           : "(" + unknown + " + " + emission::cpp::round_trip(shift.value()) + ")";
     lines.add("next.slide_" + slide + ".displacement = " + sign + shifted + ";");
     lines.add("next.slide_" + slide + ".rates = " + sign + "Group::unit * group.rates.row(" +
               std::to_string(index) + ");");

@@ -46,9 +46,7 @@ struct SolverScene {
   [[nodiscard]] const std::string& link_name(mechanism::LinkIndex link) const {
     return linkage().links[link];
   }
-  [[nodiscard]] bool is_ground(mechanism::LinkIndex link) const {
-    return link == linkage().ground;
-  }
+  [[nodiscard]] bool is_ground(mechanism::LinkIndex link) const { return link == linkage().ground; }
   /// Whether the scene lists the link; the block of a pin in a slot it does not.
   [[nodiscard]] bool lists(mechanism::LinkIndex link) const {
     return link.place() < mechanism().links().size();

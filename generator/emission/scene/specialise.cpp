@@ -1,9 +1,8 @@
 #include "emission/scene/specialise.hpp"
 
+#include <assur/text/error.hpp>
 #include <cmath>
 #include <limits>
-
-#include <assur/text/error.hpp>
 
 namespace assur::generator::emission::scene {
 
@@ -29,8 +28,8 @@ NamedResults specialised(const std::vector<equations::NamedQuantity>& quantities
     const bool reciprocal = quantity.form == equations::NamedQuantity::Form::reciprocal;
     const bool itself = quantity.form == equations::NamedQuantity::Form::itself;
     if (reciprocal && definition.is_zero()) {
-      throw text::InputError("the group has no closed form with these dimensions (" + quantity.meaning +
-                       ")");
+      throw text::InputError("the group has no closed form with these dimensions (" +
+                             quantity.meaning + ")");
     }
     if (itself ? needs_no_name(definition) : reciprocal && is_number(definition)) {
       values[quantity.symbol] = reciprocal ? GiNaC::ex(1 / definition) : definition;

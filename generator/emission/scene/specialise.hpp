@@ -19,6 +19,7 @@ struct NamedResults {
 /// parts of a direction would not satisfy cos^2 + sin^2 = 1. Throws InputError where a reciprocal
 /// is of zero.
 [[nodiscard]] NamedResults specialised(const std::vector<equations::NamedQuantity>& quantities,
-                                       const std::vector<program::Result>& results, GiNaC::exmap values);
+                                       const std::vector<program::Result>& results,
+                                       GiNaC::exmap values);
 
 }  // namespace assur::generator::emission::scene

@@ -1,13 +1,13 @@
 #include "emission/scene/specialised_group.hpp"
 
 #include <algorithm>
+#include <assur/text/error.hpp>
 #include <cmath>
 
 #include "emission/cpp/cpp_text.hpp"
 #include "emission/model/model_view.hpp"
 #include "emission/model/solution_functions.hpp"
 #include "emission/scene/specialise.hpp"
-#include <assur/text/error.hpp>
 
 namespace assur::generator::emission::scene {
 
@@ -28,14 +28,16 @@ class GroupSpecialiser {
     const model::ModelSpelling spelling(equations_.unknowns, equations_.dimensions, moving_inputs_);
     SpecialisedGroup result;
     cpp::View::List functions;
-    const auto add = [&](const model::ModelFunction& function, const equations::Vocabulary& vocabulary) {
+    const auto add = [&](const model::ModelFunction& function,
+                         const equations::Vocabulary& vocabulary) {
       const NamedResults special = specialised(vocabulary.quantities(), function.results, values_);
       model::ModelFunction folded = function;
       folded.results = special.results;
       expect_positions(folded);
       const program::SymbolOrder order = program::symbol_order(equations_, vocabulary);
       const program::Program program(order, special.quantities, special.results);
-      functions.push_back(model::function_view(folded, program, spelling, model::ZeroResults::assigned));
+      functions.push_back(
+          model::function_view(folded, program, spelling, model::ZeroResults::assigned));
       result.operations += program.count();
     };
     for (const model::ModelFunction& function : model::model_functions(equations_, derivatives_)) {
@@ -53,7 +55,8 @@ class GroupSpecialiser {
         add(naming.function, naming.vocabulary);
       }
     }
-    const std::vector<model::ModelFunction> positions = model::position_functions(equations_, elimination_);
+    const std::vector<model::ModelFunction> positions =
+        model::position_functions(equations_, elimination_);
     for (const model::ModelFunction& function : positions) {
       add(function, elimination_.vocabulary);
     }
@@ -100,16 +103,17 @@ class GroupSpecialiser {
   }
 
   static void expect_positions(const model::ModelFunction& function) {
-    const bool vanishes = std::all_of(function.results.begin(), function.results.end(),
-                                      [](const program::Result& result) { return result.value.is_zero(); });
+    const bool vanishes =
+        std::all_of(function.results.begin(), function.results.end(),
+                    [](const program::Result& result) { return result.value.is_zero(); });
     if (function.name == "position_polynomial" && vanishes) {
       throw text::InputError("the group's position is not determined with these dimensions");
     }
   }
 
   /// The entries of `of_inputs` in the columns of the inputs that move.
-  [[nodiscard]] std::vector<program::Result> moving_columns(const std::string& target,
-                                                   const derivatives::ExpressionMatrix& of_inputs) const {
+  [[nodiscard]] std::vector<program::Result> moving_columns(
+      const std::string& target, const derivatives::ExpressionMatrix& of_inputs) const {
     std::vector<program::Result> results;
     for (std::size_t row = 0; row < of_inputs.size(); ++row) {
       std::size_t place = 0;
@@ -123,9 +127,9 @@ class GroupSpecialiser {
   }
 
   /// of_dimensions d_a + of_inputs u_a, for the inputs that are held.
-  [[nodiscard]] std::vector<program::Result> parameter_columns(const std::string& target,
-                                                      const derivatives::ExpressionMatrix& of_dimensions,
-                                                      const derivatives::ExpressionMatrix& of_inputs) const {
+  [[nodiscard]] std::vector<program::Result> parameter_columns(
+      const std::string& target, const derivatives::ExpressionMatrix& of_dimensions,
+      const derivatives::ExpressionMatrix& of_inputs) const {
     std::vector<program::Result> results;
     for (std::size_t row = 0; row < of_dimensions.size(); ++row) {
       for (Eigen::Index parameter = 0; parameter < parameter_count(); ++parameter) {
@@ -133,7 +137,8 @@ class GroupSpecialiser {
         const auto add = [&](const std::vector<GiNaC::ex>& partials,
                              const Eigen::MatrixXd& gradient) {
           for (std::size_t index = 0; index < partials.size(); ++index) {
-            sum += partials[index] * cpp::exact(gradient(static_cast<Eigen::Index>(index), parameter));
+            sum +=
+                partials[index] * cpp::exact(gradient(static_cast<Eigen::Index>(index), parameter));
           }
         };
         add(of_dimensions[row], numbers_.dimension_gradient);
@@ -150,8 +155,8 @@ class GroupSpecialiser {
 
   [[nodiscard]] std::vector<model::ModelFunction> sensitivity_functions() const {
     const std::vector<model::Parameter> place = {{"const Dimensions<Scalar>&", "d"},
-                                          {"const Inputs<Scalar>&", "u"},
-                                          {"const Configuration<Scalar>&", "q"}};
+                                                 {"const Inputs<Scalar>&", "u"},
+                                                 {"const Configuration<Scalar>&", "q"}};
     const std::string columns = std::to_string(parameter_count());
     std::vector<model::ModelFunction> functions = {
         {"parameter_jacobian",
@@ -174,7 +179,8 @@ class GroupSpecialiser {
          parameter_columns("P_a", derivatives_.pose_dimension_jacobian,
                            derivatives_.pose_input_jacobian)}};
     std::vector<program::Result>& poses = functions.back().results;
-    const std::vector<program::Result> inputs = moving_columns("P_u", derivatives_.pose_input_jacobian);
+    const std::vector<program::Result> inputs =
+        moving_columns("P_u", derivatives_.pose_input_jacobian);
     poses.insert(poses.end(), inputs.begin(), inputs.end());
     for (std::size_t row = 0; row < derivatives_.pose_unknown_jacobian.size(); ++row) {
       for (std::size_t column = 0; column < equations_.unknowns.size(); ++column) {
@@ -185,8 +191,7 @@ class GroupSpecialiser {
     return functions;
   }
 
-  [[nodiscard]] cpp::View view(const std::string& struct_name,
-                                    const std::string& title) const {
+  [[nodiscard]] cpp::View view(const std::string& struct_name, const std::string& title) const {
     cpp::View view;
     view.set("general", false);
     view.set("has_positions", true);

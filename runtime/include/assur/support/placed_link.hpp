@@ -49,8 +49,8 @@ template <typename Scalar, int Order, int Parameters>
   }
   if constexpr (Parameters > 0) {
     for (int parameter = 0; parameter < Parameters; ++parameter) {
-      result.gradient.col(parameter) = carried<Scalar>(frame.gradient.col(parameter), arm,
-                                                       turn(point.gradient.col(parameter)));
+      result.gradient.col(parameter) =
+          carried<Scalar>(frame.gradient.col(parameter), arm, turn(point.gradient.col(parameter)));
     }
   }
   return result;
