@@ -30,6 +30,16 @@ Folder stage(const std::string& path, const std::vector<std::string>& below,
   return {"generator/" + path, name_space, std::move(more), std::move(libraries)};
 }
 
+/// A stage of the library, which is one room: one namespace, one target.
+Folder part(const std::string& name, const std::vector<std::string>& below,
+            std::vector<std::string> libraries = {"Eigen"}) {
+  std::vector<std::string> all = {mechanism, runtime, models, words};
+  for (const std::string& folder : below) {
+    all.push_back("mechanism/src/" + folder);
+  }
+  return {"mechanism/src/" + name, "assur::mechanism", std::move(all), std::move(libraries)};
+}
+
 House house() {
   return {{
               {runtime, "assur", {}, {"Eigen"}, true},
@@ -38,10 +48,17 @@ House house() {
               {"runtime/text/src", "assur::text", {words}, {}},
 
               {mechanism, "assur::mechanism", {runtime, words}, {"Eigen"}},
+              part("file", {}, {"nlohmann"}),
+              part("models", {}),
+              part("plan", {"models"}),
+              part("values", {"models", "plan"}),
+              part("solve", {"models", "plan", "values"}),
+              part("sweep", {"plan", "values", "solve"}),
+              part("report", {}, {"Eigen", "nlohmann"}),
               {"mechanism/src",
                "assur::mechanism",
-               {mechanism, runtime, models, words},
-               {"Eigen", "nlohmann"}},
+               {mechanism, runtime, words, "mechanism/src/plan", "mechanism/src/solve"},
+               {"Eigen"}},
 
               {"generator", "assur::generator", {}, {}},
               stage("structure", {}, {}),
