@@ -13,13 +13,13 @@ namespace {
 template <typename Key, typename Item>
 void expect_new(const Table<Key, Item>& table, const std::string& name, const std::string& part) {
   if (index_of(table, name).exists()) {
-    fail(part, "the name " + quoted(name) + " is taken");
+    fail(part, "the name " + in_quotes(name) + " is taken");
   }
 }
 
 }  // namespace
 
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
   std::string shown;
   for (const char letter : text.substr(0, 40)) {
     shown += static_cast<unsigned char>(letter) < 0x20 ? '?' : letter;
@@ -31,7 +31,7 @@ ParameterIndex Mechanism::parameter_named(const std::string& name, const std::st
   const ParameterIndex found = index_of(parameters_, name);
   if (!found.exists()) {
     fail(part,
-         "no parameter named " + quoted(name) + text::suggestion(name, names_of(parameters_)));
+         "no parameter named " + in_quotes(name) + text::suggestion(name, names_of(parameters_)));
   }
   return found;
 }
@@ -42,7 +42,7 @@ Formula Mechanism::formula(const std::string& text, const std::string& part) con
             [&](const std::string& name) { return parameter_named(name, part); }};
   } catch (const text::ExpressionError& error) {
     fail(part, std::string(error.what()) + " at column " + std::to_string(error.column) + " of " +
-                   quoted(text));
+                   in_quotes(text));
   }
 }
 
@@ -64,10 +64,10 @@ void Mechanism::put_number(const Given& given, const std::string& part, NumberIn
 
 void Mechanism::expect_new_parameter(const std::string& name) const {
   if (!text::is_identifier(name)) {
-    fail("parameters", quoted(name) + " is not a name (letters, digits, underscores)");
+    fail("parameters", in_quotes(name) + " is not a name (letters, digits, underscores)");
   }
   if (text::is_reserved_name(name)) {
-    fail("parameters", quoted(name) + " is the name of a function or constant");
+    fail("parameters", in_quotes(name) + " is the name of a function or constant");
   }
   expect_new(parameters_, name, "parameters");
 }
@@ -96,7 +96,7 @@ ParameterIndex Mechanism::add_parameter(const std::string& name, const Given& va
 
 LinkIndex Mechanism::add_link(const std::string& name) {
   if (name.empty() || name.find('.') != std::string::npos) {
-    fail("links", quoted(name) + " is not a name: it is empty or has a dot");
+    fail("links", in_quotes(name) + " is not a name: it is empty or has a dot");
   }
   expect_new(links_, name, "links");
   return links_.add({name, {}});
@@ -105,20 +105,20 @@ LinkIndex Mechanism::add_link(const std::string& name) {
 Feature Mechanism::new_feature(const std::string& name, const std::string& part) const {
   const std::size_t dot = name.find('.');
   if (dot == std::string::npos) {
-    fail(part, "expected 'link.feature', found " + quoted(name));
+    fail(part, "expected 'link.feature', found " + in_quotes(name));
   }
   const std::string link_name = name.substr(0, dot);
   const LinkIndex link = index_of(links_, link_name);
   if (!link.exists()) {
     fail(part,
-         "no link named " + quoted(link_name) + text::suggestion(link_name, names_of(links_)));
+         "no link named " + in_quotes(link_name) + text::suggestion(link_name, names_of(links_)));
   }
   Feature feature;
   feature.name = name.substr(dot + 1);
   feature.link = link;
   for (const FeatureIndex other : links_[link].features) {
     if (features_[other].name == feature.name) {
-      fail(part, "the name " + quoted(feature.name) + " is taken");
+      fail(part, "the name " + in_quotes(feature.name) + " is taken");
     }
   }
   return feature;
@@ -160,14 +160,14 @@ FeatureIndex Mechanism::add_line(const std::string& name, const Given& x, const 
 FeatureIndex Mechanism::feature_named(const std::string& name, const std::string& part) const {
   const std::size_t dot = name.find('.');
   if (dot == std::string::npos) {
-    fail(part, "expected 'link.feature', found " + quoted(name));
+    fail(part, "expected 'link.feature', found " + in_quotes(name));
   }
   const std::string link_name = name.substr(0, dot);
   const std::string feature_name = name.substr(dot + 1);
   const LinkIndex link = index_of(links_, link_name);
   if (!link.exists()) {
     fail(part,
-         "no link named " + quoted(link_name) + text::suggestion(link_name, names_of(links_)));
+         "no link named " + in_quotes(link_name) + text::suggestion(link_name, names_of(links_)));
   }
   std::vector<std::string> names;
   for (const FeatureIndex feature : links_[link].features) {
@@ -176,7 +176,7 @@ FeatureIndex Mechanism::feature_named(const std::string& name, const std::string
     }
     names.push_back(features_[feature].name);
   }
-  fail(part, "link '" + link_name + "' has no feature " + quoted(feature_name) +
+  fail(part, "link '" + link_name + "' has no feature " + in_quotes(feature_name) +
                  text::suggestion(feature_name, names));
 }
 
@@ -226,7 +226,8 @@ DriverIndex Mechanism::add_driver(const std::string& joint, const Given& positio
   Driver driver;
   driver.joint = index_of(joints_, joint);
   if (!driver.joint.exists()) {
-    fail("drivers", "no joint named " + quoted(joint) + text::suggestion(joint, names_of(joints_)));
+    fail("drivers",
+         "no joint named " + in_quotes(joint) + text::suggestion(joint, names_of(joints_)));
   }
   for (const Driver& other : drivers_) {
     if (other.joint == driver.joint) {

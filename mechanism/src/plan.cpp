@@ -66,7 +66,7 @@ const Item& item_named(const Table<Key, Part>& parts, const Table<Key, Item>& it
   const Key key = index_of(parts, name);
   if (!key.exists()) {
     throw MechanismError(
-        "", "no " + what + " named " + quoted(name) + text::suggestion(name, names_of(parts)));
+        "", "no " + what + " named " + in_quotes(name) + text::suggestion(name, names_of(parts)));
   }
   return items[key];
 }

@@ -17,7 +17,7 @@ SceneJson parsed(const std::string& text) {
     } else if (event == SceneJson::parse_event_t::key) {
       const auto key = value.get<std::string>();
       if (!open.back().insert(key).second) {
-        throw MechanismError("", "the key " + quoted(key) + " stands twice in one object");
+        throw MechanismError("", "the key " + in_quotes(key) + " stands twice in one object");
       }
     }
     return true;
@@ -44,7 +44,7 @@ void expect_keys(const SceneJson& value, const std::string& part,
                  const std::vector<std::string>& known) {
   for (const auto& [key, ignored] : value.items()) {
     if (std::find(known.begin(), known.end(), key) == known.end()) {
-      throw MechanismError(part, "unknown key " + quoted(key) + text::suggestion(key, known));
+      throw MechanismError(part, "unknown key " + in_quotes(key) + text::suggestion(key, known));
     }
   }
 }

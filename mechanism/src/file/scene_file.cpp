@@ -69,7 +69,7 @@ class SceneReader {
     for (const std::string& setting : settings_) {
       const std::size_t equals = setting.find('=');
       if (equals == std::string::npos) {
-        fail("--set", "expected NAME=EXPR, found " + quoted(setting));
+        fail("--set", "expected NAME=EXPR, found " + in_quotes(setting));
       }
       const std::string name = setting.substr(0, equals);
       (void)mechanism_.parameter_named(name, "--set");
@@ -116,7 +116,7 @@ class SceneReader {
       const std::string type = text_of(required(value, "type", part), part + ".type");
       const auto found = std::find(types.begin(), types.end(), type);
       if (found == types.end()) {
-        fail(part + ".type", "no joint type " + quoted(type) + text::suggestion(type, types) +
+        fail(part + ".type", "no joint type " + in_quotes(type) + text::suggestion(type, types) +
                                  "; the types are revolute, prismatic, pin-in-slot");
       }
       const SceneJson& between = required(value, "between", part);
@@ -140,7 +140,7 @@ class SceneReader {
     for (const auto& [name, value] : root_["drivers"].items()) {
       const std::string part = "drivers." + name;
       if (!index_of(mechanism_.joints(), name).exists()) {
-        fail("drivers", "no joint named " + quoted(name) +
+        fail("drivers", "no joint named " + in_quotes(name) +
                             text::suggestion(name, names_of(mechanism_.joints())));
       }
       expect_object(value, part);
@@ -181,7 +181,7 @@ class SceneReader {
       const std::string wish = text_of(root_["want"][index], part);
       const auto found = std::find(known.begin(), known.end(), wish);
       if (found == known.end()) {
-        fail(part, "no such result " + quoted(wish) + text::suggestion(wish, known));
+        fail(part, "no such result " + in_quotes(wish) + text::suggestion(wish, known));
       }
       *flags[static_cast<std::size_t>(found - known.begin())] = true;
     }
@@ -229,7 +229,7 @@ class SceneReader {
       const ParameterIndex parameter = mechanism_.parameter_named(name, part);
       if (std::find(covariance.parameters.begin(), covariance.parameters.end(), parameter) !=
           covariance.parameters.end()) {
-        fail(part, "the parameter " + quoted(name) + " stands twice");
+        fail(part, "the parameter " + in_quotes(name) + " stands twice");
       }
       covariance.parameters.push_back(parameter);
     }

@@ -159,6 +159,6 @@ class Mechanism {
 };
 
 /// What a message calls a text that a user wrote: short, on one line, in quotes.
-[[nodiscard]] std::string quoted(const std::string& text);
+[[nodiscard]] std::string in_quotes(const std::string& text);
 
 }  // namespace assur::mechanism
