@@ -7,8 +7,6 @@ namespace assur::generator::closures {
 
 namespace {
 
-constexpr int max_multiple = 64;
-
 void add_terms(const GiNaC::ex& angle, int factor, const ClosureSystem& system, AngleTerms& sum) {
   const GiNaC::ex expanded = angle.expand();
   if (GiNaC::is_a<GiNaC::add>(expanded)) {

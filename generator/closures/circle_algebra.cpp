@@ -8,8 +8,6 @@ namespace assur::generator::closures {
 
 namespace {
 
-constexpr int max_multiple = 64;
-
 equations::Vector2 turned(const equations::Vector2& by, const equations::Vector2& angle) {
   return {(by.x * angle.x - by.y * angle.y).expand(), (by.x * angle.y + by.y * angle.x).expand()};
 }

@@ -12,6 +12,9 @@
 
 namespace assur::generator::closures {
 
+/// The largest whole multiple of an angle that is written as a polynomial in its cosine and sine.
+inline constexpr int max_multiple = 64;
+
 /// An expression that no polynomial with c^2 + s^2 = 1 and r^2 = radicand stands for.
 class NotAlgebraic : public std::runtime_error {
  public:

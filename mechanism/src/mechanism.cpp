@@ -6,14 +6,10 @@ namespace assur::mechanism {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& part, const std::string& what) {
-  throw MechanismError(part, what);
-}
-
 template <typename Key, typename Item>
 void expect_new(const Table<Key, Item>& table, const std::string& name, const std::string& part) {
   if (index_of(table, name).exists()) {
-    fail(part, "the name " + in_quotes(name) + " is taken");
+    throw MechanismError(part, "the name " + in_quotes(name) + " is taken");
   }
 }
 
@@ -30,8 +26,8 @@ std::string in_quotes(const std::string& text) {
 ParameterIndex Mechanism::parameter_named(const std::string& name, const std::string& part) const {
   const ParameterIndex found = index_of(parameters_, name);
   if (!found.exists()) {
-    fail(part,
-         "no parameter named " + in_quotes(name) + text::suggestion(name, names_of(parameters_)));
+    throw MechanismError(part, "no parameter named " + in_quotes(name) +
+                                   text::suggestion(name, names_of(parameters_)));
   }
   return found;
 }
@@ -41,8 +37,8 @@ Formula Mechanism::formula(const std::string& text, const std::string& part) con
     return {text::parse_expression(text),
             [&](const std::string& name) { return parameter_named(name, part); }};
   } catch (const text::ExpressionError& error) {
-    fail(part, std::string(error.what()) + " at column " + std::to_string(error.column) + " of " +
-                   in_quotes(text));
+    throw MechanismError(part, std::string(error.what()) + " at column " +
+                                   std::to_string(error.column) + " of " + in_quotes(text));
   }
 }
 
@@ -64,10 +60,11 @@ void Mechanism::put_number(const Given& given, const std::string& part, NumberIn
 
 void Mechanism::expect_new_parameter(const std::string& name) const {
   if (!text::is_identifier(name)) {
-    fail("parameters", in_quotes(name) + " is not a name (letters, digits, underscores)");
+    throw MechanismError("parameters",
+                         in_quotes(name) + " is not a name (letters, digits, underscores)");
   }
   if (text::is_reserved_name(name)) {
-    fail("parameters", in_quotes(name) + " is the name of a function or constant");
+    throw MechanismError("parameters", in_quotes(name) + " is the name of a function or constant");
   }
   expect_new(parameters_, name, "parameters");
 }
@@ -96,7 +93,7 @@ ParameterIndex Mechanism::add_parameter(const std::string& name, const Given& va
 
 LinkIndex Mechanism::add_link(const std::string& name) {
   if (name.empty() || name.find('.') != std::string::npos) {
-    fail("links", in_quotes(name) + " is not a name: it is empty or has a dot");
+    throw MechanismError("links", in_quotes(name) + " is not a name: it is empty or has a dot");
   }
   expect_new(links_, name, "links");
   return links_.add({name, {}});
@@ -105,20 +102,20 @@ LinkIndex Mechanism::add_link(const std::string& name) {
 Feature Mechanism::new_feature(const std::string& name, const std::string& part) const {
   const std::size_t dot = name.find('.');
   if (dot == std::string::npos) {
-    fail(part, "expected 'link.feature', found " + in_quotes(name));
+    throw MechanismError(part, "expected 'link.feature', found " + in_quotes(name));
   }
   const std::string link_name = name.substr(0, dot);
   const LinkIndex link = index_of(links_, link_name);
   if (!link.exists()) {
-    fail(part,
-         "no link named " + in_quotes(link_name) + text::suggestion(link_name, names_of(links_)));
+    throw MechanismError(part, "no link named " + in_quotes(link_name) +
+                                   text::suggestion(link_name, names_of(links_)));
   }
   Feature feature;
   feature.name = name.substr(dot + 1);
   feature.link = link;
   for (const FeatureIndex other : links_[link].features) {
     if (features_[other].name == feature.name) {
-      fail(part, "the name " + in_quotes(feature.name) + " is taken");
+      throw MechanismError(part, "the name " + in_quotes(feature.name) + " is taken");
     }
   }
   return feature;
@@ -160,14 +157,14 @@ FeatureIndex Mechanism::add_line(const std::string& name, const Given& x, const 
 FeatureIndex Mechanism::feature_named(const std::string& name, const std::string& part) const {
   const std::size_t dot = name.find('.');
   if (dot == std::string::npos) {
-    fail(part, "expected 'link.feature', found " + in_quotes(name));
+    throw MechanismError(part, "expected 'link.feature', found " + in_quotes(name));
   }
   const std::string link_name = name.substr(0, dot);
   const std::string feature_name = name.substr(dot + 1);
   const LinkIndex link = index_of(links_, link_name);
   if (!link.exists()) {
-    fail(part,
-         "no link named " + in_quotes(link_name) + text::suggestion(link_name, names_of(links_)));
+    throw MechanismError(part, "no link named " + in_quotes(link_name) +
+                                   text::suggestion(link_name, names_of(links_)));
   }
   std::vector<std::string> names;
   for (const FeatureIndex feature : links_[link].features) {
@@ -176,8 +173,8 @@ FeatureIndex Mechanism::feature_named(const std::string& name, const std::string
     }
     names.push_back(features_[feature].name);
   }
-  fail(part, "link '" + link_name + "' has no feature " + in_quotes(feature_name) +
-                 text::suggestion(feature_name, names));
+  throw MechanismError(part, "link '" + link_name + "' has no feature " + in_quotes(feature_name) +
+                                 text::suggestion(feature_name, names));
 }
 
 JointIndex Mechanism::add_joint(const std::string& name, JointType type,
@@ -185,7 +182,7 @@ JointIndex Mechanism::add_joint(const std::string& name, JointType type,
   const std::string part = "joints." + name + ".between";
   expect_new(joints_, name, "joints");
   if (between.size() < 2) {
-    fail(part, "expected two or more features [\"link.feature\", ...]");
+    throw MechanismError(part, "expected two or more features [\"link.feature\", ...]");
   }
   Joint joint{name, type, {}};
   for (std::size_t place = 0; place < between.size(); ++place) {
@@ -198,7 +195,7 @@ JointIndex Mechanism::add_joint(const std::string& name, JointType type,
 
 void Mechanism::expect_fitting(const Joint& joint, const std::string& part) const {
   if (joint.type != JointType::revolute && joint.between.size() != 2) {
-    fail(part, "only a revolute joint may join more than two links");
+    throw MechanismError(part, "only a revolute joint may join more than two links");
   }
   int lines = 0;
   std::set<LinkIndex> links;
@@ -206,17 +203,20 @@ void Mechanism::expect_fitting(const Joint& joint, const std::string& part) cons
     const Feature& feature = features_[index];
     lines += feature.is_line ? 1 : 0;
     if (!links.insert(feature.link).second) {
-      fail(part, "link '" + links_[feature.link].name + "' stands twice in one joint");
+      throw MechanismError(part,
+                           "link '" + links_[feature.link].name + "' stands twice in one joint");
     }
   }
   if (joint.type == JointType::revolute && lines != 0) {
-    fail(part, "a revolute joint joins points, and one of these features is a line");
+    throw MechanismError(part,
+                         "a revolute joint joins points, and one of these features is a line");
   }
   if (joint.type == JointType::prismatic && lines != 2) {
-    fail(part, "a prismatic joint joins two lines, and one of these features is a point");
+    throw MechanismError(part,
+                         "a prismatic joint joins two lines, and one of these features is a point");
   }
   if (joint.type == JointType::pin_in_slot && lines != 1) {
-    fail(part, "a pin-in-slot joint joins a point and a line");
+    throw MechanismError(part, "a pin-in-slot joint joins a point and a line");
   }
 }
 
@@ -226,12 +226,12 @@ DriverIndex Mechanism::add_driver(const std::string& joint, const Given& positio
   Driver driver;
   driver.joint = index_of(joints_, joint);
   if (!driver.joint.exists()) {
-    fail("drivers",
-         "no joint named " + in_quotes(joint) + text::suggestion(joint, names_of(joints_)));
+    throw MechanismError("drivers", "no joint named " + in_quotes(joint) +
+                                        text::suggestion(joint, names_of(joints_)));
   }
   for (const Driver& other : drivers_) {
     if (other.joint == driver.joint) {
-      fail(part, "the joint has a driver already");
+      throw MechanismError(part, "the joint has a driver already");
     }
   }
   Number law = number(position, part + ".position");
@@ -248,7 +248,7 @@ OutputIndex Mechanism::add_output(const std::string& name, const std::string& po
   expect_new(outputs_, name, "outputs");
   const FeatureIndex feature = feature_named(point, part);
   if (features_[feature].is_line) {
-    fail(part, "an output is a point, and this feature is a line");
+    throw MechanismError(part, "an output is a point, and this feature is a line");
   }
   return outputs_.add({name, feature});
 }

@@ -6,10 +6,6 @@ namespace assur::generator::emission::model {
 
 namespace {
 
-std::string entry(const std::string& matrix, std::size_t row, std::size_t column) {
-  return matrix + "(" + std::to_string(row) + ", " + std::to_string(column) + ")";
-}
-
 void append(std::vector<program::Result>& results, const std::string& target,
             const std::vector<GiNaC::ex>& vector) {
   for (std::size_t row = 0; row < vector.size(); ++row) {
@@ -54,6 +50,10 @@ struct FunctionParameters {
 };
 
 }  // namespace
+
+std::string entry(const std::string& matrix, std::size_t row, std::size_t column) {
+  return matrix + "(" + std::to_string(row) + ", " + std::to_string(column) + ")";
+}
 
 std::vector<ModelFunction> residual_functions(const equations::ImplicitEquations& equations,
                                               const derivatives::ResidualDerivatives& derivatives) {

@@ -1,6 +1,7 @@
 // Turns a model's equations and derivatives into the list of functions that its header holds.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct ModelFunction {
   std::vector<Parameter> outputs;
   std::vector<program::Result> results;
 };
+
+/// `J(1, 2)`: an entry of a matrix, as C++ writes it.
+[[nodiscard]] std::string entry(const std::string& matrix, std::size_t row, std::size_t column);
 
 /// Residual, Jacobians and right-hand sides.
 [[nodiscard]] std::vector<ModelFunction> residual_functions(

@@ -4,10 +4,6 @@ namespace assur::generator::emission::model {
 
 namespace {
 
-std::string entry(const std::string& matrix, std::size_t row, std::size_t column) {
-  return matrix + "(" + std::to_string(row) + ", " + std::to_string(column) + ")";
-}
-
 void append(std::vector<program::Result>& results, const std::string& target, std::size_t row,
             const std::vector<GiNaC::ex>& values) {
   for (std::size_t column = 0; column < values.size(); ++column) {

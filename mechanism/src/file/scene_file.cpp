@@ -10,10 +10,6 @@ namespace assur::mechanism {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& part, const std::string& what) {
-  throw MechanismError(part, what);
-}
-
 /// Reads a document from its parameters to its requests: each part may name what earlier ones hold.
 class SceneReader {
  public:
@@ -69,7 +65,7 @@ class SceneReader {
     for (const std::string& setting : settings_) {
       const std::size_t equals = setting.find('=');
       if (equals == std::string::npos) {
-        fail("--set", "expected NAME=EXPR, found " + in_quotes(setting));
+        throw MechanismError("--set", "expected NAME=EXPR, found " + in_quotes(setting));
       }
       const std::string name = setting.substr(0, equals);
       (void)mechanism_.parameter_named(name, "--set");
@@ -101,7 +97,8 @@ class SceneReader {
       const auto point = pair_of(value, part);
       mechanism_.add_point(whole, point[0], point[1]);
     } else {
-      fail(part, R"(expected a point [x, y] or a line {"through": [x, y], "along": [dx, dy]})");
+      throw MechanismError(
+          part, R"(expected a point [x, y] or a line {"through": [x, y], "along": [dx, dy]})");
     }
   }
 
@@ -116,12 +113,14 @@ class SceneReader {
       const std::string type = text_of(required(value, "type", part), part + ".type");
       const auto found = std::find(types.begin(), types.end(), type);
       if (found == types.end()) {
-        fail(part + ".type", "no joint type " + in_quotes(type) + text::suggestion(type, types) +
+        throw MechanismError(part + ".type",
+                             "no joint type " + in_quotes(type) + text::suggestion(type, types) +
                                  "; the types are revolute, prismatic, pin-in-slot");
       }
       const SceneJson& between = required(value, "between", part);
       if (!between.is_array()) {
-        fail(part + ".between", "expected two or more features [\"link.feature\", ...]");
+        throw MechanismError(part + ".between",
+                             "expected two or more features [\"link.feature\", ...]");
       }
       std::vector<std::string> features;
       for (std::size_t index = 0; index < between.size(); ++index) {
@@ -140,8 +139,8 @@ class SceneReader {
     for (const auto& [name, value] : root_["drivers"].items()) {
       const std::string part = "drivers." + name;
       if (!index_of(mechanism_.joints(), name).exists()) {
-        fail("drivers", "no joint named " + in_quotes(name) +
-                            text::suggestion(name, names_of(mechanism_.joints())));
+        throw MechanismError("drivers", "no joint named " + in_quotes(name) +
+                                            text::suggestion(name, names_of(mechanism_.joints())));
       }
       expect_object(value, part);
       expect_keys(value, part, {"position", "velocity", "acceleration"});
@@ -169,7 +168,8 @@ class SceneReader {
       return;
     }
     if (!root_["want"].is_array()) {
-      fail("want", "expected a list of position, velocity, acceleration, sensitivity");
+      throw MechanismError("want",
+                           "expected a list of position, velocity, acceleration, sensitivity");
     }
     Want& want = request_.want;
     want = {false, false, false, false};
@@ -181,7 +181,8 @@ class SceneReader {
       const std::string wish = text_of(root_["want"][index], part);
       const auto found = std::find(known.begin(), known.end(), wish);
       if (found == known.end()) {
-        fail(part, "no such result " + in_quotes(wish) + text::suggestion(wish, known));
+        throw MechanismError(part,
+                             "no such result " + in_quotes(wish) + text::suggestion(wish, known));
       }
       *flags[static_cast<std::size_t>(found - known.begin())] = true;
     }
@@ -205,7 +206,7 @@ class SceneReader {
     sweep.to = end("to");
     const SceneJson& count = required(value, "count", "sweep");
     if (!count.is_number_integer() || count.get<double>() < 1 || count.get<double>() > 1e7) {
-      fail("sweep.count", "expected a whole number from 1 to 10000000");
+      throw MechanismError("sweep.count", "expected a whole number from 1 to 10000000");
     }
     sweep.count = count.get<int>();
     request_.sweep = sweep;
@@ -220,7 +221,8 @@ class SceneReader {
     expect_keys(value, "covariance", {"parameters", "matrix"});
     const SceneJson& parameters = required(value, "parameters", "covariance");
     if (!parameters.is_array() || parameters.empty()) {
-      fail("covariance.parameters", "expected one or more names of parameters [\"AB\", ...]");
+      throw MechanismError("covariance.parameters",
+                           "expected one or more names of parameters [\"AB\", ...]");
     }
     Covariance covariance;
     for (std::size_t index = 0; index < parameters.size(); ++index) {
@@ -229,19 +231,21 @@ class SceneReader {
       const ParameterIndex parameter = mechanism_.parameter_named(name, part);
       if (std::find(covariance.parameters.begin(), covariance.parameters.end(), parameter) !=
           covariance.parameters.end()) {
-        fail(part, "the parameter " + in_quotes(name) + " stands twice");
+        throw MechanismError(part, "the parameter " + in_quotes(name) + " stands twice");
       }
       covariance.parameters.push_back(parameter);
     }
     const SceneJson& matrix = required(value, "matrix", "covariance");
     const std::string size = std::to_string(parameters.size());
     if (!matrix.is_array() || matrix.size() != parameters.size()) {
-      fail("covariance.matrix", "expected a row for each of the parameters, " + size + " in all");
+      throw MechanismError("covariance.matrix",
+                           "expected a row for each of the parameters, " + size + " in all");
     }
     for (std::size_t row = 0; row < matrix.size(); ++row) {
       const std::string part = "covariance.matrix[" + std::to_string(row) + "]";
       if (!matrix[row].is_array() || matrix[row].size() != parameters.size()) {
-        fail(part, "expected a number for each of the parameters, " + size + " in all");
+        throw MechanismError(part,
+                             "expected a number for each of the parameters, " + size + " in all");
       }
       covariance.matrix.emplace_back();
       for (std::size_t column = 0; column < parameters.size(); ++column) {

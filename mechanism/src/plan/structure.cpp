@@ -10,10 +10,6 @@ namespace assur::mechanism {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& part, const std::string& what) {
-  throw MechanismError(part, what);
-}
-
 /// Places the ground, then the driven links, then the groups.
 class PlacementPlanner {
  public:
@@ -36,14 +32,15 @@ class PlacementPlanner {
 
   void order_drivers() {
     if (!structure_.linkage.ground.exists()) {
-      fail("links", "no link is named 'ground', so nothing holds the mechanism");
+      throw MechanismError("links", "no link is named 'ground', so nothing holds the mechanism");
     }
     placed_[structure_.linkage.ground] = true;
     std::vector<DriverIndex> waiting;
     for (const DriverIndex driver : mechanism_.drivers().keys()) {
       const Joint& at = mechanism_.joints()[mechanism_.drivers()[driver].joint];
       if (at.type == JointType::pin_in_slot || at.between.size() != 2) {
-        fail("drivers." + at.name, "a driver moves a revolute or prismatic joint of two links");
+        throw MechanismError("drivers." + at.name,
+                             "a driver moves a revolute or prismatic joint of two links");
       }
       waiting.push_back(driver);
     }
@@ -72,11 +69,13 @@ class PlacementPlanner {
     const std::string what = "the driven joint joins the links " +
                              text::listed(structure_.names_of({at.first, at.second}));
     if (placed_[at.first]) {
-      fail(part, what + ", which are placed already; take this driver or another one away");
+      throw MechanismError(
+          part, what + ", which are placed already; take this driver or another one away");
     }
-    fail(part, what + ", and neither is the ground or a driven link; drive a joint at the " +
-                   "ground or at a driven link, or make the two one link that has the driven " +
-                   "position as a parameter");
+    throw MechanismError(
+        part, what + ", and neither is the ground or a driven link; drive a joint at the " +
+                  "ground or at a driven link, or make the two one link that has the driven " +
+                  "position as a parameter");
   }
 
   [[nodiscard]] ElementaryJointIndex joint_of(DriverIndex driver) const {
@@ -108,11 +107,12 @@ class PlacementPlanner {
       known.push_back(group.structure.name);
     }
     const int assur_class = assur_class_of(structure_.linkage, component.links, component.joints);
-    fail("links", "the links " + text::listed(structure_.names_of(component.links)) +
-                      " can only be solved together, as a group of class " +
-                      std::to_string(assur_class) + " with " +
-                      std::to_string(component.links.size()) +
-                      " links, which is not known here (known: " + text::listed(known) + ")");
+    throw MechanismError(
+        "links", "the links " + text::listed(structure_.names_of(component.links)) +
+                     " can only be solved together, as a group of class " +
+                     std::to_string(assur_class) + " with " +
+                     std::to_string(component.links.size()) +
+                     " links, which is not known here (known: " + text::listed(known) + ")");
   }
 
   static void expect_balance(const Decomposition& decomposition) {
@@ -128,10 +128,10 @@ class PlacementPlanner {
                              ": the links " + text::listed(under.links) +
                              " keep a freedom; drive one of their joints, or add a joint";
     if (over.surplus > 0) {
-      fail("joints", excess + (under.surplus > 0 ? "; elsewhere " + lack : ""));
+      throw MechanismError("joints", excess + (under.surplus > 0 ? "; elsewhere " + lack : ""));
     }
     if (under.surplus > 0) {
-      fail("links", lack);
+      throw MechanismError("links", lack);
     }
   }
 
