@@ -100,7 +100,11 @@ Solution Plan::solve(const Values& values) const {
   if (!values.usable()) {
     throw MechanismError("", "the values cannot be used: the last one that was set was refused");
   }
-  return mechanism::solve(data_, values);
+  return mechanism::solve(data_, values, false);
+}
+
+std::string Plan::obstacle(const Values& values) const {
+  return mechanism::solve(data_, values, true).reason;
 }
 
 const Mechanism& Plan::mechanism() const { return data_->mechanism; }

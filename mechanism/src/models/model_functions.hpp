@@ -35,6 +35,10 @@ class ModelFunctions {
     }
   }
 
+  static double gap(const FlatVariables& d, const FlatVariables& u) {
+    return closure_gap<Model>(read<Dimensions>(d), read<Inputs>(u));
+  }
+
   static void move(const FlatVariables& flat_d, const FlatVariables& flat_u,
                    const FlatVariables& flat_q, const MotionQuery& query, GroupMotion& motion) {
     const auto d = read<Dimensions>(flat_d);
@@ -52,30 +56,29 @@ class ModelFunctions {
     fetch(query.input_rate, u_rate);
     fetch(query.input_second_rate, u_second_rate);
     const bool moves = is_finite(u_rate) && is_finite(u_second_rate);
-    const Status own = regularity<Model, double>(d, u, q).status;
+    const support::DisplacedGroup<Model> among(d, u, query.displaced);
+    const Regularity<double> standing = among.regularity(d, u, q);
+    const bool known = standing.error < two_digits;
     Vector<double, Model::unknown_count> q_rate;
     Vector<double, Model::unknown_count> q_second_rate;
     Matrix<double, Model::unknown_count, Model::dimension_count> q_d;
     Matrix<double, Model::unknown_count, Model::input_count> q_u;
-    if (is_solvable(own)) {
+    if (known) {
       Model::motion(d, u, q, u_rate, u_second_rate, q_rate, q_second_rate);
     }
-    if (!is_solvable(own) || !moves) {
+    if (!known || !moves) {
       forget(q_rate);
       forget(q_second_rate);
     }
-    if (is_solvable(own) && query.derivatives) {
+    if (known && query.derivatives) {
       Model::sensitivities(d, u, q, q_d, q_u);
     } else {
       forget(q_d);
       forget(q_u);
     }
-    const support::DisplacedGroup<Model> among(d, u, query.displaced);
-    const Status standing = among.regularity(d, u, q).status;
-    motion.regularity =
-        own == Status::ok && moves && standing == Status::ok ? Status::ok : Status::near_singular;
+    motion.regularity = moves && standing.status == Status::ok ? Status::ok : Status::near_singular;
     Matrix<double, Model::unknown_count, Model::equation_count> inverse;
-    if (is_solvable(standing)) {
+    if (is_solvable(standing.status)) {
       Model::inverse_jacobian(d, u, q, inverse);
     } else {
       forget(inverse);
@@ -198,11 +201,12 @@ template <typename Model>
     static_assert(Model::link_count <= most_links && 2 * Model::unknown_count <= 2 * most_rows &&
                   Model::dimension_count <= most_rows && Model::input_count <= most_rows &&
                   Model::max_configurations <= most_configurations);
-    static constexpr ModelKernel kernel = {&Functions::assemble, &Functions::move, &Functions::bend,
-                                           &Functions::is_compatible};
+    static constexpr ModelKernel kernel = {&Functions::assemble, &Functions::gap, &Functions::move,
+                                           &Functions::bend, &Functions::is_compatible};
     return &kernel;
   } else {
-    static constexpr ModelKernel kernel = {nullptr, nullptr, nullptr, &Functions::is_compatible};
+    static constexpr ModelKernel kernel = {nullptr, nullptr, nullptr, nullptr,
+                                           &Functions::is_compatible};
     return &kernel;
   }
 }

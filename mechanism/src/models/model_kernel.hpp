@@ -63,6 +63,8 @@ struct Curvature {
 /// The functions of one model behind plain numbers: d, u and q are flat.
 struct ModelKernel {
   void (*assemble)(const FlatVariables& d, const FlatVariables& u, GroupAssemblies& found);
+  /// By how much the closures fail at least, where there are no configurations.
+  double (*gap)(const FlatVariables& d, const FlatVariables& u);
   void (*move)(const FlatVariables& d, const FlatVariables& u, const FlatVariables& q,
                const MotionQuery& query, GroupMotion& motion);
   void (*bend)(const FlatVariables& d, const FlatVariables& u, const FlatVariables& q,

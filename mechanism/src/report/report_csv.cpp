@@ -2,6 +2,7 @@
 #include <array>
 #include <assur/mechanism/point_values.hpp>
 #include <charconv>
+#include <cmath>
 
 #include "report_words.hpp"
 
@@ -20,8 +21,12 @@ std::string csv_cell(const std::string& text) {
   return quoted + "\"";
 }
 
-/// Adds a cell, with a comma ahead, of 17 significant digits.
+/// Adds a cell, with a comma ahead, of 17 significant digits; an empty one for what is no number.
 void add_number(double number, std::string& row) {
+  if (!std::isfinite(number)) {
+    row += ',';
+    return;
+  }
   std::array<char, 32> text;
   const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number + 0.0,
                                           std::chars_format::general, 17);

@@ -10,6 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// The library writes null for what is not a number.
 template <typename Vector>
 Json list_of(const Vector& vector) {
   Json list = Json::array();
@@ -117,6 +118,27 @@ Json configuration_json(const Configuration& configuration, const Report& report
   return entry;
 }
 
+/// The choices of earlier groups for which a group moves freely or is inconsistent.
+Json families_json(const Report& report) {
+  const Mechanism& mechanism = report.plan.mechanism();
+  Json list = Json::array();
+  for (const Family& family : report.solution.families) {
+    Json links = Json::object();
+    for (const LinkIndex link : mechanism.links().keys()) {
+      if (family.is_placed[link]) {
+        const Pose<double>& pose = family.links[link].pose;
+        links[mechanism.links()[link].name] = {
+            {"x", pose.x}, {"y", pose.y}, {"theta", angle_of(pose.direction)}};
+      }
+    }
+    list.push_back({{"group", family.group.place() + 1},
+                    {"mobility", family.mobility},
+                    {"reason", family.reason},
+                    {"after", {{"links", links}}}});
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string report_json(const Report& report) {
@@ -124,8 +146,9 @@ std::string report_json(const Report& report) {
   Json root;
   root["status"] = status_text(solution.status);
   root["mobility"] = solution.mobility;
-  if (!solution.reason.empty()) {
-    root["reason"] = solution.reason;
+  const std::string reason = reason_text(report);
+  if (!reason.empty()) {
+    root["reason"] = reason;
   }
   root["groups"] = groups_json(report.plan.structure());
   root["configurations"] = Json::array();
@@ -133,6 +156,9 @@ std::string report_json(const Report& report) {
     if (is_reported(report, number)) {
       root["configurations"].push_back(configuration_json(solution.configurations[number], report));
     }
+  }
+  if (!solution.families.empty()) {
+    root["families"] = families_json(report);
   }
   return root.dump(2) + "\n";
 }

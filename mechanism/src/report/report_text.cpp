@@ -1,6 +1,7 @@
 // Turns a solution into tables for people.
 #include <array>
 #include <assur/mechanism/point_values.hpp>
+#include <cmath>
 #include <cstdio>
 #include <numbers>
 
@@ -15,6 +16,10 @@ std::string table_row(const std::string& name, const std::vector<double>& number
   std::string row = "    " + name + std::string(name.size() < 16 ? 16 - name.size() : 1, ' ');
   for (const double number : numbers) {
     std::array<char, 32> text{};
+    if (!std::isfinite(number)) {
+      row += std::string(17, ' ') + '-';
+      continue;
+    }
     // A zero that carries a sign would print as -0.
     (void)std::snprintf(text.data(), text.size(), " %17.10g", number == 0 ? 0.0 : number);
     row += text.data();
@@ -119,9 +124,10 @@ std::string report_text(const Report& report) {
   std::string text = name.empty() ? report.title : name;
   text += std::string("\nstatus: ") + status_text(solution.status);
   if (solution.status == SolutionStatus::degenerate) {
-    text += ", mobility " + std::to_string(solution.mobility) + ": " + solution.reason;
+    text += ", mobility " + std::to_string(solution.mobility);
   }
-  text += "\n";
+  const std::string reason = reason_text(report);
+  text += (reason.empty() ? "" : ": " + reason) + "\n";
   const Structure& structure = report.plan.structure();
   for (const FoundGroup& group : structure.groups) {
     text += "group: " + group.model->group->name + " " + group.kind + ", model " +
@@ -130,6 +136,10 @@ std::string report_text(const Report& report) {
       text += " " + link;
     }
     text += "\n";
+  }
+  for (const Family& family : solution.families) {
+    text += "family of group " + std::to_string(family.group.place() + 1) + ", mobility " +
+            std::to_string(family.mobility) + ": " + family.reason + "\n";
   }
   for (std::size_t index = 0; index < solution.configurations.size(); ++index) {
     if (!is_reported(report, index)) {

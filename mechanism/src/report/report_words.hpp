@@ -18,6 +18,13 @@ namespace assur::mechanism {
   return "unknown";
 }
 
+/// Why there are no configurations; nothing if there are.
+[[nodiscard]] inline std::string reason_text(const Report& report) {
+  const Solution& solution = report.solution;
+  return solution.status == SolutionStatus::no_assembly ? report.plan.obstacle(report.values)
+                                                        : solution.reason;
+}
+
 [[nodiscard]] inline const char* regularity_text(Status regularity) {
   return regularity == Status::ok ? "regular" : "near-singular";
 }

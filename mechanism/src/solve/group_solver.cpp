@@ -91,6 +91,8 @@ const GroupAssemblies& GroupSolver::assemble() {
   return found_;
 }
 
+double GroupSolver::gap() const { return model_.kernel->gap(numbers_.d, u_); }
+
 bool GroupSolver::is_compatible() const { return model_.kernel->is_compatible(numbers_.d, u_); }
 
 void GroupSolver::place(std::size_t configuration, std::size_t first_slide, PlacedLinks& placed) {

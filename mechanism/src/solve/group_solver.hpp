@@ -29,6 +29,8 @@ class GroupSolver {
   void hold(const PlacedLinks& placed);
   /// Finds all configurations of the group where it is held.
   [[nodiscard]] const GroupAssemblies& assemble();
+  /// By how much the closures fail at least where it is held, if there are no configurations.
+  [[nodiscard]] double gap() const;
   /// Places the group's links and slides in one of its configurations; its slides stand in
   /// `placed.slides` from `first_slide` on.
   void place(std::size_t configuration, std::size_t first_slide, PlacedLinks& placed);

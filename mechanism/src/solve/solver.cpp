@@ -1,6 +1,10 @@
 #include "solver.hpp"
 
+#include <algorithm>
+#include <array>
 #include <assur/text/names.hpp>
+#include <cstdio>
+#include <limits>
 #include <optional>
 
 #include "configuration_order.hpp"
@@ -14,8 +18,9 @@ namespace {
 /// the groups behind it are solved, and is overwritten by the next configuration.
 class MechanismSolver {
  public:
-  MechanismSolver(const std::shared_ptr<const PlanData>& plan, const Values& values)
-      : plan_(plan), structure_(plan->structure), values_(values) {
+  MechanismSolver(const std::shared_ptr<const PlanData>& plan, const Values& values,
+                  bool measures_gap)
+      : plan_(plan), structure_(plan->structure), values_(values), measures_gap_(measures_gap) {
     placed_.links.resize(structure_.linkage.links.size());
     solvers_.reserve(structure_.groups.size());
     for (const GroupIndex group : structure_.groups.keys()) {
@@ -79,34 +84,35 @@ class MechanismSolver {
     }
   }
 
-  /// Solves the groups from one on, where all before it are placed; false ends the search.
-  bool descend(std::size_t depth) {
+  /// Solves the groups from one on, where all before it are placed.
+  void descend(std::size_t depth) {
     if (depth == structure_.groups.size()) {
       list();
-      return true;
+      return;
     }
     const GroupIndex group(depth);
     std::optional<GroupSolver>& solver = solvers_[group];
     const GroupModel& model = *structure_.groups[group].model;
     if (!solver) {
-      return refuse(values_.group(group).obstacle);
+      add_family(group, 1, values_.group(group).obstacle);
+      return;
     }
     solver->hold(placed_);
     if (!model.rigid) {
       const bool compatible = solver->is_compatible();
-      solution_.mobility = compatible ? model.mobility : 0;
-      return refuse(reason_of_model(group, compatible));
+      add_family(group, compatible ? model.mobility : 0, reason_of_model(group, compatible));
+      return;
     }
     const GroupAssemblies& found = solver->assemble();
     if (found.status == AssemblyStatus::not_finite) {
       throw MechanismError(
           "links", "the lengths differ by more powers of ten than double precision can hold");
     }
-    if (found.status == AssemblyStatus::degenerate) {
-      solution_.mobility = found.mobility;
-      return refuse(reason_of_freedom(group, found.mobility));
+    if (found.mobility > 0 || found.status == AssemblyStatus::degenerate) {
+      add_family(group, found.mobility, reason_of_freedom(group, found.mobility));
+    } else if (found.count == 0 && measures_gap_ && solution_.configurations.empty()) {
+      measure_gap(group);
     }
-    solution_.undecided += found.undecided;
     const Status regularity = placed_.regularity;
     const double residual = placed_.residual;
     const double displaced = placed_.displaced;
@@ -115,17 +121,33 @@ class MechanismSolver {
       placed_.residual = residual;
       placed_.displaced = displaced;
       solver->place(index, first_slide_[group], placed_);
-      if (!descend(depth + 1)) {
-        return false;
-      }
+      descend(depth + 1);
     }
-    return true;
   }
 
-  bool refuse(const std::string& reason) {
-    solution_.status = SolutionStatus::degenerate;
-    solution_.reason = reason;
-    return false;
+  void add_family(GroupIndex group, int mobility, std::string reason) {
+    Family& family = solution_.families.emplace_back();
+    family.group = group;
+    family.mobility = mobility;
+    family.reason = std::move(reason);
+    family.is_placed = structure_.placed_by_drivers();
+    for (const GroupIndex before : structure_.groups.keys()) {
+      if (before < group) {
+        for (const LinkIndex link : structure_.groups[before].links) {
+          family.is_placed[link] = true;
+        }
+      }
+    }
+    family.links = placed_.links;
+  }
+
+  /// Of the groups that cannot be assembled the one that fails by least is told.
+  void measure_gap(GroupIndex group) {
+    const double gap = solvers_[group]->gap();
+    if (!(gap >= least_gap_)) {
+      least_gap_ = gap;
+      unreached_ = group;
+    }
   }
 
   [[nodiscard]] std::vector<std::string> joint_names(GroupIndex group, bool slides_only) const {
@@ -174,18 +196,8 @@ class MechanismSolver {
   }
 
   void conclude() {
-    if (solution_.status == SolutionStatus::degenerate) {
-      solution_.configurations.clear();
-      return;
-    }
     if (solution_.configurations.empty()) {
-      solution_.status = SolutionStatus::no_assembly;
-      if (solution_.undecided > 0) {
-        solution_.status = SolutionStatus::degenerate;
-        solution_.reason =
-            "the links are at the very limit of their reach: no arithmetic here tells whether they "
-            "can be assembled";
-      }
+      conclude_without_configurations();
       return;
     }
     std::vector<LinkIndex> moving;
@@ -198,19 +210,43 @@ class MechanismSolver {
     put_in_order(solution_.configurations, moving);
   }
 
+  void conclude_without_configurations() {
+    if (solution_.families.empty()) {
+      solution_.status = SolutionStatus::no_assembly;
+      if (!unreached_.exists()) {
+        return;
+      }
+      std::array<char, 32> gap{};
+      (void)std::snprintf(gap.data(), gap.size(), "%.3g", least_gap_);
+      solution_.reason = "the joints " + text::listed(joint_names(unreached_, false)) +
+                         " fail to close by " + gap.data() + " at least";
+      return;
+    }
+    solution_.status = SolutionStatus::degenerate;
+    const auto freest = std::max_element(
+        solution_.families.begin(), solution_.families.end(),
+        [](const Family& one, const Family& other) { return one.mobility < other.mobility; });
+    solution_.mobility = freest->mobility;
+    solution_.reason = freest->reason;
+  }
+
   const std::shared_ptr<const PlanData>& plan_;
   const Structure& structure_;
   const Values& values_;
+  bool measures_gap_;
   Table<GroupIndex, std::optional<GroupSolver>> solvers_;
   Table<GroupIndex, std::size_t> first_slide_;
   PlacedLinks placed_;
   Solution solution_;
+  GroupIndex unreached_;
+  double least_gap_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
 
-Solution solve(const std::shared_ptr<const PlanData>& plan, const Values& values) {
-  return MechanismSolver(plan, values).run();
+Solution solve(const std::shared_ptr<const PlanData>& plan, const Values& values,
+               bool measure_gap) {
+  return MechanismSolver(plan, values, measure_gap).run();
 }
 
 }  // namespace assur::mechanism

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <assur/text/names.hpp>
 #include <assur/variables.hpp>
+#include <optional>
 
 #include "group_numbers.hpp"
 #include "plan/plan_data.hpp"
@@ -16,30 +17,157 @@ const std::vector<int>& joints_of(const GroupModel& model, std::size_t link) {
   return model.group->link_joints[link];
 }
 
-/// What stands in the way of the links' normal forms, or nothing.
-std::string normal_forms(const Values& values, const FoundGroup& group, const RoleAssignment& roles,
-                         std::vector<NormalForm<Dual>>& forms) {
-  const Structure& structure = values.plan().structure;
-  for (std::size_t link = 0; link < roles.links.size(); ++link) {
-    std::array<LinkFeature<Dual>, 3> features;
-    std::size_t count = 0;
-    std::vector<std::string> names;
-    for (const int joint : joints_of(*group.model, link)) {
-      const ElementaryJoint& at =
-          structure.linkage.joints[roles.joints[static_cast<std::size_t>(joint)]];
-      features[count++] = values.feature(at.on(roles.links[link]), at.prismatic);
-      names.push_back(at.name);
-    }
-    NormalForm<Dual> form;
-    form.shift.fill(values.constant(0.0));
-    if (normal_form(features, static_cast<int>(count), form) != Status::ok) {
-      return "link " + structure.linkage.links[roles.links[link]] +
-             ": its features at the joints " + text::listed(names) + " coincide or are parallel";
-    }
-    forms.push_back(form);
-  }
-  return "";
+/// Lines closer to parallel than this do not define a frame by where they cross.
+constexpr double parallel = 1e-3;
+
+double sine_between(const LinkFeature<Dual>& one, const LinkFeature<Dual>& other) {
+  return turned(other.along, reversed(one.along)).sin.value();
 }
+
+/// Brings the links of a group into normal form under one assignment of roles.
+///
+/// A link whose features are lines alone has its origin where the first two cross. Where these are
+/// parallel, the origin stands on one of them at will, and the other's offset from it is given to
+/// the link that slides there: its line is moved back by as much. The closures do not change.
+class NormalForms {
+ public:
+  NormalForms(const Values& values, const FoundGroup& group, const RoleAssignment& roles)
+      : group_(group), structure_(values.plan().structure), roles_(roles) {
+    for (std::size_t link = 0; link < roles.links.size(); ++link) {
+      std::array<LinkFeature<Dual>, 3> features;
+      std::size_t count = 0;
+      for (const int joint : joints_of(*group.model, link)) {
+        const ElementaryJoint& at = played(joint);
+        features[count++] = values.feature(at.on(roles.links[link]), at.prismatic);
+      }
+      features_.push_back(features);
+      NormalForm<Dual> form;
+      form.shift.fill(values.constant(0.0));
+      forms_.push_back(form);
+      is_done_.push_back(false);
+    }
+  }
+
+  /// False if a link has none: then `obstacle` says which.
+  bool run() {
+    for (const bool of_parallel_lines : {true, false}) {
+      for (std::size_t link = 0; link < forms_.size(); ++link) {
+        if (has_parallel_lines(link) == of_parallel_lines && !bring(link)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  [[nodiscard]] const std::string& obstacle() const { return obstacle_; }
+  [[nodiscard]] std::vector<NormalForm<Dual>>& forms() { return forms_; }
+
+  /// How well the features that define the frames do so, from zero to one: the sine between the
+  /// first two of lines alone, the part of the first two points' distance in the link's size.
+  [[nodiscard]] double firmness() const {
+    double least = 1;
+    for (std::size_t link = 0; link < forms_.size(); ++link) {
+      const std::size_t count = joints_of(*group_.model, link).size();
+      const auto lines = std::count_if(features_[link].begin(), features_[link].begin() + count,
+                                       [](const auto& feature) { return feature.line; });
+      if (lines == static_cast<std::ptrdiff_t>(count)) {
+        least = std::min(least, std::abs(sine_between(features_[link][0], features_[link][1])));
+      } else if (lines == 0 && count == 3) {
+        const auto& dimensions = forms_[link].dimensions;
+        const double length = dimensions[0].length.value();
+        const double other = std::hypot(dimensions[1].length.value(), dimensions[2].length.value());
+        least = other > length ? std::min(least, length / other) : least;
+      }
+    }
+    return least;
+  }
+
+ private:
+  [[nodiscard]] const ElementaryJoint& played(int joint) const {
+    return structure_.linkage.joints[roles_.joints[static_cast<std::size_t>(joint)]];
+  }
+
+  [[nodiscard]] bool has_parallel_lines(std::size_t link) const {
+    const auto& features = features_[link];
+    const std::size_t count = joints_of(*group_.model, link).size();
+    return std::all_of(features.begin(), features.begin() + count,
+                       [](const auto& feature) { return feature.line; }) &&
+           std::abs(sine_between(features[0], features[1])) < parallel;
+  }
+
+  bool bring(std::size_t link) {
+    const std::vector<int>& joints = joints_of(*group_.model, link);
+    const bool brought = has_parallel_lines(link)
+                             ? bring_parallel(link)
+                             : normal_form(features_[link], static_cast<int>(joints.size()),
+                                           forms_[link]) == Status::ok;
+    is_done_[link] = true;
+    if (!brought) {
+      std::vector<std::string> names;
+      for (const int joint : joints) {
+        names.push_back(played(joint).name);
+      }
+      obstacle_ = "link " + structure_.linkage.links[roles_.links[link]] +
+                  ": its lines at the joints " + text::listed(names) + " are parallel";
+    }
+    return brought;
+  }
+
+  /// The link of the group that slides on another's line at a joint, if it has no form yet.
+  [[nodiscard]] std::optional<std::size_t> free_neighbour(std::size_t link, int joint) const {
+    const ModelJoint& at = group_.model->group->joints[static_cast<std::size_t>(joint)];
+    const int other = at.first == static_cast<int>(link) ? at.second : at.first;
+    if (other == base_link || is_done_[static_cast<std::size_t>(other)]) {
+      return std::nullopt;
+    }
+    return static_cast<std::size_t>(other);
+  }
+
+  bool bring_parallel(std::size_t link) {
+    const std::vector<int>& joints = joints_of(*group_.model, link);
+    const auto& features = features_[link];
+    for (const std::size_t moved : {std::size_t{1}, std::size_t{0}}) {
+      const std::optional<std::size_t> neighbour = free_neighbour(link, joints[moved]);
+      if (!neighbour) {
+        continue;
+      }
+      const LinkFeature<Dual>& kept = features[1 - moved];
+      NormalForm<Dual>& form = forms_[link];
+      form.frame = {kept.x, kept.y, features[0].along};
+      if (joints.size() == 3 && std::abs(sine_between(kept, features[2])) > parallel) {
+        const Dual along = ((features[2].x - kept.x) * features[2].along.sin -
+                            (features[2].y - kept.y) * features[2].along.cos) /
+                           turned(features[2].along, reversed(kept.along)).sin;
+        form.frame.x = kept.x + along * kept.along.cos;
+        form.frame.y = kept.y + along * kept.along.sin;
+      }
+      detail::measure_in_frame(features, joints.size(), form);
+      const LinkFeature<Dual>& given = features[moved];
+      const Dual offset =
+          (given.y - form.frame.y) * given.along.cos - (given.x - form.frame.x) * given.along.sin;
+      LinkFeature<Dual>& there = line_at(*neighbour, joints[moved]);
+      there.x = there.x + offset * there.along.sin;
+      there.y = there.y - offset * there.along.cos;
+      return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] LinkFeature<Dual>& line_at(std::size_t link, int joint) {
+    const std::vector<int>& joints = joints_of(*group_.model, link);
+    const auto slot = std::find(joints.begin(), joints.end(), joint) - joints.begin();
+    return features_[link][static_cast<std::size_t>(slot)];
+  }
+
+  const FoundGroup& group_;
+  const Structure& structure_;
+  const RoleAssignment& roles_;
+  std::vector<std::array<LinkFeature<Dual>, 3>> features_;
+  std::vector<NormalForm<Dual>> forms_;
+  std::vector<bool> is_done_;
+  std::string obstacle_;
+};
 
 }  // namespace
 
@@ -55,11 +183,19 @@ std::vector<DimensionValue<Dual>> GroupGeometry::dimensions() const {
 GroupGeometry group_geometry(const Values& values, GroupIndex index) {
   const FoundGroup& group = values.plan().structure.groups[index];
   GroupGeometry geometry;
+  // The first assignment that defines the frames well, or else the one that does so best.
+  constexpr double well = 0.05;
+  double firmest = -1;
   for (const RoleAssignment& roles : group.assignments) {
-    geometry.links.clear();
-    geometry.obstacle = normal_forms(values, group, roles, geometry.links);
-    if (geometry.obstacle.empty()) {
+    NormalForms normal(values, group, roles);
+    if (!normal.run()) {
+      geometry.obstacle = normal.obstacle();
+    } else if (normal.firmness() > firmest) {
+      firmest = normal.firmness();
       geometry.roles = &roles;
+      geometry.links = std::move(normal.forms());
+    }
+    if (firmest > well) {
       break;
     }
   }

@@ -4,9 +4,9 @@
 
 #include <assur/assemblies.hpp>
 #include <assur/detail/assembly_order.hpp>
-#include <assur/detail/assembly_search.hpp>
+#include <assur/detail/general_search.hpp>
 #include <assur/detail/index.hpp>
-#include <assur/numeric/double_double.hpp>
+#include <assur/detail/special_group.hpp>
 #include <assur/support/scale.hpp>
 #include <assur/variables.hpp>
 #include <type_traits>
@@ -36,8 +36,8 @@ template <typename Model>
   const double scale = support::unit_scale<Model>(dimensions, inputs);
   const auto d = support::scaled_to<Dimensions>(dimensions, scale);
   const auto u = support::scaled_to<Inputs>(inputs, scale);
-  if (!detail::AssemblySearch<Model, double>(d, u, result).run()) {
-    (void)detail::AssemblySearch<Model, numeric::DoubleDouble>(d, u, result).run();
+  if (!detail::GeneralSearch<Model>(d, u, result).run()) {
+    detail::search_in_special_position<Model>(d, u, result);
   }
   if (result.count > 1) {
     detail::put_in_order<Model>(d, u, result);
@@ -47,6 +47,17 @@ template <typename Model>
     q = support::scaled_to<std::decay_t<decltype(q)>>(q, 1 / scale);
   }
   return result;
+}
+
+/// By how much the loop closures fail at least, in the unit of the lengths, where the links cannot
+/// reach: the largest of |F(d, u, q)| at the best q that a search from some places finds.
+template <typename Model>
+[[nodiscard]] double closure_gap(const typename Model::template Dimensions<double>& dimensions,
+                                 const typename Model::template Inputs<double>& inputs) {
+  const double scale = support::unit_scale<Model>(dimensions, inputs);
+  const auto d = support::scaled_to<typename Model::template Dimensions<double>>(dimensions, scale);
+  const auto u = support::scaled_to<typename Model::template Inputs<double>>(inputs, scale);
+  return detail::SpecialGroupOf<Model>(d, u).least_miss() / scale;
 }
 
 }  // namespace assur

@@ -49,10 +49,57 @@ struct NormalForm {
   std::array<Scalar, 3> shift{};
 };
 
+namespace detail {
+
+/// The dimensions and shifts of a link whose normal frame is known. What the frame fixes is not
+/// measured: the first line's angle and offset or the first point's place, and where there are no
+/// two of these, the second line's offset or the second point's direction.
+template <typename Scalar>
+void measure_in_frame(const std::array<LinkFeature<Scalar>, 3>& features, std::size_t joints,
+                      NormalForm<Scalar>& result) {
+  const Direction<Scalar>& axis = result.frame.direction;
+  std::array<std::size_t, 3> points{joints, joints, joints};
+  std::array<std::size_t, 3> lines{joints, joints, joints};
+  std::size_t point_count = 0;
+  std::size_t line_count = 0;
+  for (std::size_t index = 0; index < joints; ++index) {
+    (features[index].line ? lines[line_count++] : points[point_count++]) = index;
+  }
+  result.dimension_count = 0;
+  using std::sqrt;
+  const auto add = [&result](const DimensionValue<Scalar>& value) {
+    detail::entry(result.dimensions, result.dimension_count++) = value;
+  };
+  const auto add_length = [&add](const Scalar& value) { add({false, value, {}}); };
+  for (std::size_t index = 0; index < joints; ++index) {
+    const LinkFeature<Scalar>& feature = features[index];
+    const Scalar dx = feature.x - result.frame.x;
+    const Scalar dy = feature.y - result.frame.y;
+    if (feature.line) {
+      if (index != lines[0]) {
+        add({true, Scalar(0), turned(feature.along, reversed(axis))});
+      }
+      if (point_count > 0 || (index != lines[0] && index != lines[1])) {
+        add_length(dy * feature.along.cos - dx * feature.along.sin);
+      }
+      result.shift[index] = dx * feature.along.cos + dy * feature.along.sin;
+    } else if (index != points[0]) {
+      if (line_count == 0 && index == points[1]) {
+        add_length(sqrt(dx * dx + dy * dy));
+      } else {
+        add_length(dx * axis.cos + dy * axis.sin);
+        add_length(dy * axis.cos - dx * axis.sin);
+      }
+    }
+  }
+}
+
+}  // namespace detail
+
 /// Brings a link of two or three joints, `count` of them, into its normal form; all features are
-/// given in one frame, and the form is in theirs. Set where the status is ok. singular: the points
-/// or lines that define the frame coincide or are parallel, so that the group is degenerate or a
-/// relabelling is needed; or there are not two or three. not_finite.
+/// given in one frame, and the form is in theirs. Set where the status is ok. singular: the first
+/// two of lines alone are parallel, so that the group is degenerate or a relabelling is needed; or
+/// there are not two or three features. not_finite.
 template <typename Scalar>
 [[nodiscard]] Status normal_form(const std::array<LinkFeature<Scalar>, 3>& features, int count,
                                  NormalForm<Scalar>& result) {
@@ -87,10 +134,10 @@ template <typename Scalar>
     const Scalar dx = points[1]->x - points[0]->x;
     const Scalar dy = points[1]->y - points[0]->y;
     axis_length = sqrt(dx * dx + dy * dy);
-    if (!(axis_length > Scalar(0))) {  // the first two points coincide
-      return Status::singular;
+    // Where the first two points coincide, any axis will do.
+    if (axis_length > Scalar(0)) {
+      axis = {dx / axis_length, dy / axis_length};
     }
-    axis = {dx / axis_length, dy / axis_length};
   }
   result.frame.direction = axis;
   if (point_count > 0) {
@@ -108,31 +155,7 @@ template <typename Scalar>
     result.frame.y = lines[0]->y + along * axis.sin;
   }
 
-  const auto add = [&result](const DimensionValue<Scalar>& value) {
-    detail::entry(result.dimensions, result.dimension_count++) = value;
-  };
-  const auto add_length = [&add](const Scalar& value) { add({false, value, {}}); };
-  for (std::size_t index = 0; index < joints; ++index) {
-    const LinkFeature<Scalar>& feature = features[index];
-    const Scalar dx = feature.x - result.frame.x;
-    const Scalar dy = feature.y - result.frame.y;
-    if (feature.line) {
-      if (&feature != lines[0]) {
-        add({true, Scalar(0), turned(feature.along, reversed(axis))});
-      }
-      if (point_count > 0 || (&feature != lines[0] && &feature != lines[1])) {
-        add_length(dy * feature.along.cos - dx * feature.along.sin);
-      }
-      result.shift[index] = dx * feature.along.cos + dy * feature.along.sin;
-    } else if (&feature != points[0]) {
-      if (line_count == 0 && &feature == points[1]) {
-        add_length(axis_length);
-      } else {
-        add_length(dx * axis.cos + dy * axis.sin);
-        add_length(dy * axis.cos - dx * axis.sin);
-      }
-    }
-  }
+  detail::measure_in_frame(features, joints, result);
   return Status::ok;
 }
 

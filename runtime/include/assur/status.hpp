@@ -2,6 +2,8 @@
 // exceptions.
 #pragma once
 
+#include <limits>
+
 namespace assur {
 
 /// Every operation of the runtime says how far its result can be trusted.
@@ -41,6 +43,9 @@ enum class Status : unsigned char {
 /// eps/margin (see `regularity`), by measurement over all models.
 inline constexpr int derivative_error_constant = 64;
 
+/// A derivative that is not known to two digits is not known.
+inline constexpr double two_digits = 5e-3;
+
 /// How far a configuration is from singular, by the pivots of the model's structured elimination.
 template <typename Scalar>
 struct Regularity {
@@ -51,6 +56,9 @@ struct Regularity {
   /// determinant keeps of its terms and of how firmly the closures hold the unknowns. One at best,
   /// zero where J has no inverse. It does not depend on the unit of length.
   Scalar margin = Scalar(0);
+  /// Of the derivatives, relative: at most about this, with all constants. Infinite where there is
+  /// no inverse.
+  Scalar error = std::numeric_limits<Scalar>::infinity();
   int weakest = 0;  ///< index in Model::pivots of the pivot nearest to zero
 };
 

@@ -13,9 +13,9 @@ namespace assur::mechanism {
 struct PlanData;
 
 enum class SolutionStatus : unsigned char {
-  ok,
-  no_assembly,  ///< the links cannot reach: there are no configurations
-  degenerate    ///< a group moves freely or is inconsistent, as `reason` says
+  ok,           ///< there are configurations; there may be families beside them
+  no_assembly,  ///< the links cannot reach, as `reason` says: there are no configurations
+  degenerate    ///< there are families only: a group moves freely or is inconsistent
 };
 
 /// The displacement of a slide, from the first feature to the second, and how it moves.
@@ -45,13 +45,24 @@ struct Configuration {
   void expect_solved() const;
 };
 
+/// A group that moves freely, or cannot be assembled for lack of independent closures, where the
+/// groups before it stand in one of their configurations.
+struct Family {
+  GroupIndex group;
+  int mobility = 0;    ///< where it was found assembled, or zero if it was not
+  std::string reason;  ///< which joints leave it free
+  Table<LinkIndex, bool> is_placed;  ///< whether a link stands
+  Table<LinkIndex, Frame> links;     ///< the frames of those that do
+};
+
 /// Every assembly configuration at one set of values.
 struct Solution {
   SolutionStatus status = SolutionStatus::ok;
-  int mobility = 0;    ///< of a degenerate group where it was found assembled
-  std::string reason;  ///< why it is degenerate
+  int mobility = 0;    ///< if it is degenerate: of the freest family
+  std::string reason;  ///< why there are no configurations
   /// In an order that depends on the mechanism alone.
   std::vector<Configuration> configurations;
+  std::vector<Family> families;
   int undecided = 0;  ///< places where no arithmetic here tells whether there are configurations
 };
 

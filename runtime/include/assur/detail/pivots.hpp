@@ -65,8 +65,8 @@ template <typename Model, typename Scalar>
     return result;
   }
   result.margin = kept * firmness;
-  const auto six_digits = Scalar(5e-7);
-  const bool keeps = error < six_digits * result.margin;
+  result.error = error / result.margin;
+  const bool keeps = result.error < Scalar(5e-7);  // six digits
   result.status = keeps ? Status::ok : Status::near_singular;
   return result;
 }

@@ -6,6 +6,7 @@
 #include <assur/numeric/bounded.hpp>
 #include <assur/support/scale.hpp>
 #include <cstddef>
+#include <type_traits>
 
 namespace assur::support {
 
@@ -17,7 +18,8 @@ struct PositionPolynomial {
 };
 
 /// The final polynomial of a model whose first unknown is an angle, evaluated in `Work`, double or
-/// DoubleDouble. The error is NaN or infinite where a coefficient is.
+/// DoubleDouble. In double the error counts what rounding may have changed of the variables. It is
+/// NaN or infinite where a coefficient is.
 template <typename Model, typename Work>
 [[nodiscard]] PositionPolynomial<Work, Model::polynomial_degree> position_polynomial(
     const typename Model::template Dimensions<double>& d,
@@ -25,9 +27,13 @@ template <typename Model, typename Work>
   using Certified = numeric::Bounded<Work>;
   constexpr std::size_t degree = Model::polynomial_degree;
   TrigonometricPolynomial<Certified, degree> bounded;
-  Model::position_polynomial(scaled_to<typename Model::template Dimensions<Certified>>(d, 1.0),
-                             scaled_to<typename Model::template Inputs<Certified>>(u, 1.0),
-                             bounded);
+  using Dimensions = typename Model::template Dimensions<Certified>;
+  using Inputs = typename Model::template Inputs<Certified>;
+  if constexpr (std::is_same_v<Work, double>) {
+    Model::position_polynomial(rounded<Dimensions>(d), rounded<Inputs>(u), bounded);
+  } else {
+    Model::position_polynomial(scaled_to<Dimensions>(d, 1.0), scaled_to<Inputs>(u, 1.0), bounded);
+  }
   PositionPolynomial<Work, degree> result;
   for (std::size_t k = 0; k <= degree; ++k) {
     result.value.cosine[k] = bounded.cosine[k].value;

@@ -5,6 +5,7 @@
 #include <assur/model.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 namespace assur::support {
@@ -19,6 +20,23 @@ template <typename To, typename From, typename Scale>
     } else {
       using Scalar = std::decay_t<decltype(target.cos)>;
       target = {Scalar(source.cos), Scalar(source.sin)};
+    }
+  });
+  return result;
+}
+
+/// The same variables with bounds, each within a few roundings of a length of one: where a root of
+/// their final polynomial is certain, it is so however the variables were rounded.
+template <typename To, typename From>
+[[nodiscard]] To rounded(const From& from) {
+  constexpr double within = 2 * std::numeric_limits<double>::epsilon();
+  To result;
+  for_each_pair(result, from, [](auto& target, const auto& source) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(source)>, double>) {
+      target = {source, within};
+    } else {
+      target.cos = {source.cos, within};
+      target.sin = {source.sin, within};
     }
   });
   return result;

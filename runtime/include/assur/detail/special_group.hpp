@@ -1,0 +1,162 @@
+// Turns a model into what the search in special position asks of it.
+#pragma once
+
+#include <assur/assemblies.hpp>
+#include <assur/detail/index.hpp>
+#include <assur/detail/special_search.hpp>
+#include <assur/kinematics.hpp>
+#include <assur/numeric/bounded.hpp>
+#include <assur/numeric/second_unknown.hpp>
+#include <assur/variables.hpp>
+#include <tuple>
+#include <type_traits>
+
+namespace assur::detail {
+
+/// A group of a model, scaled so that its longest length is near one.
+template <typename Model>
+class SpecialGroupOf {
+  template <typename Scalar>
+  using Dimensions = typename Model::template Dimensions<Scalar>;
+  template <typename Scalar>
+  using Inputs = typename Model::template Inputs<Scalar>;
+  template <typename Scalar>
+  using Configuration = typename Model::template Configuration<Scalar>;
+  using Precise = numeric::DoubleDouble;
+  using Certified = numeric::Bounded<Precise>;
+
+ public:
+  SpecialGroupOf(const Dimensions<double>& d, const Inputs<double>& u) : d_(d), u_(u) {
+    flatten(d, flat_d_);
+    flatten(u, flat_u_);
+  }
+
+  [[nodiscard]] SpecialAssemblies search() const {
+    const SpecialGroup group = functions();
+    return SpecialSearch(group, flat_d_, flat_u_).run();
+  }
+  /// By how much the closures fail at least where the group cannot be assembled.
+  [[nodiscard]] double least_miss() const {
+    const SpecialGroup group = functions();
+    return SpecialSearch(group, flat_d_, flat_u_).least_miss();
+  }
+
+ private:
+  [[nodiscard]] SpecialGroup functions() const {
+    return {{&evaluate, &differentiate, this, Model::unknowns.data(), Model::unknown_count,
+             longest_length(u_)},
+            Model::dimensions.data(),
+            Model::inputs.data(),
+            Model::dimension_count,
+            Model::input_count,
+            is_angle<Model>(Model::first_unknown),
+            &values,
+            &complete};
+  }
+  template <typename Variables>
+  [[nodiscard]] static Variables in_double(const FlatVariables<double>& flat) {
+    return unflattened<Variables>(flat, [](double value) { return value; });
+  }
+  template <typename Variables>
+  [[nodiscard]] static Variables precise(const PreciseVariables& flat) {
+    return unflattened<Variables>(flat, [](const Precise& value) { return value; });
+  }
+  template <typename Variables>
+  [[nodiscard]] static Variables certified(const PreciseVariables& flat) {
+    return unflattened<Variables>(flat, [](const Precise& value) { return Certified(value); });
+  }
+
+  static void evaluate(const void* group, const FlatVariables<double>& q, FlatVector& f) {
+    const auto& self = *static_cast<const SpecialGroupOf*>(group);
+    Vector<double, Model::equation_count> result;
+    Model::residual(self.d_, self.u_, in_double<Configuration<double>>(q), result);
+    std::copy_n(result.data(), Model::equation_count, f.data());
+  }
+
+  static void differentiate(const void* group, const FlatVariables<double>& q, FlatMatrix& j) {
+    const auto& self = *static_cast<const SpecialGroupOf*>(group);
+    Matrix<double, Model::equation_count, Model::unknown_count> result;
+    Model::jacobian(self.d_, self.u_, in_double<Configuration<double>>(q), result);
+    std::copy_n(result.data(), Model::equation_count * Model::unknown_count, j.data());
+  }
+
+  static FirstValues values(const PreciseVariables& d, const PreciseVariables& u) {
+    constexpr auto degree = Model::polynomial_degree;
+    if constexpr (is_angle<Model>(Model::first_unknown)) {
+      TrigonometricPolynomial<Certified, degree> polynomial;
+      Model::position_polynomial(certified<Dimensions<Certified>>(d),
+                                 certified<Inputs<Certified>>(u), polynomial);
+      return first_values(polynomial);
+    } else {
+      Vector<Certified, static_cast<int>(degree) + 1> polynomial;
+      Model::position_polynomial(certified<Dimensions<Certified>>(d),
+                                 certified<Inputs<Certified>>(u), polynomial);
+      return first_values(polynomial);
+    }
+  }
+
+  static Completions complete(const PreciseVariables& flat_d, const PreciseVariables& flat_u,
+                              const FirstValue& first) {
+    const auto d = precise<Dimensions<Precise>>(flat_d);
+    const auto u = precise<Inputs<Precise>>(flat_u);
+    Configuration<Precise> q;
+    auto& first_unknown = std::get<size(Model::first_unknown)>(q.members());
+    if constexpr (is_angle<Model>(Model::first_unknown)) {
+      first_unknown = {first.cos, first.sin};
+    } else {
+      first_unknown = first.cos;
+    }
+    Completions result;
+    const auto add = [&] {
+      Model::complete(d, u, q);
+      FlatVariables<double> flat{};
+      flatten(q, flat);
+      if (is_finite(in_double<Configuration<double>>(flat))) {
+        result.list[result.count++] = flat;
+      }
+    };
+    if constexpr (Model::second_unknown >= 0) {
+      auto& second = std::get<size(Model::second_unknown)>(q.members());
+      Matrix<Precise, 2, 3> e;
+      Model::second_equations(d, u, q, e);
+      const auto candidates = numeric::second_candidates<std::decay_t<decltype(second)>>(e);
+      for (std::size_t index = 0; index < candidates.count; ++index) {
+        second = candidates.list[index].value;
+        add();
+      }
+    } else {
+      add();
+    }
+    return result;
+  }
+
+  const Dimensions<double>& d_;
+  const Inputs<double>& u_;
+  PreciseVariables flat_d_{}, flat_u_{};
+};
+
+/// Lists the assemblies of a group that may be in special position. One at which the closures are
+/// singular is marked near_singular; a family of them sets the mobility.
+template <typename Model>
+void search_in_special_position(const typename Model::template Dimensions<double>& d,
+                                const typename Model::template Inputs<double>& u,
+                                Assemblies<Model>& result) {
+  using Configuration = typename Model::template Configuration<double>;
+  const SpecialAssemblies found = SpecialGroupOf<Model>(d, u).search();
+  result.count = 0;
+  for (std::size_t index = 0; index < found.count && result.count < Model::max_configurations;
+       ++index) {
+    const auto q =
+        unflattened<Configuration>(found.list[index], [](double value) { return value; });
+    const Status regularity = assur::regularity<Model, double>(d, u, q).status;
+    entry(result.configurations, result.count) = q;
+    entry(result.regularity, result.count) =
+        regularity == Status::ok && !found.singular[index] ? Status::ok : Status::near_singular;
+    ++result.count;
+  }
+  result.mobility = found.mobility;
+  const bool stands = result.count > 0 || (!found.vanishing && found.mobility == 0);
+  result.status = stands ? AssemblyStatus::ok : AssemblyStatus::degenerate;
+}
+
+}  // namespace assur::detail

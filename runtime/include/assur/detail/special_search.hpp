@@ -1,0 +1,197 @@
+// Turns a group in special position into its assemblies: those that stand, and that it moves.
+//
+// Where the final polynomial has multiple roots, a root at infinity, or no coefficient at all, its
+// roots do not tell the assemblies: several may share a root, and a root may belong to none. But
+// every regular assembly stays when dimensions and inputs are moved a little, and in general
+// position the polynomial tells them all. So the group is moved a little in several directions and
+// back and forth, each neighbour is solved in double-double, and what is found is closed again on
+// the equations of the group itself. What does not close there has run to infinity. Where the
+// closures are singular, a fold opens on one side of each direction at least; what then closes
+// along a curve moves freely.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <assur/detail/closure_geometry.hpp>
+#include <assur/detail/first_values.hpp>
+#include <assur/detail/flat_variables.hpp>
+#include <assur/model.hpp>
+#include <assur/numeric/double_double.hpp>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace assur::detail {
+
+using PreciseVariables = FlatVariables<numeric::DoubleDouble>;
+
+/// Assemblies that one value of the first unknown completes to, by the closeness of the second.
+struct Completions {
+  std::array<FlatVariables<double>, 4> list;
+  std::size_t count = 0;
+};
+
+/// What the search needs of a model, on flat variables. Lengths are near one at most.
+struct SpecialGroup {
+  Closures closures;
+  const ModelVariable* dimensions;
+  const ModelVariable* inputs;
+  int dimension_count, input_count;
+  bool first_is_angle;
+  FirstValues (*first_values)(const PreciseVariables& d, const PreciseVariables& u);
+  Completions (*complete)(const PreciseVariables& d, const PreciseVariables& u,
+                          const FirstValue& first);
+};
+
+/// The assemblies of a group in special position.
+struct SpecialAssemblies {
+  static constexpr std::size_t capacity = 12;
+  std::array<FlatVariables<double>, capacity> list;
+  std::array<bool, capacity> singular{};
+  std::size_t count = 0;
+  int mobility = 0;  ///< of the freest family found; zero if there is none
+  bool vanishing = false;
+};
+
+class SpecialSearch {
+ public:
+  SpecialSearch(const SpecialGroup& group, const PreciseVariables& d, const PreciseVariables& u)
+      : group_(group), d_(d), u_(u) {}
+
+  [[nodiscard]] SpecialAssemblies run() {
+    const FirstValues exact = group_.first_values(d_, u_);
+    result_.vanishing = exact.vanishing;
+    try_all(d_, u_, exact);
+    if (exact.vanishing) {
+      for_each_sample([this](const FlatVariables<double>& start) { add(start); });
+    }
+    for (int direction = 0; direction < directions; ++direction) {
+      for (const double side : {1.0, -1.0}) {
+        PreciseVariables d = d_;
+        PreciseVariables u = u_;
+        const double reach = side * (direction % 2 == 0 ? 0x1p-21 : 0x1p-26);
+        random_ = 1U + static_cast<unsigned>(direction);
+        displace(group_.dimensions, group_.dimension_count, reach, d);
+        displace(group_.inputs, group_.input_count, reach, u);
+        try_all(d, u, group_.first_values(d, u));
+      }
+    }
+    return result_;
+  }
+
+  /// By how much the closures fail at least, as far as a search from some places tells.
+  [[nodiscard]] double least_miss() const {
+    double least = std::numeric_limits<double>::infinity();
+    for_each_sample([&](const FlatVariables<double>& start) {
+      FlatVariables<double> q = start;
+      if (longest_displacement(group_.closures, q) < farthest_configuration) {
+        advance(group_.closures, FlatVector::Zero(group_.closures.size), q);
+        least = std::min(least, close(group_.closures, q));
+      }
+    });
+    return least;
+  }
+
+ private:
+  static constexpr int directions = 5;
+
+  void try_all(const PreciseVariables& d, const PreciseVariables& u, const FirstValues& values) {
+    for (std::size_t index = 0; index < values.count; ++index) {
+      const Completions found = group_.complete(d, u, values.list[index]);
+      for (std::size_t place = 0; place < found.count; ++place) {
+        add(found.list[place]);
+      }
+    }
+  }
+
+  /// Completes values of the first unknown that no design would have.
+  template <typename Use>
+  void for_each_sample(const Use& use) const {
+    constexpr int samples = 12;
+    for (int sample = 0; sample < samples; ++sample) {
+      const double part = (sample + 0.3) / samples;
+      FirstValue first;
+      first.simple = false;
+      if (group_.first_is_angle) {
+        first.cos = std::cos(6.2831853 * part);
+        first.sin = std::sin(6.2831853 * part);
+      } else {
+        first.cos = 4 * part - 2;
+      }
+      const Completions found = group_.complete(d_, u_, first);
+      for (std::size_t place = 0; place < found.count; ++place) {
+        use(found.list[place]);
+      }
+    }
+  }
+
+  /// Moves every variable by up to `reach`, a length by that much and an angle by that turn.
+  void displace(const ModelVariable* variables, int count, double reach, PreciseVariables& flat) {
+    using numeric::DoubleDouble;
+    std::size_t place = 0;
+    for (int index = 0; index < count; ++index) {
+      const DoubleDouble by(reach * next_random());
+      if (variables[index].is_angle) {
+        const DoubleDouble half = by / DoubleDouble(2);
+        const DoubleDouble norm = DoubleDouble(1) + half * half;
+        const DoubleDouble c = (DoubleDouble(1) - half * half) / norm;
+        const DoubleDouble s = by / norm;
+        const DoubleDouble cos = flat[place];
+        flat[place] = c * cos - s * flat[place + 1];
+        flat[place + 1] = s * cos + c * flat[place + 1];
+        place += 2;
+      } else {
+        flat[place] = flat[place] + by;
+        ++place;
+      }
+    }
+  }
+
+  /// Between -1 and 1, the same on every machine.
+  [[nodiscard]] double next_random() {
+    random_ = random_ * 1664525U + 1013904223U;
+    return static_cast<double>(random_ >> 8U) / 0x1p23 - 1;
+  }
+
+  void add(const FlatVariables<double>& start) {
+    const Closures& closures = group_.closures;
+    FlatVariables<double> q = start;
+    if (!(longest_displacement(closures, q) < farthest_configuration)) {
+      return;
+    }
+    // A second value that does not fit completes to directions that are none.
+    advance(closures, FlatVector::Zero(closures.size), q);
+    const double miss = close(closures, q);
+    const double displacement = longest_displacement(closures, q);
+    if (!(displacement < farthest_configuration && miss < rounding(closures, q))) {
+      return;
+    }
+    const bool singular = free_directions(closures, q, singular_pivot).count > 0;
+    for (std::size_t index = 0; index < result_.count; ++index) {
+      const double apart = distance(closures, q, result_.list[index]);
+      if (apart < (singular || result_.singular[index] ? 1e-4 : 1e-9) * (1 + displacement)) {
+        return;
+      }
+    }
+    if (singular) {
+      const int mobility = mobility_at(closures, q);
+      result_.mobility = std::max(result_.mobility, mobility);
+      if (mobility > 0) {
+        return;
+      }
+    }
+    if (result_.count < result_.list.size()) {
+      result_.list[result_.count] = q;
+      result_.singular[result_.count] = singular;
+      ++result_.count;
+    }
+  }
+
+  const SpecialGroup& group_;
+  const PreciseVariables& d_;
+  const PreciseVariables& u_;
+  SpecialAssemblies result_;
+  unsigned random_ = 0;
+};
+
+}  // namespace assur::detail
