@@ -72,8 +72,8 @@ inline void advance(const Closures& closures, const FlatVector& step, FlatVariab
       const double cos = c * q[place] - s * q[place + 1];
       const double sin = s * q[place] + c * q[place + 1];
       const double length = std::sqrt(cos * cos + sin * sin);
-      q[place] = cos / length;
-      q[place + 1] = sin / length;
+      q[place] = length > 0 ? cos / length : 1;
+      q[place + 1] = length > 0 ? sin / length : 0;
       place += 2;
     } else {
       q[place++] += by;
@@ -94,6 +94,22 @@ inline void advance(const Closures& closures, const FlatVector& step, FlatVariab
   return largest;
 }
 
+/// Whether two assemblies are one that rounding keeps apart, as it does a multiple one: then the
+/// closures hold between them, too.
+[[nodiscard]] inline bool are_one(const Closures& closures, const FlatVariables<double>& one,
+                                  const FlatVariables<double>& other) {
+  constexpr double near = 1e-2;  // a quadruple assembly is known to 1e-3
+  if (!(distance(closures, one, other) < near)) {
+    return false;
+  }
+  FlatVariables<double> middle = one;
+  for (std::size_t place = 0; place < middle.size(); ++place) {
+    middle[place] = (one[place] + other[place]) / 2;
+  }
+  advance(closures, FlatVector::Zero(closures.size), middle);
+  return closures.at(middle).cwiseAbs().maxCoeff() < 1e3 * rounding(closures, middle);
+}
+
 /// A step of Newton, or of Levenberg with the residual as damping: that one leads from any side
 /// onto singular assemblies and onto curves of assemblies.
 [[nodiscard]] inline FlatVector closing_step(const FlatMatrix& jacobian, const FlatVector& f,
@@ -107,7 +123,7 @@ inline void advance(const Closures& closures, const FlatVector& step, FlatVariab
   return Eigen::FullPivLU<FlatMatrix>(normal).solve(downhill);
 }
 
-/// Moves a point to an assembly near it, and returns the residual that is left.
+/// Moves a point to an assembly near it, and returns the norm of the closures that is left.
 inline double close(const Closures& closures, FlatVariables<double>& q) {
   constexpr int most_steps = 60;
   FlatVector f = closures.at(q);
@@ -127,7 +143,9 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
   };
   for (int step = 0; step < most_steps && miss > 0; ++step) {
     const FlatMatrix jacobian = closures.jacobian(q);
-    if (miss < 1e-3 && lessened(closing_step(jacobian, f, false), 0.1)) {
+    // Where the Jacobian is nearly singular Newton's step leads anywhere.
+    const FlatVector newton = closing_step(jacobian, f, false);
+    if (newton.norm() < 100 * miss && lessened(newton, 0.1)) {
       continue;
     }
     FlatVector move = closing_step(jacobian, f, true);
@@ -144,7 +162,7 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
   for (int step = 0; step < 2 && lessened(closing_step(closures.jacobian(q), f, false), 1);
        ++step) {
   }
-  return f.size() > 0 ? f.cwiseAbs().maxCoeff() : 0.0;
+  return miss;
 }
 
 /// Directions in which the closures do not change to first order.
@@ -153,12 +171,10 @@ struct FreeDirections {
   FlatMatrix basis;  ///< a column each; orthonormal
 };
 
-/// The null space of the Jacobian by Gauss's elimination with full pivoting: what is below
-/// `threshold` of the largest pivot counts as zero.
-[[nodiscard]] inline FreeDirections free_directions(const Closures& closures,
-                                                    const FlatVariables<double>& q,
-                                                    double threshold) {
-  Eigen::FullPivLU<FlatMatrix> factors(closures.jacobian(q));
+/// The null space of a matrix by Gauss's elimination with full pivoting: what is below `threshold`
+/// of the largest pivot counts as zero.
+[[nodiscard]] inline FreeDirections null_space(const FlatMatrix& matrix, double threshold) {
+  Eigen::FullPivLU<FlatMatrix> factors(matrix);
   factors.setThreshold(threshold);
   FreeDirections result;
   result.count = static_cast<int>(factors.dimensionOfKernel());
@@ -175,55 +191,134 @@ struct FreeDirections {
   return result;
 }
 
+/// The directions in which unknowns may leave an assembly to first order.
+[[nodiscard]] inline FreeDirections free_directions(const Closures& closures,
+                                                    const FlatVariables<double>& q,
+                                                    double threshold) {
+  return null_space(closures.jacobian(q), threshold);
+}
+
+/// d2f along a direction: how the closures bend.
+[[nodiscard]] inline FlatVector bend(const Closures& closures, const FlatVariables<double>& q,
+                                     const FlatVector& along) {
+  constexpr double step = 0x1p-10;
+  FlatVariables<double> ahead = q;
+  FlatVariables<double> behind = q;
+  advance(closures, step * along, ahead);
+  advance(closures, -step * along, behind);
+  return (closures.at(ahead) + closures.at(behind) - 2 * closures.at(q)) / (step * step);
+}
+
 /// Below this a pivot belongs to an assembly at which the closures are singular: rounding of the
 /// closures moves a double one by 1e-8, a triple one by 1e-5.
 inline constexpr double singular_pivot = 1e-4;
 
-/// How many freedoms a singular assembly has: it is left along its free directions, and where the
-/// closures hold again at a distance, twice in a row and singular there too, it moves. Zero for an
-/// assembly that stands alone.
-[[nodiscard]] inline int mobility_at(const Closures& closures, const FlatVariables<double>& q) {
-  constexpr double reach = 0.04;  // of the longest length, or in radians
-  constexpr int turns = 8;        // directions tried in a plane of free ones
-  const FreeDirections free = free_directions(closures, q, singular_pivot);
-  const int tries = free.count == 0 ? 0 : free.count == 1 ? 2 : 2 * turns;
-  for (int attempt = 0; attempt < tries; ++attempt) {
-    const double angle = 3.14159265358979 * attempt / (free.count == 1 ? 1 : turns) + 0.1;
-    FlatVector along = std::cos(angle) * free.basis.col(0);
-    if (free.count > 1) {
-      along += std::sin(angle) * free.basis.col(1);
-    }
-    FlatVariables<double> from = q;
-    bool moves = true;
-    int mobility = 0;
-    for (int leg = 0; leg < 2 && moves; ++leg) {
-      FlatVariables<double> to = from;
-      advance(closures, reach * along, to);
-      const double miss = close(closures, to);
-      const FreeDirections there = free_directions(closures, to, singular_pivot);
-      moves = miss < rounding(closures, to) && distance(closures, from, to) > reach / 8 &&
-              there.count > 0;
-      if (moves) {
-        // On along the curve, in the direction in which it was left.
-        FlatVector next = there.basis.col(0);
-        double best = std::abs(next.dot(along));
-        for (int column = 1; column < there.count; ++column) {
-          const double turn = std::abs(there.basis.col(column).dot(along));
-          if (turn > best) {
-            best = turn;
-            next = there.basis.col(column);
-          }
-        }
-        along = next.dot(along) < 0 ? FlatVector(-next) : next;
-        mobility = mobility == 0 ? there.count : std::min(mobility, there.count);
-        from = to;
-      }
-    }
-    if (moves) {
-      return mobility;
+/// The step that leads from one list of unknowns to another, for small ones.
+[[nodiscard]] inline FlatVector step_between(const Closures& closures,
+                                             const FlatVariables<double>& from,
+                                             const FlatVariables<double>& to) {
+  FlatVector step(closures.size);
+  std::size_t place = 0;
+  for (int unknown = 0; unknown < closures.size; ++unknown) {
+    if (closures.unknowns[unknown].is_angle) {
+      step(unknown) = to[place + 1] * from[place] - to[place] * from[place + 1];
+      place += 2;
+    } else {
+      step(unknown) = to[place] - from[place];
+      ++place;
     }
   }
-  return 0;
+  return step;
+}
+
+/// What surrounds a singular assembly: the directions in which others lie close by.
+class Neighbourhood {
+ public:
+  Neighbourhood(const Closures& closures, const FlatVariables<double>& q)
+      : closures_(closures), free_(free_directions(closures, q, singular_pivot)) {
+    for (int one = 0; one < free_.count; ++one) {
+      try_both_ways(q, free_.basis.col(one));
+      for (int other = 0; other < one; ++other) {
+        try_plane(q, free_.basis.col(one), free_.basis.col(other));
+      }
+    }
+  }
+
+  /// How many of the directions are independent: the dimension of the family, or zero.
+  [[nodiscard]] int dimension() const { return dimension_; }
+  /// An assembly close by, singular as well; requires dimension() > 0.
+  [[nodiscard]] const FlatVariables<double>& neighbour() const { return neighbour_; }
+
+ private:
+  /// Of the longest length, or in radians.
+  static constexpr double reach = 0.02;
+
+  /// Directions in the plane of two free ones: those in which a part of the closures that is free
+  /// of first order does not bend either, A c^2 + B c s + C s^2 = 0, and some between.
+  void try_plane(const FlatVariables<double>& q, const FlatVector& one, const FlatVector& other) {
+    const auto at_angle = [&](double angle) {
+      try_both_ways(q, std::cos(angle) * one + std::sin(angle) * other);
+    };
+    const FreeDirections parts = null_space(closures_.jacobian(q).transpose(), singular_pivot);
+    const FlatVector a = bend(closures_, q, one);
+    const FlatVector c = bend(closures_, q, other);
+    const FlatVector b = bend(closures_, q, one + other) - a - c;
+    for (int part = 0; part < parts.count; ++part) {
+      const double A = parts.basis.col(part).dot(a);
+      const double B = parts.basis.col(part).dot(b);
+      const double C = parts.basis.col(part).dot(c);
+      // (A + C)/2 + (A - C)/2 cos 2x + B/2 sin 2x = 0.
+      const double size = std::hypot(A - C, B);
+      const double inside = -(A + C) / size;
+      if (size > 0 && std::abs(inside) <= 1 + 1e-6) {
+        const double reach_of_angle = std::acos(std::clamp(inside, -1.0, 1.0)) / 2;
+        const double middle = std::atan2(B, A - C) / 2;
+        at_angle(middle + reach_of_angle);
+        at_angle(middle - reach_of_angle);
+      }
+    }
+    constexpr int turns = 6;
+    for (int turn = 1; turn < turns; ++turn) {
+      at_angle(3.14159265358979 * turn / turns + 0.1);
+    }
+  }
+
+  void try_both_ways(const FlatVariables<double>& q, const FlatVector& along) {
+    for (const double way : {reach, -reach}) {
+      FlatVariables<double> to = q;
+      advance(closures_, way * along, to);
+      const double miss = close(closures_, to);
+      FlatVector step = step_between(closures_, q, to);
+      const double length = step.norm();
+      if (!(miss < rounding(closures_, to)) || length < reach / 8 || length > 4 * reach ||
+          free_directions(closures_, to, singular_pivot).count == 0) {
+        continue;
+      }
+      for (int known = 0; known < dimension_; ++known) {
+        step -= tangents_.col(known).dot(step) * tangents_.col(known);
+      }
+      // A curve bends by less.
+      if (dimension_ < free_.count && step.norm() > 0.35 * length) {
+        neighbour_ = to;
+        tangents_.conservativeResize(closures_.size, dimension_ + 1);
+        tangents_.col(dimension_) = step.normalized();
+        ++dimension_;
+      }
+    }
+  }
+
+  const Closures& closures_;
+  FreeDirections free_;
+  FlatMatrix tangents_;
+  FlatVariables<double> neighbour_{};
+  int dimension_ = 0;
+};
+
+/// How many freedoms a singular assembly has; zero for one that stands alone. Where families cross,
+/// the freedoms of the one that is left first; so a neighbour is asked, not the assembly itself.
+[[nodiscard]] inline int mobility_at(const Closures& closures, const FlatVariables<double>& q) {
+  const Neighbourhood here(closures, q);
+  return here.dimension() == 0 ? 0 : Neighbourhood(closures, here.neighbour()).dimension();
 }
 
 }  // namespace assur::detail

@@ -109,6 +109,17 @@ class SpecialGroupOf {
     Completions result;
     const auto add = [&] {
       Model::complete(d, u, q);
+      for_each_member(q, [](auto& member, std::size_t) {
+        // A bar of no length has any direction, and along parallel slides any place will do to
+        // start from.
+        if constexpr (!std::is_same_v<std::decay_t<decltype(member)>, Precise>) {
+          if (!is_number(member.cos) || !is_number(member.sin)) {
+            member = {Precise(1), Precise(0)};
+          }
+        } else if (!is_number(member)) {
+          member = Precise(0);
+        }
+      });
       FlatVariables<double> flat{};
       flatten(q, flat);
       if (is_finite(in_double<Configuration<double>>(flat))) {

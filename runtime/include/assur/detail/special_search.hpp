@@ -76,6 +76,9 @@ class SpecialSearch {
         try_all(d, u, group_.first_values(d, u));
       }
     }
+    if (result_.count == 0 && result_.mobility == 0) {
+      for_each_sample([this](const FlatVariables<double>& start) { add(start); });
+    }
     return result_;
   }
 
@@ -168,8 +171,7 @@ class SpecialSearch {
     }
     const bool singular = free_directions(closures, q, singular_pivot).count > 0;
     for (std::size_t index = 0; index < result_.count; ++index) {
-      const double apart = distance(closures, q, result_.list[index]);
-      if (apart < (singular || result_.singular[index] ? 1e-4 : 1e-9) * (1 + displacement)) {
+      if (are_one(closures, q, result_.list[index])) {
         return;
       }
     }
