@@ -10,9 +10,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::size_t agreeing(const AuditedStatement& statement) {
-  return static_cast<std::size_t>(
-      std::count_if(statement.findings.begin(), statement.findings.end(),
-                    [](const Finding& finding) { return finding.agrees(); }));
+  std::size_t count = 0;
+  for (const Finding& finding : statement.findings) {
+    count += finding.agrees() ? 1 : 0;
+  }
+  return count;
 }
 
 std::string counted(std::size_t agree, std::size_t all) {

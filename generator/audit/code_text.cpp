@@ -18,8 +18,8 @@ bool is_space(char letter) { return std::isspace(static_cast<unsigned char>(lett
 /// character keeps its index.
 std::string on_one_line(std::string code) {
   const auto blank = [&](std::size_t from, std::size_t to) {
-    std::fill(code.begin() + static_cast<std::ptrdiff_t>(from),
-              code.begin() + static_cast<std::ptrdiff_t>(std::min(to, code.size())), ' ');
+    const std::size_t count = std::min(to, code.size()) - from;
+    code.replace(from, count, count, ' ');
   };
   bool line_begins = true;
   for (std::size_t at = 0; at < code.size(); ++at) {

@@ -16,8 +16,9 @@ derivatives::Mobility mobility(const structure::Model& model) {
   return derivatives::mobility_of(equations, derivatives::closure_jacobian(equations));
 }
 
-int row_number(const closures::PlacedText& text, int most, const std::string& file) {
-  int number = 0;
+std::size_t row_number(const closures::PlacedText& text, std::size_t most,
+                       const std::string& file) {
+  std::size_t number = 0;
   const char* const end = text.text.data() + text.text.size();
   const auto [at, error] = std::from_chars(text.text.data(), end, number);
   if (error != std::errc() || at != end || number < 1 || number > most) {
@@ -48,8 +49,8 @@ std::vector<Finding> audit_kinds(const structure::Group& group,
       throw closures::AuditSyntaxError(file, row.place,
                                        "expected NUMBER : KIND, KIND, ... [: FAMILY]");
     }
-    const int number = row_number(parts[0], static_cast<int>(models.size()), file);
-    const structure::Model& model = models[static_cast<std::size_t>(number - 1)];
+    const std::size_t number = row_number(parts[0], models.size(), file);
+    const structure::Model& model = models[number - 1];
     const std::string title = "row " + std::to_string(number) + ", ";
     std::set<std::string> printed;
     for (const closures::PlacedText& kind_text : closures::split(parts[1], ',')) {
@@ -65,7 +66,7 @@ std::vector<Finding> audit_kinds(const structure::Group& group,
       }
       printed.insert(kind_text.text);
       const structure::Model& owner = structure::model_of(group, *kind);
-      findings.push_back(answer(title + kind_text.text, kind_text, owner.number == number,
+      findings.push_back(answer(title + kind_text.text, kind_text, owner.number == model.number,
                                 "row " + std::to_string(owner.number)));
     }
     for (const structure::Relabelling& member : model.members) {

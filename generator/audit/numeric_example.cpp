@@ -51,10 +51,9 @@ NumericExample::Value NumericExample::read_number(const closures::PlacedText& nu
   const std::size_t mark = number.text.find_first_of("eE");
   const std::string digits = number.text.substr(0, mark);
   const std::size_t point = digits.find('.');
-  const auto decimals =
-      point == std::string::npos ? 0 : static_cast<int>(digits.size() - point - 1);
+  const std::string decimals = point == std::string::npos ? "" : digits.substr(point + 1);
   const int exponent = mark == std::string::npos ? 0 : std::stoi(number.text.substr(mark + 1));
-  return {value, value, 0.5 * std::pow(10.0, exponent - decimals), true};
+  return {value, value, 0.5 * std::pow(10.0, exponent - std::ssize(decimals)), true};
 }
 
 void NumericExample::give(const std::string& name, const closures::PlacedText& number) {

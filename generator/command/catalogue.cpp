@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 struct CatalogueEntry {
   const structure::Model* model;
   derivatives::Mobility mobility;
-  int max_configurations;                   ///< zero for a degenerate model
+  std::size_t max_configurations;           ///< zero for a degenerate model
   std::string determinant;                  ///< of the Jacobian, factored; empty if degenerate
   std::vector<std::string> singular_where;  ///< the zeros of its factors
   const structure::PrintedRow* printed;
@@ -63,7 +63,8 @@ std::vector<CatalogueEntry> entries_of(const structure::Group& group) {
     const equations::ClosureEquations equations = equations::closure_equations(model);
     const derivatives::Mobility mobility =
         derivatives::mobility_of(equations, derivatives::closure_jacobian(equations));
-    const int most = mobility.rigid ? elimination::eliminate(equations).max_configurations : 0;
+    const std::size_t most =
+        mobility.rigid ? elimination::eliminate(equations).max_configurations : 0;
     CatalogueEntry entry{&model, mobility, most, "", {}, nullptr, {}, {}};
     if (mobility.rigid) {
       const pivoting::StructuredJacobian jacobian(equations);

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
 #include <string>
 
@@ -21,9 +22,9 @@ void ProgressBar::show(int done) {
     return;
   }
   percent_ = percent;
-  const auto filled = static_cast<std::size_t>(percent * 2 / 5);
-  std::cerr << "\r[" << std::string(filled, '#') << std::string(40 - filled, ' ') << "] " << percent
-            << " %" << std::flush;
+  std::string bar(40, ' ');
+  std::fill_n(bar.begin(), percent * 2 / 5, '#');
+  std::cerr << "\r[" << bar << "] " << percent << " %" << std::flush;
 }
 
 }  // namespace assur::generator::command

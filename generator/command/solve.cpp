@@ -13,7 +13,7 @@ namespace assur::generator::command {
 namespace {
 
 /// `--branch` must name one of `count` configurations or branches.
-void expect_branch(const SolveOptions& options, int count, const std::string& what) {
+void expect_branch(const SolveOptions& options, std::ptrdiff_t count, const std::string& what) {
   if (options.branch > count) {
     throw text::InputError(options.scene + ": --branch: no " + what + " " +
                            std::to_string(options.branch) + "; there are " + std::to_string(count));
@@ -25,7 +25,7 @@ bool print_one(const SolveOptions& options, const mechanism::Plan& plan) {
   const mechanism::Solution solution = plan.solve(values);
   const bool degenerate = solution.status == mechanism::SolutionStatus::degenerate;
   if (!degenerate) {
-    expect_branch(options, static_cast<int>(solution.configurations.size()), "configuration");
+    expect_branch(options, std::ssize(solution.configurations), "configuration");
   }
   const mechanism::Report report{plan, values, solution, options.scene, options.branch};
   if (degenerate && options.format == "csv") {

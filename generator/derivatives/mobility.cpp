@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <random>
+#include <span>
 
 #include "error.hpp"
 
@@ -36,14 +37,14 @@ class RandomRational {
 /// An angle of a compatibility condition that occurs in no earlier one, and its factor there.
 const equations::Variable& angle_to_solve_for(const equations::ClosureEquations& equations,
                                               std::size_t condition) {
+  const auto earlier_ones = std::span(equations.compatibility).first(condition);
   for (const std::deque<equations::Variable>* list : {&equations.dimensions, &equations.inputs}) {
     for (const equations::Variable& variable : *list) {
       if (equations.compatibility[condition].factor(variable) == 0) {
         continue;
       }
       const bool taken = std::any_of(
-          equations.compatibility.begin(),
-          equations.compatibility.begin() + static_cast<std::ptrdiff_t>(condition),
+          earlier_ones.begin(), earlier_ones.end(),
           [&](const equations::AngleSum& earlier) { return earlier.factor(variable) != 0; });
       if (!taken) {
         return variable;
@@ -116,7 +117,7 @@ Mobility mobility_of(const equations::ClosureEquations& equations,
                      const ExpressionMatrix& jacobian) {
   const auto rows = static_cast<unsigned>(jacobian.size());
   const auto columns = static_cast<unsigned>(equations.unknowns.size());
-  int rank = 0;
+  unsigned rank = 0;
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const GiNaC::exmap values = random_assembly(equations, seed);
     GiNaC::matrix at_point(rows, columns);
@@ -125,9 +126,9 @@ Mobility mobility_of(const equations::ClosureEquations& equations,
         at_point(row, column) = equations.vocabulary.expand(jacobian[row][column]).subs(values);
       }
     }
-    rank = std::max(rank, static_cast<int>(at_point.rank()));
+    rank = std::max(rank, at_point.rank());
   }
-  Mobility result{static_cast<int>(columns), rank, static_cast<int>(columns) - rank, false, ""};
+  Mobility result{columns, rank, columns - rank, false, ""};
   result.rigid = result.freedom == 0 && rows == columns && equations.compatibility.empty();
   const std::string count = "generic rank " + std::to_string(rank) + " of " + std::to_string(rows) +
                             " equations in " + std::to_string(columns) + " unknowns";

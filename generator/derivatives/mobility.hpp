@@ -10,10 +10,10 @@ namespace assur::generator::derivatives {
 
 /// Whether a group is a structure once its external joints are held.
 struct Mobility {
-  int unknowns;
-  int rank;     ///< generic rank of the Jacobian where the group is assembled
-  int freedom;  ///< unknowns - rank: the mobility when it can be assembled
-  bool rigid;   ///< square, of full rank, and with angles that nothing over-determines
+  unsigned unknowns;
+  unsigned rank;     ///< generic rank of the Jacobian where the group is assembled
+  unsigned freedom;  ///< unknowns - rank: the mobility when it can be assembled
+  bool rigid;        ///< square, of full rank, and with angles that nothing over-determines
   std::string reason;
 };
 

@@ -63,12 +63,12 @@ class DerivationGatherer {
     const auto member = std::find_if(
         equations_.model->members.begin(), equations_.model->members.end(),
         [&](const structure::Relabelling& candidate) { return candidate.kind == result_.kind; });
-    for (const int role : member->role) {
-      result_.roles.emplace_back(1, group.joints()[static_cast<std::size_t>(role)].name);
+    for (const structure::JointIndex role : member->role) {
+      result_.roles.add({group.joints()[role].name});
     }
-    for (std::size_t link = 0; link < equations_.frames.size(); ++link) {
-      result_.frames.push_back(equations_.frames[link].description);
-      result_.angles.push_back(equations_.poses[link].angle.text());
+    for (const structure::LinkIndex link : group.links().keys()) {
+      result_.frames.add(equations_.frames[link].description);
+      result_.angles.add(equations_.poses[link].angle.text());
     }
     result_.unknowns = described(equations_.unknowns);
     result_.dimensions = described(equations_.dimensions);
@@ -117,7 +117,7 @@ class DerivationGatherer {
     for (const equations::NamedQuantity& quantity : structured.vocabulary().quantities()) {
       write_.declare(quantity.symbol);
     }
-    derivatives::ExpressionMatrix entries(static_cast<std::size_t>(framed.row_count()));
+    derivatives::ExpressionMatrix entries(framed.row_count());
     for (const equations::Variable& unknown : equations_.unknowns) {
       const std::vector<GiNaC::ex> column = framed.derivative(unknown);
       used.insert(used.end(), column.begin(), column.end());
@@ -126,7 +126,7 @@ class DerivationGatherer {
       }
     }
     result.framed = {"K", {}, names_of(result_.unknowns), written(entries)};
-    for (int row = 0; row < framed.row_count(); ++row) {
+    for (std::size_t row = 0; row < framed.row_count(); ++row) {
       result.framed.rows.push_back(framed.row_name(row));
     }
     GiNaC::ex product = structured.sign();

@@ -99,17 +99,17 @@ struct DerivedElimination {
   bool is_angle;
   std::string polynomial;  ///< in the coefficients that the steps name; zero at a configuration
   std::vector<DerivedBackSubstitution> back_substitution;
-  int degree;
-  int max_configurations;
+  std::size_t degree;
+  std::size_t max_configurations;
 };
 
 struct Derivation {
   const structure::Model* model;
-  structure::Kind kind;            ///< the kind asked for
-  std::vector<std::string> roles;  ///< for each of its joints the model's joint that it plays
+  structure::Kind kind;                      ///< the kind asked for
+  structure::JointTable<std::string> roles;  ///< the model's joints that its joints play
 
-  std::vector<std::string> frames;  ///< of the links, in words
-  std::vector<std::string> angles;  ///< of the links, as sums
+  structure::LinkTable<std::string> frames;  ///< of the links, in words
+  structure::LinkTable<std::string> angles;  ///< of the links, as sums
   std::vector<DerivedVariable> unknowns, dimensions, inputs;
   std::vector<DerivedQuantity> quantities;
   std::vector<DerivedClosure> closures;
@@ -118,8 +118,8 @@ struct Derivation {
   std::vector<std::string> velocity_rhs, acceleration_rhs;
 
   bool rigid;
-  int rank;
-  int mobility;
+  unsigned rank;
+  unsigned mobility;
   std::string reason;
   std::optional<DerivedDeterminant> determinant;  ///< of a rigid model
   std::optional<DerivedElimination> elimination;  ///< likewise

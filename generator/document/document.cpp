@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <assur/text/names.hpp>
+#include <iterator>
 #include <utility>
 
 #include "document/phrases.hpp"
@@ -39,7 +40,7 @@ class DocumentBuilder {
 
   void structure() {
     begin("Structure");
-    const std::vector<structure::Joint>& joints = group_.joints();
+    const structure::JointTable<structure::Joint>& joints = group_.joints();
     prose("The " + group_.name() + " is an Assur group of class " +
           std::to_string(group_.assur_class()) + ": " + counted(group_.links().size(), "link") +
           ", " + counted(joints.size(), "joint") + ", " +
@@ -57,16 +58,15 @@ class DocumentBuilder {
       relabelling();
     }
     Table links{{{"link", false}, {"frame", false}, {"angle", true}}, {}};
-    for (std::size_t link = 0; link < group_.links().size(); ++link) {
+    for (const structure::LinkIndex link : group_.links().keys()) {
       links.rows.push_back({group_.links()[link], from_.frames[link], from_.angles[link]});
     }
     add(std::move(links));
-    const auto link_name = [&](int link) {
-      return link == structure::base_link ? std::string("base")
-                                          : group_.links()[static_cast<std::size_t>(link)];
+    const auto link_name = [&](structure::LinkIndex link) {
+      return link == structure::base_link ? std::string("base") : group_.links()[link];
     };
     Table table{{{"joint", false}, {"type", false}, {"between", false}}, {}};
-    for (std::size_t joint = 0; joint < joints.size(); ++joint) {
+    for (const structure::JointIndex joint : joints.keys()) {
       table.rows.push_back(
           {{joints[joint].name},
            from_.model->representative[joint] == structure::JointType::prismatic ? "prismatic"
@@ -80,7 +80,7 @@ class DocumentBuilder {
     const std::string asked = structure::spell(group_, from_.kind);
     prose("Asked for was " + asked + ": read its joints as the model's by this relabelling.");
     Table table{{{"joint of " + asked, false}, {"plays joint", false}}, {}};
-    for (std::size_t joint = 0; joint < from_.roles.size(); ++joint) {
+    for (const structure::JointIndex joint : from_.roles.keys()) {
       table.rows.push_back({{group_.joints()[joint].name}, from_.roles[joint]});
     }
     add(std::move(table));
@@ -165,8 +165,7 @@ class DocumentBuilder {
             entries.begin(), entries.end(),
             [](const std::string& a, const std::string& b) { return a.size() < b.size(); });
         const std::string& closure = matrix.rows[row];
-        const std::string& column =
-            matrix.columns[static_cast<std::size_t>(longest - entries.begin())];
+        const std::string& column = *std::next(matrix.columns.begin(), longest - entries.begin());
         const std::string name = closure + "_" + column;
         if (name.size() >= longest->size()) {
           break;
@@ -243,7 +242,7 @@ class DocumentBuilder {
     }
     prose("The polynomial has degree " + std::to_string(elimination.degree) + " in " +
           (elimination.is_angle ? "(cos, sin) of " : "") + elimination.unknown + ": at most " +
-          counted(static_cast<std::size_t>(elimination.max_configurations), "configuration") + ".");
+          counted(elimination.max_configurations, "configuration") + ".");
   }
 
   void back_substitution(const DerivedBackSubstitution& back) {

@@ -20,7 +20,7 @@ FormulaWriter::FormulaWriter(const equations::ClosureEquations& equations)
   }
 }
 
-FormulaWriter::Spelled FormulaWriter::spelled(int rank) const {
+FormulaWriter::Spelled FormulaWriter::spelled(program::SymbolRank rank) const {
   const std::string& name = order_.name(rank);
   const auto found = spellings_.find(name);
   return found == spellings_.end() ? Spelled{name, 0} : found->second;
@@ -28,12 +28,11 @@ FormulaWriter::Spelled FormulaWriter::spelled(int rank) const {
 
 std::string FormulaWriter::term(const program::Monomial& monomial,
                                 const GiNaC::numeric& size) const {
-  std::vector<std::pair<Spelled, int>> powers;
-  for (std::size_t at = 0; at < monomial.size();) {
-    const auto end = std::find_if(monomial.begin() + static_cast<std::ptrdiff_t>(at),
-                                  monomial.end(), [&](int rank) { return rank != monomial[at]; });
-    const auto next = static_cast<std::size_t>(end - monomial.begin());
-    powers.emplace_back(spelled(monomial[at]), static_cast<int>(next - at));
+  std::vector<std::pair<Spelled, std::ptrdiff_t>> powers;
+  for (auto at = monomial.begin(); at != monomial.end();) {
+    const auto next =
+        std::find_if(at, monomial.end(), [&](program::SymbolRank rank) { return rank != *at; });
+    powers.emplace_back(spelled(*at), next - at);
     at = next;
   }
   std::stable_sort(powers.begin(), powers.end(), [](const auto& left, const auto& right) {

@@ -25,7 +25,7 @@ class FormulaWriter {
     int place;  ///< where in a product: lengths and quantities 0, directions 1, rates 2
   };
 
-  [[nodiscard]] Spelled spelled(int rank) const;
+  [[nodiscard]] Spelled spelled(program::SymbolRank rank) const;
   [[nodiscard]] std::string term(const program::Monomial& monomial,
                                  const GiNaC::numeric& size) const;
 

@@ -85,7 +85,7 @@ Json elimination_json(const DerivedElimination& elimination) {
 
 Json roles(const Derivation& derivation) {
   Json map = Json::object();
-  for (std::size_t joint = 0; joint < derivation.roles.size(); ++joint) {
+  for (const structure::JointIndex joint : derivation.roles.keys()) {
     map[std::string(1, derivation.model->group->joints()[joint].name)] = derivation.roles[joint];
   }
   return map;

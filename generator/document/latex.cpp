@@ -53,15 +53,17 @@ class LatexRenderer {
 
   void show(const Table& table) {
     constexpr double widest_plain = 16;
-    constexpr double letter = 0.47;
+    const auto plain_width = [](const std::string& cell) {
+      constexpr double letter = 0.47;
+      return letter * static_cast<double>(cell.size());
+    };
     std::string columns;
     double left = text_width;
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
       const Table::Column& of = table.columns[column];
-      double width = letter * static_cast<double>(of.title.size());
+      double width = plain_width(of.title);
       for (const auto& row : table.rows) {
-        width = std::max(width, of.formula ? formula_width(row[column])
-                                           : letter * static_cast<double>(row[column].size()));
+        width = std::max(width, of.formula ? formula_width(row[column]) : plain_width(row[column]));
       }
       const double most = column + 1 == table.columns.size() ? left - 2 : widest_plain;
       columns += width <= most ? "l" : paragraph(most);

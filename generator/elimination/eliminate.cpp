@@ -1,5 +1,6 @@
 #include "elimination/eliminate.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -204,26 +205,28 @@ class BezoutElimination {
                                        ? equations::Vector2{2 * coefficient.re, -2 * coefficient.im}
                                        : equations::Vector2{coefficient.re, 0});
     }
-    result_.degree = -1;
+    const std::size_t formal_size = result_.polynomial.size();
+    std::vector<GiNaC::exmap> assemblies;
     for (unsigned seed = 1; seed <= 3; ++seed) {
-      const GiNaC::exmap values = derivatives::random_assembly(equations_, seed);
-      for (int power = 0; power < static_cast<int>(result_.polynomial.size()); ++power) {
-        const equations::Vector2& pair = result_.polynomial[static_cast<std::size_t>(power)];
-        const auto vanishes = [&](const GiNaC::ex& part) {
-          return result_.vocabulary.expand(part).subs(values).expand().is_zero();
-        };
-        if (!vanishes(pair.x) || !vanishes(pair.y)) {
-          result_.degree = std::max(result_.degree, power);
-        }
-      }
+      assemblies.push_back(derivatives::random_assembly(equations_, seed));
     }
-    if (result_.degree < 1) {
+    const auto vanishes = [&](const GiNaC::ex& part) {
+      const GiNaC::ex in_variables = result_.vocabulary.expand(part);
+      return std::all_of(assemblies.begin(), assemblies.end(), [&](const GiNaC::exmap& values) {
+        return in_variables.subs(values).expand().is_zero();
+      });
+    };
+    while (!result_.polynomial.empty() && vanishes(result_.polynomial.back().x) &&
+           vanishes(result_.polynomial.back().y)) {
+      result_.polynomial.pop_back();
+    }
+    if (result_.polynomial.size() < 2) {
       throw GeneratorError("elimination", equations_.model->title(),
                            "the final polynomial has no unknown in it");
     }
-    result_.polynomial.resize(static_cast<std::size_t>(result_.degree) + 1);
+    result_.degree = result_.polynomial.size() - 1;
     result_.max_configurations = trigonometric ? 2 * result_.degree : result_.degree;
-    RecordedStep step = final_coefficients(result_.polynomial, *result_.first, polynomial.degree());
+    RecordedStep step = final_coefficients(result_.polynomial, *result_.first, formal_size - 1);
     result_.polynomial_text = step.formulas.front();
     const std::vector<RecordedQuantity> coefficients = step.quantities;
     step.formulas.front() = "T = " + step.formulas.front() + " = 0";

@@ -21,8 +21,8 @@ struct Elimination {
   /// The final polynomial: for an angle x the pairs (cos kx, sin kx), k = 0 .. degree; for a
   /// displacement the coefficients of x^k with a zero second part.
   std::vector<equations::Vector2> polynomial;
-  int degree;
-  int max_configurations;  ///< generic number of complex solutions
+  std::size_t degree;
+  std::size_t max_configurations;  ///< generic number of complex solutions
   equations::Vocabulary vocabulary;
   std::vector<RecordedStep> record;  ///< every step from the closures to the polynomial
   std::string polynomial_text;       ///< the polynomial in the names that `record` gives it

@@ -11,7 +11,7 @@ std::string times_power(const std::string& base, std::size_t power) {
   return power == 0 ? "" : power == 1 ? "*" + base : "*" + base + "^" + std::to_string(power);
 }
 
-std::string up_to_degree(int degree, int formal_degree) {
+std::string up_to_degree(std::size_t degree, std::size_t formal_degree) {
   return ", up to the degree " + std::to_string(degree) +
          (formal_degree > degree ? "; above it, up to " + std::to_string(formal_degree) +
                                        ", they vanish, by exact evaluation at random assemblies"
@@ -46,9 +46,9 @@ RecordedStep ordered_by_second(const std::vector<std::array<GiNaC::ex, 3>>& equa
 }
 
 RecordedStep final_coefficients(const std::vector<equations::Vector2>& polynomial,
-                                const equations::Variable& unknown, int formal_degree) {
+                                const equations::Variable& unknown, std::size_t formal_degree) {
   const std::string& x = unknown.name;
-  const std::string degrees = up_to_degree(static_cast<int>(polynomial.size()) - 1, formal_degree);
+  const std::string degrees = up_to_degree(polynomial.size() - 1, formal_degree);
   RecordedStep step{
       "the final polynomial in " + x,
       (unknown.is_angle() ? "the coefficient T_k of `w^k` gives `2*Re(T_k)` for `cos(k*x)` "
@@ -87,11 +87,11 @@ RecordedStep half_angle_form(const std::vector<RecordedQuantity>& coefficients,
   const GiNaC::symbol t("t");
   const ComplexExpression twice_turned = ComplexExpression{1, t} * ComplexExpression{1, t};
   ComplexExpression turn = twice_turned;
-  GiNaC::ex sum = coefficients[0].symbol * GiNaC::pow(1 + t * t, static_cast<int>(degree));
+  GiNaC::ex sum = coefficients[0].symbol * GiNaC::pow(1 + t * t, degree);
   for (std::size_t power = 1; power <= degree; ++power) {
     sum +=
         (coefficients[2 * power - 1].symbol * turn.re + coefficients[2 * power].symbol * turn.im) *
-        GiNaC::pow(1 + t * t, static_cast<int>(degree - power));
+        GiNaC::pow(1 + t * t, degree - power);
     turn = turn * twice_turned;
   }
   sum = sum.expand();

@@ -17,7 +17,7 @@ namespace assur::generator::elimination {
 /// Above its degree, up to `formal_degree`, coefficients were found to vanish.
 [[nodiscard]] RecordedStep final_coefficients(const std::vector<equations::Vector2>& polynomial,
                                               const equations::Variable& unknown,
-                                              int formal_degree);
+                                              std::size_t formal_degree);
 
 /// (1 + t^2)^n T with cos kx + i sin kx = ((1 + i t)^2 / (1 + t^2))^k, t = tan(x/2), from the
 /// quantities of `final_coefficients`.

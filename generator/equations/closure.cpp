@@ -9,6 +9,9 @@ namespace assur::generator::equations {
 
 namespace {
 
+using structure::JointIndex;
+using structure::LinkIndex;
+
 Vector2 operator+(const Vector2& left, const Vector2& right) {
   return {left.x + right.x, left.y + right.y};
 }
@@ -44,21 +47,16 @@ class ClosureWalk {
   }
 
  private:
-  [[nodiscard]] const structure::Joint& joint(int index) const {
-    return group_.joints()[static_cast<std::size_t>(index)];
+  [[nodiscard]] const structure::Joint& joint(JointIndex index) const {
+    return group_.joints()[index];
   }
-  [[nodiscard]] std::string letter(int index) const { return {joint(index).name}; }
-  [[nodiscard]] const std::string& word(int link) const {
-    return group_.links()[static_cast<std::size_t>(link)];
+  [[nodiscard]] std::string letter(JointIndex index) const { return {joint(index).name}; }
+  [[nodiscard]] const std::string& word(LinkIndex link) const { return group_.links()[link]; }
+  [[nodiscard]] bool slides(JointIndex index) const {
+    return result_.model->representative[index] == structure::JointType::prismatic;
   }
-  [[nodiscard]] bool slides(int index) const {
-    return result_.model->representative[static_cast<std::size_t>(index)] ==
-           structure::JointType::prismatic;
-  }
-  [[nodiscard]] const LinkFrame& frame(int link) const {
-    return result_.frames[static_cast<std::size_t>(link)];
-  }
-  [[nodiscard]] LinkPose& pose(int link) { return result_.poses[static_cast<std::size_t>(link)]; }
+  [[nodiscard]] const LinkFrame& frame(LinkIndex link) const { return result_.frames[link]; }
+  [[nodiscard]] LinkPose& pose(LinkIndex link) { return result_.poses[link]; }
   [[nodiscard]] static const Variable& find(const std::deque<Variable>& list,
                                             const std::string& name) {
     return *std::find_if(list.begin(), list.end(),
@@ -66,14 +64,14 @@ class ClosureWalk {
   }
 
   void declare_frames() {
-    for (int link = 0; link < group_.link_count(); ++link) {
-      result_.frames.push_back(link_frame(*result_.model, link, result_.dimensions));
+    for (const LinkIndex link : group_.links().keys()) {
+      result_.frames.add(link_frame(*result_.model, link, result_.dimensions));
     }
   }
 
   void declare_inputs() {
     using Quantity = Variable::Quantity;
-    for (int index = 0; index < group_.joint_count(); ++index) {
+    for (const JointIndex index : group_.joints().keys()) {
       if (!joint(index).external()) {
         continue;
       }
@@ -90,7 +88,7 @@ class ClosureWalk {
   }
 
   /// The direction of a joint's line as one of its links sees it.
-  [[nodiscard]] AngleSum line_angle(int index, int link) {
+  [[nodiscard]] AngleSum line_angle(JointIndex index, LinkIndex link) {
     if (link == structure::base_link) {
       return AngleSum(find(result_.inputs, "phi_" + letter(index)));
     }
@@ -102,45 +100,47 @@ class ClosureWalk {
   /// joint between links whose angles are already tied is a condition of compatibility.
   void merge_angles() {
     result_.poses.resize(group_.links().size());
-    std::vector<bool> tied(group_.links().size(), false);
-    std::vector<bool> crossed(group_.joints().size(), false);
-    const auto is_tied = [&](int link) {
-      return link == structure::base_link || tied[static_cast<std::size_t>(link)];
-    };
-    const auto spread = [&] {
-      for (int index = 0; index < group_.joint_count();) {
+    structure::LinkTable<bool> tied(group_.links().size(), false);
+    structure::JointTable<bool> crossed(group_.joints().size(), false);
+    const auto is_tied = [&](LinkIndex link) { return link == structure::base_link || tied[link]; };
+    // Ties one more link by the first joint that can; returns false if none can.
+    const auto tie_one = [&] {
+      for (const JointIndex index : crossed.keys()) {
         const structure::Joint& at = joint(index);
-        if (!slides(index) || crossed[static_cast<std::size_t>(index)] ||
-            is_tied(at.first) == is_tied(at.second)) {
-          ++index;
+        if (!slides(index) || crossed[index] || is_tied(at.first) == is_tied(at.second)) {
           continue;
         }
-        const int from = is_tied(at.first) ? at.first : at.second;
-        const int to = is_tied(at.first) ? at.second : at.first;
+        const LinkIndex from = is_tied(at.first) ? at.first : at.second;
+        const LinkIndex to = at.other(from);
         pose(to).angle = line_angle(index, from) - frame(to).feature_of(index).direction;
-        tied[static_cast<std::size_t>(to)] = true;
-        crossed[static_cast<std::size_t>(index)] = true;
-        index = 0;
+        tied[to] = true;
+        crossed[index] = true;
+        return true;
+      }
+      return false;
+    };
+    const auto spread = [&] {
+      while (tie_one()) {
       }
     };
     spread();
-    for (int link = 0; link < group_.link_count(); ++link) {
+    for (const LinkIndex link : group_.links().keys()) {
       if (is_tied(link)) {
         continue;
       }
       pose(link).angle = AngleSum(result_.unknowns.emplace_back(
           "theta_" + word(link), Variable::Quantity::angle, "angle of link " + word(link)));
       result_.owners.push_back(link);
-      tied[static_cast<std::size_t>(link)] = true;
+      tied[link] = true;
       spread();
     }
-    for (int index = 0; index < group_.joint_count(); ++index) {
-      if (slides(index) && !crossed[static_cast<std::size_t>(index)]) {
+    for (const JointIndex index : group_.joints().keys()) {
+      if (slides(index) && !crossed[index]) {
         result_.compatibility.push_back(line_angle(index, joint(index).first) -
                                         line_angle(index, joint(index).second));
       }
     }
-    for (int link = 0; link < group_.link_count(); ++link) {
+    for (const LinkIndex link : group_.links().keys()) {
       const Vector2 direction = pose(link).angle.direction();
       pose(link).direction = {result_.vocabulary.name("cos_" + word(link), direction.x,
                                                       "cosine of the angle of link " + word(link)),
@@ -150,9 +150,9 @@ class ClosureWalk {
   }
 
   void declare_displacements() {
-    for (int index = 0; index < group_.joint_count(); ++index) {
+    for (const JointIndex index : group_.joints().keys()) {
       if (slides(index)) {
-        const int first = joint(index).first;
+        const LinkIndex first = joint(index).first;
         result_.owners.push_back(index);
         result_.unknowns.emplace_back(
             "s_" + letter(index), Variable::Quantity::length,
@@ -164,8 +164,8 @@ class ClosureWalk {
   }
 
   /// The vector by which a joint's slide moves its second link against its first.
-  Vector2 slide(int index) {
-    const int first = joint(index).first;
+  Vector2 slide(JointIndex index) {
+    const LinkIndex first = joint(index).first;
     // Either link knows the direction; the one with fewer angles in it reads better.
     const bool first_is_plain =
         first == structure::base_link || frame(first).feature_of(index).direction.text() == "0";
@@ -183,7 +183,7 @@ class ClosureWalk {
   }
 
   /// The vector between two joints of a link, in the fixed frame.
-  Vector2 link_vector(int link, int from, int to) {
+  Vector2 link_vector(LinkIndex link, JointIndex from, JointIndex to) {
     const Vector2 local = frame(link).feature_of(to).point - frame(link).feature_of(from).point;
     return result_.vocabulary.name(
         letter(from) + letter(to), rotated(pose(link).direction, local),
@@ -191,7 +191,7 @@ class ClosureWalk {
   }
 
   /// Steps from a joint's feature on one link to its feature on the other.
-  Place across(Place place, int index, int from) {
+  Place across(Place place, JointIndex index, LinkIndex from) {
     if (slides(index)) {
       const bool forward = joint(index).first == from;
       const Vector2 step = slide(index);
@@ -202,10 +202,9 @@ class ClosureWalk {
   }
 
   /// The feature of a joint on a link, reached along the tree.
-  Place feature_place(int link, int index) {
-    const int entry = tree_.entry[static_cast<std::size_t>(link)];
-    const structure::Joint& door = joint(entry);
-    const int before = door.first == link ? door.second : door.first;
+  Place feature_place(LinkIndex link, JointIndex index) {
+    const JointIndex entry = tree_.entry[link];
+    const LinkIndex before = joint(entry).other(link);
     Place place;
     if (before == structure::base_link) {
       place = {{find(result_.inputs, "x_" + letter(entry)).value,
@@ -226,8 +225,8 @@ class ClosureWalk {
   }
 
   void place_links() {
-    for (const int link : tree_.visit_order) {
-      const int entry = tree_.entry[static_cast<std::size_t>(link)];
+    for (const LinkIndex link : tree_.visit_order) {
+      const JointIndex entry = tree_.entry[link];
       const Vector2 local = frame(link).feature_of(entry).point;
       const Vector2 offset = result_.vocabulary.name(
           "origin_" + word(link), rotated(pose(link).direction, local),
@@ -237,7 +236,7 @@ class ClosureWalk {
   }
 
   void close_loops() {
-    for (const int chord : tree_.chords) {
+    for (const JointIndex chord : tree_.chords) {
       const structure::Joint& at = joint(chord);
       Place near = feature_place(at.second, chord);
       Place far = across(feature_place(at.first, chord), chord, at.first);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "equations/implicit_equations.hpp"
@@ -11,10 +12,10 @@ namespace assur::generator::equations {
 
 /// One vector loop-closure equation: the chord joint reached on both sides coincides.
 struct LoopClosure {
-  std::string name;      ///< `BCDEB`
-  int chord;             ///< the joint that closes the loop
-  std::string equation;  ///< `B + BC + CD - ED - E = 0`, for reading
-  Vector2 residual;      ///< in the names of the vocabulary
+  std::string name;             ///< `BCDEB`
+  structure::JointIndex chord;  ///< the joint that closes the loop
+  std::string equation;         ///< `B + BC + CD - ED - E = 0`, for reading
+  Vector2 residual;             ///< in the names of the vocabulary
 };
 
 /// Where a link's frame is: its origin, and its angle as a sum of angles.
@@ -24,6 +25,9 @@ struct LinkPose {
   Vector2 direction;  ///< (cos, sin) of `angle` in the names of the vocabulary
 };
 
+/// The link whose angle an unknown is, or the joint whose slide it is.
+using Owner = std::variant<structure::LinkIndex, structure::JointIndex>;
+
 /// The loop-closure equations of a model. Angles that prismatic joints tie together are merged, so
 /// the unknowns are one angle for each set of links that turn together and one displacement for
 /// each prismatic joint. The residuals are x and y of each loop.
@@ -31,10 +35,9 @@ struct ClosureEquations : ImplicitEquations {
   explicit ClosureEquations(const structure::Model& of_model);
 
   const structure::Model* model;
-  std::vector<int>
-      owners;  ///< for each unknown the link whose angle, or the joint whose slide it is
-  std::vector<LinkFrame> frames;
-  std::vector<LinkPose> poses;
+  std::vector<Owner> owners;  ///< for each unknown
+  structure::LinkTable<LinkFrame> frames;
+  structure::LinkTable<LinkPose> poses;
   std::vector<LoopClosure> loops;
   /// Sums of angles that must vanish because prismatic joints alone close a loop. They hold no
   /// unknown: a model that has any over-determines its angles.

@@ -7,7 +7,7 @@
 
 namespace assur::generator::equations {
 
-const Feature& LinkFrame::feature_of(int joint) const {
+const Feature& LinkFrame::feature_of(structure::JointIndex joint) const {
   const auto found = std::find_if(features.begin(), features.end(),
                                   [joint](const Feature& f) { return f.joint == joint; });
   if (found == features.end()) {
@@ -16,24 +16,25 @@ const Feature& LinkFrame::feature_of(int joint) const {
   return *found;
 }
 
-LinkFrame link_frame(const structure::Model& model, int link, std::deque<Variable>& dimensions) {
+LinkFrame link_frame(const structure::Model& model, structure::LinkIndex link,
+                     std::deque<Variable>& dimensions) {
   const structure::Group& group = *model.group;
-  const std::string& word = group.links()[static_cast<std::size_t>(link)];
-  const std::vector<int> joints = group.joints_of(link);
-  const auto is_line = [&](int joint) {
-    return model.representative[static_cast<std::size_t>(joint)] == structure::JointType::prismatic;
+  using Joints = std::vector<structure::JointIndex>;
+  const std::string& word = group.links()[link];
+  const Joints joints = group.joints_of(link);
+  const auto is_line = [&](structure::JointIndex joint) {
+    return model.representative[joint] == structure::JointType::prismatic;
   };
-  std::vector<int> points;
-  std::vector<int> lines;
-  for (const int joint : joints) {
+  Joints points;
+  Joints lines;
+  for (const structure::JointIndex joint : joints) {
     (is_line(joint) ? lines : points).push_back(joint);
   }
-  const auto is_one_of_first = [](const std::vector<int>& list, int joint, std::size_t count) {
-    const auto end = list.begin() + static_cast<std::ptrdiff_t>(std::min(count, list.size()));
-    return std::find(list.begin(), end, joint) != end;
+  const auto is_one_of_first_two = [](const Joints& list, structure::JointIndex joint) {
+    return std::find(list.begin(), list.end(), joint) - list.begin() < 2;
   };
-  const auto name_of = [&](int joint) {
-    return std::string(1, group.joints()[static_cast<std::size_t>(joint)].name);
+  const auto name_of = [&](structure::JointIndex joint) {
+    return std::string(1, group.joints()[joint].name);
   };
   const auto new_dimension = [&](const std::string& name, Variable::Quantity quantity,
                                  const std::string& meaning) -> const Variable& {
@@ -47,7 +48,7 @@ LinkFrame link_frame(const structure::Model& model, int link, std::deque<Variabl
                                       : "origin at " + name_of(points[0])) +
                       (lines.empty() ? ", x-axis toward " + name_of(points[1])
                                      : ", x-axis along the slide at " + name_of(lines[0]));
-  for (const int joint : joints) {
+  for (const structure::JointIndex joint : joints) {
     const std::string name = name_of(joint);
     if (is_line(joint)) {
       AngleSum direction;
@@ -56,7 +57,7 @@ LinkFrame link_frame(const structure::Model& model, int link, std::deque<Variabl
             "psi_" + name + on_link, Variable::Quantity::angle,
             "angle of the slide at " + name + " on link " + word + " from the x-axis"));
       }
-      const bool through_origin = points.empty() && is_one_of_first(lines, joint, 2);
+      const bool through_origin = points.empty() && is_one_of_first_two(lines, joint);
       Vector2 foot{0, 0};
       if (!through_origin) {
         const Variable& offset = new_dimension(
@@ -70,7 +71,7 @@ LinkFrame link_frame(const structure::Model& model, int link, std::deque<Variabl
     }
     Vector2 point{0, 0};
     if (joint != points.front()) {
-      const bool on_axis = lines.empty() && is_one_of_first(points, joint, 2);
+      const bool on_axis = lines.empty() && is_one_of_first_two(points, joint);
       if (on_axis) {
         const std::string origin = name_of(points.front());
         point = {new_dimension(origin + name, Variable::Quantity::length,

@@ -13,7 +13,7 @@ namespace assur::generator::equations {
 /// A joint as a feature of a link, in the link's frame. A revolute joint is a point; a prismatic
 /// joint is a directed line, given by the foot of the perpendicular from the frame's origin.
 struct Feature {
-  int joint;
+  structure::JointIndex joint;
   bool line;
   Vector2 point;       ///< the point, or the foot on the line
   AngleSum direction;  ///< of the line, against the link's x-axis
@@ -26,12 +26,12 @@ struct LinkFrame {
   std::vector<Feature> features;  ///< in the order of the link's word
   std::string description;        ///< `origin at B, x-axis toward C`
 
-  [[nodiscard]] const Feature& feature_of(int joint) const;
+  [[nodiscard]] const Feature& feature_of(structure::JointIndex joint) const;
 };
 
 /// The frame of `link` in the model's representative kind; its dimensions are appended to
 /// `dimensions`, whose elements the features refer to.
-[[nodiscard]] LinkFrame link_frame(const structure::Model& model, int link,
+[[nodiscard]] LinkFrame link_frame(const structure::Model& model, structure::LinkIndex link,
                                    std::deque<Variable>& dimensions);
 
 }  // namespace assur::generator::equations

@@ -47,8 +47,8 @@ FramedClosures::FramedClosures(const equations::ClosureEquations& equations)
   name_turning_vectors();
 }
 
-std::string FramedClosures::row_name(int row) const {
-  const PolarLoop& loop = loops_[static_cast<std::size_t>(row / 2)];
+std::string FramedClosures::row_name(std::size_t row) const {
+  const PolarLoop& loop = loops_[row / 2];
   return (row % 2 == 0 ? "along_" : "across_") + loop.frame_name;
 }
 
@@ -141,7 +141,7 @@ void FramedClosures::name_turning_vectors() {
 }
 
 std::vector<GiNaC::ex> FramedClosures::derivative(const equations::Variable& variable) const {
-  std::vector<GiNaC::ex> rows(static_cast<std::size_t>(row_count()));
+  std::vector<GiNaC::ex> rows(row_count());
   const bool moves = !moving_part(equations::AngleSum(variable)).terms().empty();
   for (std::size_t index = 0; index < loops_.size(); ++index) {
     equations::Vector2 sum;
@@ -164,7 +164,7 @@ std::vector<GiNaC::ex> FramedClosures::derivative(const equations::Variable& var
 }
 
 std::vector<GiNaC::ex> FramedClosures::quadratic_rates() const {
-  std::vector<GiNaC::ex> rows(static_cast<std::size_t>(row_count()));
+  std::vector<GiNaC::ex> rows(row_count());
   const auto rate_of = [](const equations::AngleSum& moving) {
     GiNaC::ex rate;
     for (const auto& [angle, factor] : moving.terms()) {
@@ -194,7 +194,7 @@ std::vector<GiNaC::ex> FramedClosures::quadratic_rates() const {
 }
 
 std::vector<GiNaC::ex> FramedClosures::derivative_bound(const equations::Variable& variable) const {
-  std::vector<GiNaC::ex> rows(static_cast<std::size_t>(row_count()));
+  std::vector<GiNaC::ex> rows(row_count());
   for (std::size_t index = 0; index < loops_.size(); ++index) {
     GiNaC::ex size;
     for (const PolarTerm& term : loops_[index].terms) {

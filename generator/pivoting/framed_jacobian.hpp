@@ -21,13 +21,13 @@ class FramedClosures {
 
   [[nodiscard]] const equations::ClosureEquations& equations() const { return *equations_; }
   [[nodiscard]] const equations::Vocabulary& vocabulary() const { return vocabulary_; }
-  [[nodiscard]] int row_count() const { return 2 * static_cast<int>(loops_.size()); }
+  [[nodiscard]] std::size_t row_count() const { return 2 * loops_.size(); }
   /// `along_CD`, `across_CD`, ...
-  [[nodiscard]] std::string row_name(int row) const;
+  [[nodiscard]] std::string row_name(std::size_t row) const;
 
   /// (cos, sin) of the frame of a loop.
-  [[nodiscard]] const equations::Vector2& frame_direction(int loop) const {
-    return frame_directions_[static_cast<std::size_t>(loop)];
+  [[nodiscard]] const equations::Vector2& frame_direction(std::size_t loop) const {
+    return frame_directions_[loop];
   }
 
   /// d(closures)/d(variable), a component a row, in names of the vocabulary.

@@ -15,9 +15,14 @@ using Matrix = std::vector<std::vector<GiNaC::ex>>;
 Matrix without(const Matrix& matrix, std::size_t row, std::size_t column) {
   Matrix rest;
   for (std::size_t index = 0; index < matrix.size(); ++index) {
-    if (index != row) {
-      rest.push_back(matrix[index]);
-      rest.back().erase(rest.back().begin() + static_cast<std::ptrdiff_t>(column));
+    if (index == row) {
+      continue;
+    }
+    std::vector<GiNaC::ex>& line = rest.emplace_back();
+    for (std::size_t place = 0; place < matrix[index].size(); ++place) {
+      if (place != column) {
+        line.push_back(matrix[index][place]);
+      }
     }
   }
   return rest;
@@ -56,11 +61,11 @@ bool needs_name(const GiNaC::ex& value) {
          !GiNaC::is_a<GiNaC::symbol>(-value);
 }
 
-int sign_of(std::vector<int> permutation) {
+int sign_of(std::vector<std::size_t> permutation) {
   int sign = 1;
   for (std::size_t place = 0; place < permutation.size(); ++place) {
-    while (permutation[place] != static_cast<int>(place)) {
-      std::swap(permutation[place], permutation[static_cast<std::size_t>(permutation[place])]);
+    while (permutation[place] != place) {
+      std::swap(permutation[place], permutation[permutation[place]]);
       sign = -sign;
     }
   }
@@ -79,7 +84,7 @@ StructuredJacobian::StructuredJacobian(const equations::ClosureEquations& equati
 
 void StructuredJacobian::fill_entries() {
   const equations::ClosureEquations& equations = closures_.equations();
-  entries_.resize(static_cast<std::size_t>(closures_.row_count()));
+  entries_.resize(closures_.row_count());
   for (const equations::Variable& unknown : equations.unknowns) {
     const std::vector<GiNaC::ex> column = closures_.derivative(unknown);
     for (std::size_t row = 0; row < entries_.size(); ++row) {
@@ -92,25 +97,27 @@ void StructuredJacobian::fill_entries() {
 }
 
 void StructuredJacobian::order_elimination() {
-  std::vector<int> rows(entries_.size());
+  std::vector<std::size_t> rows(entries_.size());
   std::iota(rows.begin(), rows.end(), 0);
-  std::vector<int> unknowns = rows;
-  const auto not_zero = [&](int row, int unknown) { return !entry(row, unknown).is_zero(); };
-  const auto take = [&](int row, int unknown) {
+  std::vector<std::size_t> unknowns = rows;
+  const auto not_zero = [&](std::size_t row, std::size_t unknown) {
+    return !entry(row, unknown).is_zero();
+  };
+  const auto take = [&](std::size_t row, std::size_t unknown) {
     std::erase(rows, row);
     std::erase(unknowns, unknown);
     return EliminationStep{row, unknown};
   };
   const auto peel = [&] {
-    for (const int unknown : unknowns) {
-      const auto holds = [&](int row) { return not_zero(row, unknown); };
+    for (const std::size_t unknown : unknowns) {
+      const auto holds = [&](std::size_t row) { return not_zero(row, unknown); };
       if (std::count_if(rows.begin(), rows.end(), holds) == 1) {
         last_.insert(last_.begin(), take(*std::find_if(rows.begin(), rows.end(), holds), unknown));
         return true;
       }
     }
-    for (const int row : rows) {
-      const auto held = [&](int unknown) { return not_zero(row, unknown); };
+    for (const std::size_t row : rows) {
+      const auto held = [&](std::size_t unknown) { return not_zero(row, unknown); };
       if (std::count_if(unknowns.begin(), unknowns.end(), held) == 1) {
         first_.push_back(take(row, *std::find_if(unknowns.begin(), unknowns.end(), held)));
         return true;
@@ -124,8 +131,8 @@ void StructuredJacobian::order_elimination() {
   core_rows_ = rows;
   core_unknowns_ = unknowns;
 
-  std::vector<int> row_order;
-  std::vector<int> unknown_order;
+  std::vector<std::size_t> row_order;
+  std::vector<std::size_t> unknown_order;
   const auto append = [&](const std::vector<EliminationStep>& steps) {
     for (const EliminationStep& step : steps) {
       row_order.push_back(step.row);
@@ -183,9 +190,9 @@ std::string StructuredJacobian::determinant_text() const {
 
 StructuredJacobian::Core StructuredJacobian::core() const {
   Core matrix;
-  for (const int row : core_rows_) {
+  for (const std::size_t row : core_rows_) {
     std::vector<GiNaC::ex>& line = matrix.emplace_back();
-    for (const int unknown : core_unknowns_) {
+    for (const std::size_t unknown : core_unknowns_) {
       line.push_back(entry(row, unknown));
     }
   }
@@ -199,21 +206,17 @@ void StructuredJacobian::name_pivots() {
   for (const equations::Variable& unknown : equations.unknowns) {
     bounds.push_back(closures_.derivative_bound(unknown));
   }
-  const auto unit = [&](int row, int unknown) -> GiNaC::ex {
-    const auto place = static_cast<std::size_t>(unknown);
-    return equations.unknowns[place].is_angle() ? sizes[static_cast<std::size_t>(row)]
-                                                : GiNaC::ex(1);
+  const auto unit = [&](std::size_t row, std::size_t unknown) {
+    return equations.unknowns[unknown].is_angle() ? sizes[row] : GiNaC::ex(1);
   };
   Core terms;
   Core units;
-  for (const int row : core_rows_) {
+  for (const std::size_t row : core_rows_) {
     terms.emplace_back();
     units.emplace_back();
-    for (const int unknown : core_unknowns_) {
+    for (const std::size_t unknown : core_unknowns_) {
       const bool zero = entry(row, unknown).is_zero();
-      terms.back().push_back(
-          zero ? GiNaC::ex(0)
-               : bounds[static_cast<std::size_t>(unknown)][static_cast<std::size_t>(row)]);
+      terms.back().push_back(zero ? GiNaC::ex(0) : bounds[unknown][row]);
       units.back().push_back(zero ? GiNaC::ex(0) : unit(row, unknown));
     }
   }
@@ -229,8 +232,7 @@ void StructuredJacobian::name_pivots() {
       if (is_unit(value)) {
         sign_ *= value.is_equal(-1) ? -1 : 1;
       } else {
-        const equations::Variable& unknown =
-            equations.unknowns[static_cast<std::size_t>(step.unknown)];
+        const equations::Variable& unknown = equations.unknowns[step.unknown];
         const std::string text = readable(value);
         pivots_.push_back({value, unit(step.row, step.unknown),
                            (is_negated(value) ? "-" : "") + text, text + " = 0",
@@ -243,9 +245,8 @@ void StructuredJacobian::name_pivots() {
 void StructuredJacobian::name_core_pivots(const GiNaC::ex& determinant, const GiNaC::ex& size) {
   const equations::ClosureEquations& equations = closures_.equations();
   std::string names;
-  for (const int unknown : core_unknowns_) {
-    names +=
-        (names.empty() ? "" : ", ") + equations.unknowns[static_cast<std::size_t>(unknown)].name;
+  for (const std::size_t unknown : core_unknowns_) {
+    names += (names.empty() ? "" : ", ") + equations.unknowns[unknown].name;
   }
   const std::string meaning = ": " + names + " free to first order";
   const std::optional<TrigonometricProduct> product =
@@ -270,7 +271,7 @@ void StructuredJacobian::name_core_pivots(const GiNaC::ex& determinant, const Gi
         core_rows_.size() == 1 ? text_of(determinant) + " = 0" : std::string("a dead centre");
     pivots_.push_back({value, size, core_text(), cause, cause + meaning});
   }
-  core_pivot_count_ = static_cast<int>(pivots_.size());
+  core_pivot_count_ = pivots_.size();
 }
 
 /// One division serves all pivots: 1/p = (1/product) * product of the others.
@@ -326,11 +327,11 @@ GiNaC::ex StructuredJacobian::inverse_of(const GiNaC::ex& pivot) const {
   throw GeneratorError("pivoting", closures_.equations().model->title(), "unknown pivot");
 }
 
-GiNaC::ex StructuredJacobian::reduced(int row, const GiNaC::ex& rhs,
+GiNaC::ex StructuredJacobian::reduced(std::size_t row, const GiNaC::ex& rhs,
                                       const std::vector<GiNaC::ex>& solved) const {
   GiNaC::ex rest = rhs;
   for (std::size_t unknown = 0; unknown < solved.size(); ++unknown) {
-    rest -= entry(row, static_cast<int>(unknown)) * solved[unknown];
+    rest -= entry(row, unknown) * solved[unknown];
   }
   return rest.expand();
 }
@@ -340,25 +341,24 @@ std::vector<GiNaC::ex> StructuredJacobian::solve(const std::vector<GiNaC::ex>& r
                                                  const std::string& meaning,
                                                  equations::Vocabulary& names) const {
   std::vector<GiNaC::ex> solved(entries_.size());
-  const auto keep = [&](int unknown, const GiNaC::ex& value) {
-    const auto place = static_cast<std::size_t>(unknown);
-    solved[place] = value.expand();
-    if (needs_name(solved[place])) {
-      names.define(symbols[place], solved[place], meaning);
-      solved[place] = symbols[place];
+  const auto keep = [&](std::size_t unknown, const GiNaC::ex& value) {
+    solved[unknown] = value.expand();
+    if (needs_name(solved[unknown])) {
+      names.define(symbols[unknown], solved[unknown], meaning);
+      solved[unknown] = symbols[unknown];
     }
   };
   const auto step_through = [&](const std::vector<EliminationStep>& steps) {
     for (const EliminationStep& step : steps) {
-      const GiNaC::ex rest = reduced(step.row, rhs[static_cast<std::size_t>(step.row)], solved);
+      const GiNaC::ex rest = reduced(step.row, rhs[step.row], solved);
       keep(step.unknown, rest * inverse_of(entry(step.row, step.unknown)));
     }
   };
   step_through(first_);
   const Core matrix = core();
   std::vector<GiNaC::ex> rests;
-  for (const int row : core_rows_) {
-    rests.push_back(reduced(row, rhs[static_cast<std::size_t>(row)], solved));
+  for (const std::size_t row : core_rows_) {
+    rests.push_back(reduced(row, rhs[row], solved));
   }
   std::vector<GiNaC::ex> core_solution;
   for (std::size_t place = 0; place < matrix.size(); ++place) {
@@ -367,8 +367,8 @@ std::vector<GiNaC::ex> StructuredJacobian::solve(const std::vector<GiNaC::ex>& r
       const GiNaC::ex minor = expansion(without(matrix, row, place), true);
       sum += ((row + place) % 2 == 0 ? 1 : -1) * minor * rests[row];
     }
-    for (int pivot = 0; pivot < core_pivot_count_; ++pivot) {
-      sum *= inverse_of(pivots_[static_cast<std::size_t>(pivot)].value);
+    for (std::size_t pivot = 0; pivot < core_pivot_count_; ++pivot) {
+      sum *= inverse_of(pivots_[pivot].value);
     }
     core_solution.push_back(sum);
   }

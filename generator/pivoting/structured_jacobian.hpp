@@ -21,8 +21,8 @@ struct Pivot {
 
 /// One unknown from one row, once the row's other unknowns are known.
 struct EliminationStep {
-  int row;
-  int unknown;
+  std::size_t row;
+  std::size_t unknown;
 };
 
 /// The structure of J x = b in the frames of the loops: rows that hold a single unknown come first,
@@ -39,7 +39,7 @@ class StructuredJacobian {
   /// The core's determinant first, as a product where it is one; then what single steps divide by,
   /// unless it is plus or minus one.
   [[nodiscard]] const std::vector<Pivot>& pivots() const { return pivots_; }
-  [[nodiscard]] int core_pivot_count() const { return core_pivot_count_; }
+  [[nodiscard]] std::size_t core_pivot_count() const { return core_pivot_count_; }
   /// Sum of the sizes of the terms of the core's determinant: what rounding is measured against.
   [[nodiscard]] const GiNaC::ex& core_terms() const { return core_terms_; }
   [[nodiscard]] int sign() const { return sign_; }
@@ -60,8 +60,8 @@ class StructuredJacobian {
   void order_elimination();
   void name_pivots();
   void divide_once();
-  [[nodiscard]] const GiNaC::ex& entry(int row, int unknown) const {
-    return entries_[static_cast<std::size_t>(row)][static_cast<std::size_t>(unknown)];
+  [[nodiscard]] const GiNaC::ex& entry(std::size_t row, std::size_t unknown) const {
+    return entries_[row][unknown];
   }
   [[nodiscard]] GiNaC::ex inverse_of(const GiNaC::ex& pivot) const;
   [[nodiscard]] std::string core_text() const;
@@ -69,16 +69,16 @@ class StructuredJacobian {
   [[nodiscard]] Core core() const;
   void name_core_pivots(const GiNaC::ex& determinant, const GiNaC::ex& size);
   /// row - sum of the entries times the values of the unknowns that are known already.
-  [[nodiscard]] GiNaC::ex reduced(int row, const GiNaC::ex& rhs,
+  [[nodiscard]] GiNaC::ex reduced(std::size_t row, const GiNaC::ex& rhs,
                                   const std::vector<GiNaC::ex>& solved) const;
 
   FramedClosures closures_;
   equations::Vocabulary vocabulary_;
   Core entries_;                               ///< [row][unknown]
   std::vector<EliminationStep> first_, last_;  ///< in the order in which they are solved
-  std::vector<int> core_rows_, core_unknowns_;
+  std::vector<std::size_t> core_rows_, core_unknowns_;
   std::vector<Pivot> pivots_;
-  int core_pivot_count_ = 0;
+  std::size_t core_pivot_count_ = 0;
   GiNaC::ex core_terms_;
   std::vector<std::pair<GiNaC::ex, GiNaC::ex>> inverses_;
   int sign_ = 1;

@@ -15,18 +15,18 @@ std::string text(const GiNaC::numeric& number) {
 }
 
 /// The symbol that occurs in most terms, the first of those, if it occurs in two or more.
-int most_frequent_factor(const Polynomial& polynomial) {
-  std::map<int, int> counts;
+SymbolRank most_frequent_factor(const Polynomial& polynomial) {
+  std::map<SymbolRank, int> counts;
   for (const auto& [monomial, coefficient] : polynomial) {
-    int last = -1;
-    for (const int symbol : monomial) {
+    SymbolRank last;
+    for (const SymbolRank symbol : monomial) {
       if (symbol != last) {
         ++counts[symbol];
       }
       last = symbol;
     }
   }
-  int best = -1;
+  SymbolRank best;
   int best_count = 1;
   for (const auto& [symbol, count] : counts) {
     if (count > best_count) {
@@ -76,39 +76,38 @@ OperationCount& OperationCount::operator+=(const OperationCount& other) {
 }
 
 ExpressionGraph::Key ExpressionGraph::key_of(const Node& node) {
-  std::vector<int> children = {static_cast<int>(node.operation), node.symbol};
-  children.insert(children.end(), node.factors.begin(), node.factors.end());
+  std::vector<NodeIndex> terms;
   std::string coefficients;
   for (const ScaledNode& term : node.terms) {
-    children.push_back(term.node);
+    terms.push_back(term.node);
     coefficients += text(term.coefficient) + " ";
   }
-  return {children, coefficients};
+  return {node.operation, node.symbol, node.factors, terms, coefficients};
 }
 
-int ExpressionGraph::intern(Node node) {
-  const auto [entry, fresh] = index_.try_emplace(key_of(node), size());
+NodeIndex ExpressionGraph::intern(Node node) {
+  const auto [entry, fresh] = index_.try_emplace(key_of(node));
   if (fresh) {
-    nodes_.push_back(std::move(node));
+    entry->second = nodes_.add(std::move(node));
   }
   return entry->second;
 }
 
-ScaledNode ExpressionGraph::make_product(std::vector<int> factors) {
+ScaledNode ExpressionGraph::make_product(std::vector<NodeIndex> factors) {
   if (factors.empty()) {
-    return {1, intern({Operation::constant, -1, {}, {}})};
+    return {1, intern({Operation::constant, {}, {}, {}})};
   }
   if (factors.size() == 1) {
     return {1, factors.front()};
   }
   std::sort(factors.begin(), factors.end());
-  return {1, intern({Operation::product, -1, std::move(factors), {}})};
+  return {1, intern({Operation::product, {}, std::move(factors), {}})};
 }
 
 ScaledNode ExpressionGraph::make_sum(std::vector<ScaledNode> terms) {
   // Equal nodes add up; the order is by age with a positive term in front, and the sign of the
   // whole goes to the user of the sum, so that a - b and b - a are one node.
-  std::map<int, GiNaC::numeric> sums;
+  std::map<NodeIndex, GiNaC::numeric> sums;
   for (const ScaledNode& term : terms) {
     sums[term.node] += term.coefficient;
   }
@@ -119,7 +118,7 @@ ScaledNode ExpressionGraph::make_sum(std::vector<ScaledNode> terms) {
     }
   }
   if (terms.empty()) {
-    return {0, intern({Operation::constant, -1, {}, {}})};
+    return {0, intern({Operation::constant, {}, {}, {}})};
   }
   if (terms.size() == 1) {
     return terms.front();
@@ -130,7 +129,7 @@ ScaledNode ExpressionGraph::make_sum(std::vector<ScaledNode> terms) {
       term.coefficient = -term.coefficient;
     }
   }
-  return {negate ? -1 : 1, intern({Operation::sum, -1, {}, std::move(terms)})};
+  return {negate ? -1 : 1, intern({Operation::sum, {}, {}, std::move(terms)})};
 }
 
 ScaledNode ExpressionGraph::add(const Polynomial& polynomial) {
@@ -143,12 +142,12 @@ ScaledNode ExpressionGraph::add(const Polynomial& polynomial) {
     const ScaledNode result = add(primitive);
     return {content * result.coefficient, result.node};
   }
-  const int factor = most_frequent_factor(polynomial);
-  if (factor < 0) {
+  const SymbolRank factor = most_frequent_factor(polynomial);
+  if (!factor.exists()) {
     std::vector<ScaledNode> terms;
     for (const auto& [monomial, coefficient] : polynomial) {
-      std::vector<int> factors;
-      for (const int symbol : monomial) {
+      std::vector<NodeIndex> factors;
+      for (const SymbolRank symbol : monomial) {
         factors.push_back(intern({Operation::symbol, symbol, {}, {}}));
       }
       const ScaledNode product = make_product(std::move(factors));
@@ -169,9 +168,9 @@ ScaledNode ExpressionGraph::add(const Polynomial& polynomial) {
     }
   }
   const ScaledNode inner = add(divided);
-  std::vector<int> factors = {intern({Operation::symbol, factor, {}, {}})};
-  if (node(inner.node).operation == Operation::product) {
-    factors.insert(factors.end(), node(inner.node).factors.begin(), node(inner.node).factors.end());
+  std::vector<NodeIndex> factors = {intern({Operation::symbol, factor, {}, {}})};
+  if (const Node& quotient = nodes_[inner.node]; quotient.operation == Operation::product) {
+    factors.insert(factors.end(), quotient.factors.begin(), quotient.factors.end());
   } else {
     factors.push_back(inner.node);
   }
@@ -182,8 +181,8 @@ ScaledNode ExpressionGraph::add(const Polynomial& polynomial) {
   }
   const ScaledNode tail = add(rest);
   std::vector<ScaledNode> terms = {head};
-  if (node(tail.node).operation == Operation::sum) {
-    for (const ScaledNode& term : node(tail.node).terms) {
+  if (const Node& remainder = nodes_[tail.node]; remainder.operation == Operation::sum) {
+    for (const ScaledNode& term : remainder.terms) {
       terms.push_back({tail.coefficient * term.coefficient, term.node});
     }
   } else {
@@ -192,17 +191,17 @@ ScaledNode ExpressionGraph::add(const Polynomial& polynomial) {
   return make_sum(std::move(terms));
 }
 
-std::vector<bool> ExpressionGraph::reachable(const std::vector<ScaledNode>& roots) const {
-  std::vector<bool> reached(nodes_.size(), false);
-  const std::function<void(int)> visit = [&](int index) {
-    if (reached[static_cast<std::size_t>(index)]) {
+NodeTable<bool> ExpressionGraph::reachable(const std::vector<ScaledNode>& roots) const {
+  NodeTable<bool> reached(nodes_.size(), false);
+  const std::function<void(NodeIndex)> visit = [&](NodeIndex index) {
+    if (reached[index]) {
       return;
     }
-    reached[static_cast<std::size_t>(index)] = true;
-    for (const int factor : node(index).factors) {
+    reached[index] = true;
+    for (const NodeIndex factor : nodes_[index].factors) {
       visit(factor);
     }
-    for (const ScaledNode& term : node(index).terms) {
+    for (const ScaledNode& term : nodes_[index].terms) {
       visit(term.node);
     }
   };
@@ -212,42 +211,42 @@ std::vector<bool> ExpressionGraph::reachable(const std::vector<ScaledNode>& root
   return reached;
 }
 
-std::vector<int> ExpressionGraph::uses(const std::vector<ScaledNode>& roots) const {
-  std::vector<int> counts(nodes_.size(), 0);
-  const std::vector<bool> reached = reachable(roots);
+NodeTable<int> ExpressionGraph::uses(const std::vector<ScaledNode>& roots) const {
+  NodeTable<int> counts(nodes_.size(), 0);
+  const NodeTable<bool> reached = reachable(roots);
   for (const ScaledNode& root : roots) {
-    ++counts[static_cast<std::size_t>(root.node)];
+    ++counts[root.node];
   }
-  for (int index = 0; index < size(); ++index) {
-    if (!reached[static_cast<std::size_t>(index)]) {
+  for (const NodeIndex index : nodes_.keys()) {
+    if (!reached[index]) {
       continue;
     }
-    for (const int factor : node(index).factors) {
-      ++counts[static_cast<std::size_t>(factor)];
+    for (const NodeIndex factor : nodes_[index].factors) {
+      ++counts[factor];
     }
-    for (const ScaledNode& term : node(index).terms) {
-      ++counts[static_cast<std::size_t>(term.node)];
+    for (const ScaledNode& term : nodes_[index].terms) {
+      ++counts[term.node];
     }
   }
   return counts;
 }
 
 void ExpressionGraph::rebuild(std::vector<ScaledNode>& roots,
-                              const std::map<int, Node>& rewritten) {
+                              const std::map<NodeIndex, Node>& rewritten) {
   // What a node became: itself, another node, or a multiple of one.
-  std::map<int, ScaledNode> image;
-  const std::function<ScaledNode(int)> moved = [&](int index) -> ScaledNode {
+  std::map<NodeIndex, ScaledNode> image;
+  const std::function<ScaledNode(NodeIndex)> moved = [&](NodeIndex index) -> ScaledNode {
     const auto known = image.find(index);
     if (known != image.end()) {
       return known->second;
     }
     const auto found = rewritten.find(index);
-    const Node content = found == rewritten.end() ? node(index) : found->second;
+    const Node content = found == rewritten.end() ? nodes_[index] : found->second;
     ScaledNode result{1, index};
     if (content.operation == Operation::product) {
-      std::vector<int> factors;
+      std::vector<NodeIndex> factors;
       GiNaC::numeric coefficient = 1;
-      for (const int factor : content.factors) {
+      for (const NodeIndex factor : content.factors) {
         const ScaledNode part = moved(factor);
         factors.push_back(part.node);
         coefficient *= part.coefficient;
@@ -272,12 +271,12 @@ void ExpressionGraph::rebuild(std::vector<ScaledNode>& roots,
 }
 
 bool ExpressionGraph::share_factor_pair(std::vector<ScaledNode>& roots) {
-  using Pair = std::pair<int, int>;
-  const std::vector<bool> reached = reachable(roots);
+  using Pair = std::pair<NodeIndex, NodeIndex>;
+  const NodeTable<bool> reached = reachable(roots);
   std::map<Pair, int> counts;
-  for (int index = 0; index < size(); ++index) {
-    const std::vector<int>& factors = node(index).factors;
-    if (!reached[static_cast<std::size_t>(index)]) {
+  for (const NodeIndex index : reached.keys()) {
+    const std::vector<NodeIndex>& factors = nodes_[index].factors;
+    if (!reached[index]) {
       continue;
     }
     std::map<Pair, int> here;
@@ -295,13 +294,13 @@ bool ExpressionGraph::share_factor_pair(std::vector<ScaledNode>& roots) {
     return false;
   }
   const auto [first, second] = *best;
-  const int shared = make_product({first, second}).node;
-  std::map<int, Node> rewritten;
-  for (int index = 0; index < static_cast<int>(reached.size()); ++index) {
-    if (!reached[static_cast<std::size_t>(index)] || node(index).factors.size() < 3) {
+  const NodeIndex shared = make_product({first, second}).node;
+  std::map<NodeIndex, Node> rewritten;
+  for (const NodeIndex index : reached.keys()) {
+    if (!reached[index] || nodes_[index].factors.size() < 3) {
       continue;
     }
-    std::vector<int> factors = node(index).factors;
+    std::vector<NodeIndex> factors = nodes_[index].factors;
     const auto one = std::find(factors.begin(), factors.end(), first);
     if (one == factors.end()) {
       continue;
@@ -313,7 +312,7 @@ bool ExpressionGraph::share_factor_pair(std::vector<ScaledNode>& roots) {
     factors.erase(other);
     factors.erase(one);
     factors.push_back(shared);
-    rewritten[index] = {Operation::product, -1, std::move(factors), {}};
+    rewritten[index] = {Operation::product, {}, std::move(factors), {}};
   }
   rebuild(roots, rewritten);
   return true;
@@ -321,15 +320,15 @@ bool ExpressionGraph::share_factor_pair(std::vector<ScaledNode>& roots) {
 
 bool ExpressionGraph::share_term_pair(std::vector<ScaledNode>& roots) {
   // A pair is two nodes and the ratio of their coefficients.
-  using Pair = std::pair<std::pair<int, int>, std::string>;
-  const std::vector<bool> reached = reachable(roots);
+  using Pair = std::pair<std::pair<NodeIndex, NodeIndex>, std::string>;
+  const NodeTable<bool> reached = reachable(roots);
   const auto ratio = [](const ScaledNode& first, const ScaledNode& second) {
     return text(second.coefficient / first.coefficient);
   };
   std::map<Pair, int> counts;
-  for (int index = 0; index < size(); ++index) {
-    const std::vector<ScaledNode>& terms = node(index).terms;
-    if (!reached[static_cast<std::size_t>(index)]) {
+  for (const NodeIndex index : reached.keys()) {
+    const std::vector<ScaledNode>& terms = nodes_[index].terms;
+    if (!reached[index]) {
       continue;
     }
     for (std::size_t i = 0; i < terms.size(); ++i) {
@@ -343,21 +342,21 @@ bool ExpressionGraph::share_term_pair(std::vector<ScaledNode>& roots) {
     return false;
   }
   const Pair pair = *best;
-  ScaledNode shared{0, -1};
-  std::map<int, Node> rewritten;
-  for (int index = 0; index < static_cast<int>(reached.size()); ++index) {
-    if (!reached[static_cast<std::size_t>(index)] || node(index).terms.size() < 2) {
+  ScaledNode shared{0, {}};
+  std::map<NodeIndex, Node> rewritten;
+  for (const NodeIndex index : reached.keys()) {
+    if (!reached[index] || nodes_[index].terms.size() < 2) {
       continue;
     }
     // A copy: making the shared node may move the nodes.
-    const std::vector<ScaledNode> terms = node(index).terms;
+    const std::vector<ScaledNode> terms = nodes_[index].terms;
     for (std::size_t i = 0; i < terms.size(); ++i) {
       for (std::size_t j = i + 1; j < terms.size(); ++j) {
         if (Pair{{terms[i].node, terms[j].node}, ratio(terms[i], terms[j])} != pair ||
             rewritten.contains(index)) {
           continue;
         }
-        if (shared.node < 0) {
+        if (!shared.node.exists()) {
           shared = make_sum(
               {{1, terms[i].node}, {terms[j].coefficient / terms[i].coefficient, terms[j].node}});
         }
@@ -372,7 +371,7 @@ bool ExpressionGraph::share_term_pair(std::vector<ScaledNode>& roots) {
           }
         }
         rest.push_back({terms[i].coefficient * shared.coefficient, shared.node});
-        rewritten[index] = {Operation::sum, -1, {}, std::move(rest)};
+        rewritten[index] = {Operation::sum, {}, {}, std::move(rest)};
         i = j = terms.size();
       }
     }
@@ -388,16 +387,16 @@ void ExpressionGraph::share_pairs(std::vector<ScaledNode>& roots) {
   }
 }
 
-OperationCount ExpressionGraph::cost(int index) const {
-  const Node& at = node(index);
+OperationCount ExpressionGraph::cost(NodeIndex index) const {
+  const Node& at = nodes_[index];
   OperationCount count;
   if (at.operation == Operation::product) {
-    count.multiplications = static_cast<int>(at.factors.size()) - 1;
+    count.multiplications = at.factors.size() - 1;
   } else if (at.operation == Operation::sum) {
-    count.additions = static_cast<int>(at.terms.size()) - 1;
+    count.additions = at.terms.size() - 1;
     for (const ScaledNode& term : at.terms) {
       const GiNaC::numeric size = GiNaC::abs(term.coefficient);
-      if (size != 1 && node(term.node).operation != Operation::constant) {
+      if (size != 1 && nodes_[term.node].operation != Operation::constant) {
         ++count.multiplications;
       }
     }

@@ -1,6 +1,7 @@
 #include "program/polynomial.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "error.hpp"
 
@@ -24,10 +25,8 @@ void add_term(Polynomial& sum, const GiNaC::ex& term, const SymbolOrder& order) 
       monomial.push_back(order.rank(GiNaC::ex_to<GiNaC::symbol>(factor)));
     } else if (GiNaC::is_a<GiNaC::power>(factor) && GiNaC::is_a<GiNaC::symbol>(factor.op(0)) &&
                factor.op(1).info(GiNaC::info_flags::posint)) {
-      const int rank = order.rank(GiNaC::ex_to<GiNaC::symbol>(factor.op(0)));
-      monomial.insert(monomial.end(),
-                      static_cast<std::size_t>(GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int()),
-                      rank);
+      std::fill_n(std::back_inserter(monomial), GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int(),
+                  order.rank(GiNaC::ex_to<GiNaC::symbol>(factor.op(0))));
     } else {
       not_a_polynomial(factor);
     }

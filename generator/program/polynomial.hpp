@@ -9,7 +9,7 @@
 namespace assur::generator::program {
 
 /// A product of symbols, by ascending rank, a square as the rank twice.
-using Monomial = std::vector<int>;
+using Monomial = std::vector<SymbolRank>;
 
 /// A polynomial: coefficients by monomial, in lexicographic order of the ranks.
 using Polynomial = std::map<Monomial, GiNaC::numeric>;

@@ -55,16 +55,17 @@ Program::Program(const SymbolOrder& order, const std::vector<equations::NamedQua
   }
   graph_.share_pairs(roots);
 
-  const std::vector<int> uses = graph_.uses(roots);
-  names_.resize(static_cast<std::size_t>(graph_.size()));
-  shared_.assign(names_.size(), false);
-  done_.assign(names_.size(), false);
-  for (int node = 0; node < graph_.size(); ++node) {
-    const Operation operation = graph_.node(node).operation;
-    const bool computed = operation == Operation::product || operation == Operation::sum;
-    shared_[static_cast<std::size_t>(node)] = computed && uses[static_cast<std::size_t>(node)] > 1;
-    if (operation == Operation::symbol) {
-      names_[static_cast<std::size_t>(node)] = order.name(graph_.node(node).symbol);
+  const NodeTable<int> uses = graph_.uses(roots);
+  names_.resize(uses.size());
+  shared_.assign(uses.size(), false);
+  done_.assign(uses.size(), false);
+  for (const NodeIndex node : uses.keys()) {
+    const ExpressionGraph::Node& content = graph_.nodes()[node];
+    const bool computed =
+        content.operation == Operation::product || content.operation == Operation::sum;
+    shared_[node] = computed && uses[node] > 1;
+    if (content.operation == Operation::symbol) {
+      names_[node] = order.name(content.symbol);
     }
   }
   for (std::size_t index = 0; index < named.size(); ++index) {
@@ -82,44 +83,43 @@ Program::Program(const SymbolOrder& order, const std::vector<equations::NamedQua
   }
 }
 
-void Program::schedule(int node) {
-  const auto slot = static_cast<std::size_t>(node);
-  if (done_[slot]) {
+void Program::schedule(NodeIndex node) {
+  if (done_[node]) {
     return;
   }
-  done_[slot] = true;
-  const ExpressionGraph::Node content = graph_.node(node);
+  done_[node] = true;
+  const ExpressionGraph::Node content = graph_.nodes()[node];
   if (content.operation == Operation::symbol) {
-    const auto definition = definitions_.find(names_[slot]);
+    const auto definition = definitions_.find(names_[node]);
     if (definition != definitions_.end()) {
       schedule(definition->second.value.node);
       steps_.push_back(definition->second);
     }
     return;
   }
-  for (const int factor : content.factors) {
+  for (const NodeIndex factor : content.factors) {
     schedule(factor);
   }
   for (const ScaledNode& term : content.terms) {
     schedule(term.node);
   }
-  if (shared_[slot]) {
+  if (shared_[node]) {
     ++temporaries_;
-    names_[slot] = (temporaries_ < 10 ? "t0" : "t") + std::to_string(temporaries_);
-    steps_.push_back({names_[slot], {1, node}, equations::NamedQuantity::Form::itself, ""});
+    names_[node] = (temporaries_ < 10 ? "t0" : "t") + std::to_string(temporaries_);
+    steps_.push_back({names_[node], {1, node}, equations::NamedQuantity::Form::itself, ""});
   }
 }
 
 OperationCount Program::count() const {
   OperationCount total;
-  const auto is_constant = [&](int node) {
-    return graph_.node(node).operation == Operation::constant;
+  const auto is_constant = [&](NodeIndex node) {
+    return graph_.nodes()[node].operation == Operation::constant;
   };
   // Inside a step, nodes without a name are computed in place.
-  const std::function<void(int)> inner = [&](int node) {
+  const std::function<void(NodeIndex)> inner = [&](NodeIndex node) {
     total += graph_.cost(node);
-    const ExpressionGraph::Node& content = graph_.node(node);
-    for (const int factor : content.factors) {
+    const ExpressionGraph::Node& content = graph_.nodes()[node];
+    for (const NodeIndex factor : content.factors) {
       if (name_of(factor).empty()) {
         inner(factor);
       }
@@ -149,16 +149,17 @@ OperationCount Program::count() const {
 }
 
 std::vector<std::string> Program::reads() const {
-  std::set<int> ranks;
-  for (int node = 0; node < graph_.size(); ++node) {
-    if (done_[static_cast<std::size_t>(node)] && graph_.node(node).operation == Operation::symbol &&
+  std::set<SymbolRank> ranks;
+  for (const NodeIndex node : done_.keys()) {
+    const ExpressionGraph::Node& content = graph_.nodes()[node];
+    if (done_[node] && content.operation == Operation::symbol &&
         !definitions_.contains(name_of(node))) {
-      ranks.insert(graph_.node(node).symbol);
+      ranks.insert(content.symbol);
     }
   }
   std::vector<std::string> names;
   names.reserve(ranks.size());
-  for (const int rank : ranks) {
+  for (const SymbolRank rank : ranks) {
     names.push_back(graph_.order().name(rank));
   }
   return names;

@@ -41,24 +41,22 @@ class Program {
   [[nodiscard]] const std::vector<Assignment>& assignments() const { return assignments_; }
   [[nodiscard]] const ExpressionGraph& graph() const { return graph_; }
   /// The name under which a node is known once its step is done; empty if it has none.
-  [[nodiscard]] const std::string& name_of(int node) const {
-    return names_[static_cast<std::size_t>(node)];
-  }
+  [[nodiscard]] const std::string& name_of(NodeIndex node) const { return names_[node]; }
   [[nodiscard]] OperationCount count() const;
   /// Names of the symbols that the program reads, i.e. that no step computes, in order of rank.
   [[nodiscard]] std::vector<std::string> reads() const;
 
  private:
-  void schedule(int node);
+  void schedule(NodeIndex node);
 
   ExpressionGraph graph_;
   std::vector<Step> steps_;
   std::vector<Assignment> assignments_;
-  std::vector<std::string> names_;
+  NodeTable<std::string> names_;
   // What scheduling needs: the definition of each computed symbol, and the nodes worth a step.
   std::map<std::string, Step> definitions_;
-  std::vector<bool> shared_;
-  std::vector<bool> done_;
+  NodeTable<bool> shared_;
+  NodeTable<bool> done_;
   int temporaries_ = 0;
 };
 

@@ -5,12 +5,13 @@
 namespace assur::generator::program {
 
 void SymbolOrder::declare(const GiNaC::symbol& symbol) {
-  if (ranks_.emplace(symbol.get_name(), size()).second) {
-    names_.push_back(symbol.get_name());
+  const auto [entry, fresh] = ranks_.try_emplace(symbol.get_name());
+  if (fresh) {
+    entry->second = names_.add(symbol.get_name());
   }
 }
 
-int SymbolOrder::rank(const GiNaC::symbol& symbol) const {
+SymbolRank SymbolOrder::rank(const GiNaC::symbol& symbol) const {
   const auto found = ranks_.find(symbol.get_name());
   if (found == ranks_.end()) {
     throw GeneratorError("program", "symbol order", "undeclared symbol " + symbol.get_name());

@@ -1,6 +1,7 @@
 // Turns the variables and named quantities of equations into ranks, an order of our own.
 #pragma once
 
+#include <assur/text/index.hpp>
 #include <map>
 #include <string>
 #include <vector>
@@ -9,6 +10,8 @@
 
 namespace assur::generator::program {
 
+using SymbolRank = text::Index<class SymbolOrder>;
+
 /// Ranks symbols by the order in which they were declared. GiNaC orders by addresses, which differ
 /// from run to run; nothing that is printed may depend on them.
 class SymbolOrder {
@@ -16,15 +19,12 @@ class SymbolOrder {
   /// Declares a symbol; a name declared twice keeps its first rank.
   void declare(const GiNaC::symbol& symbol);
   /// The rank of a declared symbol; throws GeneratorError for any other.
-  [[nodiscard]] int rank(const GiNaC::symbol& symbol) const;
-  [[nodiscard]] const std::string& name(int rank) const {
-    return names_[static_cast<std::size_t>(rank)];
-  }
-  [[nodiscard]] int size() const { return static_cast<int>(names_.size()); }
+  [[nodiscard]] SymbolRank rank(const GiNaC::symbol& symbol) const;
+  [[nodiscard]] const std::string& name(SymbolRank rank) const { return names_[rank]; }
 
  private:
-  std::map<std::string, int> ranks_;
-  std::vector<std::string> names_;
+  std::map<std::string, SymbolRank> ranks_;
+  text::Table<SymbolRank, std::string> names_;
 };
 
 /// Ranks the symbols of equations: unknowns, dimensions, inputs, rates, then named quantities.

@@ -8,6 +8,9 @@ namespace assur::generator::special_points {
 
 namespace {
 
+using structure::JointIndex;
+using structure::LinkIndex;
+
 /// A vector turned by a right angle, counter-clockwise.
 equations::Vector2 turned(const equations::Vector2& vector) { return {-vector.y, vector.x}; }
 equations::Vector2 operator+(const equations::Vector2& left, const equations::Vector2& right) {
@@ -35,11 +38,11 @@ class SpecialPointDerivation {
       : equations_(equations), derivatives_(derivatives), group_(*equations.model->group) {}
 
   SpecialPoints run() {
-    const std::vector<int> links = closure_links(group_);
+    const std::vector<LinkIndex> links = closure_links(group_);
     if (links.empty()) {
       return {{}, false, "every link has an external joint"};
     }
-    for (const int link : links) {
+    for (const LinkIndex link : links) {
       add_point(link);
       if (!result_.reason.empty()) {
         result_.defined = false;
@@ -50,12 +53,7 @@ class SpecialPointDerivation {
   }
 
  private:
-  [[nodiscard]] const std::string& word(int link) const {
-    return group_.links()[static_cast<std::size_t>(link)];
-  }
-  [[nodiscard]] const structure::Joint& joint(int index) const {
-    return group_.joints()[static_cast<std::size_t>(index)];
-  }
+  [[nodiscard]] const std::string& word(LinkIndex link) const { return group_.links()[link]; }
   [[nodiscard]] GiNaC::ex in_variables(const GiNaC::ex& expression) const {
     return elimination::on_circle(equations_.vocabulary.expand(expression), equations_);
   }
@@ -66,8 +64,8 @@ class SpecialPointDerivation {
     return vanishes(vector.x) && vanishes(vector.y);
   }
 
-  void add_point(int link) {
-    const std::vector<int> joints = group_.joints_of(link);
+  void add_point(LinkIndex link) {
+    const std::vector<JointIndex> joints = group_.joints_of(link);
     std::vector<std::size_t> loops;
     for (std::size_t loop = 0; loop < equations_.loops.size(); ++loop) {
       if (std::find(joints.begin(), joints.end(), equations_.loops[loop].chord) != joints.end()) {
@@ -78,18 +76,17 @@ class SpecialPointDerivation {
       result_.reason = "link " + word(link) + " does not close exactly one loop";
       return;
     }
-    const structure::Joint& chord = joint(equations_.loops[loops[0]].chord);
-    const int entry = structure::spanning_tree(group_).entry[static_cast<std::size_t>(link)];
-    const structure::Joint& door = joint(entry);
+    const structure::Joint& chord = group_.joints()[equations_.loops[loops[0]].chord];
+    const structure::Joint& entry = group_.joints()[structure::spanning_tree(group_).entry[link]];
 
     SpecialPoint point{
         link, GiNaC::symbol("S_" + word(link) + "_x"), GiNaC::symbol("S_" + word(link) + "_y"), {}};
-    const Origin along_tree = tree_origin(static_cast<std::size_t>(link));
+    const Origin along_tree = tree_origin(link);
     // The residual is what the walk to the chord's second link has ahead of the walk to its first.
     const int ahead = chord.second == link ? 1 : -1;
     const Origin through_chord = chord_origin(along_tree, loops[0], ahead);
-    point.sides[0] = side(point, door.first == link ? door.second : door.first, along_tree);
-    point.sides[1] = side(point, chord.first == link ? chord.second : chord.first, through_chord);
+    point.sides[0] = side(point, entry.other(link), along_tree);
+    point.sides[1] = side(point, chord.other(link), through_chord);
     for (SpecialPointSide& at : point.sides) {
       if (result_.reason.empty()) {
         result_.reason = find_line(point, at);
@@ -116,14 +113,15 @@ class SpecialPointDerivation {
     return expression;
   }
 
-  [[nodiscard]] Origin tree_origin(std::size_t link) const {
+  [[nodiscard]] Origin tree_origin(LinkIndex link) const {
     Origin origin;
+    const std::size_t row = 3 * link.place();
     for (std::size_t k = 0; k < equations_.unknowns.size(); ++k) {
-      origin.by_unknown.push_back({derivatives_.pose_unknown_jacobian[3 * link][k],
-                                   derivatives_.pose_unknown_jacobian[3 * link + 1][k]});
+      origin.by_unknown.push_back({derivatives_.pose_unknown_jacobian[row][k],
+                                   derivatives_.pose_unknown_jacobian[row + 1][k]});
     }
-    const std::vector<GiNaC::ex>& velocity = derivatives_.pose_velocity[link];
-    const std::vector<GiNaC::ex>& acceleration = derivatives_.pose_acceleration[link];
+    const std::vector<GiNaC::ex>& velocity = derivatives_.pose_velocity[link.place()];
+    const std::vector<GiNaC::ex>& acceleration = derivatives_.pose_acceleration[link.place()];
     origin.velocity = {at_rest(velocity[0]), at_rest(velocity[1])};
     origin.acceleration = {unaccelerated(acceleration[0]), unaccelerated(acceleration[1])};
     return origin;
@@ -149,14 +147,13 @@ class SpecialPointDerivation {
   }
 
   /// The motion of S as of a point of a rigid link whose frame has this origin.
-  [[nodiscard]] SpecialPointSide side(const SpecialPoint& point, int by,
+  [[nodiscard]] SpecialPointSide side(const SpecialPoint& point, LinkIndex by,
                                       const Origin& origin) const {
-    const auto link = static_cast<std::size_t>(point.link);
     const equations::Vector2 arm{point.x, point.y};
     SpecialPointSide side;
     side.by = by;
     for (std::size_t k = 0; k < equations_.unknowns.size(); ++k) {
-      const int turns = equations_.poses[link].angle.factor(equations_.unknowns[k]);
+      const int turns = equations_.poses[point.link].angle.factor(equations_.unknowns[k]);
       const equations::Vector2 contribution = origin.by_unknown[k] + turns * turned(arm);
       const bool moves = !vanishes(contribution);
       side.contributions.push_back(moves ? contribution : equations::Vector2{0, 0});
@@ -164,8 +161,9 @@ class SpecialPointDerivation {
         side.moving.push_back(k);
       }
     }
-    const GiNaC::ex omega = derivatives_.pose_velocity[link][2];
-    const GiNaC::ex known_alpha = unaccelerated(derivatives_.pose_acceleration[link][2]);
+    const GiNaC::ex omega = derivatives_.pose_velocity[point.link.place()][2];
+    const GiNaC::ex known_alpha =
+        unaccelerated(derivatives_.pose_acceleration[point.link.place()][2]);
     side.known_velocity = origin.velocity + at_rest(omega) * turned(arm);
     side.known_acceleration =
         origin.acceleration + known_alpha * turned(arm) - (omega * omega) * arm;
@@ -210,13 +208,12 @@ class SpecialPointDerivation {
 
 }  // namespace
 
-std::vector<int> closure_links(const structure::Group& group) {
-  std::vector<int> links;
-  for (int link = 0; link < group.link_count(); ++link) {
-    const std::vector<int> joints = group.joints_of(link);
-    if (std::none_of(joints.begin(), joints.end(), [&](int index) {
-          return group.joints()[static_cast<std::size_t>(index)].external();
-        })) {
+std::vector<LinkIndex> closure_links(const structure::Group& group) {
+  std::vector<LinkIndex> links;
+  for (const LinkIndex link : group.links().keys()) {
+    const std::vector<JointIndex> joints = group.joints_of(link);
+    if (std::none_of(joints.begin(), joints.end(),
+                     [&](JointIndex index) { return group.joints()[index].external(); })) {
       links.push_back(link);
     }
   }

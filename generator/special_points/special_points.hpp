@@ -15,7 +15,7 @@ namespace assur::generator::special_points {
 ///   acceleration  known_acceleration + sum over k of contributions[k] d2q_k/dt2.
 /// On the line normal . S = offset all contributions are parallel to the normal.
 struct SpecialPointSide {
-  int by;                                         ///< the neighbour, a link
+  structure::LinkIndex by;                        ///< the neighbour
   std::vector<equations::Vector2> contributions;  ///< by unknown, of S
   std::vector<std::size_t> moving;  ///< the unknowns whose contribution is not zero everywhere
   equations::Vector2 normal;        ///< not of unit length
@@ -26,7 +26,7 @@ struct SpecialPointSide {
 
 /// The special point of one closure link: where the lines of its two sides cross.
 struct SpecialPoint {
-  int link;
+  structure::LinkIndex link;
   GiNaC::symbol x, y;  ///< of S in the fixed directions, from the origin of the link's frame
   std::array<SpecialPointSide, 2> sides;
 };
@@ -40,7 +40,7 @@ struct SpecialPoints {
 };
 
 /// The links all of whose joints are internal, in ascending order.
-[[nodiscard]] std::vector<int> closure_links(const structure::Group& group);
+[[nodiscard]] std::vector<structure::LinkIndex> closure_links(const structure::Group& group);
 
 /// Derives the method of Quintero, Calle, Diaz and Henao (2011). The sides of a closure link are
 /// the walk along the spanning tree and the walk through the loop's chord. If the method is not

@@ -1,21 +1,33 @@
 // Turns the links of an Assur group, spelled by their joints, into a graph of links and joints.
 #pragma once
 
+#include <assur/text/index.hpp>
 #include <string>
 #include <vector>
 
 namespace assur::generator::structure {
 
-/// The frame, or whatever moving links the external joints attach to.
-inline constexpr int base_link = -1;
+using LinkIndex = text::Index<struct Link>;
+using JointIndex = text::Index<struct Joint>;
+/// An item for each link of a group.
+template <typename Item>
+using LinkTable = text::Table<LinkIndex, Item>;
+/// An item for each joint of a group.
+template <typename Item>
+using JointTable = text::Table<JointIndex, Item>;
+
+/// The frame, or whatever moving links the external joints attach to: none of the group's links.
+inline constexpr LinkIndex base_link{};
 
 /// A joint of a group. Its slide is measured from `first` to `second`.
 struct Joint {
   char name;
-  int first;   ///< index of a link, or `base_link` for an external joint
-  int second;  ///< index of a link, always greater than `first`
+  LinkIndex first;   ///< `base_link` for an external joint
+  LinkIndex second;  ///< always greater than `first`
 
   [[nodiscard]] bool external() const { return first == base_link; }
+  /// The link on the other side.
+  [[nodiscard]] LinkIndex other(LinkIndex link) const { return first == link ? second : first; }
 };
 
 /// An Assur group as a graph. A link is the word of its joints, so that a joint in two words is
@@ -27,44 +39,40 @@ class Group {
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] int assur_class() const { return assur_class_; }
-  [[nodiscard]] const std::vector<std::string>& links() const { return links_; }
+  [[nodiscard]] const LinkTable<std::string>& links() const { return links_; }
   [[nodiscard]] const std::string& spelling() const { return spelling_; }
   /// The joints in the order of the spelling.
-  [[nodiscard]] const std::vector<Joint>& joints() const { return joints_; }
-  [[nodiscard]] int link_count() const { return static_cast<int>(links_.size()); }
-  [[nodiscard]] int joint_count() const { return static_cast<int>(joints_.size()); }
-  /// Position of a joint in the spelling; the name must exist.
-  [[nodiscard]] int joint_index(char name) const;
+  [[nodiscard]] const JointTable<Joint>& joints() const { return joints_; }
   /// Joints of one link in the order of its word.
-  [[nodiscard]] std::vector<int> joints_of(int link) const;
+  [[nodiscard]] std::vector<JointIndex> joints_of(LinkIndex link) const;
 
   /// Every permutation of the joints that maps links onto links and keeps the base, the identity
   /// first: `result[k][j]` is the image of joint j.
-  [[nodiscard]] std::vector<std::vector<int>> automorphisms() const;
+  [[nodiscard]] std::vector<JointTable<JointIndex>> automorphisms() const;
 
  private:
   std::string name_;
   int assur_class_;
-  std::vector<std::string> links_;
+  LinkTable<std::string> links_;
   std::string spelling_;
-  std::vector<Joint> joints_;
+  JointTable<Joint> joints_;
 };
 
 /// The spanning tree that a breadth-first walk from the base finds, and the joints left over: each
 /// of those closes one independent loop.
 struct SpanningTree {
-  std::vector<int> entry;        ///< for each link the joint by which the walk enters it
-  std::vector<int> visit_order;  ///< links in the order of the walk
-  std::vector<int> chords;       ///< joints that close a loop
+  LinkTable<JointIndex> entry;         ///< for each link the joint by which the walk enters it
+  std::vector<LinkIndex> visit_order;  ///< links in the order of the walk
+  std::vector<JointIndex> chords;      ///< joints that close a loop
 
   /// Joints from the base to `link` along the tree.
-  [[nodiscard]] std::vector<int> path_to(const Group& group, int link) const;
+  [[nodiscard]] std::vector<JointIndex> path_to(const Group& group, LinkIndex link) const;
 };
 
 [[nodiscard]] SpanningTree spanning_tree(const Group& group);
 
 /// The loop that a chord closes, as the word of its joints: `BCDEB`.
-[[nodiscard]] std::string loop_name(const Group& group, const SpanningTree& tree, int chord);
+[[nodiscard]] std::string loop_name(const Group& group, const SpanningTree& tree, JointIndex chord);
 
 /// The groups that the generator knows, as rows of data.
 [[nodiscard]] const std::vector<Group>& known_groups();

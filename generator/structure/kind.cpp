@@ -13,17 +13,17 @@ namespace assur::generator::structure {
 namespace {
 
 /// The kind whose joint `image[j]` has the type that joint j has in `kind`.
-Kind moved(const Kind& kind, const std::vector<int>& image) {
+Kind moved(const Kind& kind, const JointTable<JointIndex>& image) {
   Kind result(kind.size());
-  for (std::size_t joint = 0; joint < kind.size(); ++joint) {
-    result[static_cast<std::size_t>(image[joint])] = kind[joint];
+  for (const JointIndex joint : kind.keys()) {
+    result[image[joint]] = kind[joint];
   }
   return result;
 }
 
 /// The orbits of the kinds, each led by its alphabetically first member.
 std::vector<Model> orbits(const Group& group) {
-  const std::vector<std::vector<int>> automorphisms = group.automorphisms();
+  const std::vector<JointTable<JointIndex>> automorphisms = group.automorphisms();
   std::vector<Model> models;
   std::set<Kind> seen;
   for (const Kind& kind : all_kinds(group)) {
@@ -31,7 +31,7 @@ std::vector<Model> orbits(const Group& group) {
       continue;
     }
     std::map<std::string, Kind> orbit;
-    for (const std::vector<int>& image : automorphisms) {
+    for (const JointTable<JointIndex>& image : automorphisms) {
       const Kind member = moved(kind, image);
       orbit.emplace(spell(group, member), member);
       seen.insert(member);
@@ -50,12 +50,11 @@ std::vector<Model> orbits(const Group& group) {
 }
 
 /// Kinds that an orbit and a printed row have in common.
-std::size_t overlap(const Model& model, const PrintedRow& row) {
-  return static_cast<std::size_t>(
-      std::count_if(model.members.begin(), model.members.end(), [&](const Relabelling& member) {
-        return std::find(row.kinds.begin(), row.kinds.end(), spell(*model.group, member.kind)) !=
-               row.kinds.end();
-      }));
+std::ptrdiff_t overlap(const Model& model, const PrintedRow& row) {
+  return std::count_if(model.members.begin(), model.members.end(), [&](const Relabelling& member) {
+    return std::find(row.kinds.begin(), row.kinds.end(), spell(*model.group, member.kind)) !=
+           row.kinds.end();
+  });
 }
 
 std::vector<Model> numbered_models(const Group& group) {
@@ -90,12 +89,12 @@ std::vector<Model> numbered_models(const Group& group) {
 
 std::string spell(const Group& group, const Kind& kind) {
   std::string text;
-  std::size_t joint = 0;
+  auto type = kind.begin();
   for (const char letter : group.spelling()) {
     if (std::isupper(static_cast<unsigned char>(letter)) == 0) {
       text += letter;
     } else {
-      text += kind[joint++] == JointType::prismatic ? 'P' : 'R';
+      text += *type++ == JointType::prismatic ? 'P' : 'R';
     }
   }
   return text;
@@ -114,10 +113,10 @@ std::vector<Kind> all_kinds(const Group& group) {
   const std::size_t joints = group.joints().size();
   std::vector<Kind> kinds;
   for (unsigned code = 0; code < (1U << joints); ++code) {
-    Kind kind(joints);
+    Kind kind;
     for (std::size_t joint = 0; joint < joints; ++joint) {
       const bool prismatic = ((code >> (joints - 1 - joint)) & 1U) != 0;
-      kind[joint] = prismatic ? JointType::prismatic : JointType::revolute;
+      kind.add(prismatic ? JointType::prismatic : JointType::revolute);
     }
     kinds.push_back(std::move(kind));
   }

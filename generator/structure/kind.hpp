@@ -12,7 +12,7 @@ namespace assur::generator::structure {
 enum class JointType : unsigned char { revolute, prismatic };
 
 /// A kind: one joint type for each joint, in the order of the group's spelling.
-using Kind = std::vector<JointType>;
+using Kind = JointTable<JointType>;
 
 /// `RPR-RRR`: R or P for each joint in the order and with the separators of the group's spelling.
 [[nodiscard]] std::string spell(const Group& group, const Kind& kind);
@@ -24,7 +24,7 @@ using Kind = std::vector<JointType>;
 /// How a kind maps onto its model: joint j of the kind plays the model's joint `role[j]`.
 struct Relabelling {
   Kind kind;
-  std::vector<int> role;
+  JointTable<JointIndex> role;
 };
 
 /// A kinematic model: one orbit of the kinds under the automorphisms of the group.

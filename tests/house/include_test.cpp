@@ -16,7 +16,8 @@ const std::string models = "generated/assur";
 const std::string words = "runtime/text/include/assur/text";
 const std::string mechanism = "mechanism/include/assur/mechanism";
 
-/// A folder of the generator: all may use the error of its root, its own name is its namespace.
+/// A folder of the generator: all may use the error of its root and the ground, its own name is its
+/// namespace.
 Folder stage(const std::string& path, const std::vector<std::string>& below,
              std::vector<std::string> libraries = {"ginac"}, std::vector<std::string> more = {}) {
   std::string name_space = "assur::generator::" + path;
@@ -24,6 +25,7 @@ Folder stage(const std::string& path, const std::vector<std::string>& below,
     name_space.replace(at, 1, "::");
   }
   more.push_back("generator");
+  more.push_back(words);
   for (const std::string& folder : below) {
     more.push_back("generator/" + folder);
   }
@@ -68,31 +70,27 @@ House house() {
               stage("special_points", {"structure", "equations", "derivatives", "elimination"}),
               stage("pivoting", {"structure", "equations"}),
               stage("program", {"equations"}),
-              stage("closures", {"structure", "equations"}, {"ginac"}, {words}),
-              stage("emission/cpp", {"equations", "program"}, {"ginac", "kainjow"}, {words}),
-              stage("emission/model",
-                    {"structure", "equations", "derivatives", "elimination", "special_points",
-                     "pivoting", "program", "emission/cpp"},
-                    {"ginac"}, {words}),
-              stage("emission/closures",
-                    {"equations", "derivatives", "program", "closures", "emission/cpp",
-                     "emission/model"},
-                    {"ginac"}, {words}),
+              stage("closures", {"structure", "equations"}),
+              stage("emission/cpp", {"equations", "program"}, {"ginac", "kainjow"}),
+              stage("emission/model", {"structure", "equations", "derivatives", "elimination",
+                                       "special_points", "pivoting", "program", "emission/cpp"}),
+              stage("emission/closures", {"equations", "derivatives", "program", "closures",
+                                          "emission/cpp", "emission/model"}),
               stage("emission/scene",
                     {"structure", "equations", "derivatives", "elimination", "pivoting", "program",
                      "emission/cpp", "emission/model"},
-                    {"ginac", "Eigen"}, {mechanism, runtime, models, words}),
+                    {"ginac", "Eigen"}, {mechanism, runtime, models}),
               stage("document",
                     {"structure", "equations", "derivatives", "elimination", "pivoting", "program"},
-                    {"ginac", "nlohmann"}, {words}),
+                    {"ginac", "nlohmann"}),
               stage("audit", {"structure", "equations", "derivatives", "closures"},
-                    {"ginac", "nlohmann"}, {words}),
-              stage("audit/scene", {}, {}, {mechanism, runtime, words}),
+                    {"ginac", "nlohmann"}),
+              stage("audit/scene", {}, {}, {mechanism, runtime}),
               stage("command",
                     {"structure", "equations", "derivatives", "elimination", "pivoting", "closures",
                      "document", "audit", "audit/scene", "emission/cpp", "emission/model",
                      "emission/closures", "emission/scene"},
-                    {"nlohmann", "CLI", "unistd.h"}, {mechanism, words}),
+                    {"nlohmann", "CLI", "unistd.h"}, {mechanism}),
           },
           {"runtime/include", "runtime/text/include", "generated", "mechanism/include",
            "mechanism/src", "generator"},

@@ -2,6 +2,7 @@
 
 #include <assur/directions.hpp>
 #include <assur/mechanism/plan.hpp>
+#include <iterator>
 
 namespace assur::generator::audit::scene {
 
@@ -25,12 +26,12 @@ std::map<std::string, double> scene_values(const std::string& file, int configur
                                            const std::vector<std::string>& settings) {
   const mechanism::Plan plan(scene_with(file, settings));
   const mechanism::Solution solution = plan.solve(plan.values());
-  if (configuration < 1 || configuration > static_cast<int>(solution.configurations.size())) {
+  if (configuration < 1 || configuration > std::ssize(solution.configurations)) {
     throw text::InputError(file + ": no configuration " + std::to_string(configuration) +
                            "; there are " + std::to_string(solution.configurations.size()));
   }
   const mechanism::Configuration& found =
-      solution.configurations[static_cast<std::size_t>(configuration - 1)];
+      *std::next(solution.configurations.begin(), configuration - 1);
   std::map<std::string, double> values;
   const auto add = [&](const std::string& name, double x, double y, const auto& velocity,
                        const auto& acceleration) {

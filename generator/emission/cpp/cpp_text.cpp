@@ -54,8 +54,8 @@ class CppText {
   }
 
  private:
-  [[nodiscard]] const program::ExpressionGraph::Node& content(int node) const {
-    return program_.graph().node(node);
+  [[nodiscard]] const program::ExpressionGraph::Node& content(program::NodeIndex node) const {
+    return program_.graph().nodes()[node];
   }
 
   /// A small whole number or its half, third ... as it is, any other by the double nearest to it
@@ -77,7 +77,7 @@ class CppText {
                : "constant<Scalar>(" + round_trip(high) + ", " + round_trip(rest.to_double()) + ")";
   }
 
-  [[nodiscard]] std::string operand(int node, bool inside_product) const {
+  [[nodiscard]] std::string operand(program::NodeIndex node, bool inside_product) const {
     if (!program_.name_of(node).empty()) {
       return content(node).operation == Operation::symbol ? spelling_(program_.name_of(node))
                                                           : program_.name_of(node);
@@ -87,14 +87,14 @@ class CppText {
     return text.append(expression(node)).append(bracketed ? ")" : "");
   }
 
-  [[nodiscard]] std::string expression(int node) const {
+  [[nodiscard]] std::string expression(program::NodeIndex node) const {
     const program::ExpressionGraph::Node& at = content(node);
     if (at.operation == Operation::constant) {
       return literal(1);
     }
     if (at.operation == Operation::product) {
       std::string text;
-      for (const int factor : at.factors) {
+      for (const program::NodeIndex factor : at.factors) {
         text.append(text.empty() ? "" : " * ").append(operand(factor, true));
       }
       return text;
@@ -103,7 +103,7 @@ class CppText {
   }
 
   /// A sum or its negative, with a positive term in front if it has one.
-  [[nodiscard]] std::string sum(int node, bool negated) const {
+  [[nodiscard]] std::string sum(program::NodeIndex node, bool negated) const {
     std::vector<std::string> parts;
     for (const program::ScaledNode& term : content(node).terms) {
       parts.push_back(scaled({negated ? -term.coefficient : term.coefficient, term.node}));

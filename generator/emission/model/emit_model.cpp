@@ -24,15 +24,14 @@ std::string capitalised(std::string text) {
 
 cpp::View::List joint_list(const structure::Model& model) {
   cpp::View::List list;
-  for (int index = 0; index < model.group->joint_count(); ++index) {
-    const auto slot = static_cast<std::size_t>(index);
-    const structure::Joint& joint = model.group->joints()[slot];
+  for (const structure::JointIndex index : model.group->joints().keys()) {
+    const structure::Joint& joint = model.group->joints()[index];
     cpp::View entry;
     entry.set("name", std::string(1, joint.name));
-    entry.set("first", joint.external() ? std::string("base_link") : std::to_string(joint.first));
-    entry.set("second", std::to_string(joint.second));
+    entry.set("first", joint.external() ? "base_link" : std::to_string(joint.first.place()));
+    entry.set("second", std::to_string(joint.second.place()));
     entry.set("prismatic",
-              cpp::boolean(model.representative[slot] == structure::JointType::prismatic));
+              cpp::boolean(model.representative[index] == structure::JointType::prismatic));
     list.push_back(entry);
   }
   return list;
@@ -43,8 +42,9 @@ cpp::View::List kind_list(const structure::Model& model) {
   for (const structure::Relabelling& member : model.members) {
     cpp::View entry;
     entry.set("kind", structure::spell(*model.group, member.kind));
-    entry.set("role_list",
-              text::joined(member.role, ", ", [](int joint) { return std::to_string(joint); }));
+    entry.set("role_list", text::joined(member.role, ", ", [](structure::JointIndex joint) {
+                return std::to_string(joint.place());
+              }));
     list.push_back(entry);
   }
   return list;
@@ -122,8 +122,9 @@ cpp::EmittedFile emit_model(const structure::Model& model) {
   std::vector<std::string> closure = closure_lines(equations);
   view.set("frames", link_list(equations));
   view.set("special_points", cpp::line_list(special_point_lines(equations, special), ""));
-  view.set("closure_link_list", text::joined(special_points::closure_links(*model.group), ", ",
-                                             [](int link) { return std::to_string(link); }));
+  view.set("closure_link_list",
+           text::joined(special_points::closure_links(*model.group), ", ",
+                        [](structure::LinkIndex link) { return std::to_string(link.place()); }));
   view.set("has_special_points", cpp::boolean(special.defined));
   view.set("has_positions", mobility.rigid);
   if (mobility.rigid) {

@@ -117,9 +117,9 @@ std::vector<ModelFunction> model_functions(const equations::ClosureEquations& eq
                       in.place(),
                       {{"Poses<Scalar, link_count>&", "poses"}},
                       {}};
-  for (std::size_t link = 0; link < equations.poses.size(); ++link) {
+  for (const structure::LinkIndex link : equations.poses.keys()) {
     const equations::LinkPose& pose = equations.poses[link];
-    const std::string target = "poses[" + std::to_string(link) + "]";
+    const std::string target = "poses[" + std::to_string(link.place()) + "]";
     poses.results.push_back({target + ".x", pose.origin.x});
     poses.results.push_back({target + ".y", pose.origin.y});
     poses.results.push_back({target + ".direction.cos", pose.direction.x});

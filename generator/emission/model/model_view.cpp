@@ -28,13 +28,14 @@ cpp::View::List pivot_list(const pivoting::StructuredJacobian& jacobian) {
 }
 
 cpp::View::List variable_list(const std::deque<equations::Variable>& variables,
-                              const std::vector<int>& owners) {
+                              const std::vector<equations::Owner>& owners) {
   cpp::View::List list;
   for (std::size_t index = 0; index < variables.size(); ++index) {
     const equations::Variable& variable = variables[index];
     cpp::View entry;
     if (!owners.empty()) {
-      entry.set("owner", std::to_string(owners[index]));
+      entry.set("owner", std::visit([](auto owner) { return std::to_string(owner.place()); },
+                                    owners[index]));
     }
     entry.set("type", variable.is_angle() ? "Direction<Scalar>" : "Scalar");
     entry.set("name", variable.name);
@@ -69,7 +70,7 @@ void ModelSpelling::add(const std::deque<equations::Variable>& variables,
 }
 
 void show_variables(const std::deque<equations::Variable>& variables, const std::string& kind,
-                    cpp::View& view, const std::vector<int>& owners) {
+                    cpp::View& view, const std::vector<equations::Owner>& owners) {
   view.set(kind + "s", variable_list(variables, owners));
   view.set(kind + "_names", names_of(variables));
   view.set(kind + "_count", std::to_string(variables.size()));
@@ -78,16 +79,17 @@ void show_variables(const std::deque<equations::Variable>& variables, const std:
 cpp::View::List link_list(const equations::ClosureEquations& equations) {
   const structure::Group& group = *equations.model->group;
   cpp::View::List list;
-  for (int link = 0; link < group.link_count(); ++link) {
-    const auto slot = static_cast<std::size_t>(link);
-    std::vector<int> joints = group.joints_of(link);
-    joints.resize(3, -1);
+  for (const structure::LinkIndex link : group.links().keys()) {
+    std::vector<std::string> joints;
+    for (const structure::JointIndex joint : group.joints_of(link)) {
+      joints.push_back(std::to_string(joint.place()));
+    }
+    joints.resize(3, "-1");
     cpp::View entry;
-    entry.set("link", group.links()[slot]);
+    entry.set("link", group.links()[link]);
     entry.set("text",
-              equations.frames[slot].description + ", angle " + equations.poses[slot].angle.text());
-    entry.set("joint_list",
-              text::joined(joints, ", ", [](int joint) { return std::to_string(joint); }));
+              equations.frames[link].description + ", angle " + equations.poses[link].angle.text());
+    entry.set("joint_list", text::joined(joints, ", "));
     list.push_back(entry);
   }
   return list;

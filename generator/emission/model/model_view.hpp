@@ -51,7 +51,7 @@ class ModelSpelling {
 /// What is said of the unknowns, dimensions or inputs: `<kind>s` is the list of name, type and
 /// meaning and, for unknowns, owner; `<kind>_names` the names, `<kind>_count` their number.
 void show_variables(const std::deque<equations::Variable>& variables, const std::string& kind,
-                    cpp::View& view, const std::vector<int>& owners = {});
+                    cpp::View& view, const std::vector<equations::Owner>& owners = {});
 /// The links with their joints and frames.
 [[nodiscard]] cpp::View::List link_list(const equations::ClosureEquations& equations);
 /// Whether results that are zero, of outputs that are not cleared, are assigned or left out: the

@@ -51,9 +51,9 @@ class SolutionFunctions {
  private:
   /// The inverse of the framed Jacobian, each entry with a name.
   void find_gains() {
-    for (int row = 0; row < closures_.row_count(); ++row) {
-      Rows unit(static_cast<std::size_t>(closures_.row_count()));
-      unit[static_cast<std::size_t>(row)] = 1;
+    for (std::size_t row = 0; row < closures_.row_count(); ++row) {
+      Rows unit(closures_.row_count());
+      unit[row] = 1;
       std::vector<GiNaC::symbol> symbols;
       for (const equations::Variable& unknown : equations_.unknowns) {
         symbols.push_back(symbol(letters_of(unknown) + "_per_" + closures_.row_name(row)));
@@ -94,7 +94,7 @@ class SolutionFunctions {
   }
 
   [[nodiscard]] Rows input_terms(GiNaC::symbol equations::Variable::*rate) const {
-    Rows rows(static_cast<std::size_t>(closures_.row_count()));
+    Rows rows(closures_.row_count());
     for (const InputDirection& direction : input_directions_) {
       for (std::size_t row = 0; row < rows.size(); ++row) {
         for (const auto& [input, sense] : direction.inputs) {
@@ -109,7 +109,7 @@ class SolutionFunctions {
                                equations::Vocabulary& names) const {
     Rows rhs;
     for (std::size_t row = 0; row < rows.size(); ++row) {
-      const GiNaC::symbol name(prefix + closures_.row_name(static_cast<int>(row)));
+      const GiNaC::symbol name(prefix + closures_.row_name(row));
       const GiNaC::ex value = (-rows[row]).expand();
       if (value.is_zero()) {
         rhs.emplace_back(0);
@@ -170,7 +170,7 @@ class SolutionFunctions {
                           gain_names_};
     for (std::size_t unknown = 0; unknown < equations_.unknowns.size(); ++unknown) {
       for (std::size_t loop = 0; loop < equations_.loops.size(); ++loop) {
-        const equations::Vector2& frame = closures_.frame_direction(static_cast<int>(loop));
+        const equations::Vector2& frame = closures_.frame_direction(loop);
         const GiNaC::ex& along = gains_[2 * loop][unknown];
         const GiNaC::ex& across = gains_[2 * loop + 1][unknown];
         result.function.results.push_back(

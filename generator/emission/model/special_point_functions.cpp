@@ -14,11 +14,11 @@ void append(std::vector<program::Result>& results, const std::string& target, st
 /// `BCG` for side 0 and `EDF` for side 1.
 const std::string& neighbour(const equations::ClosureEquations& equations,
                              const special_points::SpecialPointSide& side) {
-  return equations.model->group->links()[static_cast<std::size_t>(side.by)];
+  return equations.model->group->links()[side.by];
 }
 const std::string& word(const equations::ClosureEquations& equations,
                         const special_points::SpecialPoint& point) {
-  return equations.model->group->links()[static_cast<std::size_t>(point.link)];
+  return equations.model->group->links()[point.link];
 }
 
 }  // namespace

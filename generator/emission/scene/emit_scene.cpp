@@ -49,7 +49,7 @@ class SceneEmitter {
       std::vector<double> law = {solver_.values.number(driver.position).value(),
                                  solver_.values.number(driver.velocity).value(),
                                  solver_.values.number(driver.acceleration).value()};
-      law.resize(1 + static_cast<std::size_t>(solver_.derivative_order));
+      law.erase(law.begin() + 1 + solver_.derivative_order, law.end());
       cpp::View entry;
       entry.set("member", solver_.members.drivers[link.driver]);
       entry.set("law", text::joined(law, ", ", [](double value) {
@@ -149,8 +149,9 @@ class SceneEmitter {
     const Eigen::VectorXd& all_tolerances = solver_.values.spread().tolerances;
     std::vector<double> tolerances;
     for (const Eigen::Index column : parameters.columns()) {
-      tolerances.push_back(
-          all_tolerances(solver_.values.columns()[static_cast<std::size_t>(column)].row()));
+      const mechanism::ParameterIndex parameter =
+          *std::next(solver_.values.columns().begin(), column);
+      tolerances.push_back(all_tolerances(parameter.row()));
     }
     view_.set("sensitivity", parameters.count() > 0);
     view_.set("parameter_count", std::to_string(parameters.count()));
@@ -165,7 +166,7 @@ class SceneEmitter {
   SolverScene solver_;
   std::vector<std::string> slides_;  ///< members, in the order of `assur solve`
   std::vector<std::string> steps_;
-  int max_configurations_ = 1;
+  std::size_t max_configurations_ = 1;
   cpp::View view_;
   cpp::View::List groups_;
 };

@@ -59,13 +59,7 @@ std::string SceneLines::gradient(const std::string& name, const mechanism::Dual&
   }
   std::string row = declared(name);
   add("ParameterRow " + row + " = ParameterRow::Zero();");
-  const Eigen::VectorXd gradient = parameters_.gradient(number);
-  for (int place = 0; place < parameters_.count(); ++place) {
-    if (gradient(place) != 0) {
-      add(row + "(" + std::to_string(place) + ") = " + emission::cpp::round_trip(gradient(place)) +
-          ";  // " + parameters_.names()[static_cast<std::size_t>(place)]);
-    }
-  }
+  add_gradient(row + "(", number);
   return row;
 }
 
@@ -74,17 +68,22 @@ std::string SceneLines::declared(const std::string& name) {
   return taken_.back();
 }
 
+void SceneLines::add_gradient(const std::string& target, const mechanism::Dual& quantity) {
+  const Eigen::VectorXd gradient = parameters_.gradient(quantity);
+  Eigen::Index place = 0;
+  for (const std::string& parameter : parameters_.names()) {
+    if (gradient(place) != 0) {
+      add(target + std::to_string(place) + ") = " + emission::cpp::round_trip(gradient(place)) +
+          ";  // " + parameter);
+    }
+    ++place;
+  }
+}
+
 void SceneLines::add_gradients(const std::string& target,
                                const std::vector<mechanism::Dual>& rows) {
   for (std::size_t row = 0; row < rows.size(); ++row) {
-    const Eigen::VectorXd gradient = parameters_.gradient(rows[row]);
-    for (int place = 0; place < parameters_.count(); ++place) {
-      if (gradient(place) != 0) {
-        add(target + ".gradient(" + std::to_string(row) + ", " + std::to_string(place) +
-            ") = " + emission::cpp::round_trip(gradient(place)) + ";  // " +
-            parameters_.names()[static_cast<std::size_t>(place)]);
-      }
-    }
+    add_gradient(target + ".gradient(" + std::to_string(row) + ", ", rows[row]);
   }
 }
 

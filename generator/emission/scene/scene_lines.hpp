@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <assur/mechanism/dual.hpp>
 #include <assur/model.hpp>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ class ModelledParameters {
   ModelledParameters(std::vector<Eigen::Index> columns, std::vector<std::string> names)
       : columns_(std::move(columns)), names_(std::move(names)) {}
 
-  [[nodiscard]] int count() const { return static_cast<int>(columns_.size()); }
+  [[nodiscard]] Eigen::Index count() const { return std::ssize(columns_); }
   [[nodiscard]] const std::vector<Eigen::Index>& columns() const { return columns_; }
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
   /// The derivatives of a quantity to these parameters.
@@ -45,6 +46,8 @@ class SceneLines {
 
  private:
   [[nodiscard]] std::string declared(const std::string& name);
+  /// Assigns the derivatives that are not zero to an entry each; `target` is `row(` of `row(0)`.
+  void add_gradient(const std::string& target, const mechanism::Dual& quantity);
   void add_gradients(const std::string& target, const std::vector<mechanism::Dual>& rows);
   [[nodiscard]] bool varies(const std::vector<mechanism::Dual>& quantities) const;
 

@@ -2,7 +2,6 @@
 
 #include "emission/cpp/cpp_text.hpp"
 #include "emission/scene/group_numbers.hpp"
-#include "equations/closure.hpp"
 
 namespace assur::generator::emission::scene {
 
@@ -89,18 +88,16 @@ PlacingStatements placing_statements(const SolverScene& solver, mechanism::Group
                 nested_frames({"group.frames[" + std::to_string(link) + "]", own}) + ";");
     }
   }
-  const equations::ClosureEquations equations =
-      equations::closure_equations(derived_model(solver.group(group)));
-  for (std::size_t index = 0; index < equations.unknowns.size(); ++index) {
-    if (equations.unknowns[index].is_angle()) {
+  const std::vector<ModelUnknown>& unknowns = solver.group(group).model->unknowns;
+  for (std::size_t index = 0; index < unknowns.size(); ++index) {
+    if (unknowns[index].is_angle) {
       continue;
     }
-    const int owner = equations.owners[index];
-    const mechanism::ElementaryJoint& at = solver.played_joint(group, owner);
-    const auto [sense, shift] = solver.values.slide_measure(group, owner);
+    const mechanism::ElementaryJoint& at = solver.played_joint(group, unknowns[index].owner);
+    const auto [sense, shift] = solver.values.slide_measure(group, unknowns[index].owner);
     const std::string sign = sense < 0 ? "-" : "";
     const std::string& slide = solver.slide_member(at);
-    const std::string unknown = "Group::unit * q." + equations.unknowns[index].name;
+    const std::string unknown = std::string("Group::unit * q.") + unknowns[index].name;
     const std::string shifted =
         shift.value() == 0 ? unknown
                            : "(" + unknown + " + " + emission::cpp::round_trip(shift.value()) + ")";

@@ -136,9 +136,9 @@ class GroupSpecialiser {
         GiNaC::ex sum;
         const auto add = [&](const std::vector<GiNaC::ex>& partials,
                              const Eigen::MatrixXd& gradient) {
-          for (std::size_t index = 0; index < partials.size(); ++index) {
-            sum +=
-                partials[index] * cpp::exact(gradient(static_cast<Eigen::Index>(index), parameter));
+          Eigen::Index row_of_gradient = 0;
+          for (const GiNaC::ex& by_variable : partials) {
+            sum += by_variable * cpp::exact(gradient(row_of_gradient++, parameter));
           }
         };
         add(of_dimensions[row], numbers_.dimension_gradient);

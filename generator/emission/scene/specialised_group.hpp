@@ -28,7 +28,7 @@ struct GroupNumbers {
 struct SpecialisedGroup {
   cpp::View view;
   program::OperationCount operations;
-  int max_configurations;
+  std::size_t max_configurations;
 };
 
 /// The functions of a rigid model that the runtime needs and the scene wants, with the dimensions

@@ -1,14 +1,17 @@
 // Turns an expression in named parameters into operations on parameters by index.
 #pragma once
 
-#include <assur/mechanism/index.hpp>
 #include <assur/text/expression.hpp>
+#include <assur/text/index.hpp>
 #include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace assur::mechanism {
+
+using text::Index;
+using text::Table;
 
 using ParameterIndex = Index<struct Parameter>;
 

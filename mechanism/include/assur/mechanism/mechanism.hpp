@@ -3,7 +3,6 @@
 
 #include <assur/mechanism/error.hpp>
 #include <assur/mechanism/formula.hpp>
-#include <assur/mechanism/index.hpp>
 #include <optional>
 #include <string>
 #include <vector>

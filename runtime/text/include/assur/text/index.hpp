@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace assur::mechanism {
+namespace assur::text {
 
 /// A place in a table of `Tag`s; by default none.
 template <typename Tag>
@@ -60,6 +60,7 @@ class Table {
  public:
   Table() = default;
   explicit Table(std::size_t count, const Item& item = Item()) : items_(count, item) {}
+  explicit Table(std::vector<Item> items) : items_(std::move(items)) {}
 
   /// Adds an item; returns its index.
   Key add(Item item) {
@@ -81,6 +82,9 @@ class Table {
   [[nodiscard]] auto begin() const { return items_.begin(); }
   [[nodiscard]] auto end() const { return items_.end(); }
   [[nodiscard]] const std::vector<Item>& items() const { return items_; }
+
+  /// By their items, as vectors are compared.
+  friend auto operator<=>(const Table&, const Table&) = default;
 
  private:
   std::vector<Item> items_;
@@ -108,4 +112,4 @@ template <typename Key, typename Item>
   return names;
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::text
