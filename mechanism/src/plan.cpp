@@ -55,8 +55,9 @@ std::shared_ptr<const PlanData> planned(const Mechanism& mechanism, const Reques
   expect_usable(mechanism, request);
   Structure structure = structure_of(mechanism);
   EvaluationOrder order = evaluation_order(mechanism, request);
+  NamedParts parts = structure.named_parts(mechanism);
   return std::make_shared<const PlanData>(
-      PlanData{mechanism, request, std::move(structure), std::move(order)});
+      PlanData{mechanism, request, std::move(structure), std::move(order), std::move(parts)});
 }
 
 /// The item with a name, for messages of what a program asks for.

@@ -1,6 +1,7 @@
 #include "emission/scene/emit_scene.hpp"
 
 #include <algorithm>
+#include <assur/support/configuration_order.hpp>
 #include <assur/text/identifiers.hpp>
 #include <assur/text/names.hpp>
 #include <iterator>
@@ -95,20 +96,24 @@ class SceneEmitter {
 
   void show_results() {
     std::vector<std::string> links;
-    std::vector<std::string> moving;  // by a group
-    const auto driven = solver_.plan.structure().placed_by_drivers();
     for (const mechanism::LinkIndex link : solver_.mechanism().links().keys()) {
-      const std::string& member = solver_.members.links[link];
       if (!solver_.is_ground(link)) {
-        links.push_back(member);
-      }
-      if (!driven[link]) {
-        moving.push_back(member);
+        links.push_back(solver_.members.links[link]);
       }
     }
-    std::string keys;
-    for (const std::string& slide : slides_) {
-      keys += ", placed.slide_" + slide + ".displacement";
+    const mechanism::NamedParts parts = solver_.plan.structure().named_parts(solver_.mechanism());
+    std::vector<std::string> moving;
+    for (const mechanism::LinkIndex link : parts.links) {
+      moving.push_back(solver_.members.links[link]);
+    }
+    const std::size_t turning_key_size = support::turning_key_size(moving.size());
+    cpp::View::List keys;
+    for (const mechanism::NamedSlide& slide : parts.slides) {
+      cpp::View key;
+      key.set("place", std::to_string(turning_key_size + keys.size()));
+      key.set("sign", slide.sense < 0 ? "-" : "");
+      key.set("member", solver_.members.joints[slide.joint]);
+      keys.push_back(key);
     }
     view_.set("links", member_list(links));
     view_.set("moving", member_list(moving));
@@ -116,7 +121,8 @@ class SceneEmitter {
     view_.set("slides", member_list(slides_));
     view_.set("has_slides", !slides_.empty());
     view_.set("slide_keys", keys);
-    view_.set("key_size", std::to_string(4 + slides_.size()));
+    view_.set("turning_key_size", std::to_string(turning_key_size));
+    view_.set("key_size", std::to_string(turning_key_size + parts.slides.size()));
     view_.set("outputs", member_list(solver_.members.outputs.items()));
     view_.set("has_outputs", !solver_.mechanism().outputs().empty());
     view_.set("listing", cpp::line_list(listing_statements(solver_, slides_), ""));

@@ -15,6 +15,7 @@ struct PlanData {
   Request request;
   Structure structure;
   EvaluationOrder evaluation;
+  NamedParts named_parts;
 };
 
 }  // namespace assur::mechanism

@@ -191,6 +191,36 @@ Table<LinkIndex, bool> Structure::placed_by_drivers() const {
   return placed;
 }
 
+NamedParts Structure::named_parts(const Mechanism& mechanism) const {
+  const auto link_name = [&](FeatureIndex feature) -> const std::string& {
+    return mechanism.links()[mechanism.features()[feature].link].name;
+  };
+  NamedParts parts;
+  const Table<LinkIndex, bool> driven_links = placed_by_drivers();
+  for (const LinkIndex link : mechanism.links().keys()) {
+    if (!driven_links[link]) {
+      parts.links.push_back(link);
+    }
+  }
+  std::sort(parts.links.begin(), parts.links.end(), [&](LinkIndex one, LinkIndex other) {
+    return mechanism.links()[one].name < mechanism.links()[other].name;
+  });
+  for (const JointIndex index : mechanism.joints().keys()) {
+    const Joint& joint = mechanism.joints()[index];
+    if (joint.type == JointType::prismatic) {
+      const bool in_order = link_name(joint.between[0]) < link_name(joint.between[1]);
+      parts.slides.push_back({index, in_order ? 1.0 : -1.0});
+    } else if (joint.type == JointType::pin_in_slot) {
+      parts.slides.push_back({index, 1.0});
+    }
+  }
+  std::sort(parts.slides.begin(), parts.slides.end(),
+            [&](const NamedSlide& one, const NamedSlide& other) {
+              return mechanism.joints()[one.joint].name < mechanism.joints()[other.joint].name;
+            });
+  return parts;
+}
+
 Structure structure_of(const Mechanism& mechanism) { return PlacementPlanner(mechanism).run(); }
 
 }  // namespace assur::mechanism

@@ -1,33 +1,34 @@
 #include "configuration_order.hpp"
 
-#include <array>
 #include <assur/support/configuration_order.hpp>
 
 namespace assur::mechanism {
 
 namespace {
 
-std::vector<double> order_key(const Configuration& configuration,
-                              const std::vector<LinkIndex>& moving,
+std::vector<double> order_key(const Configuration& configuration, const NamedParts& parts,
                               std::vector<Direction<double>>& directions) {
   directions.clear();
-  for (const LinkIndex link : moving) {
+  for (const LinkIndex link : parts.links) {
     directions.push_back(configuration.links[link].pose.direction);
   }
-  const std::array<double, 4> sums = support::turning_sums(directions);
-  std::vector<double> key;
-  key.reserve(sums.size() + configuration.slides.size());
-  key.assign(sums.begin(), sums.end());
-  for (const SlideState& slide : configuration.slides) {
-    key.push_back(slide.displacement);
+  std::vector<double> key(support::turning_key_size(directions.size()) + parts.slides.size());
+  support::turning_key(directions, key);
+  std::size_t place = support::turning_key_size(directions.size());
+  for (const NamedSlide& named : parts.slides) {
+    for (const SlideState& slide : configuration.slides) {
+      if (slide.joint == named.joint) {
+        key[place] = named.sense * slide.displacement;
+      }
+    }
+    ++place;
   }
   return key;
 }
 
 }  // namespace
 
-void put_in_order(std::vector<Configuration>& configurations,
-                  const std::vector<LinkIndex>& moving) {
+void put_in_order(std::vector<Configuration>& configurations, const NamedParts& parts) {
   if (configurations.size() < 2) {
     return;
   }
@@ -35,9 +36,10 @@ void put_in_order(std::vector<Configuration>& configurations,
   std::vector<std::vector<double>> keys;
   keys.reserve(configurations.size());
   for (const Configuration& configuration : configurations) {
-    keys.push_back(order_key(configuration, moving, directions));
+    keys.push_back(order_key(configuration, parts, directions));
   }
-  support::put_in_order(configurations, keys, static_cast<int>(configurations.size()));
+  support::put_in_order(configurations, keys, static_cast<int>(configurations.size()),
+                        support::turning_key_size(parts.links.size()));
 }
 
 }  // namespace assur::mechanism

@@ -200,14 +200,7 @@ class MechanismSolver {
       conclude_without_configurations();
       return;
     }
-    std::vector<LinkIndex> moving;
-    const Table<LinkIndex, bool> driven = structure_.placed_by_drivers();
-    for (const LinkIndex link : plan_->mechanism.links().keys()) {
-      if (!driven[link]) {
-        moving.push_back(link);
-      }
-    }
-    put_in_order(solution_.configurations, moving);
+    put_in_order(solution_.configurations, plan_->named_parts);
   }
 
   void conclude_without_configurations() {

@@ -49,8 +49,8 @@ struct Configuration {
 /// groups before it stand in one of their configurations.
 struct Family {
   GroupIndex group;
-  int mobility = 0;    ///< where it was found assembled, or zero if it was not
-  std::string reason;  ///< which joints leave it free
+  int mobility = 0;                  ///< where it was found assembled, or zero if it was not
+  std::string reason;                ///< which joints leave it free
   Table<LinkIndex, bool> is_placed;  ///< whether a link stands
   Table<LinkIndex, Frame> links;     ///< the frames of those that do
 };

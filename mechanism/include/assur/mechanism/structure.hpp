@@ -71,6 +71,20 @@ struct FoundGroup {
 };
 using GroupIndex = Index<FoundGroup>;
 
+/// A slide, and whether its displacement runs from the link whose name comes first to the other, 1,
+/// or back, -1.
+struct NamedSlide {
+  JointIndex joint;
+  double sense;
+};
+
+/// What distinguishes configurations, in an order that does not depend on how the mechanism is
+/// listed: that of names.
+struct NamedParts {
+  std::vector<LinkIndex> links;  ///< that groups place
+  std::vector<NamedSlide> slides;
+};
+
 /// The order in which the links of a mechanism are placed.
 struct Structure {
   Linkage linkage;  ///< with every pin of several links as joints of two
@@ -78,6 +92,8 @@ struct Structure {
   Table<GroupIndex, FoundGroup> groups;
 
   [[nodiscard]] std::vector<std::string> names_of(const std::vector<LinkIndex>& links) const;
+  /// Links and slides in the order of their names.
+  [[nodiscard]] NamedParts named_parts(const Mechanism& mechanism) const;
   /// For each link whether it is the ground or driven: no group places it.
   [[nodiscard]] Table<LinkIndex, bool> placed_by_drivers() const;
 };

@@ -1,39 +1,61 @@
 // Turns a mechanism's configuration into the key by which its configurations are put in order.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <assur/directions.hpp>
 #include <assur/numeric/order.hpp>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
 namespace assur::support {
 
+/// The number of entries of `turning_key` for so many links.
+[[nodiscard]] constexpr std::size_t turning_key_size(std::size_t links) { return 4 + 2 * links; }
+
 /// Sums over all pairs of moving links, of the cosines of the angles between them, of the cosines'
-/// squares and cubes, and of the sines. They depend neither on where the mechanism stands nor on
-/// the order in which its links are listed, the cosines not on reflection. `directions` is a range
-/// of Direction<double>, one a link.
-template <typename Directions>
-[[nodiscard]] std::array<double, 4> turning_sums(const Directions& directions) {
-  std::array<double, 4> sums{};
+/// squares and cubes, and of the sines; then each link's angle against the first, as cosine and
+/// sine. They do not depend on where the mechanism stands, the cosines not on reflection. So the
+/// links must come in an order that does not depend on how they are listed, as that of their names.
+/// `directions` is a range of Direction<double>, `key` one with room for turning_key_size entries.
+template <typename Directions, typename Key>
+void turning_key(const Directions& directions, Key& key) {
+  for (std::size_t place = 0; place < 4; ++place) {
+    key[place] = 0;
+  }
   for (std::size_t one = 0; one < directions.size(); ++one) {
     for (std::size_t other = one + 1; other < directions.size(); ++other) {
       const Direction<double> between = turned(directions[other], reversed(directions[one]));
-      sums[0] += between.cos;
-      sums[1] += between.cos * between.cos;
-      sums[2] += between.cos * between.cos * between.cos;
-      sums[3] += between.sin;
+      key[0] += between.cos;
+      key[1] += between.cos * between.cos;
+      key[2] += between.cos * between.cos * between.cos;
+      key[3] += between.sin;
     }
+    const Direction<double> from_first = turned(directions[one], reversed(directions[0]));
+    key[4 + 2 * one] = from_first.cos;
+    key[5 + 2 * one] = from_first.sin;
   }
-  return sums;
 }
 
 /// Puts the first `count` configurations in the order of their keys; equal keys keep their places.
-/// A key is the turning sums, then the displacements of the slides.
+/// A key is the turning key, then from the place `lengths_from` on the displacements of the slides,
+/// which count in parts of the longest of all.
 template <typename Configurations, typename Keys>
-void put_in_order(Configurations& configurations, Keys& keys, int count) {
+void put_in_order(Configurations& configurations, Keys& keys, int count, std::size_t lengths_from) {
+  const auto size = static_cast<std::size_t>(count);
+  double longest = 0;
+  for (std::size_t index = 0; index < size; ++index) {
+    for (std::size_t place = lengths_from; place < keys[index].size(); ++place) {
+      longest = std::max(longest, std::abs(keys[index][place]));
+    }
+  }
+  for (std::size_t index = 0; longest > 0 && index < size; ++index) {
+    for (std::size_t place = lengths_from; place < keys[index].size(); ++place) {
+      keys[index][place] /= longest;
+    }
+  }
   numeric::insertion_sort(
-      static_cast<std::size_t>(count),
+      size,
       [&keys](std::size_t one, std::size_t other) {
         return numeric::comes_before(keys[one], keys[other]);
       },
