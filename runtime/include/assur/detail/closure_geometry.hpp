@@ -94,22 +94,6 @@ inline void advance(const Closures& closures, const FlatVector& step, FlatVariab
   return largest;
 }
 
-/// Whether two assemblies are one that rounding keeps apart, as it does a multiple one: then the
-/// closures hold between them, too.
-[[nodiscard]] inline bool are_one(const Closures& closures, const FlatVariables<double>& one,
-                                  const FlatVariables<double>& other) {
-  constexpr double near = 1e-2;  // a quadruple assembly is known to 1e-3
-  if (!(distance(closures, one, other) < near)) {
-    return false;
-  }
-  FlatVariables<double> middle = one;
-  for (std::size_t place = 0; place < middle.size(); ++place) {
-    middle[place] = (one[place] + other[place]) / 2;
-  }
-  advance(closures, FlatVector::Zero(closures.size), middle);
-  return closures.at(middle).cwiseAbs().maxCoeff() < 1e3 * rounding(closures, middle);
-}
-
 /// A step of Newton, or of Levenberg with the residual as damping: that one leads from any side
 /// onto singular assemblies and onto curves of assemblies.
 [[nodiscard]] inline FlatVector closing_step(const FlatMatrix& jacobian, const FlatVector& f,
@@ -125,7 +109,7 @@ inline void advance(const Closures& closures, const FlatVector& step, FlatVariab
 
 /// Moves a point to an assembly near it, and returns the norm of the closures that is left.
 inline double close(const Closures& closures, FlatVariables<double>& q) {
-  constexpr int most_steps = 60;
+  constexpr int most_steps = 200;
   FlatVector f = closures.at(q);
   double miss = f.norm();
   const auto lessened = [&](const FlatVector& step, double enough) {
@@ -163,6 +147,29 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
        ++step) {
   }
   return miss;
+}
+
+/// Whether two assemblies are one that rounding keeps apart, as it does a multiple one: then the
+/// closures hold between them, too, or on a bend very near there.
+[[nodiscard]] inline bool are_one(const Closures& closures, const FlatVariables<double>& one,
+                                  const FlatVariables<double>& other) {
+  constexpr double near = 1e-2;  // a quadruple assembly is known to 1e-3
+  const double apart = distance(closures, one, other);
+  constexpr double equal = 1e-7;  // a double one is known to 1e-8
+  if (!(apart < near) || apart < equal) {
+    return apart < equal;
+  }
+  FlatVariables<double> middle = one;
+  for (std::size_t place = 0; place < middle.size(); ++place) {
+    middle[place] = (one[place] + other[place]) / 2;
+  }
+  advance(closures, FlatVector::Zero(closures.size), middle);
+  if (closures.at(middle).norm() < 1e3 * rounding(closures, middle)) {
+    return true;
+  }
+  FlatVariables<double> between = middle;
+  return close(closures, between) < rounding(closures, between) &&
+         distance(closures, middle, between) < 0.3 * apart;
 }
 
 /// Directions in which the closures do not change to first order.

@@ -24,7 +24,7 @@ inline constexpr double farthest_configuration = 0x1p24;
 
 /// What polishing leaves of the closures where the longest number among them is so long.
 [[nodiscard]] inline double polished_rounding(double longest) {
-  return 64 * std::numeric_limits<double>::epsilon() * longest;
+  return 16 * std::numeric_limits<double>::epsilon() * longest;
 }
 
 /// The search in double precision, of a group whose longest length is near one. It vouches for its

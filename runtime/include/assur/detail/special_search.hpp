@@ -62,9 +62,8 @@ class SpecialSearch {
     const FirstValues exact = group_.first_values(d_, u_);
     result_.vanishing = exact.vanishing;
     try_all(d_, u_, exact);
-    if (exact.vanishing) {
-      for_each_sample([this](const FlatVariables<double>& start) { add(start); });
-    }
+    // A multiple root that rounding has made complex leaves no root behind.
+    for_each_sample([this](const FlatVariables<double>& start) { add(start); });
     for (int direction = 0; direction < directions; ++direction) {
       for (const double side : {1.0, -1.0}) {
         PreciseVariables d = d_;
@@ -75,9 +74,6 @@ class SpecialSearch {
         displace(group_.inputs, group_.input_count, reach, u);
         try_all(d, u, group_.first_values(d, u));
       }
-    }
-    if (result_.count == 0 && result_.mobility == 0) {
-      for_each_sample([this](const FlatVariables<double>& start) { add(start); });
     }
     return result_;
   }
