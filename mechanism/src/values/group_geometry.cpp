@@ -48,16 +48,25 @@ class NormalForms {
     }
   }
 
-  /// False if a link has none: then `obstacle` says which.
-  bool run() {
-    for (const bool of_parallel_lines : {true, false}) {
+  /// Links of parallel lines come first, and of these the ones with so many joints, as each gives
+  /// an offset to one that comes later. False if a link has no form: then `obstacle` says which.
+  bool run(std::size_t first_size) {
+    std::vector<std::size_t> links;
+    const auto add = [&](auto belongs) {
       for (std::size_t link = 0; link < forms_.size(); ++link) {
-        if (has_parallel_lines(link) == of_parallel_lines && !bring(link)) {
-          return false;
+        if (belongs(link)) {
+          links.push_back(link);
         }
       }
-    }
-    return true;
+    };
+    const auto is_first = [&](std::size_t link) {
+      return joints_of(*group_.model, link).size() == first_size;
+    };
+    add([&](std::size_t link) { return has_parallel_lines(link) && is_first(link); });
+    add([&](std::size_t link) { return has_parallel_lines(link) && !is_first(link); });
+    add([&](std::size_t link) { return !has_parallel_lines(link); });
+    return std::all_of(links.begin(), links.end(),
+                       [this](std::size_t link) { return bring(link); });
   }
 
   [[nodiscard]] const std::string& obstacle() const { return obstacle_; }
@@ -187,16 +196,18 @@ GroupGeometry group_geometry(const Values& values, GroupIndex index) {
   constexpr double well = 0.05;
   double firmest = -1;
   for (const RoleAssignment& roles : group.assignments) {
-    NormalForms normal(values, group, roles);
-    if (!normal.run()) {
-      geometry.obstacle = normal.obstacle();
-    } else if (normal.firmness() > firmest) {
-      firmest = normal.firmness();
-      geometry.roles = &roles;
-      geometry.links = std::move(normal.forms());
-    }
-    if (firmest > well) {
-      break;
+    for (const std::size_t first_size : {2U, 3U}) {
+      NormalForms normal(values, group, roles);
+      if (!normal.run(first_size)) {
+        geometry.obstacle = normal.obstacle();
+      } else if (normal.firmness() > firmest) {
+        firmest = normal.firmness();
+        geometry.roles = &roles;
+        geometry.links = std::move(normal.forms());
+      }
+      if (firmest > well) {
+        return geometry;
+      }
     }
   }
   return geometry;

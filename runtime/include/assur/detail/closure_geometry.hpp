@@ -219,6 +219,8 @@ struct FreeDirections {
 /// Below this a pivot belongs to an assembly at which the closures are singular: rounding of the
 /// closures moves a double one by 1e-8, a triple one by 1e-5.
 inline constexpr double singular_pivot = 1e-4;
+/// Below this a derivative has lost more than six digits, whatever the model's own pivots say.
+inline constexpr double lost_pivot = 1e-7;
 
 /// The step that leads from one list of unknowns to another, for small ones.
 [[nodiscard]] inline FlatVector step_between(const Closures& closures,

@@ -180,7 +180,8 @@ class SpecialSearch {
     }
     if (result_.count < result_.list.size()) {
       result_.list[result_.count] = q;
-      result_.singular[result_.count] = singular;
+      result_.singular[result_.count] =
+          singular && free_directions(closures, q, lost_pivot).count > 0;
       ++result_.count;
     }
   }

@@ -43,7 +43,8 @@ template <typename To, typename From>
 }
 
 /// The power of two that brings the longest length of a group near one. Only differences of the
-/// external joints' places count, not where the group is.
+/// external joints' places count, not where the group is; but a length that rounding may have left
+/// of these places is none.
 template <typename Model>
 [[nodiscard]] double unit_scale(const typename Model::template Dimensions<double>& d,
                                 const typename Model::template Inputs<double>& u) {
@@ -53,7 +54,9 @@ template <typename Model>
   typename Model::template Configuration<double> q;
   Vector<double, Model::equation_count> f;
   Model::residual(typename Model::template Dimensions<double>{}, u, q, f);
-  const double size = std::max(longest_length(d), f.cwiseAbs().maxCoeff());
+  constexpr double rounding = 0x1p-44;
+  const double size =
+      std::max({longest_length(d), f.cwiseAbs().maxCoeff(), rounding * longest_length(u)});
   return size > 0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
 }
 
