@@ -112,6 +112,9 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
   constexpr int most_steps = 200;
   FlatVector f = closures.at(q);
   double miss = f.norm();
+  if (miss < rounding(closures, q) / 8) {
+    return miss;  // where it comes from more digits, steps in fewer would only move it
+  }
   const auto lessened = [&](const FlatVector& step, double enough) {
     FlatVariables<double> next = q;
     advance(closures, step, next);
@@ -164,7 +167,7 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
     middle[place] = (one[place] + other[place]) / 2;
   }
   advance(closures, FlatVector::Zero(closures.size), middle);
-  if (closures.at(middle).norm() < 1e3 * rounding(closures, middle)) {
+  if (closures.at(middle).norm() < 4 * rounding(closures, middle)) {
     return true;
   }
   FlatVariables<double> between = middle;

@@ -94,11 +94,19 @@ class SpecialSearch {
  private:
   static constexpr int directions = 5;
 
+  /// At every root first the second value that fits best: what it completes to is known to more
+  /// digits than what others lead to.
   void try_all(const PreciseVariables& d, const PreciseVariables& u, const FirstValues& values) {
+    std::array<Completions, 6> found;
     for (std::size_t index = 0; index < values.count; ++index) {
-      const Completions found = group_.complete(d, u, values.list[index]);
-      for (std::size_t place = 0; place < found.count; ++place) {
-        add(found.list[place]);
+      found[index] = group_.complete(d, u, values.list[index]);
+      if (found[index].count > 0) {
+        add(found[index].list[0]);
+      }
+    }
+    for (std::size_t index = 0; index < values.count; ++index) {
+      for (std::size_t place = 1; place < found[index].count; ++place) {
+        add(found[index].list[place]);
       }
     }
   }
