@@ -58,19 +58,20 @@ class ModelFunctions {
     const bool moves = is_finite(u_rate) && is_finite(u_second_rate);
     const support::DisplacedGroup<Model> among(d, u, query.displaced);
     const Regularity<double> standing = among.regularity(d, u, q);
-    const bool known = standing.error < two_digits;
+    const bool solvable = is_solvable(standing.status);
+    motion.derivatives_known = standing.error < two_digits;
     Vector<double, Model::unknown_count> q_rate;
     Vector<double, Model::unknown_count> q_second_rate;
     Matrix<double, Model::unknown_count, Model::dimension_count> q_d;
     Matrix<double, Model::unknown_count, Model::input_count> q_u;
-    if (known) {
+    if (solvable) {
       Model::motion(d, u, q, u_rate, u_second_rate, q_rate, q_second_rate);
     }
-    if (!known || !moves) {
+    if (!solvable || !moves) {
       forget(q_rate);
       forget(q_second_rate);
     }
-    if (known && query.derivatives) {
+    if (solvable && query.derivatives) {
       Model::sensitivities(d, u, q, q_d, q_u);
     } else {
       forget(q_d);
@@ -78,7 +79,7 @@ class ModelFunctions {
     }
     motion.regularity = moves && standing.status == Status::ok ? Status::ok : Status::near_singular;
     Matrix<double, Model::unknown_count, Model::equation_count> inverse;
-    if (is_solvable(standing.status)) {
+    if (solvable) {
       Model::inverse_jacobian(d, u, q, inverse);
     } else {
       forget(inverse);

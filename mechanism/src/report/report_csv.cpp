@@ -45,6 +45,10 @@ void add_numbers(bool wanted, const Vector& numbers, std::string& row) {
 /// Adds the cells of a configuration, each with a comma ahead.
 void add_cells(const Plan& plan, const Spread& spread, const Configuration& configuration,
                std::string& row) {
+  if (!configuration.derivatives_known) {
+    add_cells(plan, spread, without_derivatives(configuration), row);
+    return;
+  }
   const Want& want = plan.request().want;
   const LinkIndex ground = plan.mechanism().ground();
   for (const LinkIndex link : plan.mechanism().links().keys()) {

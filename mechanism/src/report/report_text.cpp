@@ -76,6 +76,9 @@ std::string point_text(const Point& point, const Report& report) {
 }
 
 std::string configuration_text(const Configuration& configuration, const Report& report) {
+  if (!configuration.derivatives_known) {
+    return configuration_text(without_derivatives(configuration), report);
+  }
   const Mechanism& mechanism = report.plan.mechanism();
   const Want& want = report.plan.request().want;
   constexpr double degree = std::numbers::pi / 180;

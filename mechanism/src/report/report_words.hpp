@@ -1,8 +1,12 @@
 // Turns the states of a solution into the words that every report uses.
 #pragma once
 
+#include <algorithm>
 #include <assur/mechanism/report.hpp>
 #include <assur/variables.hpp>
+#include <limits>
+
+#include "plan/plan_data.hpp"
 
 namespace assur::mechanism {
 
@@ -27,6 +31,29 @@ namespace assur::mechanism {
 
 [[nodiscard]] inline const char* regularity_text(Status regularity) {
   return regularity == Status::ok ? "regular" : "near-singular";
+}
+
+/// A configuration without the derivatives that are not known.
+[[nodiscard]] inline Configuration without_derivatives(Configuration configuration) {
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  const auto forget = [unknown](auto& item) {
+    item.velocity *= unknown;
+    item.acceleration *= unknown;
+    item.follows.first *= unknown;
+    for (auto& second : item.follows.second) {
+      second *= unknown;
+    }
+  };
+  const LinkIndex ground = configuration.plan->mechanism.ground();
+  for (const LinkIndex link : configuration.links.keys()) {
+    if (link != ground) {
+      forget(configuration.links[link]);
+    }
+  }
+  std::for_each(configuration.slides.begin(), configuration.slides.end(), forget);
+  std::for_each(configuration.outputs.begin(), configuration.outputs.end(), forget);
+  configuration.derivatives_known = true;
+  return configuration;
 }
 
 [[nodiscard]] inline bool is_reported(const Report& report, std::size_t configuration) {

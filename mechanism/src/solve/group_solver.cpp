@@ -107,6 +107,7 @@ void GroupSolver::place(std::size_t configuration, std::size_t first_slide, Plac
   if (found_.regularity[configuration] != Status::ok || motion_.regularity != Status::ok) {
     placed.regularity = Status::near_singular;
   }
+  placed.derivatives_known = placed.derivatives_known && motion_.derivatives_known;
   placed.residual = std::max(placed.residual, motion_.residual);
   placed.displaced = motion_.displaced;
 }

@@ -15,6 +15,7 @@ struct PlacedLinks {
   Table<LinkIndex, Frame> links;  ///< blocks behind the mechanism's links
   std::vector<SlideState> slides;
   Status regularity = Status::ok;
+  bool derivatives_known = true;
   double residual = 0;
   double displaced = 0;  ///< how far rounding may have moved the links
 };

@@ -116,10 +116,12 @@ class MechanismSolver {
     const Status regularity = placed_.regularity;
     const double residual = placed_.residual;
     const double displaced = placed_.displaced;
+    const bool derivatives_known = placed_.derivatives_known;
     for (std::size_t index = 0; index < found.count; ++index) {
       placed_.regularity = regularity;
       placed_.residual = residual;
       placed_.displaced = displaced;
+      placed_.derivatives_known = derivatives_known;
       solver->place(index, first_slide_[group], placed_);
       descend(depth + 1);
     }
@@ -191,6 +193,7 @@ class MechanismSolver {
             result.outputs[output]);
     }
     result.regularity = placed_.regularity;
+    result.derivatives_known = placed_.derivatives_known;
     result.residual = placed_.residual;
     result.plan = plan_;
   }

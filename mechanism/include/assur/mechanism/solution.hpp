@@ -33,7 +33,10 @@ struct Configuration {
   std::vector<SlideState> slides;
   Table<OutputIndex, Point> outputs;
   Status regularity = Status::ok;  ///< ok or near_singular
-  double residual = 0;             ///< largest of the closures
+  /// Whether velocities, accelerations and derivatives are known to two digits. Reports leave out
+  /// those that are not.
+  bool derivatives_known = true;
+  double residual = 0;  ///< largest of the closures
 
   /// By name; throws MechanismError for a name that the mechanism does not have.
   [[nodiscard]] const Frame& link(const std::string& name) const;

@@ -246,8 +246,9 @@ inline constexpr double lost_pivot = 1e-7;
 /// What surrounds a singular assembly: the directions in which others lie close by.
 class Neighbourhood {
  public:
-  Neighbourhood(const Closures& closures, const FlatVariables<double>& q)
-      : closures_(closures), free_(free_directions(closures, q, singular_pivot)) {
+  /// Looks `reach` away, of the longest length or in radians.
+  Neighbourhood(const Closures& closures, const FlatVariables<double>& q, double reach)
+      : closures_(closures), reach_(reach), free_(free_directions(closures, q, singular_pivot)) {
     for (int one = 0; one < free_.count; ++one) {
       try_both_ways(q, free_.basis.col(one));
       for (int other = 0; other < one; ++other) {
@@ -262,9 +263,6 @@ class Neighbourhood {
   [[nodiscard]] const FlatVariables<double>& neighbour() const { return neighbour_; }
 
  private:
-  /// Of the longest length, or in radians.
-  static constexpr double reach = 0.02;
-
   /// Directions in the plane of two free ones: those in which a part of the closures that is free
   /// of first order does not bend either, A c^2 + B c s + C s^2 = 0, and some between.
   void try_plane(const FlatVariables<double>& q, const FlatVector& one, const FlatVector& other) {
@@ -296,13 +294,13 @@ class Neighbourhood {
   }
 
   void try_both_ways(const FlatVariables<double>& q, const FlatVector& along) {
-    for (const double way : {reach, -reach}) {
+    for (const double way : {reach_, -reach_}) {
       FlatVariables<double> to = q;
       advance(closures_, way * along, to);
       const double miss = close(closures_, to);
       FlatVector step = step_between(closures_, q, to);
       const double length = step.norm();
-      if (!(miss < rounding(closures_, to)) || length < reach / 8 || length > 4 * reach ||
+      if (!(miss < rounding(closures_, to)) || length < 0.7 * reach_ || length > 1.4 * reach_ ||
           free_directions(closures_, to, singular_pivot).count == 0) {
         continue;
       }
@@ -320,6 +318,7 @@ class Neighbourhood {
   }
 
   const Closures& closures_;
+  double reach_;
   FreeDirections free_;
   FlatMatrix tangents_;
   FlatVariables<double> neighbour_{};
@@ -327,10 +326,12 @@ class Neighbourhood {
 };
 
 /// How many freedoms a singular assembly has; zero for one that stands alone. Where families cross,
-/// the freedoms of the one that is left first; so a neighbour is asked, not the assembly itself.
+/// the freedoms of the one that is left first; so a neighbour is asked, not the assembly itself. It
+/// is asked at another distance, at which it does not see where it was reached from: two assemblies
+/// that stand alone are no family.
 [[nodiscard]] inline int mobility_at(const Closures& closures, const FlatVariables<double>& q) {
-  const Neighbourhood here(closures, q);
-  return here.dimension() == 0 ? 0 : Neighbourhood(closures, here.neighbour()).dimension();
+  const Neighbourhood here(closures, q, 0.02);
+  return here.dimension() == 0 ? 0 : Neighbourhood(closures, here.neighbour(), 0.05).dimension();
 }
 
 }  // namespace assur::detail

@@ -23,6 +23,15 @@ struct FirstValues {
   std::size_t count = 0;
   /// No coefficient exceeds its error: the first unknown is free, or nothing is said of it.
   bool vanishing = false;
+  /// No root has run to infinity.
+  bool finite = true;
+
+  /// Whether every root is certainly a simple one.
+  [[nodiscard]] bool certain() const {
+    return finite && !vanishing &&
+           std::all_of(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count),
+                       [](const FirstValue& value) { return value.simple; });
+  }
 
   void add(const FirstValue& value) {
     if (count < list.size()) {
@@ -78,6 +87,7 @@ template <int Size>
       }
       return result;
     }
+    result.finite = false;
   }
   if (bounded(1).sign_is_certain()) {
     result.add({-bounded(0).value / bounded(1).value, DoubleDouble(0), Size == 2});

@@ -62,8 +62,9 @@ class SpecialGroupOf {
     return unflattened<Variables>(flat, [](const Precise& value) { return value; });
   }
   template <typename Variables>
-  [[nodiscard]] static Variables certified(const PreciseVariables& flat) {
-    return unflattened<Variables>(flat, [](const Precise& value) { return Certified(value); });
+  [[nodiscard]] static Variables certified(const PreciseVariables& flat, double within) {
+    return unflattened<Variables>(
+        flat, [within](const Precise& value) { return Certified(value, within); });
   }
 
   static void evaluate(const void* group, const FlatVariables<double>& q, FlatVector& f) {
@@ -80,17 +81,17 @@ class SpecialGroupOf {
     std::copy_n(result.data(), Model::equation_count * Model::unknown_count, j.data());
   }
 
-  static FirstValues values(const PreciseVariables& d, const PreciseVariables& u) {
+  static FirstValues values(const PreciseVariables& d, const PreciseVariables& u, double within) {
     constexpr auto degree = Model::polynomial_degree;
     if constexpr (is_angle<Model>(Model::first_unknown)) {
       TrigonometricPolynomial<Certified, degree> polynomial;
-      Model::position_polynomial(certified<Dimensions<Certified>>(d),
-                                 certified<Inputs<Certified>>(u), polynomial);
+      Model::position_polynomial(certified<Dimensions<Certified>>(d, within),
+                                 certified<Inputs<Certified>>(u, within), polynomial);
       return first_values(polynomial);
     } else {
       Vector<Certified, static_cast<int>(degree) + 1> polynomial;
-      Model::position_polynomial(certified<Dimensions<Certified>>(d),
-                                 certified<Inputs<Certified>>(u), polynomial);
+      Model::position_polynomial(certified<Dimensions<Certified>>(d, within),
+                                 certified<Inputs<Certified>>(u, within), polynomial);
       return first_values(polynomial);
     }
   }

@@ -38,7 +38,8 @@ struct SpecialGroup {
   const ModelVariable* inputs;
   int dimension_count, input_count;
   bool first_is_angle;
-  FirstValues (*first_values)(const PreciseVariables& d, const PreciseVariables& u);
+  /// Roots that are certain where every variable is known to `within`.
+  FirstValues (*first_values)(const PreciseVariables& d, const PreciseVariables& u, double within);
   Completions (*complete)(const PreciseVariables& d, const PreciseVariables& u,
                           const FirstValue& first);
 };
@@ -59,7 +60,12 @@ class SpecialSearch {
       : group_(group), d_(d), u_(u) {}
 
   [[nodiscard]] SpecialAssemblies run() {
-    const FirstValues exact = group_.first_values(d_, u_);
+    constexpr double rounding_of_variables = 2 * std::numeric_limits<double>::epsilon();
+    if (is_general(group_.first_values(d_, u_, rounding_of_variables))) {
+      return result_;
+    }
+    result_ = {};
+    const FirstValues exact = group_.first_values(d_, u_, 0);
     result_.vanishing = exact.vanishing;
     try_all(d_, u_, exact);
     // A multiple root that rounding has made complex leaves no root behind.
@@ -72,7 +78,7 @@ class SpecialSearch {
         random_ = 1U + static_cast<unsigned>(direction);
         displace(group_.dimensions, group_.dimension_count, reach, d);
         displace(group_.inputs, group_.input_count, reach, u);
-        try_all(d, u, group_.first_values(d, u));
+        try_all(d, u, group_.first_values(d, u, 0));
       }
     }
     return result_;
@@ -93,6 +99,36 @@ class SpecialSearch {
 
  private:
   static constexpr int directions = 5;
+
+  /// Whether double-double tells all: every root is simple, however the variables were rounded, and
+  /// its best completion closes.
+  [[nodiscard]] bool is_general(const FirstValues& values) {
+    if (!values.certain()) {
+      return false;
+    }
+    const Closures& closures = group_.closures;
+    for (std::size_t index = 0; index < values.count; ++index) {
+      const Completions found = group_.complete(d_, u_, values.list[index]);
+      if (found.count == 0) {
+        return false;
+      }
+      FlatVariables<double> q = found.list[0];
+      advance(closures, FlatVector::Zero(closures.size), q);
+      if (!(longest_displacement(closures, q) < farthest_configuration) ||
+          !(close(closures, q) < rounding(closures, q)) ||
+          distance(closures, q, found.list[0]) > 1e-6 ||
+          free_directions(closures, q, lost_pivot).count > 0) {
+        return false;
+      }
+      for (std::size_t other = 0; other < result_.count; ++other) {
+        if (distance(closures, q, result_.list[other]) < 1e-7) {
+          return false;
+        }
+      }
+      list(q);
+    }
+    return true;
+  }
 
   /// At every root first the second value that fits best: what it completes to is known to more
   /// digits than what others lead to.
@@ -186,10 +222,13 @@ class SpecialSearch {
         return;
       }
     }
+    list(q);
+  }
+
+  void list(const FlatVariables<double>& q) {
     if (result_.count < result_.list.size()) {
       result_.list[result_.count] = q;
-      result_.singular[result_.count] =
-          singular && free_directions(closures, q, lost_pivot).count > 0;
+      result_.singular[result_.count] = free_directions(group_.closures, q, lost_pivot).count > 0;
       ++result_.count;
     }
   }
