@@ -10,7 +10,7 @@ namespace {
 /// Two configurations this close are not told apart safely: each is known to rounding / distance.
 constexpr double closest = 5e-7;
 /// A near-singular configuration that moves faster with the parameter than this stands on an event.
-constexpr double steepest = 1e9;
+constexpr double steepest = 1e6;
 
 /// The longest distance between two features of one link, which no motion changes; where no link
 /// has two, the largest coordinate of a feature.

@@ -156,23 +156,34 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
 /// closures hold between them, too, or on a bend very near there.
 [[nodiscard]] inline bool are_one(const Closures& closures, const FlatVariables<double>& one,
                                   const FlatVariables<double>& other) {
-  constexpr double near = 1e-2;  // a quadruple assembly is known to 1e-3
-  const double apart = distance(closures, one, other);
+  constexpr double near = 1e-2;   // a quadruple assembly is known to 1e-3
   constexpr double equal = 1e-7;  // a double one is known to 1e-8
+  const double apart = distance(closures, one, other);
   if (!(apart < near) || apart < equal) {
     return apart < equal;
   }
-  FlatVariables<double> middle = one;
-  for (std::size_t place = 0; place < middle.size(); ++place) {
-    middle[place] = (one[place] + other[place]) / 2;
-  }
-  advance(closures, FlatVector::Zero(closures.size), middle);
+  const auto between = [&](double part) {
+    FlatVariables<double> point = one;
+    for (std::size_t place = 0; place < point.size(); ++place) {
+      point[place] = (1 - part) * one[place] + part * other[place];
+    }
+    advance(closures, FlatVector::Zero(closures.size), point);
+    return point;
+  };
+  const FlatVariables<double> middle = between(0.5);
   if (closures.at(middle).norm() < 4 * rounding(closures, middle)) {
     return true;
   }
-  FlatVariables<double> between = middle;
-  return close(closures, between) < rounding(closures, between) &&
-         distance(closures, middle, between) < 0.3 * apart;
+  // Not in the middle: there may stand a third.
+  for (const double part : {0.3, 0.6}) {
+    const FlatVariables<double> from = between(part);
+    FlatVariables<double> to = from;
+    if (!(close(closures, to) < rounding(closures, to) &&
+          distance(closures, from, to) < 0.1 * apart)) {
+      return false;
+    }
+  }
+  return true;
 }
 
 /// Directions in which the closures do not change to first order.
