@@ -171,7 +171,7 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
     return point;
   };
   const FlatVariables<double> middle = between(0.5);
-  if (closures.at(middle).norm() < 4 * rounding(closures, middle)) {
+  if (closures.at(middle).norm() < rounding(closures, middle)) {
     return true;
   }
   // Not in the middle: there may stand a third.
