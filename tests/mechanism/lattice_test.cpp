@@ -111,7 +111,7 @@ TEST(LatticeTruth, AgreesWithASearchFromRandomStarts) {
 }
 
 /// Each scene in two listings. ASSUR_LATTICE_DUMP names a directory for the scenes that fail.
-TEST(Lattice, DISABLED_AnswersAreExact) {
+TEST(Lattice, AnswersAreExact) {
   const char* directory = std::getenv("ASSUR_LATTICE_DUMP");
   LatticeRun run(std::cout, directory == nullptr ? "" : directory);
   for (const LatticeTruth& truth : read_lattice_truth(ASSUR_LATTICE_TRUTH, default_scenes)) {

@@ -172,8 +172,17 @@ TEST(NormalForm, RefusesWhatIsNoLink) {
   EXPECT_EQ(form.dimension_count, 1);
   features[1].y = nan;
   EXPECT_EQ(normal_form(features, 2, form), Status::not_finite);
-  features[1] = features[0];
+  features[0] = {true, 0, 0, {1, 0}};
+  features[1] = {true, 0, 1, {-1, 0}};
   EXPECT_EQ(normal_form(features, 2, form), Status::singular);
+}
+
+TEST(NormalForm, OfCoincidingPointsHasAnyAxis) {
+  NormalForm<double> form;
+  const std::array<LinkFeature<double>, 3> features{{{false, 1, 2, {}}, {false, 1, 2, {}}, {}}};
+  ASSERT_EQ(normal_form(features, 2, form), Status::ok);
+  ASSERT_EQ(form.dimension_count, 1);
+  EXPECT_EQ(form.dimensions[0].length, 0);
 }
 
 TEST(NormalForm, FillsDimensionsOnlyFromTheModelsLinks) {

@@ -46,7 +46,7 @@ void add_numbers(bool wanted, const Vector& numbers, std::string& row) {
 void add_cells(const Plan& plan, const Spread& spread, const Configuration& configuration,
                std::string& row) {
   if (!configuration.derivatives_known) {
-    add_cells(plan, spread, without_derivatives(configuration), row);
+    add_cells(plan, spread, without_derivatives(plan, configuration), row);
     return;
   }
   const Want& want = plan.request().want;

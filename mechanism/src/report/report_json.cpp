@@ -98,7 +98,7 @@ Json groups_json(const Structure& structure) {
 
 Json configuration_json(const Configuration& configuration, const Report& report) {
   if (!configuration.derivatives_known) {
-    return configuration_json(without_derivatives(configuration), report);
+    return configuration_json(without_derivatives(report.plan, configuration), report);
   }
   const Mechanism& mechanism = report.plan.mechanism();
   const Want& want = report.plan.request().want;

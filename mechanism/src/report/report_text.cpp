@@ -77,7 +77,7 @@ std::string point_text(const Point& point, const Report& report) {
 
 std::string configuration_text(const Configuration& configuration, const Report& report) {
   if (!configuration.derivatives_known) {
-    return configuration_text(without_derivatives(configuration), report);
+    return configuration_text(without_derivatives(report.plan, configuration), report);
   }
   const Mechanism& mechanism = report.plan.mechanism();
   const Want& want = report.plan.request().want;

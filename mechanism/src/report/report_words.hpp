@@ -6,8 +6,6 @@
 #include <assur/variables.hpp>
 #include <limits>
 
-#include "plan/plan_data.hpp"
-
 namespace assur::mechanism {
 
 [[nodiscard]] inline const char* status_text(SolutionStatus status) {
@@ -34,7 +32,8 @@ namespace assur::mechanism {
 }
 
 /// A configuration without the derivatives that are not known.
-[[nodiscard]] inline Configuration without_derivatives(Configuration configuration) {
+[[nodiscard]] inline Configuration without_derivatives(const Plan& plan,
+                                                       Configuration configuration) {
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   const auto forget = [unknown](auto& item) {
     item.velocity *= unknown;
@@ -44,7 +43,7 @@ namespace assur::mechanism {
       second *= unknown;
     }
   };
-  const LinkIndex ground = configuration.plan->mechanism.ground();
+  const LinkIndex ground = plan.mechanism().ground();
   for (const LinkIndex link : configuration.links.keys()) {
     if (link != ground) {
       forget(configuration.links[link]);

@@ -110,6 +110,8 @@ class MechanismSolver {
     }
     if (found.mobility > 0 || found.status == AssemblyStatus::degenerate) {
       add_family(group, found.mobility, reason_of_freedom(group, found.mobility));
+    } else if (found.count == 0 && !values_.group(group).flaw.empty()) {
+      add_family(group, 0, values_.group(group).flaw);
     } else if (found.count == 0 && measures_gap_ && solution_.configurations.empty()) {
       measure_gap(group);
     }

@@ -70,6 +70,24 @@ class NormalForms {
   }
 
   [[nodiscard]] const std::string& obstacle() const { return obstacle_; }
+
+  /// Which link has no length, if one has none.
+  [[nodiscard]] std::string flaw() const {
+    for (std::size_t link = 0; link < forms_.size(); ++link) {
+      const std::size_t count = joints_of(*group_.model, link).size();
+      const auto& features = features_[link];
+      const bool is_a_point =
+          std::all_of(features.begin(), features.begin() + count, [&](const auto& feature) {
+            return !feature.line && feature.x.value() == features[0].x.value() &&
+                   feature.y.value() == features[0].y.value();
+          });
+      if (is_a_point) {
+        return "link " + structure_.linkage.links[roles_.links[link]] +
+               ": its features at the joints " + text::listed(joint_names(link)) + " coincide";
+      }
+    }
+    return "";
+  }
   [[nodiscard]] std::vector<NormalForm<Dual>>& forms() { return forms_; }
 
   /// How well the features that define the frames do so, from zero to one: the sine between the
@@ -97,6 +115,14 @@ class NormalForms {
     return structure_.linkage.joints[roles_.joints[static_cast<std::size_t>(joint)]];
   }
 
+  [[nodiscard]] std::vector<std::string> joint_names(std::size_t link) const {
+    std::vector<std::string> names;
+    for (const int joint : joints_of(*group_.model, link)) {
+      names.push_back(played(joint).name);
+    }
+    return names;
+  }
+
   [[nodiscard]] bool has_parallel_lines(std::size_t link) const {
     const auto& features = features_[link];
     const std::size_t count = joints_of(*group_.model, link).size();
@@ -113,12 +139,8 @@ class NormalForms {
                                            forms_[link]) == Status::ok;
     is_done_[link] = true;
     if (!brought) {
-      std::vector<std::string> names;
-      for (const int joint : joints) {
-        names.push_back(played(joint).name);
-      }
       obstacle_ = "link " + structure_.linkage.links[roles_.links[link]] +
-                  ": its lines at the joints " + text::listed(names) + " are parallel";
+                  ": its lines at the joints " + text::listed(joint_names(link)) + " are parallel";
     }
     return brought;
   }
@@ -203,6 +225,7 @@ GroupGeometry group_geometry(const Values& values, GroupIndex index) {
       } else if (normal.firmness() > firmest) {
         firmest = normal.firmness();
         geometry.roles = &roles;
+        geometry.flaw = normal.flaw();
         geometry.links = std::move(normal.forms());
       }
       if (firmest > well) {

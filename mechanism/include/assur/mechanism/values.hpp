@@ -20,7 +20,9 @@ struct PlanData;
 struct GroupGeometry {
   const RoleAssignment* roles = nullptr;  ///< null where no assignment has a normal form
   std::string obstacle;                   ///< then: which link has none, and why
-  std::vector<NormalForm<Dual>> links;    ///< of each link of the model
+  std::string
+      flaw;  ///< which link has no length, if one has none: it turns, or cannot be assembled
+  std::vector<NormalForm<Dual>> links;  ///< of each link of the model
 
   /// The dimensions of the model, in its order.
   [[nodiscard]] std::vector<DimensionValue<Dual>> dimensions() const;

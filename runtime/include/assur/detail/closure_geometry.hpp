@@ -12,6 +12,10 @@
 
 namespace assur::detail {
 
+/// A configuration with a longer displacement, among lengths near one, has run to infinity as far
+/// as rounding lets tell.
+inline constexpr double farthest_configuration = 0x1p24;
+
 /// Four unknowns at most: the sizes of a model's equations at run time.
 using FlatVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 4, 1>;
 using FlatMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 4, 4>;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <assur/assemblies.hpp>
+#include <assur/detail/closure_geometry.hpp>
 #include <assur/detail/index.hpp>
 #include <assur/detail/members.hpp>
 #include <assur/kinematics.hpp>

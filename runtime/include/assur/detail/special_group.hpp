@@ -29,6 +29,8 @@ class SpecialGroupOf {
   SpecialGroupOf(const Dimensions<double>& d, const Inputs<double>& u) : d_(d), u_(u) {
     flatten(d, flat_d_);
     flatten(u, flat_u_);
+    tell_angles(d, dimension_is_angle_);
+    tell_angles(u, input_is_angle_);
   }
 
   [[nodiscard]] SpecialAssemblies search() const {
@@ -45,13 +47,20 @@ class SpecialGroupOf {
   [[nodiscard]] SpecialGroup functions() const {
     return {{&evaluate, &differentiate, this, Model::unknowns.data(), Model::unknown_count,
              longest_length(u_)},
-            Model::dimensions.data(),
-            Model::inputs.data(),
-            Model::dimension_count,
-            Model::input_count,
+            dimension_is_angle_.data(),
+            input_is_angle_.data(),
+            std::tuple_size_v<decltype(d_.members())>,
+            std::tuple_size_v<decltype(u_.members())>,
             is_angle<Model>(Model::first_unknown),
             &values,
             &complete};
+  }
+  /// A specialised group has no table that would say which of its variables are angles.
+  template <typename Variables>
+  static void tell_angles(const Variables& variables, std::array<bool, 12>& is_angle) {
+    for_each_member(variables, [&is_angle](const auto& member, std::size_t index) {
+      is_angle[index] = !std::is_same_v<std::decay_t<decltype(member)>, double>;
+    });
   }
   template <typename Variables>
   [[nodiscard]] static Variables in_double(const FlatVariables<double>& flat) {
@@ -145,6 +154,7 @@ class SpecialGroupOf {
   const Dimensions<double>& d_;
   const Inputs<double>& u_;
   PreciseVariables flat_d_{}, flat_u_{};
+  std::array<bool, 12> dimension_is_angle_{}, input_is_angle_{};
 };
 
 /// Lists the assemblies of a group that may be in special position. One at which the closures are

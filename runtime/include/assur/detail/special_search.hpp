@@ -34,9 +34,10 @@ struct Completions {
 /// What the search needs of a model, on flat variables. Lengths are near one at most.
 struct SpecialGroup {
   Closures closures;
-  const ModelVariable* dimensions;
-  const ModelVariable* inputs;
-  int dimension_count, input_count;
+  /// Of each variable whether it is an angle.
+  const bool* dimensions;
+  const bool* inputs;
+  std::size_t dimension_count, input_count;
   bool first_is_angle;
   /// Roots that are certain where every variable is known to `within`.
   FirstValues (*first_values)(const PreciseVariables& d, const PreciseVariables& u, double within);
@@ -169,12 +170,12 @@ class SpecialSearch {
   }
 
   /// Moves every variable by up to `reach`, a length by that much and an angle by that turn.
-  void displace(const ModelVariable* variables, int count, double reach, PreciseVariables& flat) {
+  void displace(const bool* is_angle, std::size_t count, double reach, PreciseVariables& flat) {
     using numeric::DoubleDouble;
     std::size_t place = 0;
-    for (int index = 0; index < count; ++index) {
+    for (std::size_t index = 0; index < count; ++index) {
       const DoubleDouble by(reach * next_random());
-      if (variables[index].is_angle) {
+      if (is_angle[index]) {
         const DoubleDouble half = by / DoubleDouble(2);
         const DoubleDouble norm = DoubleDouble(1) + half * half;
         const DoubleDouble c = (DoubleDouble(1) - half * half) / norm;
