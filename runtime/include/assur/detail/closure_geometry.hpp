@@ -16,9 +16,10 @@ namespace assur::detail {
 /// as rounding lets tell.
 inline constexpr double farthest_configuration = 0x1p24;
 
-/// Four unknowns at most: the sizes of a model's equations at run time.
-using FlatVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 4, 1>;
-using FlatMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 4, 4>;
+/// Four closures in four unknowns at most. Where a group has fewer, the rest are those of the
+/// identity, which change nothing.
+using FlatVector = Eigen::Matrix<double, 4, 1>;
+using FlatMatrix = Eigen::Matrix<double, 4, 4>;
 
 /// The loop closures f(q) of one group in double precision, on flat unknowns.
 struct Closures {
@@ -30,12 +31,12 @@ struct Closures {
   double farthest;  ///< coordinate among the inputs
 
   [[nodiscard]] FlatVector at(const FlatVariables<double>& q) const {
-    FlatVector f(size);
+    FlatVector f = FlatVector::Zero();
     evaluate(group, q, f);
     return f;
   }
   [[nodiscard]] FlatMatrix jacobian(const FlatVariables<double>& q) const {
-    FlatMatrix result(size, size);
+    FlatMatrix result = FlatMatrix::Identity();
     differentiate(group, q, result);
     return result;
   }
@@ -171,7 +172,7 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
     for (std::size_t place = 0; place < point.size(); ++place) {
       point[place] = (1 - part) * one[place] + part * other[place];
     }
-    advance(closures, FlatVector::Zero(closures.size), point);
+    advance(closures, FlatVector::Zero(), point);
     return point;
   };
   const FlatVariables<double> middle = between(0.5);
@@ -193,7 +194,7 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
 /// Directions in which the closures do not change to first order.
 struct FreeDirections {
   int count = 0;
-  FlatMatrix basis;  ///< a column each; orthonormal
+  FlatMatrix basis = FlatMatrix::Zero();  ///< a column each; orthonormal
 };
 
 /// The null space of a matrix by Gauss's elimination with full pivoting: what is below `threshold`
@@ -204,7 +205,7 @@ struct FreeDirections {
   FreeDirections result;
   result.count = static_cast<int>(factors.dimensionOfKernel());
   if (result.count > 0) {
-    result.basis = factors.kernel();
+    result.basis.leftCols(result.count) = factors.kernel();
     for (int column = 0; column < result.count; ++column) {
       for (int other = 0; other < column; ++other) {
         const double along = result.basis.col(other).dot(result.basis.col(column));
@@ -244,7 +245,7 @@ inline constexpr double lost_pivot = 1e-7;
 [[nodiscard]] inline FlatVector step_between(const Closures& closures,
                                              const FlatVariables<double>& from,
                                              const FlatVariables<double>& to) {
-  FlatVector step(closures.size);
+  FlatVector step = FlatVector::Zero();
   std::size_t place = 0;
   for (int unknown = 0; unknown < closures.size; ++unknown) {
     if (closures.unknowns[unknown].is_angle) {
@@ -325,7 +326,6 @@ class Neighbourhood {
       // A curve bends by less.
       if (dimension_ < free_.count && step.norm() > 0.35 * length) {
         neighbour_ = to;
-        tangents_.conservativeResize(closures_.size, dimension_ + 1);
         tangents_.col(dimension_) = step.normalized();
         ++dimension_;
       }
@@ -335,7 +335,7 @@ class Neighbourhood {
   const Closures& closures_;
   double reach_;
   FreeDirections free_;
-  FlatMatrix tangents_;
+  FlatMatrix tangents_ = FlatMatrix::Zero();
   FlatVariables<double> neighbour_{};
   int dimension_ = 0;
 };

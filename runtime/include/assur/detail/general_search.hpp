@@ -19,10 +19,6 @@
 
 namespace assur::detail {
 
-/// A configuration with a longer displacement, among lengths near one, has run to infinity as far
-/// as rounding lets tell.
-inline constexpr double farthest_configuration = 0x1p24;
-
 /// What polishing leaves of the closures where the longest number among them is so long.
 [[nodiscard]] inline double polished_rounding(double longest) {
   return 16 * std::numeric_limits<double>::epsilon() * longest;

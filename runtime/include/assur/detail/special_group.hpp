@@ -87,7 +87,7 @@ class SpecialGroupOf {
     const auto& self = *static_cast<const SpecialGroupOf*>(group);
     Matrix<double, Model::equation_count, Model::unknown_count> result;
     Model::jacobian(self.d_, self.u_, in_double<Configuration<double>>(q), result);
-    std::copy_n(result.data(), Model::equation_count * Model::unknown_count, j.data());
+    j.topLeftCorner<Model::equation_count, Model::unknown_count>() = result;
   }
 
   static FirstValues values(const PreciseVariables& d, const PreciseVariables& u, double within) {

@@ -91,7 +91,7 @@ class SpecialSearch {
     for_each_sample([&](const FlatVariables<double>& start) {
       FlatVariables<double> q = start;
       if (longest_displacement(group_.closures, q) < farthest_configuration) {
-        advance(group_.closures, FlatVector::Zero(group_.closures.size), q);
+        advance(group_.closures, FlatVector::Zero(), q);
         least = std::min(least, close(group_.closures, q));
       }
     });
@@ -114,7 +114,7 @@ class SpecialSearch {
         return false;
       }
       FlatVariables<double> q = found.list[0];
-      advance(closures, FlatVector::Zero(closures.size), q);
+      advance(closures, FlatVector::Zero(), q);
       if (!(longest_displacement(closures, q) < farthest_configuration) ||
           !(close(closures, q) < rounding(closures, q)) ||
           distance(closures, q, found.list[0]) > 1e-6 ||
@@ -204,7 +204,7 @@ class SpecialSearch {
       return;
     }
     // A second value that does not fit completes to directions that are none.
-    advance(closures, FlatVector::Zero(closures.size), q);
+    advance(closures, FlatVector::Zero(), q);
     const double miss = close(closures, q);
     const double displacement = longest_displacement(closures, q);
     if (!(displacement < farthest_configuration && miss < rounding(closures, q))) {
