@@ -31,7 +31,8 @@ namespace assur::mechanism {
   return regularity == Status::ok ? "regular" : "near-singular";
 }
 
-/// A configuration without the derivatives that are not known.
+/// A configuration without the derivatives that are not known: those of links that drivers place
+/// are.
 [[nodiscard]] inline Configuration without_derivatives(const Plan& plan,
                                                        Configuration configuration) {
   const double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -43,14 +44,25 @@ namespace assur::mechanism {
       second *= unknown;
     }
   };
-  const LinkIndex ground = plan.mechanism().ground();
+  const Mechanism& mechanism = plan.mechanism();
+  const Table<LinkIndex, bool> is_driven = plan.structure().placed_by_drivers();
   for (const LinkIndex link : configuration.links.keys()) {
-    if (link != ground) {
+    if (!is_driven[link]) {
       forget(configuration.links[link]);
     }
   }
-  std::for_each(configuration.slides.begin(), configuration.slides.end(), forget);
-  std::for_each(configuration.outputs.begin(), configuration.outputs.end(), forget);
+  for (const OutputIndex output : configuration.outputs.keys()) {
+    if (!is_driven[mechanism.features()[mechanism.outputs()[output].point].link]) {
+      forget(configuration.outputs[output]);
+    }
+  }
+  for (SlideState& slide : configuration.slides) {
+    const auto& drivers = mechanism.drivers();
+    if (std::none_of(drivers.begin(), drivers.end(),
+                     [&](const Driver& driver) { return driver.joint == slide.joint; })) {
+      forget(slide);
+    }
+  }
   configuration.derivatives_known = true;
   return configuration;
 }
