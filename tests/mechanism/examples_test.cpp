@@ -115,7 +115,6 @@ TEST_P(Example, AssemblesAllAlongItsSweep) {
     const Position at(file(), settings);
     const Solution solution = at.solution();
     EXPECT_EQ(solution.status, SolutionStatus::ok) << settings[0];
-    EXPECT_EQ(solution.undecided, 0);
     least = std::min(least, solution.configurations.size());
     most = std::max(most, solution.configurations.size());
   }

@@ -43,7 +43,7 @@ struct Tally {
   double largest_open = 0;
 };
 
-/// Counts the real roots exactly if `by_sturm`, and wherever the answer is left open.
+/// Counts the real roots exactly if `by_sturm`.
 template <typename Model>
 void judge(const typename Model::template Dimensions<double>& d,
            const typename Model::template Inputs<double>& u, bool by_sturm, Tally& tally) {
@@ -53,13 +53,13 @@ void judge(const typename Model::template Dimensions<double>& d,
     ++tally.degenerate;
     return;
   }
-  if (!by_sturm && found.undecided == 0) {
+  if (!by_sturm) {
     return;
   }
   const int expected = compiled::exact_assembly_count<Model>(d, u);
   ++tally.counted;
   tally.roots += expected;
-  if (found.undecided == 0 && found.count == expected) {
+  if (found.count == expected) {
     return;
   }
   const double value = undecided_value<Model>(d, u);

@@ -64,7 +64,7 @@ Group<Model> random_group(RandomInputs& random) {
 template <typename Model>
 void judge(const Group<Model>& group, Tally& tally) {
   const Assemblies<Model> found = compiled::assemblies<Model>(group.d, group.u);
-  bool declared = found.status == AssemblyStatus::degenerate || found.undecided > 0;
+  bool declared = found.status == AssemblyStatus::degenerate;
   double longest = 1e-300;
   longest = std::max({longest, longest_length(group.d), longest_length(group.u)});
   for (int index = 0; index < found.count; ++index) {

@@ -71,7 +71,6 @@ inline void expect_same_solution(const Solution& one, const Solution& other) {
   EXPECT_EQ(one.status, other.status);
   EXPECT_EQ(one.mobility, other.mobility);
   EXPECT_EQ(one.reason, other.reason);
-  EXPECT_EQ(one.undecided, other.undecided);
   ASSERT_EQ(one.configurations.size(), other.configurations.size());
   for (std::size_t index = 0; index < one.configurations.size(); ++index) {
     SCOPED_TRACE("configuration " + std::to_string(index + 1));

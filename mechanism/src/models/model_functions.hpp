@@ -27,10 +27,9 @@ class ModelFunctions {
     const Assemblies<Model> found = assemblies<Model>(read<Dimensions>(d), read<Inputs>(u));
     result.status = found.status;
     result.mobility = found.mobility;
-    result.undecided = found.undecided;
     result.count = static_cast<std::size_t>(found.count);
     for (std::size_t index = 0; index < result.count; ++index) {
-      write(found.configurations[index], result.configurations[index]);
+      support::flatten(found.configurations[index], result.configurations[index]);
       result.regularity[index] = found.regularity[index];
     }
   }
@@ -169,28 +168,10 @@ class ModelFunctions {
     target.resize(Rows, Columns);
     std::copy_n(matrix.data(), Rows * Columns, target.data());
   }
-  static void take(const double*& from, double& length) { length = *from++; }
-  static void take(const double*& from, Direction<double>& angle) {
-    angle = {from[0], from[1]};
-    from += 2;
-  }
-  static void give(double length, double*& to) { *to++ = length; }
-  static void give(const Direction<double>& angle, double*& to) {
-    *to++ = angle.cos;
-    *to++ = angle.sin;
-  }
 
   template <typename Variables>
   static Variables read(const FlatVariables& flat) {
-    Variables result;
-    const double* from = flat.data();
-    std::apply([&](auto&... member) { (take(from, member), ...); }, result.members());
-    return result;
-  }
-  template <typename Variables>
-  static void write(const Variables& variables, FlatVariables& flat) {
-    double* to = flat.data();
-    std::apply([&](const auto&... member) { (give(member, to), ...); }, variables.members());
+    return support::unflattened<Variables>(flat, [](double value) { return value; });
   }
 };
 

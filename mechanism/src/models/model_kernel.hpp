@@ -7,6 +7,7 @@
 #include <assur/assembly.hpp>
 #include <assur/model.hpp>
 #include <assur/status.hpp>
+#include <assur/support/flat_variables.hpp>
 
 namespace assur::mechanism {
 
@@ -20,13 +21,12 @@ using SmallMatrix =
 using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_rows, 1>;
 
 /// Variables of a model one after the other: a length is one number, an angle its cosine and sine.
-using FlatVariables = std::array<double, std::size_t{2} * most_rows>;
+using FlatVariables = support::FlatVariables<double>;
 
 /// Every configuration of a group; the fields are those of `Assemblies`.
 struct GroupAssemblies {
   AssemblyStatus status = AssemblyStatus::ok;
   int mobility = 0;
-  int undecided = 0;
   std::size_t count = 0;
   std::array<FlatVariables, most_configurations> configurations;
   std::array<Status, most_configurations> regularity{};

@@ -94,7 +94,7 @@ class MechanismSolver {
     std::optional<GroupSolver>& solver = solvers_[group];
     const GroupModel& model = *structure_.groups[group].model;
     if (!solver) {
-      add_family(group, 1, values_.group(group).obstacle);
+      add_family(group, 0, values_.group(group).obstacle);
       return;
     }
     solver->hold(placed_);

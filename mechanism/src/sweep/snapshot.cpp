@@ -35,7 +35,7 @@ double length_of(const Mechanism& mechanism, const Values& values) {
 }
 
 bool is_separable(const Snapshot& snapshot) {
-  if (snapshot.solution.status == SolutionStatus::degenerate || snapshot.solution.undecided > 0) {
+  if (snapshot.solution.status == SolutionStatus::degenerate) {
     return false;
   }
   for (const PointIndex one : snapshot.points.keys()) {

@@ -9,8 +9,8 @@
 namespace assur {
 
 enum class AssemblyStatus : unsigned char {
-  ok,          ///< all configurations are listed; none if the links cannot reach
-  degenerate,  ///< the final polynomial vanishes: no configurations, or infinitely many
+  ok,          ///< configurations are listed; none if the links cannot reach
+  degenerate,  ///< none stands alone, but the group moves, or its final polynomial vanishes
   not_finite   ///< an input is NaN or infinite, or the lengths differ by too many powers of ten
 };
 
@@ -23,13 +23,10 @@ struct Assemblies {
   AssemblyStatus status = AssemblyStatus::ok;
   int count = 0;
   std::array<typename Model::template Configuration<double>, capacity> configurations;
-  /// ok, or near_singular: the derivatives may keep fewer than six digits, or two configurations
-  /// meet so closely that double-double arithmetic cannot tell whether they are two, one or none.
+  /// ok, or near_singular: the derivatives may keep fewer than six digits, or configurations meet
+  /// so closely that rounding of the inputs decides whether they are two, one or none.
   std::array<Status, capacity> regularity{};
-  /// Nearly multiple roots of the final polynomial that double-double could not exclude and from
-  /// which no closed configuration came: each may hide two that meet, or none.
-  int undecided = 0;
-  /// For a degenerate group: freedom where it was found assembled, or zero if it was not.
+  /// Of the freest family of configurations, beside those that are listed; zero if there is none.
   int mobility = 0;
 };
 

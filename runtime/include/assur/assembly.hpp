@@ -17,10 +17,11 @@ namespace assur {
 /// model. Lengths share any unit, directions among dimensions and inputs must be unit vectors;
 /// configurations are in the frame and the unit of the inputs.
 ///
-/// The final polynomial's real roots are isolated with a bound of all rounding; what double
-/// precision leaves open is repeated in double-double, and what that leaves open is listed once and
-/// marked near_singular. Status: ok, also where the links cannot reach, with no configuration;
-/// degenerate; not_finite.
+/// The final polynomial's real roots are isolated with a bound of all rounding, of the inputs too;
+/// where that does not settle the list, the group is searched as one in special position (see
+/// detail/special_search.hpp). What meets to within rounding is listed once and marked
+/// near_singular. Status: ok, also where the links cannot reach, with no configuration; degenerate;
+/// not_finite.
 template <typename Model>
 [[nodiscard]] Assemblies<Model> assemblies(
     const typename Model::template Dimensions<double>& dimensions,

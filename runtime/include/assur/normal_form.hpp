@@ -49,8 +49,6 @@ struct NormalForm {
   std::array<Scalar, 3> shift{};
 };
 
-namespace detail {
-
 /// The dimensions and shifts of a link whose normal frame is known. What the frame fixes is not
 /// measured: the first line's angle and offset or the first point's place, and where there are no
 /// two of these, the second line's offset or the second point's direction.
@@ -93,8 +91,6 @@ void measure_in_frame(const std::array<LinkFeature<Scalar>, 3>& features, std::s
     }
   }
 }
-
-}  // namespace detail
 
 /// Brings a link of two or three joints, `count` of them, into its normal form; all features are
 /// given in one frame, and the form is in theirs. Set where the status is ok. singular: the first
@@ -155,7 +151,7 @@ template <typename Scalar>
     result.frame.y = lines[0]->y + along * axis.sin;
   }
 
-  detail::measure_in_frame(features, joints, result);
+  measure_in_frame(features, joints, result);
   return Status::ok;
 }
 

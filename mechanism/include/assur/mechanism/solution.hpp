@@ -66,7 +66,6 @@ struct Solution {
   /// In an order that depends on the mechanism alone.
   std::vector<Configuration> configurations;
   std::vector<Family> families;
-  int undecided = 0;  ///< places where no arithmetic here tells whether there are configurations
 };
 
 }  // namespace assur::mechanism

@@ -4,13 +4,15 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <algorithm>
-#include <assur/detail/flat_variables.hpp>
 #include <assur/model.hpp>
+#include <assur/support/flat_variables.hpp>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
 namespace assur::detail {
+
+using support::FlatVariables;
 
 /// A configuration with a longer displacement, among lengths near one, has run to infinity as far
 /// as rounding lets tell.

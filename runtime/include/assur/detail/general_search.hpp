@@ -77,6 +77,7 @@ class GeneralSearch {
                                support::rounded<typename Model::template Inputs<Certified>>(u_),
                                bounded);
     for (int power = 0; power <= degree; ++power) {
+      bounded(power).bound += support::rounding_of_numbers<Model>();
       if (!std::isfinite(bounded(power).size())) {
         result_.status = AssemblyStatus::not_finite;
         return true;
@@ -133,7 +134,7 @@ class GeneralSearch {
       return false;
     }
     const Status regularity = polish(q);
-    if (regularity == Status::singular) {
+    if (regularity == Status::no_convergence) {
       return false;
     }
     entry(result_.configurations, result_.count) = q;
@@ -147,8 +148,8 @@ class GeneralSearch {
   }
 
   /// Newton's steps as long as they lessen a residual above rounding. The longest length is near
-  /// one; where a displacement is longer, its rounding ends the steps. `singular` if the closures
-  /// do not hold then.
+  /// one; where a displacement is longer, its rounding ends the steps. `no_convergence` if the
+  /// closures do not hold then.
   [[nodiscard]] Status polish(Configuration& q) const {
     constexpr int steps = 3;
     Vector<double, Model::equation_count> f;
@@ -171,7 +172,7 @@ class GeneralSearch {
     if (!(longest < farthest_configuration) ||
         (miss > polished_rounding(1) &&
          !(miss <= polished_rounding(std::max(longest, longest_length(u_)))))) {
-      return Status::singular;
+      return Status::no_convergence;
     }
     return jacobian.status() == Status::ok ? Status::ok : Status::near_singular;
   }

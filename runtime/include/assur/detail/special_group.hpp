@@ -27,8 +27,8 @@ class SpecialGroupOf {
 
  public:
   SpecialGroupOf(const Dimensions<double>& d, const Inputs<double>& u) : d_(d), u_(u) {
-    flatten(d, flat_d_);
-    flatten(u, flat_u_);
+    support::flatten(d, flat_d_);
+    support::flatten(u, flat_u_);
     tell_angles(d, dimension_is_angle_);
     tell_angles(u, input_is_angle_);
   }
@@ -51,6 +51,7 @@ class SpecialGroupOf {
             input_is_angle_.data(),
             std::tuple_size_v<decltype(d_.members())>,
             std::tuple_size_v<decltype(u_.members())>,
+            Model::dimension_count == 0,
             is_angle<Model>(Model::first_unknown),
             &values,
             &complete};
@@ -64,15 +65,15 @@ class SpecialGroupOf {
   }
   template <typename Variables>
   [[nodiscard]] static Variables in_double(const FlatVariables<double>& flat) {
-    return unflattened<Variables>(flat, [](double value) { return value; });
+    return support::unflattened<Variables>(flat, [](double value) { return value; });
   }
   template <typename Variables>
   [[nodiscard]] static Variables precise(const PreciseVariables& flat) {
-    return unflattened<Variables>(flat, [](const Precise& value) { return value; });
+    return support::unflattened<Variables>(flat, [](const Precise& value) { return value; });
   }
   template <typename Variables>
   [[nodiscard]] static Variables certified(const PreciseVariables& flat, double within) {
-    return unflattened<Variables>(
+    return support::unflattened<Variables>(
         flat, [within](const Precise& value) { return Certified(value, within); });
   }
 
@@ -131,7 +132,7 @@ class SpecialGroupOf {
         }
       });
       FlatVariables<double> flat{};
-      flatten(q, flat);
+      support::flatten(q, flat);
       if (is_finite(in_double<Configuration<double>>(flat))) {
         result.list[result.count++] = flat;
       }
@@ -169,7 +170,7 @@ void search_in_special_position(const typename Model::template Dimensions<double
   for (std::size_t index = 0; index < found.count && result.count < Model::max_configurations;
        ++index) {
     const auto q =
-        unflattened<Configuration>(found.list[index], [](double value) { return value; });
+        support::unflattened<Configuration>(found.list[index], [](double value) { return value; });
     const Status regularity = assur::regularity<Model, double>(d, u, q).status;
     entry(result.configurations, result.count) = q;
     entry(result.regularity, result.count) =

@@ -14,7 +14,6 @@
 #include <array>
 #include <assur/detail/closure_geometry.hpp>
 #include <assur/detail/first_values.hpp>
-#include <assur/detail/flat_variables.hpp>
 #include <assur/model.hpp>
 #include <assur/numeric/double_double.hpp>
 #include <cmath>
@@ -38,6 +37,8 @@ struct SpecialGroup {
   const bool* dimensions;
   const bool* inputs;
   std::size_t dimension_count, input_count;
+  /// Dimensions that are numbers in the functions cannot be moved.
+  bool is_specialised;
   bool first_is_angle;
   /// Roots that are certain where every variable is known to `within`.
   FirstValues (*first_values)(const PreciseVariables& d, const PreciseVariables& u, double within);
@@ -62,7 +63,7 @@ class SpecialSearch {
 
   [[nodiscard]] SpecialAssemblies run() {
     constexpr double rounding_of_variables = 2 * std::numeric_limits<double>::epsilon();
-    if (is_general(group_.first_values(d_, u_, rounding_of_variables))) {
+    if (!group_.is_specialised && is_general(group_.first_values(d_, u_, rounding_of_variables))) {
       return result_;
     }
     result_ = {};
@@ -151,7 +152,7 @@ class SpecialSearch {
   /// Completes values of the first unknown that no design would have.
   template <typename Use>
   void for_each_sample(const Use& use) const {
-    constexpr int samples = 12;
+    const int samples = group_.is_specialised ? 48 : 12;
     for (int sample = 0; sample < samples; ++sample) {
       const double part = (sample + 0.3) / samples;
       FirstValue first;

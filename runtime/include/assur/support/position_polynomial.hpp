@@ -41,6 +41,9 @@ template <typename Model, typename Work>
     result.error = std::max(
         {result.error, bounded.cosine[k].certain_bound(), bounded.sine[k].certain_bound()});
   }
+  if constexpr (std::is_same_v<Work, double>) {
+    result.error += rounding_of_numbers<Model>();
+  }
   return result;
 }
 

@@ -42,6 +42,13 @@ template <typename To, typename From>
   return result;
 }
 
+/// What rounding of its dimensions may have done to a coefficient of a specialised group, whose
+/// functions hold them as numbers: lengths are at most one there, and few of them meet in a term.
+template <typename Model>
+[[nodiscard]] constexpr double rounding_of_numbers() {
+  return Model::dimension_count == 0 ? 32 * std::numeric_limits<double>::epsilon() : 0.0;
+}
+
 /// The power of two that brings the longest length of a group near one. Only differences of the
 /// external joints' places count, not where the group is; but a length that rounding may have left
 /// of these places is none.

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace assur::detail {
+namespace assur::support {
 
 /// A length is one number, an angle its cosine and sine. No group has more than eight variables of
 /// a sort and four external slides.
@@ -46,4 +46,4 @@ void flatten(const Variables& variables, Flat& flat) {
   });
 }
 
-}  // namespace assur::detail
+}  // namespace assur::support
