@@ -13,7 +13,7 @@ function(assur_generator_folder)
   target_link_libraries(${library} PUBLIC ${arg_LINKS} ${arg_PUBLIC}
     PRIVATE ${arg_PRIVATE} assur_build_flags)
   # GiNaC, which has been optimised, does the work; optimising what calls it costs more than it saves.
-  target_compile_options(${library} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
+  target_compile_options(${library} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-Og>)
   # GiNaC's header takes longer to read than most files that include it: it is read once.
   if(folder STREQUAL "equations")
     target_precompile_headers(${library} PRIVATE <algorithm> <deque> <functional> <ginac/ginac.h>

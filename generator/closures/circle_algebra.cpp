@@ -1,16 +1,13 @@
 #include "closures/circle_algebra.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "closures/formula_text.hpp"
 
 namespace assur::generator::closures {
 
 namespace {
-
-equations::Vector2 turned(const equations::Vector2& by, const equations::Vector2& angle) {
-  return {(by.x * angle.x - by.y * angle.y).expand(), (by.x * angle.y + by.y * angle.x).expand()};
-}
 
 bool makes_roots(const GiNaC::ex& expression) {
   return std::any_of(expression.preorder_begin(), expression.preorder_end(),
@@ -24,6 +21,16 @@ bool makes_roots(const GiNaC::ex& expression) {
 }
 
 }  // namespace
+
+equations::Vector2 turned_by_multiple(equations::Vector2 direction, equations::Vector2 step,
+                                      int factor) {
+  step.y = factor < 0 ? -step.y : step.y;
+  for (int count = std::abs(factor); count > 0; --count) {
+    direction = {(direction.x * step.x - direction.y * step.y).expand(),
+                 (direction.x * step.y + direction.y * step.x).expand()};
+  }
+  return direction;
+}
 
 void CircleAlgebra::add_angle(const GiNaC::symbol& angle) {
   directions_[angle.get_name()] = {GiNaC::symbol("cos_" + angle.get_name()),
@@ -137,13 +144,9 @@ equations::Vector2 CircleAlgebra::direction_of(const GiNaC::ex& angle) {
       throw NotAlgebraic("the angle " + formula_text(term) +
                          " is no whole multiple of one declared");
     }
-    equations::Vector2 step = quarter_turns ? equations::Vector2{0, 1} : direction_of_term(base);
-    if (factor.is_negative()) {
-      step.y = -step.y;
-    }
-    for (int count = abs(factor).to_int(); count > 0; --count) {
-      direction = turned(direction, step);
-    }
+    const equations::Vector2 step =
+        quarter_turns ? equations::Vector2{0, 1} : direction_of_term(base);
+    direction = turned_by_multiple(direction, step, factor.to_int());
   };
   if (GiNaC::is_a<GiNaC::add>(expanded)) {
     for (const GiNaC::ex& term : operands(expanded)) {

@@ -21,6 +21,11 @@ class NotAlgebraic : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A direction turned by a whole multiple of an angle whose cosine and sine are `step`, multiplied
+/// out.
+[[nodiscard]] equations::Vector2 turned_by_multiple(equations::Vector2 direction,
+                                                    equations::Vector2 step, int factor);
+
 /// The ring of polynomials in lengths, in the cosine c and sine s of each angle, c^2 + s^2 = 1, and
 /// in square roots r, r^2 = radicand. What vanishes there vanishes everywhere.
 class CircleAlgebra {

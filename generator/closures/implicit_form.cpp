@@ -5,6 +5,7 @@
 #include <set>
 
 #include "closures/angle_terms.hpp"
+#include "closures/circle_algebra.hpp"
 #include "closures/formula_text.hpp"
 
 namespace assur::generator::closures {
@@ -13,11 +14,6 @@ namespace {
 
 /// Powers of sums are multiplied out.
 constexpr int max_power = 64;
-
-equations::Vector2 turned(const equations::Vector2& direction, const equations::Vector2& by) {
-  return {(direction.x * by.x - direction.y * by.y).expand(),
-          (direction.x * by.y + direction.y * by.x).expand()};
-}
 
 bool is_function(const GiNaC::ex& expression) { return GiNaC::is_a<GiNaC::function>(expression); }
 
@@ -240,11 +236,7 @@ class Translation {
     std::string spelled;
     for (const auto& [text, term] : sum.terms) {
       const int factor = sense * term.factor;
-      equations::Vector2 step = direction_of_term(term.angle);
-      step.y = factor < 0 ? -step.y : step.y;
-      for (int count = std::abs(factor); count > 0; --count) {
-        direction = turned(direction, step);
-      }
+      direction = turned_by_multiple(direction, direction_of_term(term.angle), factor);
       spelled += spelled.empty() ? "_" : factor < 0 ? "_minus_" : "_plus_";
       spelled += std::abs(factor) == 1 ? "" : std::to_string(std::abs(factor)) + "_";
       spelled += text;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <assur/assembly.hpp>
 #include <assur/mechanism/group_model.hpp>
 #include <assur/support/displacement.hpp>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "models/compiled_once.hpp"
 #include "models/model_kernel.hpp"
 
 namespace assur::mechanism {

@@ -20,34 +20,64 @@ inline constexpr double farthest_configuration = 0x1p24;
 
 /// Four closures in four unknowns at most. Where a group has fewer, the rest are those of the
 /// identity, which change nothing.
-using FlatVector = Eigen::Matrix<double, 4, 1>;
-using FlatMatrix = Eigen::Matrix<double, 4, 4>;
+template <typename Real>
+using FlatVector = Eigen::Matrix<Real, 4, 1>;
+template <typename Real>
+using FlatMatrix = Eigen::Matrix<Real, 4, 4>;
 
 /// The loop closures f(q) of one group in double precision, on flat unknowns.
+template <typename Real>
 struct Closures {
-  void (*evaluate)(const void* group, const FlatVariables<double>& q, FlatVector& f);
-  void (*differentiate)(const void* group, const FlatVariables<double>& q, FlatMatrix& jacobian);
+  void (*evaluate)(const void* group, const FlatVariables<Real>& q, FlatVector<Real>& f);
+  void (*differentiate)(const void* group, const FlatVariables<Real>& q,
+                        FlatMatrix<Real>& jacobian);
   const void* group;
   const ModelUnknown* unknowns;
   int size;
-  double farthest;  ///< coordinate among the inputs
+  Real farthest;  ///< coordinate among the inputs
 
-  [[nodiscard]] FlatVector at(const FlatVariables<double>& q) const {
-    FlatVector f = FlatVector::Zero();
+  [[nodiscard]] FlatVector<Real> at(const FlatVariables<Real>& q) const {
+    FlatVector<Real> f = FlatVector<Real>::Zero();
     evaluate(group, q, f);
     return f;
   }
-  [[nodiscard]] FlatMatrix jacobian(const FlatVariables<double>& q) const {
-    FlatMatrix result = FlatMatrix::Identity();
+  [[nodiscard]] FlatMatrix<Real> jacobian(const FlatVariables<Real>& q) const {
+    FlatMatrix<Real> result = FlatMatrix<Real>::Identity();
     differentiate(group, q, result);
     return result;
   }
+  /// The unknowns moved by a step: displacements shift, angles turn, without trigonometric
+  /// functions.
+  void advance(const FlatVector<Real>& step, FlatVariables<Real>& q) const {
+    std::size_t place = 0;
+    for (int unknown = 0; unknown < size; ++unknown) {
+      const Real by = step(unknown);
+      if (unknowns[unknown].is_angle) {
+        // The half angle's tangent by/2 turns by nearly `by`.
+        const Real half = by / 2;
+        const Real norm = 1 + half * half;
+        const Real c = (1 - half * half) / norm;
+        const Real s = 2 * half / norm;
+        const Real cos = c * q[place] - s * q[place + 1];
+        const Real sin = s * q[place] + c * q[place + 1];
+        const Real length = std::sqrt(cos * cos + sin * sin);
+        q[place] = length > 0 ? cos / length : 1;
+        q[place + 1] = length > 0 ? sin / length : 0;
+        place += 2;
+      } else {
+        q[place++] += by;
+      }
+    }
+  }
+  /// Pairs that are no directions yet become some.
+  void straighten(FlatVariables<Real>& q) const { advance(FlatVector<Real>::Zero(), q); }
 };
 
 /// The longest displacement among flat unknowns.
-[[nodiscard]] inline double longest_displacement(const Closures& closures,
-                                                 const FlatVariables<double>& q) {
-  double longest = 0;
+template <typename Real>
+[[nodiscard]] Real longest_displacement(const Closures<Real>& closures,
+                                        const FlatVariables<Real>& q) {
+  Real longest = 0;
   std::size_t place = 0;
   for (int unknown = 0; unknown < closures.size; ++unknown) {
     if (closures.unknowns[unknown].is_angle) {
@@ -60,38 +90,17 @@ struct Closures {
 }
 
 /// What rounding leaves of closures among lengths of at most one.
-[[nodiscard]] inline double rounding(const Closures& closures, const FlatVariables<double>& q) {
-  return 32 * std::numeric_limits<double>::epsilon() *
+template <typename Real>
+[[nodiscard]] Real rounding(const Closures<Real>& closures, const FlatVariables<Real>& q) {
+  return 32 * std::numeric_limits<Real>::epsilon() *
          (1 + closures.farthest + longest_displacement(closures, q));
 }
 
-/// The unknowns moved by a step: displacements shift, angles turn, without trigonometric functions.
-inline void advance(const Closures& closures, const FlatVector& step, FlatVariables<double>& q) {
-  std::size_t place = 0;
-  for (int unknown = 0; unknown < closures.size; ++unknown) {
-    const double by = step(unknown);
-    if (closures.unknowns[unknown].is_angle) {
-      // The half angle's tangent by/2 turns by nearly `by`.
-      const double half = by / 2;
-      const double norm = 1 + half * half;
-      const double c = (1 - half * half) / norm;
-      const double s = 2 * half / norm;
-      const double cos = c * q[place] - s * q[place + 1];
-      const double sin = s * q[place] + c * q[place + 1];
-      const double length = std::sqrt(cos * cos + sin * sin);
-      q[place] = length > 0 ? cos / length : 1;
-      q[place + 1] = length > 0 ? sin / length : 0;
-      place += 2;
-    } else {
-      q[place++] += by;
-    }
-  }
-}
-
 /// The largest difference of two lists of unknowns.
-[[nodiscard]] inline double distance(const Closures& closures, const FlatVariables<double>& one,
-                                     const FlatVariables<double>& other) {
-  double largest = 0;
+template <typename Real>
+[[nodiscard]] Real distance(const Closures<Real>& closures, const FlatVariables<Real>& one,
+                            const FlatVariables<Real>& other) {
+  Real largest = 0;
   std::size_t place = 0;
   for (int unknown = 0; unknown < closures.size; ++unknown) {
     for (int part = closures.unknowns[unknown].is_angle ? 2 : 1; part > 0; --part, ++place) {
@@ -103,30 +112,32 @@ inline void advance(const Closures& closures, const FlatVector& step, FlatVariab
 
 /// A step of Newton, or of Levenberg with the residual as damping: that one leads from any side
 /// onto singular assemblies and onto curves of assemblies.
-[[nodiscard]] inline FlatVector closing_step(const FlatMatrix& jacobian, const FlatVector& f,
-                                             bool damped) {
+template <typename Real>
+[[nodiscard]] FlatVector<Real> closing_step(const FlatMatrix<Real>& jacobian,
+                                            const FlatVector<Real>& f, bool damped) {
   if (!damped) {
-    return Eigen::FullPivLU<FlatMatrix>(jacobian).solve(-f);
+    return Eigen::FullPivLU<FlatMatrix<Real>>(jacobian).solve(-f);
   }
-  FlatMatrix normal = jacobian.transpose() * jacobian;
-  normal.diagonal().array() += std::max(f.squaredNorm(), 1e-30);
-  const FlatVector downhill = -(jacobian.transpose() * f);
-  return Eigen::FullPivLU<FlatMatrix>(normal).solve(downhill);
+  FlatMatrix<Real> normal = jacobian.transpose() * jacobian;
+  normal.diagonal().array() += std::max<Real>(f.squaredNorm(), 1e-30);
+  const FlatVector<Real> downhill = -(jacobian.transpose() * f);
+  return Eigen::FullPivLU<FlatMatrix<Real>>(normal).solve(downhill);
 }
 
 /// Moves a point to an assembly near it, and returns the norm of the closures that is left.
-inline double close(const Closures& closures, FlatVariables<double>& q) {
+template <typename Real>
+Real close(const Closures<Real>& closures, FlatVariables<Real>& q) {
   constexpr int most_steps = 200;
-  FlatVector f = closures.at(q);
-  double miss = f.norm();
+  FlatVector<Real> f = closures.at(q);
+  Real miss = f.norm();
   if (miss < rounding(closures, q) / 8) {
     return miss;  // where it comes from more digits, steps in fewer would only move it
   }
-  const auto lessened = [&](const FlatVector& step, double enough) {
-    FlatVariables<double> next = q;
-    advance(closures, step, next);
-    const FlatVector next_f = closures.at(next);
-    const double next_miss = next_f.norm();
+  const auto lessened = [&](const FlatVector<Real>& step, Real enough) {
+    FlatVariables<Real> next = q;
+    closures.advance(step, next);
+    const FlatVector<Real> next_f = closures.at(next);
+    const Real next_miss = next_f.norm();
     if (!(next_miss < enough * miss)) {
       return false;
     }
@@ -136,13 +147,13 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
     return true;
   };
   for (int step = 0; step < most_steps && miss > 0; ++step) {
-    const FlatMatrix jacobian = closures.jacobian(q);
+    const FlatMatrix<Real> jacobian = closures.jacobian(q);
     // Where the Jacobian is nearly singular Newton's step leads anywhere.
-    const FlatVector newton = closing_step(jacobian, f, false);
+    const FlatVector<Real> newton = closing_step(jacobian, f, false);
     if (newton.norm() < 100 * miss && lessened(newton, 0.1)) {
       continue;
     }
-    FlatVector move = closing_step(jacobian, f, true);
+    FlatVector<Real> move = closing_step(jacobian, f, true);
     bool better = lessened(move, 0.99);
     for (int cut = 0; cut < 4 && !better; ++cut) {
       move /= 4;
@@ -161,30 +172,31 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
 
 /// Whether two assemblies are one that rounding keeps apart, as it does a multiple one: then the
 /// closures hold between them, too, or on a bend very near there.
-[[nodiscard]] inline bool are_one(const Closures& closures, const FlatVariables<double>& one,
-                                  const FlatVariables<double>& other) {
-  constexpr double near = 1e-2;   // a quadruple assembly is known to 1e-3
-  constexpr double equal = 1e-7;  // a double one is known to 1e-8
-  const double apart = distance(closures, one, other);
+template <typename Real>
+[[nodiscard]] bool are_one(const Closures<Real>& closures, const FlatVariables<Real>& one,
+                           const FlatVariables<Real>& other) {
+  constexpr Real near = 1e-2;   // a quadruple assembly is known to 1e-3
+  constexpr Real equal = 1e-7;  // a double one is known to 1e-8
+  const Real apart = distance(closures, one, other);
   if (!(apart < near) || apart < equal) {
     return apart < equal;
   }
-  const auto between = [&](double part) {
-    FlatVariables<double> point = one;
+  const auto between = [&](Real part) {
+    FlatVariables<Real> point = one;
     for (std::size_t place = 0; place < point.size(); ++place) {
       point[place] = (1 - part) * one[place] + part * other[place];
     }
-    advance(closures, FlatVector::Zero(), point);
+    closures.straighten(point);
     return point;
   };
-  const FlatVariables<double> middle = between(0.5);
+  const FlatVariables<Real> middle = between(0.5);
   if (closures.at(middle).norm() < rounding(closures, middle)) {
     return true;
   }
   // Not in the middle: there may stand a third.
-  for (const double part : {0.3, 0.6}) {
-    const FlatVariables<double> from = between(part);
-    FlatVariables<double> to = from;
+  for (const Real part : {Real(0.3), Real(0.6)}) {
+    const FlatVariables<Real> from = between(part);
+    FlatVariables<Real> to = from;
     if (!(close(closures, to) < rounding(closures, to) &&
           distance(closures, from, to) < 0.1 * apart)) {
       return false;
@@ -194,23 +206,25 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
 }
 
 /// Directions in which the closures do not change to first order.
+template <typename Real>
 struct FreeDirections {
   int count = 0;
-  FlatMatrix basis = FlatMatrix::Zero();  ///< a column each; orthonormal
+  FlatMatrix<Real> basis = FlatMatrix<Real>::Zero();  ///< a column each; orthonormal
 };
 
 /// The null space of a matrix by Gauss's elimination with full pivoting: what is below `threshold`
 /// of the largest pivot counts as zero.
-[[nodiscard]] inline FreeDirections null_space(const FlatMatrix& matrix, double threshold) {
-  Eigen::FullPivLU<FlatMatrix> factors(matrix);
+template <typename Real>
+[[nodiscard]] FreeDirections<Real> null_space(const FlatMatrix<Real>& matrix, double threshold) {
+  Eigen::FullPivLU<FlatMatrix<Real>> factors(matrix);
   factors.setThreshold(threshold);
-  FreeDirections result;
+  FreeDirections<Real> result;
   result.count = static_cast<int>(factors.dimensionOfKernel());
   if (result.count > 0) {
     result.basis.leftCols(result.count) = factors.kernel();
     for (int column = 0; column < result.count; ++column) {
       for (int other = 0; other < column; ++other) {
-        const double along = result.basis.col(other).dot(result.basis.col(column));
+        const Real along = result.basis.col(other).dot(result.basis.col(column));
         result.basis.col(column) -= along * result.basis.col(other);
       }
       result.basis.col(column).normalize();
@@ -220,20 +234,21 @@ struct FreeDirections {
 }
 
 /// The directions in which unknowns may leave an assembly to first order.
-[[nodiscard]] inline FreeDirections free_directions(const Closures& closures,
-                                                    const FlatVariables<double>& q,
-                                                    double threshold) {
+template <typename Real>
+[[nodiscard]] FreeDirections<Real> free_directions(const Closures<Real>& closures,
+                                                   const FlatVariables<Real>& q, double threshold) {
   return null_space(closures.jacobian(q), threshold);
 }
 
 /// d2f along a direction: how the closures bend.
-[[nodiscard]] inline FlatVector bend(const Closures& closures, const FlatVariables<double>& q,
-                                     const FlatVector& along) {
-  constexpr double step = 0x1p-10;
-  FlatVariables<double> ahead = q;
-  FlatVariables<double> behind = q;
-  advance(closures, step * along, ahead);
-  advance(closures, -step * along, behind);
+template <typename Real>
+[[nodiscard]] FlatVector<Real> bend(const Closures<Real>& closures, const FlatVariables<Real>& q,
+                                    const FlatVector<Real>& along) {
+  constexpr Real step = 0x1p-10;
+  FlatVariables<Real> ahead = q;
+  FlatVariables<Real> behind = q;
+  closures.advance(step * along, ahead);
+  closures.advance(-step * along, behind);
   return (closures.at(ahead) + closures.at(behind) - 2 * closures.at(q)) / (step * step);
 }
 
@@ -244,10 +259,11 @@ inline constexpr double singular_pivot = 1e-4;
 inline constexpr double lost_pivot = 1e-7;
 
 /// The step that leads from one list of unknowns to another, for small ones.
-[[nodiscard]] inline FlatVector step_between(const Closures& closures,
-                                             const FlatVariables<double>& from,
-                                             const FlatVariables<double>& to) {
-  FlatVector step = FlatVector::Zero();
+template <typename Real>
+[[nodiscard]] FlatVector<Real> step_between(const Closures<Real>& closures,
+                                            const FlatVariables<Real>& from,
+                                            const FlatVariables<Real>& to) {
+  FlatVector<Real> step = FlatVector<Real>::Zero();
   std::size_t place = 0;
   for (int unknown = 0; unknown < closures.size; ++unknown) {
     if (closures.unknowns[unknown].is_angle) {
@@ -262,10 +278,11 @@ inline constexpr double lost_pivot = 1e-7;
 }
 
 /// What surrounds a singular assembly: the directions in which others lie close by.
+template <typename Real>
 class Neighbourhood {
  public:
   /// Looks `reach` away, of the longest length or in radians.
-  Neighbourhood(const Closures& closures, const FlatVariables<double>& q, double reach)
+  Neighbourhood(const Closures<Real>& closures, const FlatVariables<Real>& q, Real reach)
       : closures_(closures), reach_(reach), free_(free_directions(closures, q, singular_pivot)) {
     for (int one = 0; one < free_.count; ++one) {
       try_both_ways(q, free_.basis.col(one));
@@ -278,29 +295,31 @@ class Neighbourhood {
   /// How many of the directions are independent: the dimension of the family, or zero.
   [[nodiscard]] int dimension() const { return dimension_; }
   /// An assembly close by, singular as well; requires dimension() > 0.
-  [[nodiscard]] const FlatVariables<double>& neighbour() const { return neighbour_; }
+  [[nodiscard]] const FlatVariables<Real>& neighbour() const { return neighbour_; }
 
  private:
   /// Directions in the plane of two free ones: those in which a part of the closures that is free
   /// of first order does not bend either, A c^2 + B c s + C s^2 = 0, and some between.
-  void try_plane(const FlatVariables<double>& q, const FlatVector& one, const FlatVector& other) {
-    const auto at_angle = [&](double angle) {
+  void try_plane(const FlatVariables<Real>& q, const FlatVector<Real>& one,
+                 const FlatVector<Real>& other) {
+    const auto at_angle = [&](Real angle) {
       try_both_ways(q, std::cos(angle) * one + std::sin(angle) * other);
     };
-    const FreeDirections parts = null_space(closures_.jacobian(q).transpose(), singular_pivot);
-    const FlatVector a = bend(closures_, q, one);
-    const FlatVector c = bend(closures_, q, other);
-    const FlatVector b = bend(closures_, q, one + other) - a - c;
+    const FreeDirections<Real> parts =
+        null_space<Real>(closures_.jacobian(q).transpose(), singular_pivot);
+    const FlatVector<Real> a = bend(closures_, q, one);
+    const FlatVector<Real> c = bend(closures_, q, other);
+    const FlatVector<Real> b = bend<Real>(closures_, q, one + other) - a - c;
     for (int part = 0; part < parts.count; ++part) {
-      const double A = parts.basis.col(part).dot(a);
-      const double B = parts.basis.col(part).dot(b);
-      const double C = parts.basis.col(part).dot(c);
+      const Real A = parts.basis.col(part).dot(a);
+      const Real B = parts.basis.col(part).dot(b);
+      const Real C = parts.basis.col(part).dot(c);
       // (A + C)/2 + (A - C)/2 cos 2x + B/2 sin 2x = 0.
-      const double size = std::hypot(A - C, B);
-      const double inside = -(A + C) / size;
+      const Real size = std::hypot(A - C, B);
+      const Real inside = -(A + C) / size;
       if (size > 0 && std::abs(inside) <= 1 + 1e-6) {
-        const double reach_of_angle = std::acos(std::clamp(inside, -1.0, 1.0)) / 2;
-        const double middle = std::atan2(B, A - C) / 2;
+        const Real reach_of_angle = std::acos(std::clamp<Real>(inside, -1, 1)) / 2;
+        const Real middle = std::atan2(B, A - C) / 2;
         at_angle(middle + reach_of_angle);
         at_angle(middle - reach_of_angle);
       }
@@ -311,13 +330,13 @@ class Neighbourhood {
     }
   }
 
-  void try_both_ways(const FlatVariables<double>& q, const FlatVector& along) {
-    for (const double way : {reach_, -reach_}) {
-      FlatVariables<double> to = q;
-      advance(closures_, way * along, to);
-      const double miss = close(closures_, to);
-      FlatVector step = step_between(closures_, q, to);
-      const double length = step.norm();
+  void try_both_ways(const FlatVariables<Real>& q, const FlatVector<Real>& along) {
+    for (const Real way : {reach_, -reach_}) {
+      FlatVariables<Real> to = q;
+      closures_.advance(way * along, to);
+      const Real miss = close(closures_, to);
+      FlatVector<Real> step = step_between(closures_, q, to);
+      const Real length = step.norm();
       if (!(miss < rounding(closures_, to)) || length < 0.7 * reach_ || length > 1.4 * reach_ ||
           free_directions(closures_, to, singular_pivot).count == 0) {
         continue;
@@ -334,11 +353,11 @@ class Neighbourhood {
     }
   }
 
-  const Closures& closures_;
-  double reach_;
-  FreeDirections free_;
-  FlatMatrix tangents_ = FlatMatrix::Zero();
-  FlatVariables<double> neighbour_{};
+  const Closures<Real>& closures_;
+  Real reach_;
+  FreeDirections<Real> free_;
+  FlatMatrix<Real> tangents_ = FlatMatrix<Real>::Zero();
+  FlatVariables<Real> neighbour_{};
   int dimension_ = 0;
 };
 
@@ -346,9 +365,11 @@ class Neighbourhood {
 /// the freedoms of the one that is left first; so a neighbour is asked, not the assembly itself. It
 /// is asked at another distance, at which it does not see where it was reached from: two assemblies
 /// that stand alone are no family.
-[[nodiscard]] inline int mobility_at(const Closures& closures, const FlatVariables<double>& q) {
-  const Neighbourhood here(closures, q, 0.02);
-  return here.dimension() == 0 ? 0 : Neighbourhood(closures, here.neighbour(), 0.05).dimension();
+template <typename Real>
+[[nodiscard]] int mobility_at(const Closures<Real>& closures, const FlatVariables<Real>& q) {
+  const Neighbourhood<Real> here(closures, q, 0.02);
+  return here.dimension() == 0 ? 0
+                               : Neighbourhood<Real>(closures, here.neighbour(), 0.05).dimension();
 }
 
 }  // namespace assur::detail

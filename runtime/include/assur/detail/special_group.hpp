@@ -33,18 +33,18 @@ class SpecialGroupOf {
     tell_angles(u, input_is_angle_);
   }
 
-  [[nodiscard]] SpecialAssemblies search() const {
-    const SpecialGroup group = functions();
-    return SpecialSearch(group, flat_d_, flat_u_).run();
+  [[nodiscard]] SpecialAssemblies<double> search() const {
+    const SpecialGroup<double> group = functions();
+    return SpecialSearch<double>(group, flat_d_, flat_u_).run();
   }
   /// By how much the closures fail at least where the group cannot be assembled.
   [[nodiscard]] double least_miss() const {
-    const SpecialGroup group = functions();
-    return SpecialSearch(group, flat_d_, flat_u_).least_miss();
+    const SpecialGroup<double> group = functions();
+    return SpecialSearch<double>(group, flat_d_, flat_u_).least_miss();
   }
 
  private:
-  [[nodiscard]] SpecialGroup functions() const {
+  [[nodiscard]] SpecialGroup<double> functions() const {
     return {{&evaluate, &differentiate, this, Model::unknowns.data(), Model::unknown_count,
              longest_length(u_)},
             dimension_is_angle_.data(),
@@ -77,14 +77,15 @@ class SpecialGroupOf {
         flat, [within](const Precise& value) { return Certified(value, within); });
   }
 
-  static void evaluate(const void* group, const FlatVariables<double>& q, FlatVector& f) {
+  static void evaluate(const void* group, const FlatVariables<double>& q, FlatVector<double>& f) {
     const auto& self = *static_cast<const SpecialGroupOf*>(group);
     Vector<double, Model::equation_count> result;
     Model::residual(self.d_, self.u_, in_double<Configuration<double>>(q), result);
     std::copy_n(result.data(), Model::equation_count, f.data());
   }
 
-  static void differentiate(const void* group, const FlatVariables<double>& q, FlatMatrix& j) {
+  static void differentiate(const void* group, const FlatVariables<double>& q,
+                            FlatMatrix<double>& j) {
     const auto& self = *static_cast<const SpecialGroupOf*>(group);
     Matrix<double, Model::equation_count, Model::unknown_count> result;
     Model::jacobian(self.d_, self.u_, in_double<Configuration<double>>(q), result);
@@ -106,8 +107,8 @@ class SpecialGroupOf {
     }
   }
 
-  static Completions complete(const PreciseVariables& flat_d, const PreciseVariables& flat_u,
-                              const FirstValue& first) {
+  static Completions<double> complete(const PreciseVariables& flat_d,
+                                      const PreciseVariables& flat_u, const FirstValue& first) {
     const auto d = precise<Dimensions<Precise>>(flat_d);
     const auto u = precise<Inputs<Precise>>(flat_u);
     Configuration<Precise> q;
@@ -117,7 +118,7 @@ class SpecialGroupOf {
     } else {
       first_unknown = first.cos;
     }
-    Completions result;
+    Completions<double> result;
     const auto add = [&] {
       Model::complete(d, u, q);
       for_each_member(q, [](auto& member, std::size_t) {
@@ -165,7 +166,7 @@ void search_in_special_position(const typename Model::template Dimensions<double
                                 const typename Model::template Inputs<double>& u,
                                 Assemblies<Model>& result) {
   using Configuration = typename Model::template Configuration<double>;
-  const SpecialAssemblies found = SpecialGroupOf<Model>(d, u).search();
+  const SpecialAssemblies<double> found = SpecialGroupOf<Model>(d, u).search();
   result.count = 0;
   for (std::size_t index = 0; index < found.count && result.count < Model::max_configurations;
        ++index) {

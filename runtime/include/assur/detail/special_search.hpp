@@ -25,14 +25,16 @@ namespace assur::detail {
 using PreciseVariables = FlatVariables<numeric::DoubleDouble>;
 
 /// Assemblies that one value of the first unknown completes to, by the closeness of the second.
+template <typename Real>
 struct Completions {
-  std::array<FlatVariables<double>, 4> list;
+  std::array<FlatVariables<Real>, 4> list;
   std::size_t count = 0;
 };
 
 /// What the search needs of a model, on flat variables. Lengths are near one at most.
+template <typename Real>
 struct SpecialGroup {
-  Closures closures;
+  Closures<Real> closures;
   /// Of each variable whether it is an angle.
   const bool* dimensions;
   const bool* inputs;
@@ -42,62 +44,32 @@ struct SpecialGroup {
   bool first_is_angle;
   /// Roots that are certain where every variable is known to `within`.
   FirstValues (*first_values)(const PreciseVariables& d, const PreciseVariables& u, double within);
-  Completions (*complete)(const PreciseVariables& d, const PreciseVariables& u,
-                          const FirstValue& first);
+  Completions<Real> (*complete)(const PreciseVariables& d, const PreciseVariables& u,
+                                const FirstValue& first);
 };
 
 /// The assemblies of a group in special position.
+template <typename Real>
 struct SpecialAssemblies {
   static constexpr std::size_t capacity = 12;
-  std::array<FlatVariables<double>, capacity> list;
+  std::array<FlatVariables<Real>, capacity> list;
   std::array<bool, capacity> singular{};
   std::size_t count = 0;
   int mobility = 0;  ///< of the freest family found; zero if there is none
   bool vanishing = false;
 };
 
+template <typename Real>
 class SpecialSearch {
  public:
-  SpecialSearch(const SpecialGroup& group, const PreciseVariables& d, const PreciseVariables& u)
+  SpecialSearch(const SpecialGroup<Real>& group, const PreciseVariables& d,
+                const PreciseVariables& u)
       : group_(group), d_(d), u_(u) {}
 
-  [[nodiscard]] SpecialAssemblies run() {
-    constexpr double rounding_of_variables = 2 * std::numeric_limits<double>::epsilon();
-    if (!group_.is_specialised && is_general(group_.first_values(d_, u_, rounding_of_variables))) {
-      return result_;
-    }
-    result_ = {};
-    const FirstValues exact = group_.first_values(d_, u_, 0);
-    result_.vanishing = exact.vanishing;
-    try_all(d_, u_, exact);
-    // A multiple root that rounding has made complex leaves no root behind.
-    for_each_sample([this](const FlatVariables<double>& start) { add(start); });
-    for (int direction = 0; direction < directions; ++direction) {
-      for (const double side : {1.0, -1.0}) {
-        PreciseVariables d = d_;
-        PreciseVariables u = u_;
-        const double reach = side * (direction % 2 == 0 ? 0x1p-21 : 0x1p-26);
-        random_ = 1U + static_cast<unsigned>(direction);
-        displace(group_.dimensions, group_.dimension_count, reach, d);
-        displace(group_.inputs, group_.input_count, reach, u);
-        try_all(d, u, group_.first_values(d, u, 0));
-      }
-    }
-    return result_;
-  }
+  [[nodiscard]] SpecialAssemblies<Real> run();
 
   /// By how much the closures fail at least, as far as a search from some places tells.
-  [[nodiscard]] double least_miss() const {
-    double least = std::numeric_limits<double>::infinity();
-    for_each_sample([&](const FlatVariables<double>& start) {
-      FlatVariables<double> q = start;
-      if (longest_displacement(group_.closures, q) < farthest_configuration) {
-        advance(group_.closures, FlatVector::Zero(), q);
-        least = std::min(least, close(group_.closures, q));
-      }
-    });
-    return least;
-  }
+  [[nodiscard]] double least_miss() const;
 
  private:
   static constexpr int directions = 5;
@@ -108,14 +80,14 @@ class SpecialSearch {
     if (!values.certain()) {
       return false;
     }
-    const Closures& closures = group_.closures;
+    const Closures<Real>& closures = group_.closures;
     for (std::size_t index = 0; index < values.count; ++index) {
-      const Completions found = group_.complete(d_, u_, values.list[index]);
+      const Completions<Real> found = group_.complete(d_, u_, values.list[index]);
       if (found.count == 0) {
         return false;
       }
-      FlatVariables<double> q = found.list[0];
-      advance(closures, FlatVector::Zero(), q);
+      FlatVariables<Real> q = found.list[0];
+      closures.straighten(q);
       if (!(longest_displacement(closures, q) < farthest_configuration) ||
           !(close(closures, q) < rounding(closures, q)) ||
           distance(closures, q, found.list[0]) > 1e-6 ||
@@ -135,7 +107,7 @@ class SpecialSearch {
   /// At every root first the second value that fits best: what it completes to is known to more
   /// digits than what others lead to.
   void try_all(const PreciseVariables& d, const PreciseVariables& u, const FirstValues& values) {
-    std::array<Completions, 6> found;
+    std::array<Completions<Real>, 6> found;
     for (std::size_t index = 0; index < values.count; ++index) {
       found[index] = group_.complete(d, u, values.list[index]);
       if (found[index].count > 0) {
@@ -163,7 +135,7 @@ class SpecialSearch {
       } else {
         first.cos = 4 * part - 2;
       }
-      const Completions found = group_.complete(d_, u_, first);
+      const Completions<Real> found = group_.complete(d_, u_, first);
       for (std::size_t place = 0; place < found.count; ++place) {
         use(found.list[place]);
       }
@@ -198,14 +170,14 @@ class SpecialSearch {
     return static_cast<double>(random_ >> 8U) / 0x1p23 - 1;
   }
 
-  void add(const FlatVariables<double>& start) {
-    const Closures& closures = group_.closures;
-    FlatVariables<double> q = start;
+  void add(const FlatVariables<Real>& start) {
+    const Closures<Real>& closures = group_.closures;
+    FlatVariables<Real> q = start;
     if (!(longest_displacement(closures, q) < farthest_configuration)) {
       return;
     }
     // A second value that does not fit completes to directions that are none.
-    advance(closures, FlatVector::Zero(), q);
+    closures.straighten(q);
     const double miss = close(closures, q);
     const double displacement = longest_displacement(closures, q);
     if (!(displacement < farthest_configuration && miss < rounding(closures, q))) {
@@ -227,7 +199,7 @@ class SpecialSearch {
     list(q);
   }
 
-  void list(const FlatVariables<double>& q) {
+  void list(const FlatVariables<Real>& q) {
     if (result_.count < result_.list.size()) {
       result_.list[result_.count] = q;
       result_.singular[result_.count] = free_directions(group_.closures, q, lost_pivot).count > 0;
@@ -235,11 +207,51 @@ class SpecialSearch {
     }
   }
 
-  const SpecialGroup& group_;
+  const SpecialGroup<Real>& group_;
   const PreciseVariables& d_;
   const PreciseVariables& u_;
-  SpecialAssemblies result_;
+  SpecialAssemblies<Real> result_;
   unsigned random_ = 0;
 };
+
+// Defined outside of the class, so that an explicit instantiation can be the only one.
+template <typename Real>
+SpecialAssemblies<Real> SpecialSearch<Real>::run() {
+  constexpr double rounding_of_variables = 2 * std::numeric_limits<double>::epsilon();
+  if (!group_.is_specialised && is_general(group_.first_values(d_, u_, rounding_of_variables))) {
+    return result_;
+  }
+  result_ = {};
+  const FirstValues exact = group_.first_values(d_, u_, 0);
+  result_.vanishing = exact.vanishing;
+  try_all(d_, u_, exact);
+  // A multiple root that rounding has made complex leaves no root behind.
+  for_each_sample([this](const FlatVariables<Real>& start) { add(start); });
+  for (int direction = 0; direction < directions; ++direction) {
+    for (const double side : {1.0, -1.0}) {
+      PreciseVariables d = d_;
+      PreciseVariables u = u_;
+      const double reach = side * (direction % 2 == 0 ? 0x1p-21 : 0x1p-26);
+      random_ = 1U + static_cast<unsigned>(direction);
+      displace(group_.dimensions, group_.dimension_count, reach, d);
+      displace(group_.inputs, group_.input_count, reach, u);
+      try_all(d, u, group_.first_values(d, u, 0));
+    }
+  }
+  return result_;
+}
+
+template <typename Real>
+double SpecialSearch<Real>::least_miss() const {
+  double least = std::numeric_limits<double>::infinity();
+  for_each_sample([&](const FlatVariables<Real>& start) {
+    FlatVariables<Real> q = start;
+    if (longest_displacement(group_.closures, q) < farthest_configuration) {
+      group_.closures.straighten(q);
+      least = std::min(least, close(group_.closures, q));
+    }
+  });
+  return least;
+}
 
 }  // namespace assur::detail
