@@ -110,68 +110,116 @@ template <typename Real>
   return largest;
 }
 
-/// A step of Newton, or of Levenberg with the residual as damping: that one leads from any side
-/// onto singular assemblies and onto curves of assemblies.
+/// Newton's step.
 template <typename Real>
-[[nodiscard]] FlatVector<Real> closing_step(const FlatMatrix<Real>& jacobian,
-                                            const FlatVector<Real>& f, bool damped) {
-  if (!damped) {
-    return Eigen::FullPivLU<FlatMatrix<Real>>(jacobian).solve(-f);
-  }
+[[nodiscard]] FlatVector<Real> newton_step(const FlatMatrix<Real>& jacobian,
+                                           const FlatVector<Real>& f) {
+  return Eigen::FullPivLU<FlatMatrix<Real>>(jacobian).solve(-f);
+}
+
+/// Levenberg's step, the least |J s + f|^2 + damping^2 |s|^2, from the normal equations. With the
+/// residual as damping it leads from any side onto singular assemblies and onto curves of
+/// assemblies; what is below rounding of J^2 stays where it is, so that it does not move along.
+template <typename Real>
+[[nodiscard]] FlatVector<Real> damped_step(const FlatMatrix<Real>& jacobian,
+                                           const FlatVector<Real>& f, Real damping) {
   FlatMatrix<Real> normal = jacobian.transpose() * jacobian;
-  normal.diagonal().array() += std::max<Real>(f.squaredNorm(), 1e-30);
+  normal.diagonal().array() += std::max<Real>(damping * damping, 1e-30);
   const FlatVector<Real> downhill = -(jacobian.transpose() * f);
   return Eigen::FullPivLU<FlatMatrix<Real>>(normal).solve(downhill);
 }
+
+/// Moves a point so that those closures hold again that hold firmly. Near an assembly of high
+/// multiplicity all of them nearly hold in a narrow bent valley: this leads back into it.
+template <typename Real>
+void restore(const Closures<Real>& closures, FlatVariables<Real>& q) {
+  constexpr Real firm = 0.01;
+  constexpr int most_steps = 3;
+  for (int step = 0; step < most_steps; ++step) {
+    closures.advance(damped_step(closures.jacobian(q), closures.at(q), firm), q);
+  }
+}
+
+/// A point on its way to an assembly.
+template <typename Real>
+class Closing {
+ public:
+  Closing(const Closures<Real>& closures, const FlatVariables<Real>& q)
+      : closures_(closures), q_(q), f_(closures.at(q)), miss_(f_.norm()) {}
+
+  [[nodiscard]] const FlatVariables<Real>& point() const { return q_; }
+  [[nodiscard]] Real miss() const { return miss_; }
+
+  /// False where no step lessens the miss any more.
+  bool step() {
+    const FlatMatrix<Real> jacobian = closures_.jacobian(q_);
+    // Where the Jacobian is nearly singular Newton's step leads anywhere.
+    const FlatVector<Real> newton = newton_step(jacobian, f_);
+    if (newton.norm() < 100 * miss_ && take(newton, 0.1)) {
+      return true;
+    }
+    const FlatVector<Real> damped = damped_step(jacobian, f_, std::max<Real>(miss_, 1e-15));
+    for (const Real part : {1, 4, 16, 64, 256}) {
+      if (take(damped / part, 0.99)) {
+        return true;
+      }
+    }
+    return !(miss_ < rounding(closures_, q_)) && newton.norm() < 0.1 && take_and_restore(newton);
+  }
+  /// Newton's step if it lessens the miss at all.
+  bool polish() { return take(newton_step(closures_.jacobian(q_), f_), 1); }
+
+ private:
+  bool take(const FlatVector<Real>& step, Real enough) {
+    FlatVariables<Real> next = q_;
+    closures_.advance(step, next);
+    return accept(next, enough);
+  }
+
+  bool take_and_restore(const FlatVector<Real>& step) {
+    FlatVariables<Real> next = q_;
+    closures_.advance(step, next);
+    restore(closures_, next);
+    return accept(next, 0.99);
+  }
+
+  bool accept(const FlatVariables<Real>& next, Real enough) {
+    const FlatVector<Real> f = closures_.at(next);
+    const Real miss = f.norm();
+    if (!(miss < enough * miss_)) {
+      return false;
+    }
+    q_ = next;
+    f_ = f;
+    miss_ = miss;
+    return true;
+  }
+
+  const Closures<Real>& closures_;
+  FlatVariables<Real> q_;
+  FlatVector<Real> f_;
+  Real miss_;
+};
 
 /// Moves a point to an assembly near it, and returns the norm of the closures that is left.
 template <typename Real>
 Real close(const Closures<Real>& closures, FlatVariables<Real>& q) {
   constexpr int most_steps = 200;
-  FlatVector<Real> f = closures.at(q);
-  Real miss = f.norm();
-  if (miss < rounding(closures, q) / 8) {
-    return miss;  // where it comes from more digits, steps in fewer would only move it
+  Closing<Real> closing(closures, q);
+  if (closing.miss() < rounding(closures, q) / 8) {
+    return closing.miss();  // where it comes from more digits, steps in fewer would only move it
   }
-  const auto lessened = [&](const FlatVector<Real>& step, Real enough) {
-    FlatVariables<Real> next = q;
-    closures.advance(step, next);
-    const FlatVector<Real> next_f = closures.at(next);
-    const Real next_miss = next_f.norm();
-    if (!(next_miss < enough * miss)) {
-      return false;
-    }
-    q = next;
-    f = next_f;
-    miss = next_miss;
-    return true;
-  };
-  for (int step = 0; step < most_steps && miss > 0; ++step) {
-    const FlatMatrix<Real> jacobian = closures.jacobian(q);
-    // Where the Jacobian is nearly singular Newton's step leads anywhere.
-    const FlatVector<Real> newton = closing_step(jacobian, f, false);
-    if (newton.norm() < 100 * miss && lessened(newton, 0.1)) {
-      continue;
-    }
-    FlatVector<Real> move = closing_step(jacobian, f, true);
-    bool better = lessened(move, 0.99);
-    for (int cut = 0; cut < 4 && !better; ++cut) {
-      move /= 4;
-      better = lessened(move, 0.99);
-    }
-    if (!better) {
-      break;
-    }
+  for (int step = 0; step < most_steps && closing.miss() > 0 && closing.step(); ++step) {
   }
   // Rounding is left: as little as two more steps can make it.
-  for (int step = 0; step < 2 && lessened(closing_step(closures.jacobian(q), f, false), 1);
-       ++step) {
+  for (int step = 0; step < 2 && closing.polish(); ++step) {
   }
-  return miss;
+  q = closing.point();
+  return closing.miss();
 }
 
 /// Whether two assemblies are one that rounding keeps apart, as it does a multiple one: then the
-/// closures hold between them, too, or on a bend very near there.
+/// closures hold between them, too.
 template <typename Real>
 [[nodiscard]] bool are_one(const Closures<Real>& closures, const FlatVariables<Real>& one,
                            const FlatVariables<Real>& other) {
@@ -189,16 +237,11 @@ template <typename Real>
     closures.straighten(point);
     return point;
   };
-  const FlatVariables<Real> middle = between(0.5);
-  if (closures.at(middle).norm() < rounding(closures, middle)) {
-    return true;
-  }
-  // Not in the middle: there may stand a third.
-  for (const Real part : {Real(0.3), Real(0.6)}) {
-    const FlatVariables<Real> from = between(part);
-    FlatVariables<Real> to = from;
-    if (!(close(closures, to) < rounding(closures, to) &&
-          distance(closures, from, to) < 0.1 * apart)) {
+  // Not in the middle alone: there may stand a third.
+  for (const Real part : {Real(0.3), Real(0.5), Real(0.6)}) {
+    FlatVariables<Real> point = between(part);
+    restore(closures, point);
+    if (!(closures.at(point).norm() < rounding(closures, point))) {
       return false;
     }
   }

@@ -125,12 +125,16 @@ class GeneralSearch {
       second = candidates.list[0].value;
     }
     Model::complete(d_, u_, q);
-    for_each_member(q, [](auto& member, std::size_t) {
+    bool fits = true;
+    for_each_member(q, [&fits](auto& member, std::size_t) {
       if constexpr (!std::is_same_v<std::decay_t<decltype(member)>, double>) {
+        // Between ends that coincide a bar has no direction, whatever its length.
+        const double square = member.cos * member.cos + member.sin * member.sin;
+        fits = fits && std::abs(square - 1) < 0.1;
         member = normalised(member);
       }
     });
-    if (!is_finite(q) || result_.count == Model::max_configurations) {
+    if (!fits || !is_finite(q) || result_.count == Model::max_configurations) {
       return false;
     }
     const Status regularity = polish(q);

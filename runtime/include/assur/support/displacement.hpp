@@ -25,7 +25,14 @@ class DisplacedGroup {
   /// The regularity of a configuration, counting the neighbours' displacement.
   [[nodiscard]] Regularity<double> regularity(const Dimensions& d, const Inputs& u,
                                               const Configuration& q) const {
-    return assur::regularity<Model, double>(d, u, q, held_ / size_);
+    bool turns = false;
+    for (int unknown = 0; unknown < Model::unknown_count; ++unknown) {
+      turns = turns || detail::is_angle<Model>(unknown);
+    }
+    // Where nothing turns, J does not depend on places but on directions, which the neighbours hold
+    // as well as they stand themselves.
+    const double size = turns ? size_ : std::max(size_, longest_length(u));
+    return assur::regularity<Model, double>(d, u, q, held_ / size);
   }
 
   /// How far the group's own points may be off: both ends of a closure move, its own rounding is
