@@ -55,27 +55,32 @@ inline Points points_of(const Plan& plan, const Configuration& configuration) {
 }
 
 /// How far two numbers are apart, relative to the tolerance of positions, rates and second rates.
-inline double apart(const Jet& one, const Jet& other, bool with_rates) {
-  const auto difference = [](double a, double b, double factor) {
-    const double distance = std::abs(a - b) / (1 + std::abs(b)) / factor;
+/// Positions are known to parts of the mechanism's size.
+inline double apart(const Jet& one, const Jet& other, bool with_rates, double size = 1) {
+  const auto difference = [](double a, double b, double scale) {
+    const double distance = std::abs(a - b) / scale;
     return std::isfinite(distance) ? distance : 1e300;
   };
-  double result = difference(one.value, other.value, 1);
+  double result = difference(one.value, other.value, std::max(1.0, size));
   if (with_rates) {
-    result = std::max({result, difference(one.rate, other.rate, 1e2),
-                       difference(one.second, other.second, 1e5)});
+    result = std::max({result, difference(one.rate, other.rate, 1e2 * (1 + std::abs(other.rate))),
+                       difference(one.second, other.second, 1e5 * (1 + std::abs(other.second)))});
   }
   return result;
 }
 
 /// The points that are known, by the largest difference.
 inline double apart(const Points& answered, const Points& known, bool with_rates) {
+  double size = 0;
+  for (const auto& [name, point] : known) {
+    size = std::max({size, std::abs(point.x.value), std::abs(point.y.value)});
+  }
   double result = 0;
   for (const auto& [name, point] : known) {
     const auto found = answered.find(name);
     if (found != answered.end()) {
-      result = std::max({result, apart(found->second.x, point.x, with_rates),
-                         apart(found->second.y, point.y, with_rates)});
+      result = std::max({result, apart(found->second.x, point.x, with_rates, size),
+                         apart(found->second.y, point.y, with_rates, size)});
     }
   }
   return result;
