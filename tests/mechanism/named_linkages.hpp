@@ -47,9 +47,8 @@ inline Points points_of(const Plan& plan, const Configuration& configuration) {
   const auto& outputs = plan.mechanism().outputs();
   for (const mechanism::OutputIndex output : outputs.keys()) {
     const mechanism::Point& at = configuration.outputs[output];
-    result[outputs[output].name] = {
-        jet_of(at.position.x(), at.velocity.x(), at.acceleration.x()),
-        jet_of(at.position.y(), at.velocity.y(), at.acceleration.y())};
+    result[outputs[output].name] = {jet_of(at.position.x(), at.velocity.x(), at.acceleration.x()),
+                                    jet_of(at.position.y(), at.velocity.y(), at.acceleration.y())};
   }
   return result;
 }
@@ -183,8 +182,8 @@ inline void expect_as_known(const NamedPlace& place) {
     expect_assemblies(answer, place);
     expect_families(answer, place.known.families);
     for (const Theorem& theorem : place.theorems) {
-      const auto holds = std::count_if(
-          answer.points.begin(), answer.points.end(), [&](const Points& points) {
+      const auto holds =
+          std::count_if(answer.points.begin(), answer.points.end(), [&](const Points& points) {
             return apart(theorem.vanishes(points), Jet(0), true) < place.tolerance;
           });
       EXPECT_EQ(holds, theorem.assemblies) << theorem.says;
@@ -237,8 +236,8 @@ struct Swept {
     const Plan plan(mechanism::parse_scene(scene.dump(), "scene"));
     const auto record = [&](const mechanism::SweepRecord& at) {
       if (at.event.empty()) {
-        rows.push_back({at.step, at.branch, points_of(plan, *at.state),
-                        at.state->regularity == Status::ok});
+        rows.push_back(
+            {at.step, at.branch, points_of(plan, *at.state), at.state->regularity == Status::ok});
       } else {
         events.push_back({at.event, at.parameter});
       }

@@ -86,17 +86,19 @@ NamedPlace trammel(double s) {
       const double y = sign * std::sqrt(under);
       const double v = -s * rate / y;  // from x^2 + y^2 = 25
       const double a = -(rate * rate + s * second + v * v) / y;
-      known.assemblies.push_back(
-          {{{"S", {x, 0}},
-            {"Y", {0, {y, v, a}}},
-            {"P", {Jet(.6) * x, Jet(.4) * Jet(y, v, a)}},
-            {"Q", {Jet(-.4) * x, Jet(1.4) * Jet(y, v, a)}}},
-           {{"drive", x}, {"T", {y, v, a}}}});
+      known.assemblies.push_back({{{"S", {x, 0}},
+                                   {"Y", {0, {y, v, a}}},
+                                   {"P", {Jet(.6) * x, Jet(.4) * Jet(y, v, a)}},
+                                   {"Q", {Jet(-.4) * x, Jet(1.4) * Jet(y, v, a)}}},
+                                  {{"drive", x}, {"T", {y, v, a}}}});
     }
   }
   const int assemblies = under > 0 ? 2 : 0;
-  return {"the elliptic trammel" + at(s), trammel_scene(s), known,
-          {on_ellipse("P", 3, 2, assemblies), on_ellipse("Q", 2, 7, assemblies)}, 1e-9};
+  return {"the elliptic trammel" + at(s),
+          trammel_scene(s),
+          known,
+          {on_ellipse("P", 3, 2, assemblies), on_ellipse("Q", 2, 7, assemblies)},
+          1e-9};
 }
 
 // A quick return: the pin of a crank about M in the slot of a rocker about O. The end C of the
@@ -126,10 +128,7 @@ NamedPlace quick_return(double phi, double distance, double x, double y,
     }
   }
   return {"a quick return of " + std::to_string(distance) + at(phi),
-          quick_return_scene(phi, distance, x, y),
-          known,
-          theorems,
-          1e-9};
+          quick_return_scene(phi, distance, x, y), known, theorems, 1e-9};
 }
 
 /// The rocker stands still.
@@ -205,7 +204,7 @@ std::vector<NamedPlace> places() {
   for (const double s : {-5.0, -4.999, -3.0, 0.0, 1e-3, 4.0, 4.99, 5.0, 5.25}) {
     result.push_back(trammel(s));
   }
-  for (const double s : {-6.0, -1e-3, 0.0, 0.01, 1.0, 6.0, 8.0, 9.99, 10.0, 11.0}) {
+  for (const double s : {-6.0, -0.125, 0.0, 0.25, 1.0, 6.0, 8.0, 9.99, 10.0, 11.0}) {
     result.push_back(lift(s));
   }
   // The crank of 15 at a distance of 25 stands across the rocker where its pin is at (12, 16).
@@ -262,7 +261,12 @@ std::vector<NamedSweep> sweeps() {
        {{{"birth"}, -5}, {{"fold"}, 5}},
        0,
        {on_ellipse("P", 3, 2, 2), on_ellipse("Q", 2, 7, 2)}},
-      {"a quick return", quick_return_scene(0, 25, 12, -9).sweep("phi", -3, 4, 0), {4, 9}, {}, 2, {}},
+      {"a quick return",
+       quick_return_scene(0, 25, 12, -9).sweep("phi", -3, 4, 0),
+       {4, 9},
+       {},
+       2,
+       {}},
       {"a quick return through O between two steps",
        quick_return_scene(0, 25, 25, 0).sweep("phi", -3, -.25, 0),
        {4, 24},

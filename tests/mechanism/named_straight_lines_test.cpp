@@ -43,10 +43,10 @@ Points inversor_crank(double phi) {
 }
 
 NamedPlace peaucellier(double phi, int straight) {
-  const Known known = assemblies_of(inversor_crank(phi),
-                                    {pin("P", "O", 60, "B", 20, {"upper_arm", "BP"}),
-                                     pin("Q", "O", 60, "B", 20, {"lower_arm", "BQ"}),
-                                     pin("C", "P", 20, "Q", 20, {"CP", "CQ"})});
+  const Known known =
+      assemblies_of(inversor_crank(phi), {pin("P", "O", 60, "B", 20, {"upper_arm", "BP"}),
+                                          pin("Q", "O", 60, "B", 20, {"lower_arm", "BQ"}),
+                                          pin("C", "P", 20, "Q", 20, {"CP", "CQ"})});
   return {"Peaucellier's inversor" + at(phi),
           inversor(phi),
           known,
@@ -85,15 +85,13 @@ NamedPlace hart(double phi, int straight) {
   driven.erase("B");
   return {"Hart's inversor" + at(phi),
           contraparallelogram(phi),
-          assemblies_of(driven, {pin("A", "O", 25, "P", 15, {"AB", "AD"}),
-                                 beside("B", "A", "O", 2), beside("D", "A", "P", 2),
-                                 pin("C", "B", 30, "D", 50, {"BC", "CD"}), beside("Q", "B", "C", .5)}),
+          assemblies_of(driven, {pin("A", "O", 25, "P", 15, {"AB", "AD"}), beside("B", "A", "O", 2),
+                                 beside("D", "A", "P", 2), pin("C", "B", 30, "D", 50, {"BC", "CD"}),
+                                 beside("Q", "B", "C", .5)}),
           {{"Q is on the line x = -8", straight,
             [](const Points& points) { return points.at("Q").x + Jet(8); }},
            {"O, P and Q are in line", straight,
-            [](const Points& points) {
-              return dot(points.at("P").turned(), points.at("Q"));
-            }},
+            [](const Points& points) { return dot(points.at("P").turned(), points.at("Q")); }},
            {"ABCD is a parallelogram", straight,
             [](const Points& points) {
               const JetPoint open =
@@ -132,9 +130,8 @@ struct FourBar {
 /// P is at a place, with a velocity and an acceleration, in one assembly.
 Theorem passes(const Jet& x, const Jet& y) {
   return {"P passes its known place with its known rates", 1, [=](const Points& points) {
-            return Jet(apart(points.at("P").x, x, true) + apart(points.at("P").y, y, true) < 1e-9
-                           ? 0
-                           : 1);
+            return Jet(
+                apart(points.at("P").x, x, true) + apart(points.at("P").y, y, true) < 1e-9 ? 0 : 1);
           }};
 }
 /// P is at a place, and moves as it may.
@@ -165,9 +162,8 @@ Theorem on_lemniscate(int assemblies) {
           }};
 }
 Theorem on_circle(int assemblies) {
-  return {"P is at sqrt 2 from the centre", assemblies, [](const Points& points) {
-            return dot(points.at("P"), points.at("P")) - Jet(2);
-          }};
+  return {"P is at sqrt 2 from the centre", assemblies,
+          [](const Points& points) { return dot(points.at("P"), points.at("P")) - Jet(2); }};
 }
 
 // Chebyshev: cranks of 5 at a distance of 4, a coupler of 2; its middle is at the height 4 in
@@ -194,8 +190,7 @@ SceneMaker scott_russell_scene(double phi, double x, double y) {
 NamedPlace scott_russell(double phi, double x, double y) {
   const JetPoint b = at_angle(crank(phi), x, y);
   const JetPoint doubled = Jet(2) * b;
-  const KnownAssembly straight{{{"X", {doubled.x, 0}}, {"Y", {0, doubled.y}}},
-                               {{"S", doubled.x}}};
+  const KnownAssembly straight{{{"X", {doubled.x, 0}}, {"Y", {0, doubled.y}}}, {{"S", doubled.x}}};
   const KnownAssembly folded{{{"X", {0, 0}}, {"Y", doubled}}, {{"S", 0}}};
   KnownAssembly both{{{"X", {0, 0}}, {"Y", doubled}}, {{"S", 0}}, false};
   const bool at_change = std::abs(b.x.value) < 1e-14;
@@ -237,21 +232,20 @@ std::vector<NamedPlace> places() {
   for (const double phi : {1e-3, -1e-2, 0.5, 1.0, 0.75 * pi, 3.0}) {
     result.push_back(four_bar("the lemniscate", bernoulli, phi, {on_lemniscate(1), on_circle(1)}));
   }
-  result.push_back(four_bar("Chebyshev's linkage in the middle", chebyshev(3, 4), 0,
-                            {passes(2, 4),
-                             {"P moves along x at 4 / 5 of its crank's end", 1,
-                              [](const Points& points) {
-                                const JetPoint& p = points.at("P");
-                                return Jet(std::abs(p.x.value - 2) + std::abs(p.y.value - 4) +
-                                           std::abs(p.x.rate + 4 * rate) + std::abs(p.y.rate));
-                              }}}));
+  result.push_back(four_bar(
+      "Chebyshev's linkage in the middle", chebyshev(3, 4), 0,
+      {passes(2, 4), {"P moves along x at 4 / 5 of its crank's end", 1, [](const Points& points) {
+                        const JetPoint& p = points.at("P");
+                        return Jet(std::abs(p.x.value - 2) + std::abs(p.y.value - 4) +
+                                   std::abs(p.x.rate + 4 * rate) + std::abs(p.y.rate));
+                      }}}));
   result.push_back(four_bar("Chebyshev's linkage at its end", chebyshev(0, 5), 0, {passes(0, 4)}));
   for (const double phi : {-1e-2, 0.0, 1e-3}) {
     result.push_back(four_bar("Chebyshev's linkage stretched", chebyshev(4, 3), phi,
                               phi == 0 ? std::vector{passes(4, 4)} : std::vector<Theorem>{}));
   }
-  result.push_back(four_bar("Roberts' linkage in the middle", roberts(3, std::sqrt(91.0)), 0,
-                            {passes(6, 0)}));
+  result.push_back(
+      four_bar("Roberts' linkage in the middle", roberts(3, std::sqrt(91.0)), 0, {passes(6, 0)}));
   result.push_back(four_bar("Roberts' linkage at its pivot D", roberts(6, 8), 0, {passes(12, 0)}));
   result.push_back(four_bar("Roberts' linkage at its pivot A", roberts(10, 0),
                             std::atan2(8, 6) + 2 * std::asin(0.3), {passes(0, 0)}));

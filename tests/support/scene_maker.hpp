@@ -1,4 +1,5 @@
-// Turns bars and pins, named by their points, into a scene and into the same scene listed otherwise.
+// Turns bars and pins, named by their points, into a scene and into the same scene listed
+// otherwise.
 #pragma once
 
 #include <algorithm>
