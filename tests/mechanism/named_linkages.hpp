@@ -40,15 +40,16 @@ struct NamedPlace {
   }
 };
 
-inline Jet jet_of(double value, double rate, double second) { return {value, rate, second}; }
-
+/// Rates that are not known are no numbers.
 inline Points points_of(const Plan& plan, const Configuration& configuration) {
+  const double known = configuration.derivatives_known ? 1 : std::nan("");
   Points result;
   const auto& outputs = plan.mechanism().outputs();
   for (const mechanism::OutputIndex output : outputs.keys()) {
     const mechanism::Point& at = configuration.outputs[output];
-    result[outputs[output].name] = {jet_of(at.position.x(), at.velocity.x(), at.acceleration.x()),
-                                    jet_of(at.position.y(), at.velocity.y(), at.acceleration.y())};
+    result[outputs[output].name] = {
+        {at.position.x(), known * at.velocity.x(), known * at.acceleration.x()},
+        {at.position.y(), known * at.velocity.y(), known * at.acceleration.y()}};
   }
   return result;
 }
@@ -103,7 +104,7 @@ inline void expect_slides(const Answer& answer, const Configuration& configurati
   for (const mechanism::SlideState& slide : configuration.slides) {
     const auto found = known.slides.find(answer.solved.plan.mechanism().joints()[slide.joint].name);
     if (found != known.slides.end()) {
-      const Jet answered = jet_of(slide.displacement, slide.velocity, slide.acceleration);
+      const Jet answered{slide.displacement, slide.velocity, slide.acceleration};
       EXPECT_LT(apart(answered, found->second, known.regular), tolerance) << found->first;
     }
   }

@@ -118,8 +118,7 @@ NamedPlace kite(double phi, double a, double b) {
   if (phi == 0) {
     known.families.push_back({1, {"coupler", "rocker"}});
   } else if (std::abs(under.value) < 1e-14) {
-    known.assemblies.push_back({{{"C", at_angle(half, 1)}}, {}, false});
-    known.assemblies[0].points["C"] = Jet(a) * cos(half) * at_angle(half, 1);
+    known.assemblies.push_back({{{"C", Jet(a) * cos(half) * at_angle(half, 1)}}, {}, false});
   } else if (under.value > 0) {
     for (const Jet& sense : {Jet(1), Jet(-1)}) {
       const Jet along = Jet(a) * cos(half) + sense * sqrt(under);
@@ -317,11 +316,25 @@ TEST_P(NamedLinkageSwept, IsFollowedAsKnown) { expect_swept_as_known(GetParam())
 
 std::vector<NamedSweep> sweeps() {
   const double flat = 2 * std::asin(2.0 / 3);  // of a kite of 3 and 2
+  // Where the crossed coupler of the lower parallelogram, at twice the angle from B to D, is
+  // parallel to the upper crank, which is at 1: tan(1 / 2) = -2 sin(phi) / (3 - 2 cos(phi)).
+  const double crossed = 0.5 - std::asin(1.5 * std::sin(0.5));
   const Theorem on_line{"C is on the line x = 0", 2,
                         [](const Points& points) { return points.at("C").x; }};
   const Theorem copies = Pantograph::copies(2);
   return {
-      {"the pantograph", Pantograph{5, 4}.scene(3, 1).sweep("x", -6, 6, 0), {4}, {}, 4, {copies}},
+      {"the pantograph past its folded position",
+       Pantograph{5, 4}.scene(3, 1).sweep("x", -6, 6, 0),
+       {4},
+       {{{"crossing"}, 0}},
+       4,
+       {copies}},
+      {"the pantograph beside its folded position",
+       Pantograph{5, 4}.scene(3, 1.25).sweep("x", -6, 6, 0),
+       {4},
+       {},
+       4,
+       {copies}},
       {"the five-bar",
        five_bar_scene(0, 5, 0).sweep("phi", 0.75, 2, 0),
        {4, 9},
@@ -362,7 +375,7 @@ std::vector<NamedSweep> sweeps() {
       {"the double parallelogram through the lower change point",
        double_scene(0, 1).sweep("phi", -0.5, 0.5, 0),
        {4, 5},
-       {{{"crossing", "crossing"}, 0}},
+       {{{"crossing", "crossing"}, 0}, {{"crossing"}, crossed}},
        4,
        {top_stays_level(1)}},
       {"a platform over its legs",

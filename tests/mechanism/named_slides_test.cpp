@@ -137,19 +137,16 @@ const Theorem stands{"the rocker stands", 2, [](const Points& points) {
                        return Jet(std::hypot(c.x.rate, c.y.rate));
                      }};
 
-/// With pivots apart as the crank is long, 25, the rocker turns half as fast: at its angle
-/// (phi + 90 degrees) / 2 where the crank's vector is along x.
-Theorem turns_half(double sense) {
-  return {"the rocker turns half as fast as the crank", 1, [=](const Points& points) {
-            const JetPoint m{0, 25};
-            const JetPoint crank = Jet(1 / 25.0) * (points.at("B") - m);
-            const Jet half = Jet(.5) * (Jet(1) + crank.y);  // the square of the sine of its angle
-            const JetPoint c = Jet(sense / 45) * points.at("C");
-            const Jet off = c.y * c.y - half;
-            // Which of two opposite angles it is shows in the sign of the slot's side.
-            return dot(c, points.at("B")).value > 0 ? off : Jet(1);
-          }};
-}
+/// Where the pivots are apart as the crank is long, 25, the rocker turns half as fast: the square
+/// of its sine is half of one and the crank's. The rocker shows to the pin, or away from it.
+const Theorem turns_half{
+    "the rocker, towards the pin, turns half as fast", 1, [](const Points& points) {
+      const JetPoint& b = points.at("B");
+      const JetPoint& c = points.at("C");
+      const Jet crank = Jet(1 / 25.0) * (b.y - Jet(25));
+      const Jet rocker = Jet(1 / 45.0) * c.y;
+      return dot(c, b).value > 0 ? rocker * rocker - Jet(.5) * (Jet(1) + crank) : Jet(1);
+    }};
 
 // A lift of three pairs of scissors, bars of 10. At 6 between the feet every pair is 8 high, and
 // may be folded up or down.
@@ -218,7 +215,7 @@ std::vector<NamedPlace> places() {
   // The pin of the crank of 25 goes through O.
   result.push_back(quick_return(0, 25, 0, -25));
   for (const double phi : {-1e-3, 0.01, 0.5, 3.0}) {
-    result.push_back(quick_return(phi, 25, 0, -25, {turns_half(1)}));
+    result.push_back(quick_return(phi, 25, 0, -25, {turns_half}));
   }
   return result;
 }
