@@ -7,12 +7,13 @@
 namespace assur::numeric {
 
 /// Whether one key comes before another of its size, entry by entry; entries that differ by
-/// rounding alone, relative to the larger of themselves and one, count as equal.
+/// rounding alone, relative to the larger of themselves and one, count as equal. Rounding moves a
+/// double configuration by the root of epsilon.
 template <typename Key>
 [[nodiscard]] bool comes_before(const Key& left, const Key& right) {
   for (std::size_t place = 0; place < left.size(); ++place) {
     const double difference = left[place] - right[place];
-    if (std::abs(difference) > 1e-9 * (1 + std::abs(left[place]))) {
+    if (std::abs(difference) > 1e-6 * (1 + std::abs(left[place]))) {
       return difference < 0;
     }
   }
