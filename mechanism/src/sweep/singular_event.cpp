@@ -58,9 +58,10 @@ class Explanation {
     alone.erase(std::remove_if(alone.begin(), alone.end(),
                                [&](PointIndex index) { return explain_escape(side, index); }),
                 alone.end());
+    const std::vector<PointIndex> all = alone;
     while (alone.size() > 1) {
-      const auto [one, other] = closest(*side.near, alone);
-      if (!explain_fold({side.near, std::min(one, other), std::max(one, other)}, side)) {
+      const auto [one, other] = meeting(side, alone);
+      if (!explain_fold({side.near, one, other}, side, all)) {
         return false;
       }
       alone.erase(std::remove_if(alone.begin(), alone.end(),
@@ -72,15 +73,17 @@ class Explanation {
     return alone.empty();
   }
 
-  /// False if the pair does not meet within the interval, away from all others.
-  [[nodiscard]] bool explain_fold(const ConfigurationPair& pair, const Side& side) {
+  /// False if the pair does not meet within the interval, away from all others but those among
+  /// `alone` that meet where it does.
+  [[nodiscard]] bool explain_fold(const ConfigurationPair& pair, const Side& side,
+                                  const std::vector<PointIndex>& alone) {
     constexpr double slack = 0.1;
     const double distance = pair.distance_to_fold();
     if (!side.reaches(distance, slack)) {
       return false;
     }
     PointIndex through;
-    if (!is_apart_from_others(pair, distance, through)) {
+    if (!is_apart_from_others(pair, distance, alone, through)) {
       return false;
     }
     const auto found = locate_fold(solver_, pair, through.exists());
@@ -108,20 +111,50 @@ class Explanation {
   [[nodiscard]] Events& events() { return events_; }
 
  private:
-  static std::pair<PointIndex, PointIndex> closest(const Snapshot& set,
+  /// Two branches shortly before they meet move towards each other, and their middle hardly moves.
+  [[nodiscard]] static bool head_on(const ConfigurationPair& pair) {
+    const Eigen::VectorXd& one = pair.first().slope;
+    const Eigen::VectorXd& other = pair.second().slope;
+    return (one + other).norm() < 0.05 * (one.norm() + other.norm());
+  }
+
+  /// The pair that is to meet next: the closest of those that run head-on, or else the closest.
+  /// Where several pairs meet in one configuration, the closest belong to different ones.
+  static std::pair<PointIndex, PointIndex> meeting(const Side& side,
                                                    const std::vector<PointIndex>& among) {
     std::pair<PointIndex, PointIndex> best{among[0], among[1]};
     double least = std::numeric_limits<double>::infinity();
+    bool best_is_head_on = false;
     for (const PointIndex one : among) {
       for (const PointIndex other : among) {
-        const double distance = (set.points[one].at - set.points[other].at).norm();
-        if (one < other && distance < least) {
+        if (!(one < other)) {
+          continue;
+        }
+        const ConfigurationPair pair{side.near, one, other};
+        const bool is_head_on = head_on(pair) && side.reaches(pair.distance_to_fold(), 0.1);
+        const double distance = pair.separation();
+        if (is_head_on == best_is_head_on ? distance < least : is_head_on) {
           least = distance;
           best = {one, other};
+          best_is_head_on = is_head_on;
         }
       }
     }
     return best;
+  }
+
+  /// Whether a branch meets another one of `alone` in the middle of the pair.
+  [[nodiscard]] static bool meets_there(PointIndex point, const ConfigurationPair& pair,
+                                        const std::vector<PointIndex>& alone) {
+    const auto has_part = [&](PointIndex index) {
+      return std::find(alone.begin(), alone.end(), index) != alone.end();
+    };
+    return has_part(point) && std::any_of(alone.begin(), alone.end(), [&](PointIndex other) {
+             const ConfigurationPair there{pair.set, point, other};
+             const Eigen::VectorXd offset =
+                 (there.first().at + there.second().at - pair.first().at - pair.second().at) / 2;
+             return other != point && head_on(there) && offset.norm() < 0.1 * there.separation();
+           });
   }
 
   [[nodiscard]] PointIndex on_left(PointIndex right) const {
@@ -135,6 +168,7 @@ class Explanation {
 
   /// No other configuration is near the pair or where it will meet, but perhaps one right between.
   [[nodiscard]] static bool is_apart_from_others(const ConfigurationPair& pair, double distance,
+                                                 const std::vector<PointIndex>& alone,
                                                  PointIndex& through) {
     const double separation = pair.separation();
     const Eigen::VectorXd middle = (pair.first().at + pair.second().at) / 2;
@@ -146,7 +180,8 @@ class Explanation {
       const ConfigurationPoint& point = pair.set->points[other];
       const Eigen::VectorXd offset = point.at - middle;
       const Eigen::VectorXd later = offset + distance * (point.slope - middle_slope);
-      if (offset.norm() > 2 * separation && later.norm() > separation) {
+      if ((offset.norm() > 2 * separation && later.norm() > separation) ||
+          (head_on(pair) && meets_there(other, pair, alone))) {
         continue;
       }
       if (through.exists() || separation > through_separation ||
@@ -300,7 +335,7 @@ Events folds_at_end(SnapshotSolver& solver, const SnapshotPointer& near, double 
   for (const PointIndex one : near->points.keys()) {
     for (const PointIndex other : near->points.keys()) {
       if (other < one) {
-        (void)explanation.explain_fold({near, other, one}, side);
+        (void)explanation.explain_fold({near, other, one}, side, {});
       }
     }
   }
