@@ -105,27 +105,33 @@ RationalPolynomial half_angle_polynomial(const TrigonometricPolynomial<Rational,
   return sum;
 }
 
-/// Distinct real roots of a model's final polynomial for exact dimensions and inputs.
+/// A model's final polynomial for exact dimensions and inputs: in the unknown if it is a
+/// displacement, else in the tangent of half of it.
 template <typename Model>
-int exact_assembly_count(const typename Model::template Dimensions<double>& d,
-                         const typename Model::template Inputs<double>& u) {
+RationalPolynomial exact_final_polynomial(const typename Model::template Dimensions<double>& d,
+                                          const typename Model::template Inputs<double>& u) {
   const auto convert = [](const auto& value) { return exact(value); };
   const auto exact_d = converted<typename Model::template Dimensions<Rational>>(d, convert);
   const auto exact_u = converted<typename Model::template Inputs<Rational>>(u, convert);
   if constexpr (Model::unknowns[static_cast<std::size_t>(Model::first_unknown)].is_angle) {
     TrigonometricPolynomial<Rational, Model::polynomial_degree> T;
     Model::position_polynomial(exact_d, exact_u, T);
-    const RationalPolynomial p = half_angle_polynomial(T);
-    return real_root_count(p) + (p.back().is_zero() ? 1 : 0);
+    return half_angle_polynomial(T);
   } else {
     Vector<Rational, static_cast<int>(Model::polynomial_degree) + 1> T;
     Model::position_polynomial(exact_d, exact_u, T);
-    RationalPolynomial p;
-    for (Eigen::Index power = 0; power < T.size(); ++power) {
-      p.push_back(T(power));
-    }
-    return real_root_count(p);
+    return RationalPolynomial(T.begin(), T.end());
   }
+}
+
+/// Distinct real roots of that polynomial; an angle of pi is one where the leading coefficient
+/// vanishes.
+template <typename Model>
+int exact_assembly_count(const typename Model::template Dimensions<double>& d,
+                         const typename Model::template Inputs<double>& u) {
+  const RationalPolynomial p = exact_final_polynomial<Model>(d, u);
+  const bool is_angle = Model::unknowns[static_cast<std::size_t>(Model::first_unknown)].is_angle;
+  return real_root_count(p) + (is_angle && p.back().is_zero() ? 1 : 0);
 }
 
 }  // namespace assur::test

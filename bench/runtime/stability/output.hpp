@@ -59,9 +59,10 @@ inline void write_json(const std::vector<Row>& rows, const std::vector<BadInputR
 }
 
 /// Families in their order.
-[[nodiscard]] inline std::vector<std::string> families_of(const std::vector<Row>& rows) {
+template <typename AnyRow>
+[[nodiscard]] std::vector<std::string> families_of(const std::vector<AnyRow>& rows) {
   std::vector<std::string> families;
-  for (const Row& row : rows) {
+  for (const AnyRow& row : rows) {
     if (families.empty() || families.back() != row.family) {
       families.push_back(row.family);
     }

@@ -1,0 +1,147 @@
+// Turns the families into configurations lost and invented, a row for a method and a distance.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "speed/position_methods.hpp"
+#include "truth.hpp"
+
+namespace assur::stability {
+
+/// Whether the library says that it may not have listed all. No peer says anything.
+template <typename Model>
+[[nodiscard]] bool declares(const speed::PositionSample<Model>& sample) {
+  return assemblies<Model>(sample.d, sample.u).status != AssemblyStatus::ok;
+}
+
+template <typename Model>
+struct ListingMethod {
+  const char* name;
+  speed::Found<Model> (*list)(const speed::PositionSample<Model>&);
+};
+
+/// The library, and the peers of the speed chart, which complete and polish each root that they
+/// find of the same polynomial. Newton's starts know nothing of it.
+template <typename Model>
+[[nodiscard]] std::vector<ListingMethod<Model>> listing_methods() {
+  using Sample = speed::PositionSample<Model>;
+  using T = speed::Polynomial<Model>;
+  return {
+      {"generated", speed::closed_form<Model>},
+      {"companion eigenvalues",
+       [](const Sample& sample) {
+         return speed::from_roots<Model>(sample, speed::patient_effort, [](const T& t) {
+           return test::companion_roots(t, speed::nearly_real);
+         });
+       }},
+      {"half-angle polynomial",
+       [](const Sample& sample) {
+         return speed::from_roots<Model>(sample, speed::patient_effort,
+                                         [](const T& t) { return speed::half_angle_roots(t); });
+       }},
+      {"grid of 360",
+       [](const Sample& sample) {
+         return speed::from_roots<Model>(sample, speed::patient_effort,
+                                         [](const T& t) { return test::subdivision_roots(t); });
+       }},
+      {"Newton from 64 starts",
+       [](const Sample& sample) {
+         return speed::MultiStartNewton<Model>::find(sample, speed::patient_effort);
+       }},
+  };
+}
+
+/// One method on all members of one family at one distance.
+struct ListingRow {
+  std::string family;
+  std::string title;
+  std::string kind;
+  std::string method;
+  double distance = 0;
+  int configurations = 0;  ///< that have not run to infinity
+  int far = 0;             ///< that have; they are not counted as lost
+  int lost = 0;
+  int invented = 0;  ///< listed twice, or no configuration at all
+  int far_listed = 0;
+  int declared = 0;  ///< groups of which the status says that the list may not be whole
+  double error = 0;  ///< the largest of what is listed rightly and has not run to infinity
+};
+
+template <typename Configuration>
+[[nodiscard]] bool is_finite_list_entry(const Configuration& q) {
+  bool finite = true;
+  for_each_member(q, [&finite](const auto& member, std::size_t) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
+      finite = finite && std::isfinite(member);
+    } else {
+      finite = finite && std::isfinite(member.cos) && std::isfinite(member.sin);
+    }
+  });
+  return finite;
+}
+
+/// Each configuration takes the nearest that is listed and not taken, if it is within tolerance.
+template <typename Model>
+void tally(const speed::Found<Model>& found, const ConfigurationMember<Model>& member,
+           ListingRow& row) {
+  std::vector<bool> taken(found.count, false);
+  for (std::size_t place = 0; place < member.truth.list.size(); ++place) {
+    double best = std::numeric_limits<double>::infinity();
+    std::size_t chosen = 0;
+    for (std::size_t index = 0; index < found.count; ++index) {
+      if (!taken[index] && is_finite_list_entry(found.list[index])) {
+        const double away = speed::apart(found.list[index], member.truth.list[place]);
+        if (away < best) {
+          best = away;
+          chosen = index;
+        }
+      }
+    }
+    const bool is_listed = best < member.truth.tolerances[place];
+    if (is_listed) {
+      taken[chosen] = true;
+    }
+    if (member.is_far[place]) {
+      ++row.far;
+      row.far_listed += is_listed ? 1 : 0;
+    } else {
+      ++row.configurations;
+      row.lost += is_listed ? 0 : 1;
+      row.error = is_listed ? std::max(row.error, best) : row.error;
+    }
+  }
+  row.invented += static_cast<int>(std::count(taken.begin(), taken.end(), false));
+}
+
+/// False if the truth of some member is not vouched for.
+template <typename Family>
+[[nodiscard]] bool append_listing_rows(std::vector<ListingRow>& rows) {
+  using Model = typename Family::Model;
+  const auto list = listing_methods<Model>();
+  bool is_vouched = true;
+  for (const double distance : configuration_distances()) {
+    std::vector<ListingRow> of_methods(list.size());
+    for (int number = 0; number < members_per_distance; ++number) {
+      const auto member = make_configuration_member<Family>(number, distance);
+      is_vouched = is_vouched && member.is_vouched;
+      for (std::size_t method = 0; method < list.size(); ++method) {
+        tally(list[method].list(member.given), member, of_methods[method]);
+      }
+      of_methods[0].declared += declares<Model>(member.given) ? 1 : 0;
+    }
+    for (std::size_t method = 0; method < list.size(); ++method) {
+      ListingRow& row = of_methods[method];
+      row.family = Family::name;
+      row.title = Family::title;
+      row.kind = Family::kind;
+      row.method = list[method].name;
+      row.distance = distance;
+      rows.push_back(row);
+    }
+  }
+  return is_vouched;
+}
+
+}  // namespace assur::stability
