@@ -41,10 +41,23 @@ struct Closures {
     evaluate(group, q, f);
     return f;
   }
+  /// Against steps as `advance` takes them.
   [[nodiscard]] FlatMatrix<Real> jacobian(const FlatVariables<Real>& q) const {
     FlatMatrix<Real> result = FlatMatrix<Real>::Identity();
     differentiate(group, q, result);
+    std::size_t place = 0;
+    for (int unknown = 0; unknown < size; ++unknown) {
+      if (unknowns[unknown].is_angle) {
+        place += 2;
+      } else {
+        result.col(unknown) *= unit_of(q[place++]);
+      }
+    }
     return result;
+  }
+  /// A displacement far beyond the longest length is measured in itself.
+  [[nodiscard]] static Real unit_of(Real displacement) {
+    return std::max<Real>(1, std::abs(displacement));
   }
   /// The unknowns moved by a step: displacements shift, angles turn, without trigonometric
   /// functions.
@@ -65,7 +78,8 @@ struct Closures {
         q[place + 1] = length > 0 ? sin / length : 0;
         place += 2;
       } else {
-        q[place++] += by;
+        q[place] += by * unit_of(q[place]);
+        ++place;
       }
     }
   }
@@ -96,7 +110,7 @@ template <typename Real>
          (1 + closures.farthest + longest_displacement(closures, q));
 }
 
-/// The largest difference of two lists of unknowns.
+/// The largest difference of two lists of unknowns; of long displacements in parts of them.
 template <typename Real>
 [[nodiscard]] Real distance(const Closures<Real>& closures, const FlatVariables<Real>& one,
                             const FlatVariables<Real>& other) {
@@ -104,7 +118,8 @@ template <typename Real>
   std::size_t place = 0;
   for (int unknown = 0; unknown < closures.size; ++unknown) {
     for (int part = closures.unknowns[unknown].is_angle ? 2 : 1; part > 0; --part, ++place) {
-      largest = std::max(largest, std::abs(one[place] - other[place]));
+      const Real size = std::max<Real>({1, std::abs(one[place]), std::abs(other[place])});
+      largest = std::max(largest, std::abs(one[place] - other[place]) / size);
     }
   }
   return largest;
@@ -313,7 +328,7 @@ template <typename Real>
       step(unknown) = to[place + 1] * from[place] - to[place] * from[place + 1];
       place += 2;
     } else {
-      step(unknown) = to[place] - from[place];
+      step(unknown) = (to[place] - from[place]) / Closures<Real>::unit_of(from[place]);
       ++place;
     }
   }
