@@ -145,8 +145,8 @@ class SceneReader {
       expect_object(value, part);
       expect_keys(value, part, {"position", "velocity", "acceleration"});
       const SceneJson zero = 0;
-      const auto rate = [&](const std::string& key) {
-        return number_of(value.contains(key) ? value[key] : zero, part + "." + key);
+      const auto rate = [&, &driver = value](const std::string& key) {
+        return number_of(driver.contains(key) ? driver[key] : zero, part + "." + key);
       };
       mechanism_.add_driver(name, number_of(required(value, "position", part), part + ".position"),
                             rate("velocity"), rate("acceleration"));
