@@ -17,6 +17,7 @@
 #include "emission/closures/emit_closures.hpp"
 #include "emission/model/emit.hpp"
 #include "emission/scene/emit_scene.hpp"
+#include "emission/scene/scene_warnings.hpp"
 
 namespace {
 
@@ -62,7 +63,11 @@ struct EmitOptions {
 EmittedFile emitted_scene(const std::string& file) {
   const assur::mechanism::Scene scene = assur::mechanism::read_scene(file);
   try {
-    return emission::scene::emit_scene(scene);
+    EmittedFile emitted = emission::scene::emit_scene(scene);
+    for (const std::string& warning : emission::scene::scene_warnings(scene)) {
+      std::cerr << "warning: " << file << ": " << warning << '\n';
+    }
+    return emitted;
   } catch (const assur::mechanism::MechanismError& error) {
     throw InputError(file + ": " + error.what());
   }

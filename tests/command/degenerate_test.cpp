@@ -1,6 +1,7 @@
 // Checks that degenerate dimensions get a verdict with a mobility, and never a random root or NaN.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <assur/assembly.hpp>
 #include <assur/tetrad/models.hpp>
 #include <nlohmann/json.hpp>
@@ -117,6 +118,38 @@ TEST(Degenerate, LinksThatCannotReachAreNoAssembly) {
   const Json root = Json::parse(result.output);
   EXPECT_EQ(root["status"], "no-assembly");
   EXPECT_EQ(root["configurations"].size(), 0U);
+}
+
+/// A four-bar with the crank along the base: its text, and the emitter's messages.
+std::string messages_of_emission(double crank, double coupler, double rocker, double base) {
+  Json scene;
+  scene["links"]["ground"] = {{"A", {0, 0}}, {"D", {base, 0}}};
+  scene["links"]["crank"] = {{"A", {0, 0}}, {"B", {crank, 0}}};
+  scene["links"]["coupler"] = {{"B", {0, 0}}, {"C", {coupler, 0}}};
+  scene["links"]["rocker"] = {{"D", {0, 0}}, {"C", {rocker, 0}}};
+  for (const auto& [joint, one, other] :
+       {std::array{"A", "ground.A", "crank.A"}, std::array{"B", "crank.B", "coupler.B"},
+        std::array{"C", "coupler.C", "rocker.C"}, std::array{"D", "ground.D", "rocker.D"}}) {
+    scene["joints"][joint] = {{"type", "revolute"}, {"between", {one, other}}};
+  }
+  scene["drivers"]["A"] = {{"position", 0}};
+  const TemporaryDirectory directory;
+  const CommandResult result =
+      run_assur("emit --scene " + directory.write("scene.json", scene.dump()).string() +
+                " --output " + directory.path().string());
+  EXPECT_EQ(result.status, 0) << result.messages;
+  EXPECT_TRUE(std::filesystem::exists(directory.path() / "assur/scenes/scene.hpp"));
+  return result.messages;
+}
+
+TEST(Degenerate, TheEmitterWarnsOfTheScenesOwnNumbers) {
+  EXPECT_EQ(messages_of_emission(1, 3, 3, 2), "");
+  const auto warns = [](const std::string& messages, const std::string& of) {
+    return messages.starts_with("warning: ") && messages.find(of) != std::string::npos;
+  };
+  EXPECT_PRED2(warns, messages_of_emission(2, 3, 2, 3), "near-singular");
+  EXPECT_PRED2(warns, messages_of_emission(2, 3, 3, 2), "degenerate at the scene's own numbers");
+  EXPECT_PRED2(warns, messages_of_emission(2, 3, 9, 3), "cannot be assembled");
 }
 
 }  // namespace

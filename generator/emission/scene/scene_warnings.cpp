@@ -1,0 +1,36 @@
+#include "emission/scene/scene_warnings.hpp"
+
+#include <algorithm>
+#include <assur/mechanism/plan.hpp>
+
+namespace assur::generator::emission::scene {
+
+std::vector<std::string> scene_warnings(const mechanism::Scene& scene) {
+  const mechanism::Plan plan(scene);
+  const mechanism::Solution solution = plan.solve(plan.values());
+  std::vector<std::string> warnings;
+  if (solution.status == mechanism::SolutionStatus::no_assembly) {
+    warnings.push_back("the mechanism cannot be assembled at the scene's own numbers: " +
+                       solution.reason);
+  }
+  for (const mechanism::Family& family : solution.families) {
+    const std::string warning = "degenerate at the scene's own numbers: " + family.reason;
+    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) {
+      warnings.push_back(warning);
+    }
+  }
+  const auto singular =
+      std::count_if(solution.configurations.begin(), solution.configurations.end(),
+                    [](const mechanism::Configuration& configuration) {
+                      return configuration.regularity != Status::ok;
+                    });
+  if (singular > 0) {
+    warnings.push_back(
+        std::to_string(singular) + " of the " + std::to_string(solution.configurations.size()) +
+        " configurations at the scene's own numbers " + (singular == 1 ? "is" : "are") +
+        " near-singular: `assur solve` shows which");
+  }
+  return warnings;
+}
+
+}  // namespace assur::generator::emission::scene
