@@ -335,6 +335,34 @@ template <typename Real>
   return step;
 }
 
+/// Moves a double assembly that stands alone to where the closures are exactly singular: rounding
+/// of the closures leaves it known to the root of epsilon, their derivatives know it to epsilon.
+template <typename Real>
+void settle(const Closures<Real>& closures, FlatVariables<Real>& q) {
+  constexpr int most_steps = 4;
+  FlatVariables<Real> settled = q;
+  for (int step = 0; step < most_steps; ++step) {
+    const FlatMatrix<Real> jacobian = closures.jacobian(settled);
+    const FreeDirections<Real> free = null_space(jacobian, singular_pivot);
+    const FreeDirections<Real> parts = null_space<Real>(jacobian.transpose(), singular_pivot);
+    if (free.count != 1 || parts.count != 1) {
+      return;
+    }
+    const FlatVector<Real> along = free.basis.col(0);
+    const FlatVector<Real> part = parts.basis.col(0);
+    const Real slope = part.dot(jacobian * along);
+    const Real change = part.dot(bend(closures, settled, along));
+    if (!(std::abs(slope) < 1e-3 * std::abs(change))) {
+      return;  // not a double one
+    }
+    closures.advance(-slope / change * along, settled);
+    restore(closures, settled);
+  }
+  if (closures.at(settled).norm() < rounding(closures, settled)) {
+    q = settled;
+  }
+}
+
 /// What surrounds a singular assembly: the directions in which others lie close by.
 template <typename Real>
 class Neighbourhood {

@@ -195,6 +195,7 @@ class SpecialSearch {
       if (mobility > 0) {
         return;
       }
+      settle(closures, q);
     }
     list(q);
   }

@@ -20,7 +20,9 @@ class DisplacedGroup {
   /// `displaced`: how far any placed point may be from where exact arithmetic has it. Where a
   /// neighbour holds the group is known to a rounding of its coordinates at best.
   DisplacedGroup(const Dimensions& d, const Inputs& u, double displaced)
-      : size_(1 / unit_scale<Model>(d, u)), held_(displaced + epsilon * longest_length(u)) {}
+      : size_(1 / unit_scale<Model>(d, u)),
+        longest_(Model::dimension_count == 0 ? 1 : size_of<Model>(d, u)),
+        held_(displaced + epsilon * longest_length(u)) {}
 
   /// The regularity of a configuration, counting the neighbours' displacement.
   [[nodiscard]] Regularity<double> regularity(const Dimensions& d, const Inputs& u,
@@ -30,8 +32,8 @@ class DisplacedGroup {
       turns = turns || detail::is_angle<Model>(unknown);
     }
     // Where nothing turns, J does not depend on places but on directions, which the neighbours hold
-    // as well as they stand themselves.
-    const double size = turns ? size_ : std::max(size_, longest_length(u));
+    // as well as they stand themselves. Elsewhere what rounding has left of a size tells nothing.
+    const double size = turns ? longest_ : std::max(longest_, longest_length(u));
     return assur::regularity<Model, double>(d, u, q, held_ / size);
   }
 
@@ -54,6 +56,7 @@ class DisplacedGroup {
  private:
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
   double size_;
+  double longest_;
   double held_;
 };
 

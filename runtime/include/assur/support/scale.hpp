@@ -49,21 +49,27 @@ template <typename Model>
   return Model::dimension_count == 0 ? 32 * std::numeric_limits<double>::epsilon() : 0.0;
 }
 
-/// The power of two that brings the longest length of a group near one. Only differences of the
-/// external joints' places count, not where the group is; but a length that rounding may have left
-/// of these places is none.
+/// The longest length of a group. Only differences of the external joints' places count, not where
+/// the group is.
+template <typename Model>
+[[nodiscard]] double size_of(const typename Model::template Dimensions<double>& d,
+                             const typename Model::template Inputs<double>& u) {
+  typename Model::template Configuration<double> q;
+  Vector<double, Model::equation_count> f;
+  Model::residual(typename Model::template Dimensions<double>{}, u, q, f);
+  return std::max(longest_length(d), f.cwiseAbs().maxCoeff());
+}
+
+/// The power of two that brings the longest length of a group near one; but a length that rounding
+/// may have left of the external joints' places is none.
 template <typename Model>
 [[nodiscard]] double unit_scale(const typename Model::template Dimensions<double>& d,
                                 const typename Model::template Inputs<double>& u) {
   if constexpr (Model::dimension_count == 0) {  // folded, and in units of the longest already
     return 1;
   }
-  typename Model::template Configuration<double> q;
-  Vector<double, Model::equation_count> f;
-  Model::residual(typename Model::template Dimensions<double>{}, u, q, f);
   constexpr double rounding = 0x1p-44;
-  const double size =
-      std::max({longest_length(d), f.cwiseAbs().maxCoeff(), rounding * longest_length(u)});
+  const double size = std::max(size_of<Model>(d, u), rounding * longest_length(u));
   return size > 0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
 }
 
