@@ -4,7 +4,10 @@
 #include <array>
 #include <assur/assembly.hpp>
 #include <assur/tetrad/models.hpp>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "command.hpp"
 
@@ -118,6 +121,75 @@ TEST(Degenerate, LinksThatCannotReachAreNoAssembly) {
   const Json root = Json::parse(result.output);
   EXPECT_EQ(root["status"], "no-assembly");
   EXPECT_EQ(root["configurations"].size(), 0U);
+}
+
+/// What `assur solve` answers to a mechanism of pinned bars. Points are "link.name" and where they
+/// are on it; joints pair them.
+Json solved(const std::map<std::string, std::array<double, 2>>& points,
+            const std::vector<std::array<std::string, 2>>& joints) {
+  Json scene;
+  for (const auto& [name, at] : points) {
+    const auto dot = name.find('.');
+    scene["links"][name.substr(0, dot)][name.substr(dot + 1)] = at;
+  }
+  for (const auto& pair : joints) {
+    const std::string name = pair[0].substr(pair[0].find('.') + 1);
+    scene["joints"][name] = {{"type", "revolute"}, {"between", pair}};
+  }
+  const TemporaryDirectory directory;
+  const CommandResult result =
+      run_assur("solve --format json " + directory.write("scene.json", scene.dump()).string());
+  EXPECT_EQ(result.status, 0) << result.messages;
+  return Json::parse(result.output);
+}
+
+/// A dyad in one line holds a dyad in one line: the second closes only where the first is known to
+/// more digits than the root of its final polynomial.
+TEST(Degenerate, AToggleThatHoldsAToggleIsOneConfiguration) {
+  const Json apart = solved({{"ground.A", {0, 0}},
+                             {"ground.D", {3, 3}},
+                             {"ground.G", {1, 2}},
+                             {"r0.A", {0, 0}},
+                             {"r0.C", {2, 2}},
+                             {"r0.B", {1, 0}},
+                             {"o0.C", {2, 2}},
+                             {"o0.D", {3, 3}},
+                             {"r1.B", {0, 0}},
+                             {"r1.E", {0, 1}},
+                             {"o1.E", {0, 0}},
+                             {"o1.G", {0, 1}}},
+                            {{"ground.A", "r0.A"},
+                             {"r0.C", "o0.C"},
+                             {"ground.D", "o0.D"},
+                             {"r0.B", "r1.B"},
+                             {"r1.E", "o1.E"},
+                             {"ground.G", "o1.G"}});
+  const Json together = solved({{"ground.A", {0, 0}},
+                                {"ground.D", {2, 2}},
+                                {"ground.G", {0, 0}},
+                                {"r0.A", {0, 0}},
+                                {"r0.C", {1, 1}},
+                                {"o0.C", {1, 1}},
+                                {"o0.D", {2, 2}},
+                                {"o0.B", {0, -1}},
+                                {"r1.B", {0, 0}},
+                                {"r1.E", {0, 2}},
+                                {"o1.E", {0, 0}},
+                                {"o1.G", {0, -1}}},
+                               {{"ground.A", "r0.A"},
+                                {"r0.C", "o0.C"},
+                                {"ground.D", "o0.D"},
+                                {"o0.B", "r1.B"},
+                                {"r1.E", "o1.E"},
+                                {"ground.G", "o1.G"}});
+  for (const Json& root : {apart, together}) {
+    EXPECT_EQ(root["status"], "ok");
+    ASSERT_EQ(root["configurations"].size(), 1U);
+    EXPECT_EQ(root["configurations"][0]["regularity"], "near-singular");
+    for (const Json& link : root["configurations"][0]["links"]) {
+      EXPECT_NEAR(link["theta"].get<double>(), 0, 1e-12);
+    }
+  }
 }
 
 /// A four-bar with the crank along the base: its text, and the emitter's messages.

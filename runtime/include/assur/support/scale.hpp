@@ -60,16 +60,18 @@ template <typename Model>
   return std::max(longest_length(d), f.cwiseAbs().maxCoeff());
 }
 
-/// The power of two that brings the longest length of a group near one; but a length that rounding
-/// may have left of the external joints' places is none.
+/// The power of two that brings the longest length of a group near one. A length that is nothing
+/// but rounding of the external joints' places is none, beside these.
 template <typename Model>
 [[nodiscard]] double unit_scale(const typename Model::template Dimensions<double>& d,
                                 const typename Model::template Inputs<double>& u) {
   if constexpr (Model::dimension_count == 0) {  // folded, and in units of the longest already
     return 1;
   }
-  constexpr double rounding = 0x1p-44;
-  const double size = std::max(size_of<Model>(d, u), rounding * longest_length(u));
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  const double own = size_of<Model>(d, u);
+  const double places = longest_length(u);
+  const double size = own > rounding * places ? std::max(own, 0x1p-44 * places) : places;
   return size > 0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
 }
 
