@@ -4,25 +4,11 @@
 
 #include <iostream>
 
+#include "family_types.hpp"
 #include "stability/configurations/rows.hpp"
 
 namespace assur::stability {
 namespace {
-
-template <typename List>
-struct TypesOf;
-template <typename... Family>
-struct TypesOf<std::tuple<Family...>> {
-  using Types = testing::Types<Family...>;
-};
-struct FamilyNames {
-  template <typename Family>
-  static std::string GetName(int) {
-    std::string name = Family::name;
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-  }
-};
 
 template <typename Family>
 class LostConfigurations : public testing::Test {};

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <map>
 
+#include "family_types.hpp"
 #include "largest.hpp"
 #include "stability/bad_input.hpp"
 #include "stability/measure.hpp"
@@ -17,21 +18,6 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double allowed_roundings = 16;
 /// The same of an acceleration, which inherits the velocity's error and may be a small difference.
 constexpr double allowed_in_acceleration = 256;
-
-template <typename List>
-struct TypesOf;
-template <typename... Family>
-struct TypesOf<std::tuple<Family...>> {
-  using Types = testing::Types<Family...>;
-};
-struct FamilyNames {
-  template <typename Family>
-  static std::string GetName(int) {
-    std::string name = Family::name;
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-  }
-};
 
 template <typename Family>
 class Stability : public testing::Test {

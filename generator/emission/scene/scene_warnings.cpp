@@ -6,7 +6,11 @@
 namespace assur::generator::emission::scene {
 
 std::vector<std::string> scene_warnings(const mechanism::Scene& scene) {
+  constexpr std::size_t most_groups = 10;
   const mechanism::Plan plan(scene);
+  if (plan.structure().groups.size() > most_groups) {
+    return {};
+  }
   const mechanism::Solution solution = plan.solve(plan.values());
   std::vector<std::string> warnings;
   if (solution.status == mechanism::SolutionStatus::no_assembly) {

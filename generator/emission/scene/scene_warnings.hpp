@@ -7,9 +7,10 @@
 
 namespace assur::generator::emission::scene {
 
-/// One line for each group that moves freely at the scene's own numbers and for each configuration
-/// that is near singular there, or one if the links cannot reach: a solver is emitted all the same,
-/// and answers so. Requires a scene that has a solver.
+/// What the scene's own numbers make special, a line each: a group that moves freely, how many
+/// configurations are near-singular, or that the links cannot reach. A solver is emitted all the
+/// same, and answers so. Nothing is said of a mechanism of more than ten groups: its configurations
+/// may be too many to list. Requires a scene that has a solver.
 [[nodiscard]] std::vector<std::string> scene_warnings(const mechanism::Scene& scene);
 
 }  // namespace assur::generator::emission::scene

@@ -146,10 +146,10 @@ class Explanation {
   /// Whether a branch meets another one of `alone` in the middle of the pair.
   [[nodiscard]] static bool meets_there(PointIndex point, const ConfigurationPair& pair,
                                         const std::vector<PointIndex>& alone) {
-    const auto has_part = [&](PointIndex index) {
+    const auto is_alone = [&](PointIndex index) {
       return std::find(alone.begin(), alone.end(), index) != alone.end();
     };
-    return has_part(point) && std::any_of(alone.begin(), alone.end(), [&](PointIndex other) {
+    return is_alone(point) && std::any_of(alone.begin(), alone.end(), [&](PointIndex other) {
              const ConfigurationPair there{pair.set, point, other};
              const Eigen::VectorXd offset =
                  (there.first().at + there.second().at - pair.first().at - pair.second().at) / 2;
