@@ -132,6 +132,22 @@ class ModelFunctions {
     }
   }
 
+  static void expand(const FlatVariables& flat_d, const FlatSeries& flat_u,
+                     const FlatSeries& flat_q, MovingGroup& moving) {
+    const auto as_it_is = [](const auto& value) { return Series(value); };
+    const auto d =
+        support::unflattened<typename Model::template Dimensions<Series>>(flat_d, as_it_is);
+    const auto u = support::unflattened<typename Model::template Inputs<Series>>(flat_u, as_it_is);
+    const auto q =
+        support::unflattened<typename Model::template Configuration<Series>>(flat_q, as_it_is);
+    Vector<Series, Model::equation_count> f;
+    Model::residual(d, u, q, f);
+    std::copy_n(f.data(), Model::equation_count, moving.closures.begin());
+    Poses<Series, Model::link_count> poses;
+    Model::link_poses(d, u, q, poses);
+    std::copy(poses.begin(), poses.end(), moving.poses.begin());
+  }
+
   static bool is_compatible(const FlatVariables& d, const FlatVariables& u) {
     if constexpr (Model::compatibility_count > 0) {
       Matrix<double, Model::compatibility_count, 2> c;
@@ -183,12 +199,13 @@ template <typename Model>
     static_assert(Model::link_count <= most_links && 2 * Model::unknown_count <= 2 * most_rows &&
                   Model::dimension_count <= most_rows && Model::input_count <= most_rows &&
                   Model::max_configurations <= most_configurations);
-    static constexpr ModelKernel kernel = {&Functions::assemble, &Functions::gap, &Functions::move,
-                                           &Functions::bend, &Functions::is_compatible};
+    static constexpr ModelKernel kernel = {&Functions::assemble, &Functions::gap,
+                                           &Functions::move,     &Functions::bend,
+                                           &Functions::expand,   &Functions::is_compatible};
     return &kernel;
   } else {
-    static constexpr ModelKernel kernel = {nullptr, nullptr, nullptr, nullptr,
-                                           &Functions::is_compatible};
+    static constexpr ModelKernel kernel = {nullptr, nullptr, nullptr,
+                                           nullptr, nullptr, &Functions::is_compatible};
     return &kernel;
   }
 }

@@ -9,6 +9,8 @@
 #include <assur/status.hpp>
 #include <assur/support/flat_variables.hpp>
 
+#include "models/series.hpp"
+
 namespace assur::mechanism {
 
 /// A group has at most four links; nothing of it is larger than the rows of all its link poses.
@@ -61,6 +63,13 @@ struct Curvature {
   SmallVector closures, poses;
 };
 
+/// Variables that move, flat; the closures and the link poses that follow from them.
+using FlatSeries = support::FlatVariables<Series>;
+struct MovingGroup {
+  std::array<Series, most_unknowns> closures;
+  std::array<Pose<Series>, most_links> poses;
+};
+
 /// The functions of one model behind plain numbers: d, u and q are flat.
 struct ModelKernel {
   void (*assemble)(const FlatVariables& d, const FlatVariables& u, GroupAssemblies& found);
@@ -71,6 +80,9 @@ struct ModelKernel {
   void (*bend)(const FlatVariables& d, const FlatVariables& u, const FlatVariables& q,
                const SmallVector& q_x, const SmallVector& d_x, const SmallVector& u_x,
                Curvature& along_x);
+  /// The closures and poses of a group that moves, to the order of a series.
+  void (*expand)(const FlatVariables& d, const FlatSeries& u, const FlatSeries& q,
+                 MovingGroup& moving);
   /// Whether the angles that prismatic joints tie are compatible (of a degenerate model).
   bool (*is_compatible)(const FlatVariables& d, const FlatVariables& u);
 };

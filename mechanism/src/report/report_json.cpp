@@ -50,8 +50,7 @@ Json slide_json(const SlideState& slide, const Want& want) {
   return entry;
 }
 
-Json output_json(const Point& point, const Report& report) {
-  const Want& want = report.plan.request().want;
+Json output_json(const Point& point, const Report& report, const Want& want) {
   Json entry = Json::object();
   if (want.position) {
     entry["position"] = list_of(point.position);
@@ -77,7 +76,7 @@ Json output_json(const Point& point, const Report& report) {
     entry["worst_case"] = list_of(worst_case(point, report.values.spread()));
     entry["rss"] = list_of(root_sum_square(point, report.values.spread()));
   }
-  if (report.values.second_order()) {
+  if (want.sensitivity && report.values.second_order()) {
     const PointSpread spread = spread_of(point, report.values.spread());
     entry["covariance"] = {list_of(spread.covariance.row(0)), list_of(spread.covariance.row(1))};
     entry["mean_shift"] = list_of(spread.mean_shift);
@@ -96,12 +95,9 @@ Json groups_json(const Structure& structure) {
   return list;
 }
 
-Json configuration_json(const Configuration& configuration, const Report& report) {
-  if (!configuration.derivatives_known) {
-    return configuration_json(without_derivatives(report.plan, configuration), report);
-  }
+/// What a configuration is asked for of its links, joints and outputs.
+Json parts_json(const Configuration& configuration, const Report& report, const Want& want) {
   const Mechanism& mechanism = report.plan.mechanism();
-  const Want& want = report.plan.request().want;
   Json entry;
   entry["links"] = Json::object();
   for (const LinkIndex link : mechanism.links().keys()) {
@@ -114,7 +110,22 @@ Json configuration_json(const Configuration& configuration, const Report& report
   entry["outputs"] = Json::object();
   for (const OutputIndex output : mechanism.outputs().keys()) {
     entry["outputs"][mechanism.outputs()[output].name] =
-        output_json(configuration.outputs[output], report);
+        output_json(configuration.outputs[output], report, want);
+  }
+  return entry;
+}
+
+Json configuration_json(const Configuration& configuration, const Report& report) {
+  if (!configuration.derivatives_known) {
+    return configuration_json(without_derivatives(report.plan, configuration), report);
+  }
+  const Want& want = report.plan.request().want;
+  Json entry = parts_json(configuration, report, want);
+  if (!configuration.branches.empty()) {
+    entry["branches"] = Json::array();
+  }
+  for (const Configuration& branch : configuration.branches) {
+    entry["branches"].push_back(parts_json(branch, report, rates_alone(want)));
   }
   entry["regularity"] = regularity_text(configuration.regularity);
   entry["residual"] = configuration.residual;

@@ -41,8 +41,7 @@ std::string table_head(const std::vector<std::string>& titles) {
   return row + "\n";
 }
 
-std::string point_text(const Point& point, const Report& report) {
-  const Want& want = report.plan.request().want;
+std::string point_text(const Point& point, const Report& report, const Want& want) {
   std::string text = table_head({"x", "y"});
   if (want.position) {
     text += table_row("position", point.position);
@@ -66,7 +65,7 @@ std::string point_text(const Point& point, const Report& report) {
     text += table_row("worst case", worst_case(point, report.values.spread()));
     text += table_row("rss", root_sum_square(point, report.values.spread()));
   }
-  if (report.values.second_order()) {
+  if (want.sensitivity && report.values.second_order()) {
     const PointSpread spread = spread_of(point, report.values.spread());
     text += table_row("covariance x", Eigen::Vector2d(spread.covariance.row(0)));
     text += table_row("covariance y", Eigen::Vector2d(spread.covariance.row(1)));
@@ -75,12 +74,10 @@ std::string point_text(const Point& point, const Report& report) {
   return text;
 }
 
-std::string configuration_text(const Configuration& configuration, const Report& report) {
-  if (!configuration.derivatives_known) {
-    return configuration_text(without_derivatives(report.plan, configuration), report);
-  }
+/// Tables of what a configuration is asked for.
+std::string tables_text(const Configuration& configuration, const Report& report,
+                        const Want& want) {
   const Mechanism& mechanism = report.plan.mechanism();
-  const Want& want = report.plan.request().want;
   constexpr double degree = std::numbers::pi / 180;
   std::string text;
   const auto link_table = [&](const std::string& title, const std::vector<std::string>& head,
@@ -114,7 +111,21 @@ std::string configuration_text(const Configuration& configuration, const Report&
   }
   for (const OutputIndex output : mechanism.outputs().keys()) {
     text += "  point " + mechanism.outputs()[output].name + "\n" +
-            point_text(configuration.outputs[output], report);
+            point_text(configuration.outputs[output], report, want);
+  }
+  return text;
+}
+
+std::string configuration_text(const Configuration& configuration, const Report& report) {
+  if (!configuration.derivatives_known) {
+    return configuration_text(without_derivatives(report.plan, configuration), report);
+  }
+  const Want& want = report.plan.request().want;
+  std::string text = tables_text(configuration, report, want);
+  for (std::size_t index = 0; index < configuration.branches.size(); ++index) {
+    text += "  branch " + std::to_string(index + 1) + " of " +
+            std::to_string(configuration.branches.size()) + " through this configuration\n" +
+            tables_text(configuration.branches[index], report, rates_alone(want));
   }
   return text;
 }

@@ -31,14 +31,15 @@ namespace assur::mechanism {
   return regularity == Status::ok ? "regular" : "near-singular";
 }
 
-/// A configuration without the derivatives that are not known: those of links that drivers place
-/// are.
+/// A configuration without the rates and the derivatives that are not known: those of links that
+/// drivers place are.
 [[nodiscard]] inline Configuration without_derivatives(const Plan& plan,
                                                        Configuration configuration) {
   const double unknown = std::numeric_limits<double>::quiet_NaN();
-  const auto forget = [unknown](auto& item) {
-    item.velocity *= unknown;
-    item.acceleration *= unknown;
+  const bool rates_known = configuration.rates_known;
+  const auto forget = [=](auto& item) {
+    item.velocity *= rates_known ? 1 : unknown;
+    item.acceleration *= rates_known ? 1 : unknown;
     item.follows.first *= unknown;
     for (auto& second : item.follows.second) {
       second *= unknown;
@@ -64,7 +65,13 @@ namespace assur::mechanism {
     }
   }
   configuration.derivatives_known = true;
+  configuration.rates_known = true;
   return configuration;
+}
+
+/// Of what is wanted, that in which the branches through one configuration differ.
+[[nodiscard]] inline Want rates_alone(const Want& want) {
+  return {false, want.velocity, want.acceleration, false};
 }
 
 [[nodiscard]] inline bool is_reported(const Report& report, std::size_t configuration) {

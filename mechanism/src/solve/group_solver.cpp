@@ -38,7 +38,7 @@ void add_product(const SmallMatrix& a, const std::vector<DimensionDerivative>& b
 GroupSolver::GroupSolver(const Values& values, GroupIndex group)
     : values_(values),
       model_(*values.plan().structure.groups[group].model),
-      numbers_(*values.group_numbers_[group]) {
+      numbers_(values.numbers_of(group)) {
   const auto inputs = static_cast<Eigen::Index>(model_.input_count);
   const auto parameters = static_cast<Eigen::Index>(values.columns().size());
   of_u_.first.resize(inputs, parameters);

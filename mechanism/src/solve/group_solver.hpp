@@ -10,10 +10,17 @@
 
 namespace assur::mechanism {
 
+/// A configuration of a group, and how far rounding may have moved its neighbours.
+struct PlacedGroup {
+  FlatVariables q;
+  double displaced;
+};
+
 /// What is placed so far of one configuration.
 struct PlacedLinks {
   Table<LinkIndex, Frame> links;  ///< blocks behind the mechanism's links
   std::vector<SlideState> slides;
+  Table<GroupIndex, PlacedGroup> groups;
   Status regularity = Status::ok;
   bool derivatives_known = true;
   double residual = 0;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "branch_motions.hpp"
 #include "configuration_order.hpp"
 #include "group_solver.hpp"
 
@@ -22,6 +23,7 @@ class MechanismSolver {
                   bool measures_gap)
       : plan_(plan), structure_(plan->structure), values_(values), measures_gap_(measures_gap) {
     placed_.links.resize(structure_.linkage.links.size());
+    placed_.groups.resize(structure_.groups.size());
     solvers_.reserve(structure_.groups.size());
     for (const GroupIndex group : structure_.groups.keys()) {
       if (values.group(group).roles == nullptr) {
@@ -124,6 +126,7 @@ class MechanismSolver {
       placed_.residual = residual;
       placed_.displaced = displaced;
       placed_.derivatives_known = derivatives_known;
+      placed_.groups[group] = {found.configurations[index], displaced};
       solver->place(index, first_slide_[group], placed_);
       descend(depth + 1);
     }
@@ -196,8 +199,16 @@ class MechanismSolver {
     }
     result.regularity = placed_.regularity;
     result.derivatives_known = placed_.derivatives_known;
+    result.rates_known = placed_.derivatives_known;
     result.residual = placed_.residual;
     result.plan = plan_;
+    const Want& want = plan_->request.want;
+    if (!result.rates_known && (want.velocity || want.acceleration)) {
+      find_branches(values_, placed_, result);
+    }
+    if (!result.derivatives_known && plan_->request.sweep) {
+      find_derivatives(values_, placed_, plan_->request.sweep->parameter, result);
+    }
   }
 
   void conclude() {

@@ -89,7 +89,7 @@ class Sweeper {
     take_events();
     report_events(step - 1, set->parameter);
     for (const PointIndex point : set->points.keys()) {
-      report_row(step, *set, point, tracker_.branches()[point]);
+      report_row(step, *set, point, tracker_.branches()[point], set->configuration(point));
     }
     report_events(step, std::nullopt);
   }
@@ -205,33 +205,86 @@ class Sweeper {
   struct Candidate {
     int branch;
     Eigen::VectorXd place;
+    SnapshotPointer set;  ///< the set beside the step, and its point there
+    PointIndex point;
   };
   void add_candidates(double value, std::vector<Candidate>& candidates) const {
     const Snapshot& set = *tracker_.current();
     for (const PointIndex index : set.points.keys()) {
       const ConfigurationPoint& point = set.points[index];
-      candidates.push_back(
-          {tracker_.branches()[index], point.at + (value - set.parameter) * point.slope});
+      candidates.push_back({tracker_.branches()[index],
+                            point.at + (value - set.parameter) * point.slope, tracker_.current(),
+                            index});
     }
   }
 
-  /// A row belongs to the branches that expect nothing nearer than it, and is given the least of
-  /// their numbers; to none if it exists at this step alone.
+  /// A row belongs to the branches that expect nothing nearer than it. Each of those that go
+  /// through a crossing has a row, with its own rates where they are known; otherwise the least of
+  /// their numbers is given, or none to a row that exists at this step alone.
   void report_nearest(int step, const Snapshot& set, const std::vector<Candidate>& candidates) {
-    Table<PointIndex, int> numbers(set.count(), 0);
     std::vector<int> used;
     for (const PointIndex index : set.points.keys()) {
-      int& number = numbers[index];
+      std::vector<Candidate> expected;
+      std::vector<int> numbers;
       for (const Candidate& candidate : candidates) {
         const bool taken = std::find(used.begin(), used.end(), candidate.branch) != used.end();
-        if (!taken && is_nearest(candidate, index, set) &&
-            (number == 0 || candidate.branch < number)) {
-          number = candidate.branch;
+        if (!taken && is_nearest(candidate, index, set)) {
+          expected.push_back(candidate);
+          numbers.push_back(candidate.branch);
         }
       }
-      used.push_back(number);
-      report_row(step, set, index, number);
+      std::sort(numbers.begin(), numbers.end());
+      std::vector<int> through;  // expected from both sides
+      for (auto next = numbers.begin();
+           (next = std::adjacent_find(next, numbers.end())) != numbers.end(); ++next) {
+        through.push_back(*next);
+      }
+      const Configuration& here = set.configuration(index);
+      std::vector<std::pair<int, const Configuration*>> rows;
+      for (const Configuration& branch : here.branches) {
+        const int number = number_of(branch, expected);
+        expected.erase(std::remove_if(expected.begin(), expected.end(),
+                                      [number](const Candidate& candidate) {
+                                        return candidate.branch == number;
+                                      }),
+                       expected.end());
+        rows.emplace_back(number, &branch);
+      }
+      for (const int number : through) {
+        if (here.branches.empty() && through.size() > 1) {
+          rows.emplace_back(number, &here);
+        }
+      }
+      if (rows.empty()) {
+        rows.emplace_back(numbers.empty() ? 0 : numbers.front(), &here);
+      }
+      std::stable_sort(rows.begin(), rows.end(),
+                       [](const auto& one, const auto& other) { return one.first < other.first; });
+      for (const auto& [number, state] : rows) {
+        report_row(step, set, index, number, *state);
+      }
+      used.insert(used.end(), numbers.begin(), numbers.end());
     }
+  }
+  /// Of the branches that are expected, the one that moves most nearly so.
+  [[nodiscard]] int number_of(const Configuration& branch,
+                              const std::vector<Candidate>& expected) const {
+    double least = std::numeric_limits<double>::infinity();
+    int number = 0;
+    for (const Candidate& candidate : expected) {
+      const Configuration& nearby = candidate.set->configuration(candidate.point);
+      double difference = 0;
+      for (const LinkIndex link : branch.links.keys()) {
+        const Eigen::Vector3d apart = branch.links[link].velocity - nearby.links[link].velocity;
+        difference =
+            std::max({difference, apart.head<2>().norm() / solver_.length(), std::abs(apart(2))});
+      }
+      if (difference < least) {
+        least = difference;
+        number = candidate.branch;
+      }
+    }
+    return number;
   }
   /// Two rows that are one to rounding count as equally near.
   static bool is_nearest(const Candidate& candidate, PointIndex index, const Snapshot& set) {
@@ -241,9 +294,10 @@ class Sweeper {
     });
   }
 
-  void report_row(int step, const Snapshot& set, PointIndex point, int branch) const {
+  void report_row(int step, const Snapshot& set, PointIndex point, int branch,
+                  const Configuration& state) const {
     observer_.record({step, static_cast<int>(point.place()) + 1, branch, "", set.parameter,
-                      &set.spread, &set.configuration(point)});
+                      &set.spread, &state});
   }
 
   void take_events() {

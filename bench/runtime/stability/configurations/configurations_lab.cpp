@@ -3,6 +3,43 @@
 // docs/stability.md, on standard output.
 #include "output.hpp"
 
+namespace assur::stability {
+namespace {
+
+/// The library, and the peers of the speed chart, which complete and polish each root that they
+/// find of the same polynomial. Newton's starts know nothing of it.
+template <typename Model>
+[[nodiscard]] std::vector<ListingMethod<Model>> listing_methods() {
+  using Sample = speed::PositionSample<Model>;
+  using T = speed::Polynomial<Model>;
+  return {
+      {"generated", speed::closed_form<Model>},
+      {"companion eigenvalues",
+       [](const Sample& sample) {
+         return speed::from_roots<Model>(sample, speed::patient_effort, [](const T& t) {
+           return test::companion_roots(t, speed::nearly_real);
+         });
+       }},
+      {"half-angle polynomial",
+       [](const Sample& sample) {
+         return speed::from_roots<Model>(sample, speed::patient_effort,
+                                         [](const T& t) { return speed::half_angle_roots(t); });
+       }},
+      {"grid of 360",
+       [](const Sample& sample) {
+         return speed::from_roots<Model>(sample, speed::patient_effort,
+                                         [](const T& t) { return test::subdivision_roots(t); });
+       }},
+      {"Newton from 64 starts",
+       [](const Sample& sample) {
+         return speed::MultiStartNewton<Model>::find(sample, speed::patient_effort);
+       }},
+  };
+}
+
+}  // namespace
+}  // namespace assur::stability
+
 int main(int count, char** arguments) {
   using namespace assur::stability;
   if (count != 2) {
@@ -14,7 +51,11 @@ int main(int count, char** arguments) {
   bool is_vouched = true;
   std::apply(
       [&](auto... family) {
-        ((is_vouched = append_listing_rows<decltype(family)>(rows) && is_vouched), ...);
+        ((is_vouched =
+              append_listing_rows<decltype(family)>(
+                  listing_methods<typename decltype(family)::Model>(), rows) &&
+              is_vouched),
+         ...);
       },
       ConfigurationFamilies{});
   if (!is_vouched) {

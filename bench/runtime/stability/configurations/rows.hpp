@@ -22,37 +22,6 @@ struct ListingMethod {
   speed::Found<Model> (*list)(const speed::PositionSample<Model>&);
 };
 
-/// The library, and the peers of the speed chart, which complete and polish each root that they
-/// find of the same polynomial. Newton's starts know nothing of it.
-template <typename Model>
-[[nodiscard]] std::vector<ListingMethod<Model>> listing_methods() {
-  using Sample = speed::PositionSample<Model>;
-  using T = speed::Polynomial<Model>;
-  return {
-      {"generated", speed::closed_form<Model>},
-      {"companion eigenvalues",
-       [](const Sample& sample) {
-         return speed::from_roots<Model>(sample, speed::patient_effort, [](const T& t) {
-           return test::companion_roots(t, speed::nearly_real);
-         });
-       }},
-      {"half-angle polynomial",
-       [](const Sample& sample) {
-         return speed::from_roots<Model>(sample, speed::patient_effort,
-                                         [](const T& t) { return speed::half_angle_roots(t); });
-       }},
-      {"grid of 360",
-       [](const Sample& sample) {
-         return speed::from_roots<Model>(sample, speed::patient_effort,
-                                         [](const T& t) { return test::subdivision_roots(t); });
-       }},
-      {"Newton from 64 starts",
-       [](const Sample& sample) {
-         return speed::MultiStartNewton<Model>::find(sample, speed::patient_effort);
-       }},
-  };
-}
-
 /// One method on all members of one family at one distance.
 struct ListingRow {
   std::string family;
@@ -115,11 +84,11 @@ void tally(const speed::Found<Model>& found, const ConfigurationMember<Model>& m
   row.invented += static_cast<int>(std::count(taken.begin(), taken.end(), false));
 }
 
-/// False if the truth of some member is not vouched for.
+/// The first of the methods is the library. False if the truth of some member is not vouched for.
 template <typename Family>
-[[nodiscard]] bool append_listing_rows(std::vector<ListingRow>& rows) {
+[[nodiscard]] bool append_listing_rows(
+    const std::vector<ListingMethod<typename Family::Model>>& list, std::vector<ListingRow>& rows) {
   using Model = typename Family::Model;
-  const auto list = listing_methods<Model>();
   bool is_vouched = true;
   for (const double distance : configuration_distances()) {
     std::vector<ListingRow> of_methods(list.size());

@@ -204,7 +204,6 @@ template <typename Family>
 
 /// Members of one number at all distances come from the same random numbers. Configurations that
 /// have not run away are regular, so that what is lost is lost by the method.
-
 template <typename Family>
 [[nodiscard]] ConfigurationMember<typename Family::Model> make_configuration_member(
     int number, double distance) {

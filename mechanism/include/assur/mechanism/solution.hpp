@@ -33,9 +33,13 @@ struct Configuration {
   std::vector<SlideState> slides;
   Table<OutputIndex, Point> outputs;
   Status regularity = Status::ok;  ///< ok or near_singular
-  /// Whether velocities, accelerations and derivatives are known to two digits. Reports leave out
-  /// those that are not.
+  /// Whether derivatives to the parameters, and velocities and accelerations, are known to two
+  /// digits. Reports leave out what is not; accelerations may be NaN where velocities are known.
   bool derivatives_known = true;
+  bool rates_known = true;
+  /// At a crossing, which several motions go through: this configuration in each of them, with
+  /// rates that are known.
+  std::vector<Configuration> branches;
   double residual = 0;  ///< largest of the closures
 
   /// By name; throws MechanismError for a name that the mechanism does not have.

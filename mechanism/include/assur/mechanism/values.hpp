@@ -114,9 +114,12 @@ class Values {
  public:
   /// What solving needs of a group, in plain numbers; made with the group's geometry.
   struct GroupNumbers;
+  /// Of a group that has a normal form.
+  [[nodiscard]] const GroupNumbers& numbers_of(GroupIndex group) const {
+    return *group_numbers_[group];
+  }
 
  private:
-  friend class GroupSolver;
   Table<GroupIndex, std::shared_ptr<const GroupNumbers>> group_numbers_;
 };
 

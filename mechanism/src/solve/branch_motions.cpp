@@ -1,0 +1,280 @@
+#include "branch_motions.hpp"
+
+#include <algorithm>
+#include <assur/numeric/order.hpp>
+#include <cmath>
+
+#include "group_branches.hpp"
+#include "plan/plan_data.hpp"
+
+namespace assur::mechanism {
+
+namespace {
+
+/// How far each driver moves, from where it is.
+using DriverMotions = Table<DriverIndex, Series>;
+
+/// Walks depth first through the motions of the groups, as solving walks through configurations.
+class BranchWalk {
+ public:
+  BranchWalk(const Values& values, const PlacedLinks& placed, const Configuration& configuration,
+             const DriverMotions& drivers)
+      : drivers_(drivers),
+        values_(values),
+        structure_(values.plan().structure),
+        placed_(placed),
+        configuration_(configuration),
+        links_(structure_.linkage.links.size()) {}
+
+  std::vector<Configuration> run() {
+    move_driven_links();
+    descend(0);
+    return std::move(found_);
+  }
+
+ private:
+  void move_driven_links() {
+    links_[structure_.linkage.ground] = at_rest({0, 0, {1, 0}});
+    for (const DrivenLink& link : structure_.driven) {
+      const ElementaryJoint& joint = structure_.linkage.joints[link.joint];
+      const Series& motion = drivers_[link.driver];
+      const Series moved = joint.first == link.from ? motion : -motion;
+      // About the joint's place on the placed link, from where the moved link stands.
+      const Pose<Series> base =
+          composed(links_[link.from], at_rest(values_.frame(joint.on(link.from)).pose));
+      const Pose<Series> step = joint.prismatic ? Pose<Series>{moved, 0, {1, 0}}
+                                                : Pose<Series>{0, 0, turning({1, 0}, moved)};
+      links_[link.to] =
+          composed(composed(base, step), seen_from(base, placed_.links[link.to].pose));
+    }
+  }
+
+  /// A pose in a frame that moves, at t = 0.
+  static Pose<Series> seen_from(const Pose<Series>& frame, const Pose<double>& pose) {
+    const Direction<double> back{frame.direction.cos.value(), -frame.direction.sin.value()};
+    const double x = pose.x - frame.x.value();
+    const double y = pose.y - frame.y.value();
+    return at_rest(
+        {back.cos * x - back.sin * y, back.sin * x + back.cos * y, turned(pose.direction, back)});
+  }
+
+  void descend(std::size_t depth) {
+    if (depth == structure_.groups.size()) {
+      list();
+      return;
+    }
+    const GroupIndex group(depth);
+    const Values::GroupNumbers& numbers = values_.numbers_of(group);
+    const FlatSeries u = inputs(numbers);
+    const PlacedGroup& here = placed_.groups[group];
+    // A group behind a singular one stands as firmly as that does: it was settled to rounding.
+    const double displaced = std::isfinite(here.displaced) ? here.displaced : 0;
+    for (const GroupBranch& branch :
+         branches_through({*structure_.groups[group].model, numbers.d, u, here.q, displaced})) {
+      for (std::size_t link = 0; link < numbers.links.size(); ++link) {
+        links_[numbers.links[link]] = composed(branch.poses[link], at_rest(numbers.own[link].pose));
+      }
+      const std::size_t before = slides_.size();
+      for (const MeasuredSlide& slide : numbers.slides) {
+        const Series& moved = branch.unknowns[static_cast<std::size_t>(slide.unknown)];
+        slides_.push_back(
+            {slide.joint, slide.sense * moved.rate(), slide.sense * moved.second_rate()});
+      }
+      descend(depth + 1);
+      slides_.resize(before);
+    }
+  }
+
+  [[nodiscard]] FlatSeries inputs(const Values::GroupNumbers& numbers) const {
+    FlatSeries u;
+    auto* to = u.data();
+    for (const HeldJoint& joint : numbers.held) {
+      const Pose<Series> place =
+          composed(links_[joint.base], at_rest(values_.frame(joint.feature).pose));
+      *to++ = place.x;
+      *to++ = place.y;
+      if (joint.prismatic) {
+        *to++ = place.direction.cos;
+        *to++ = place.direction.sin;
+      }
+    }
+    return u;
+  }
+
+  void list() {
+    Configuration& result = found_.emplace_back(configuration_);
+    result.rates_known = true;
+    const Mechanism& mechanism = values_.plan().mechanism;
+    for (const LinkIndex link : mechanism.links().keys()) {
+      const Pose<Series>& pose = links_[link];
+      result.links[link].velocity << pose.x.rate(), pose.y.rate(), turning_rate(pose.direction);
+      result.links[link].acceleration << pose.x.second_rate(), pose.y.second_rate(),
+          second_turning_rate(pose.direction);
+    }
+    for (const OutputIndex output : mechanism.outputs().keys()) {
+      const FeatureIndex point = mechanism.outputs()[output].point;
+      const Pose<Series> place =
+          composed(links_[mechanism.features()[point].link], at_rest(values_.frame(point).pose));
+      result.outputs[output].velocity << place.x.rate(), place.y.rate();
+      result.outputs[output].acceleration << place.x.second_rate(), place.y.second_rate();
+    }
+    for (const MovingSlide& moving : slides_) {
+      for (SlideState& slide : result.slides) {
+        if (slide.joint == moving.joint) {
+          slide.velocity = moving.velocity;
+          slide.acceleration = moving.acceleration;
+        }
+      }
+    }
+  }
+
+  struct MovingSlide {
+    JointIndex joint;
+    double velocity, acceleration;
+  };
+
+  const DriverMotions& drivers_;
+  const Values& values_;
+  const Structure& structure_;
+  const PlacedLinks& placed_;
+  const Configuration& configuration_;
+  Table<LinkIndex, Pose<Series>> links_;
+  std::vector<MovingSlide> slides_;
+  std::vector<Configuration> found_;
+};
+
+/// Angular velocities of the links and velocities of the slides, by their names, and the
+/// accelerations: what an order of branches that does not depend on the listing can rely on.
+std::vector<double> rates_of(const Configuration& configuration, const NamedParts& parts) {
+  std::vector<double> rates;
+  std::vector<double> second_rates;
+  for (const LinkIndex link : parts.links) {
+    rates.push_back(configuration.links[link].velocity(2));
+    second_rates.push_back(configuration.links[link].acceleration(2));
+  }
+  for (const NamedSlide& named : parts.slides) {
+    for (const SlideState& slide : configuration.slides) {
+      if (slide.joint == named.joint) {
+        rates.push_back(named.sense * slide.velocity);
+        second_rates.push_back(named.sense * slide.acceleration);
+      }
+    }
+  }
+  rates.insert(rates.end(), second_rates.begin(), second_rates.end());
+  return rates;
+}
+
+/// By the first rates that differ by more than rounding.
+bool goes_before(const std::vector<double>& one, const std::vector<double>& other) {
+  constexpr double rounding = 1e-4;
+  for (std::size_t place = 0; place < one.size(); ++place) {
+    const double size = std::max(std::abs(one[place]), std::abs(other[place]));
+    if (std::abs(one[place] - other[place]) > rounding * size) {
+      return one[place] < other[place];
+    }
+  }
+  return false;
+}
+
+DriverMotions in_time(const Values& values) {
+  DriverMotions motions;
+  for (const Driver& driver : values.plan().mechanism.drivers()) {
+    Series motion;
+    motion.c[1] = values.number(driver.velocity).value();
+    motion.c[2] = values.number(driver.acceleration).value() / 2;
+    motions.add(motion);
+  }
+  return motions;
+}
+
+/// Along the parameter of a column, to first order: of the motions that go through a configuration
+/// as one parameter moves, no higher rate of that parameter changes the first rates.
+DriverMotions along_parameter(const Values& values, Eigen::Index column) {
+  DriverMotions motions;
+  for (const Driver& driver : values.plan().mechanism.drivers()) {
+    const Dual& position = values.number(driver.position);
+    Series motion;
+    motion.c[1] = position.derivatives().size() > 0 ? position.derivatives()(column) : 0;
+    motions.add(motion);
+  }
+  return motions;
+}
+
+/// Whether a parameter moves drivers alone, and neither links nor the dimensions of groups.
+bool moves_drivers_alone(const Values& values, Eigen::Index column) {
+  const PlanData& plan = values.plan();
+  for (const FeatureIndex feature : plan.mechanism.features().keys()) {
+    const auto& follows = values.frame(feature).follows.first;
+    if (follows.cols() > column && !follows.col(column).isZero(0)) {
+      return false;
+    }
+  }
+  for (const GroupIndex group : plan.structure.groups.keys()) {
+    for (const DimensionDerivative& entry : values.numbers_of(group).nonzero_of_d) {
+      if (entry.parameter == column && entry.value != 0) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// The derivatives to a parameter, from a motion along it.
+void take_derivatives(const Configuration& motion, Eigen::Index column,
+                      Configuration& configuration) {
+  const auto take = [column](const auto& from, auto& to) {
+    to.follows.first.col(column) << from.velocity;
+  };
+  for (const LinkIndex link : configuration.links.keys()) {
+    take(motion.links[link], configuration.links[link]);
+  }
+  for (const OutputIndex output : configuration.outputs.keys()) {
+    take(motion.outputs[output], configuration.outputs[output]);
+  }
+  for (std::size_t slide = 0; slide < configuration.slides.size(); ++slide) {
+    configuration.slides[slide].follows.first(column) = motion.slides[slide].velocity;
+  }
+}
+
+}  // namespace
+
+void find_derivatives(const Values& values, const PlacedLinks& placed, ParameterIndex parameter,
+                      Configuration& configuration) {
+  const std::vector<ParameterIndex>& columns = values.columns();
+  const Eigen::Index column =
+      std::find(columns.begin(), columns.end(), parameter) - columns.begin();
+  if (!moves_drivers_alone(values, column)) {
+    return;
+  }
+  const std::vector<Configuration> found =
+      BranchWalk(values, placed, configuration, along_parameter(values, column)).run();
+  if (found.size() == 1) {
+    take_derivatives(found.front(), column, configuration);
+  }
+}
+
+void find_branches(const Values& values, const PlacedLinks& placed, Configuration& configuration) {
+  std::vector<Configuration> found =
+      BranchWalk(values, placed, configuration, in_time(values)).run();
+  if (found.size() == 1) {
+    configuration = std::move(found.front());
+    return;
+  }
+  const NamedParts& parts = values.plan().named_parts;
+  std::vector<std::vector<double>> rates;
+  rates.reserve(found.size());
+  for (const Configuration& branch : found) {
+    rates.push_back(rates_of(branch, parts));
+  }
+  // What is equal but for rounding is no order that a faster sort could rely on.
+  numeric::insertion_sort(
+      found.size(),
+      [&](std::size_t one, std::size_t other) { return goes_before(rates[one], rates[other]); },
+      [&](std::size_t one, std::size_t other) {
+        std::swap(found[one], found[other]);
+        std::swap(rates[one], rates[other]);
+      });
+  configuration.branches = std::move(found);
+}
+
+}  // namespace assur::mechanism

@@ -1,0 +1,278 @@
+#include "group_branches.hpp"
+
+#include <Eigen/SVD>
+#include <cmath>
+#include <limits>
+
+namespace assur::mechanism {
+
+namespace {
+
+constexpr double undecided = std::numeric_limits<double>::quiet_NaN();
+constexpr auto highest = static_cast<Eigen::Index>(Series::order);
+/// A term this small a part of what it is the component of is zero but for rounding.
+constexpr double negligible = 1e-6;
+/// J's least singular value is known to two digits where its square is so many times the rounding
+/// of the configuration that it is computed from.
+constexpr double decisive = 1e3;
+
+/// The real roots of a c^2 + b c + constant; a double one once. What differs by less than rounding
+/// makes of numbers of this size is one.
+std::vector<double> roots_of(double a, double b, double constant, double size) {
+  const double discriminant = b * b - 4 * a * constant;
+  const double least = 1e-5 * (std::abs(b) + 2 * std::abs(a) * size);
+  if (std::abs(discriminant) <= least * least) {
+    return {0.0 - b / (2 * a)};
+  }
+  if (discriminant < 0) {
+    return {};
+  }
+  // The root that adds magnitudes, and the other from the product of both.
+  const double far = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+  return {far / a, constant / far};
+}
+
+class BranchExpansion {
+ public:
+  explicit BranchExpansion(const GroupOnTheMove& group)
+      : group_(group),
+        count_(static_cast<Eigen::Index>(group.model.unknowns.size())),
+        parts_(Eigen::MatrixXd::Zero(count_, highest + 1)) {
+    factorise();
+  }
+
+  std::vector<GroupBranch> run() {
+    const Eigen::VectorXd& values = factors_.singularValues();
+    const double noise = group_.displaced + 16 * std::numeric_limits<double>::epsilon();
+    const double least = std::sqrt(decisive * noise) * values(0);
+    if (values(count_ - 1) > least) {
+      rank_ = count_;
+      for (Eigen::Index order = 1; order <= highest; ++order) {
+        solve(order);
+      }
+      list();
+    } else if (count_ == 1 || values(count_ - 2) > least) {
+      rank_ = count_ - 1;
+      expand_singular();
+    }
+    return std::move(found_);
+  }
+
+ private:
+  /// J by one coefficient of the closures for each unknown, its columns scaled to one size.
+  void factorise() {
+    const FlatSeries still = at_rest();
+    Eigen::MatrixXd jacobian(count_, count_);
+    for (Eigen::Index column = 0; column < count_; ++column) {
+      parts_(column, 1) = 1;
+      jacobian.col(column) = closures(1, still);
+      parts_(column, 1) = 0;
+    }
+    scale_ = jacobian.cwiseAbs().colwise().maxCoeff().transpose();
+    for (Eigen::Index column = 0; column < count_; ++column) {
+      scale_(column) = scale_(column) > 0 ? 1 / scale_(column) : 1;
+    }
+    factors_.compute(jacobian * scale_.asDiagonal(), Eigen::ComputeFullU | Eigen::ComputeFullV);
+    blocked_ = factors_.matrixU().col(count_ - 1);
+    free_ = scale_.cwiseProduct(factors_.matrixV().col(count_ - 1));
+  }
+
+  [[nodiscard]] FlatSeries at_rest() const {
+    FlatSeries still;
+    for (std::size_t place = 0; place < still.size(); ++place) {
+      still[place] = group_.u[place].value();
+    }
+    return still;
+  }
+
+  [[nodiscard]] FlatSeries unknowns() const {
+    FlatSeries moving;
+    std::size_t place = 0;
+    for (Eigen::Index row = 0; row < count_; ++row) {
+      Series part = part_of(row);
+      if (group_.model.unknowns[static_cast<std::size_t>(row)].is_angle) {
+        const Direction<Series> direction = turning({group_.q[place], group_.q[place + 1]}, part);
+        moving[place++] = direction.cos;
+        moving[place++] = direction.sin;
+      } else {
+        part.c[0] = group_.q[place];
+        moving[place++] = part;
+      }
+    }
+    return moving;
+  }
+
+  [[nodiscard]] Series part_of(Eigen::Index row) const {
+    Series part;
+    for (std::size_t order = 1; order <= highest; ++order) {
+      part.c[order] = parts_(row, static_cast<Eigen::Index>(order));
+    }
+    return part;
+  }
+
+  /// The closures' coefficient of an order.
+  [[nodiscard]] Eigen::VectorXd closures(Eigen::Index order, const FlatSeries& u) const {
+    MovingGroup moving;
+    group_.model.kernel->expand(group_.d, u, unknowns(), moving);
+    Eigen::VectorXd coefficients(count_);
+    for (Eigen::Index row = 0; row < count_; ++row) {
+      coefficients(row) =
+          moving.closures[static_cast<std::size_t>(row)].c[static_cast<std::size_t>(order)];
+    }
+    return coefficients;
+  }
+  [[nodiscard]] Eigen::VectorXd closures(Eigen::Index order) const {
+    return closures(order, group_.u);
+  }
+
+  /// Sets the part of an order, shortest where J lacks a rank.
+  void solve(Eigen::Index order) {
+    parts_.col(order).setZero();
+    const Eigen::VectorXd rhs = factors_.matrixU().leftCols(rank_).transpose() * closures(order);
+    parts_.col(order) =
+        -scale_.cwiseProduct(factors_.matrixV().leftCols(rank_) *
+                             rhs.cwiseQuotient(factors_.singularValues().head(rank_)));
+  }
+
+  /// w f of an order, and whether that is zero but for rounding.
+  [[nodiscard]] bool can_close(Eigen::Index order) const {
+    const Eigen::VectorXd f = closures(order);
+    return std::abs(blocked_.dot(f)) <= negligible * size_of(order, f);
+  }
+  /// The size of the terms that a coefficient of the closures is made of.
+  [[nodiscard]] double size_of(Eigen::Index order, const Eigen::VectorXd& f) const {
+    double size = std::max(f.norm(), size_of_order(order));
+    for (const Series& input : group_.u) {
+      size = std::max(size, std::abs(input.c[static_cast<std::size_t>(order)]));
+    }
+    return size;
+  }
+  /// By how much the unknowns move at an order, and what turning at the first makes of that there,
+  /// in units of v.
+  [[nodiscard]] double size_of_order(Eigen::Index order) const {
+    double turning = 0;
+    for (Eigen::Index row = 0; row < count_; ++row) {
+      if (group_.model.unknowns[static_cast<std::size_t>(row)].is_angle) {
+        turning = std::max(turning, std::abs(parts_(row, 1)));
+      }
+    }
+    const auto moved = [this](Eigen::Index of) {
+      return parts_.col(of).cwiseQuotient(scale_).norm();
+    };
+    return std::max(moved(order), moved(1) * std::pow(turning, static_cast<double>(order - 1)));
+  }
+
+  /// The closures' coefficient at an order as a polynomial of second degree in the part of an
+  /// earlier order along v; the orders between the two follow that part.
+  struct Quadratic {
+    Eigen::VectorXd square, linear, constant;
+  };
+  [[nodiscard]] Quadratic quadratic(Eigen::Index order, Eigen::Index at, double reach) {
+    const Eigen::VectorXd least = parts_.col(order);
+    const auto left = [&](double part) {
+      parts_.col(order) = least + part * free_;
+      for (Eigen::Index between = order + 1; between < at; ++between) {
+        solve(between);
+      }
+      return closures(at);
+    };
+    const Eigen::VectorXd before = left(-reach);
+    const Eigen::VectorXd after = left(reach);
+    const Eigen::VectorXd here = left(0);
+    return {((before + after) / 2 - here) / (reach * reach), (after - before) / (2 * reach), here};
+  }
+
+  /// The parts of q_order along v with which the closures can be met at a later order.
+  [[nodiscard]] std::vector<double> free_parts(Eigen::Index order, Eigen::Index decided_by) {
+    solve(order);
+    const double start = size_of_order(order);
+    const auto component = [this](const Eigen::VectorXd& f) {
+      const double along = blocked_.dot(f);
+      return std::abs(along) > negligible * f.norm() ? along : 0.0;
+    };
+    double reach = start > 0 ? start : 1;
+    double a = 0;
+    double b = 0;
+    double constant = 0;
+    // Once to learn how large the parts are, and once with parts so large.
+    for (int time = 0; time < 2; ++time) {
+      const Quadratic f = quadratic(order, decided_by, reach);
+      a = component(f.square);
+      b = blocked_.dot(f.linear);
+      constant = blocked_.dot(f.constant);
+      const double size = std::max({start, std::sqrt(std::abs(constant / a)), std::abs(b / a)});
+      reach = std::isfinite(size) && size > 0 ? size : reach;
+    }
+    const bool decides = a != 0 && std::isfinite(a + b + constant);
+    return decides ? roots_of(a, b, constant, start) : std::vector<double>{};
+  }
+
+  void expand_singular() {
+    if (!can_close(1)) {
+      return;  // a fold
+    }
+    const std::vector<double> parts = free_parts(1, 2);
+    const Eigen::VectorXd least = parts_.col(1);
+    for (const double part : parts) {
+      parts_.setZero();
+      parts_.col(1) = least + part * free_;
+      parts.size() == 2 ? expand_crossing() : expand_double();
+    }
+  }
+
+  /// Each order is decided by the next, which is linear in its part along v.
+  void expand_crossing() {
+    for (Eigen::Index order = 2; order < highest; ++order) {
+      solve(order);
+      const double here = blocked_.dot(closures(order + 1));
+      parts_.col(order) += free_;
+      const double slope = blocked_.dot(closures(order + 1)) - here;
+      parts_.col(order) -= (1 + here / slope) * free_;
+    }
+    parts_.col(highest).setConstant(undecided);
+    list();
+  }
+
+  /// Branches that touch, or a group that is singular throughout. At a cusp, where w f_3 is not
+  /// zero, the second rates grow beyond all bounds; they are not known either where the inputs' own
+  /// orders do not reach far enough.
+  void expand_double() {
+    solve(2);
+    const bool goes_on = can_close(3) && closures(4).allFinite();
+    const std::vector<double> parts = goes_on ? free_parts(2, 4) : std::vector<double>{undecided};
+    const Eigen::VectorXd least = parts_.col(2);
+    for (const double part : parts) {
+      parts_.rightCols(highest - 1).setConstant(undecided);
+      parts_.col(2) = least + part * free_;
+      list();
+    }
+  }
+
+  void list() {
+    GroupBranch& branch = found_.emplace_back();
+    for (Eigen::Index row = 0; row < count_; ++row) {
+      branch.unknowns[static_cast<std::size_t>(row)] = part_of(row);
+    }
+    MovingGroup moving;
+    group_.model.kernel->expand(group_.d, group_.u, unknowns(), moving);
+    branch.poses = moving.poses;
+  }
+
+  const GroupOnTheMove& group_;
+  Eigen::Index count_;
+  Eigen::Index rank_ = 0;
+  Eigen::MatrixXd parts_;  ///< of the unknowns: a row each, a column for each order
+  Eigen::VectorXd scale_;  ///< of an unknown, so that it moves the closures by about one
+  Eigen::JacobiSVD<Eigen::MatrixXd> factors_;
+  Eigen::VectorXd blocked_;  ///< w
+  Eigen::VectorXd free_;     ///< v
+  std::vector<GroupBranch> found_;
+};
+
+}  // namespace
+
+std::vector<GroupBranch> branches_through(const GroupOnTheMove& group) {
+  return BranchExpansion(group).run();
+}
+
+}  // namespace assur::mechanism

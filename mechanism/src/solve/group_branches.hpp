@@ -1,0 +1,42 @@
+// Turns a group in a singular configuration among neighbours that move into the motions of its
+// branches.
+#pragma once
+
+#include <assur/mechanism/group_model.hpp>
+#include <vector>
+
+#include "models/model_kernel.hpp"
+
+namespace assur::mechanism {
+
+/// A configuration of a group whose inputs move.
+struct GroupOnTheMove {
+  const GroupModel& model;
+  const FlatVariables& d;
+  const FlatSeries& u;
+  const FlatVariables& q;
+  /// How far rounding may have moved the configuration and its neighbours, in parts of their size.
+  double displaced;
+};
+
+/// One motion through a configuration: the unknowns, angles as how far they turn, and the poses.
+struct GroupBranch {
+  std::array<Series, most_unknowns> unknowns;
+  std::array<Pose<Series>, most_links> poses;
+};
+
+/// The motions q(t) with f(q(t), d, u(t)) = 0 through a configuration, order by order:
+///
+///     J q_k = -f_k,    f_k the closures' coefficient without q_k.
+///
+/// Where J has an inverse there is one. Where it lacks one rank, with w J = 0 and J v = 0, there is
+/// none unless w f_1 = 0 (at a fold the rates grow beyond all bounds). Otherwise q_1 = p + c v with
+/// any c, and the next order decides:  w f_2(c) = A c^2 + B c + C = 0.  Two roots are the two
+/// branches of a crossing, and w f_(k + 1) = 0 is linear in the part of q_k along v. With a double
+/// root, branches touch or the group is singular throughout: then w f_4 is quadratic in that part
+/// of q_2. What the known orders do not decide is left NaN in the series.
+///
+/// None as well where J lacks more than one rank, and where rounding does not tell.
+[[nodiscard]] std::vector<GroupBranch> branches_through(const GroupOnTheMove& group);
+
+}  // namespace assur::mechanism
