@@ -56,8 +56,15 @@ class ModelFunctions {
     fetch(query.input_second_rate, u_second_rate);
     const bool moves = is_finite(u_rate) && is_finite(u_second_rate);
     const support::DisplacedGroup<Model> among(d, u, query.displaced);
-    const Regularity<double> standing = among.regularity(d, u, q);
+    Regularity<double> standing = among.regularity(d, u, q);
     const bool solvable = is_solvable(standing.status);
+    Matrix<double, Model::unknown_count, Model::equation_count> inverse;
+    if (solvable) {
+      Model::inverse_jacobian(d, u, q, inverse);
+      standing = among.regularity(d, u, q, inverse);
+    } else {
+      forget(inverse);
+    }
     motion.derivatives_known = standing.error < two_digits;
     Vector<double, Model::unknown_count> q_rate;
     Vector<double, Model::unknown_count> q_second_rate;
@@ -77,12 +84,6 @@ class ModelFunctions {
       forget(q_u);
     }
     motion.regularity = moves && standing.status == Status::ok ? Status::ok : Status::near_singular;
-    Matrix<double, Model::unknown_count, Model::equation_count> inverse;
-    if (solvable) {
-      Model::inverse_jacobian(d, u, q, inverse);
-    } else {
-      forget(inverse);
-    }
     motion.displaced = among.displaced(inverse);
 
     Matrix<double, Model::link_count, 3> velocities;

@@ -104,7 +104,7 @@ void GroupSolver::place(std::size_t configuration, std::size_t first_slide, Plac
   }
   place_links(placed);
   place_slides(q, first_slide, placed);
-  if (found_.regularity[configuration] != Status::ok || motion_.regularity != Status::ok) {
+  if (motion_.regularity != Status::ok) {
     placed.regularity = Status::near_singular;
   }
   placed.derivatives_known = placed.derivatives_known && motion_.derivatives_known;
