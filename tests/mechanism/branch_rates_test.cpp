@@ -75,9 +75,9 @@ double miss(const Motion& motion, const Motion& before, const Motion& after, dou
   return largest;
 }
 
-class Meetings : public testing::TestWithParam<Meeting> {};
+class EveryMeeting : public testing::TestWithParam<Meeting> {};
 
-TEST_P(Meetings, HaveTheRatesOfTheirBranches) {
+TEST_P(EveryMeeting, HaveTheRatesOfTheirBranches) {
   const Meeting& meeting = GetParam();
   constexpr double h = 2e-4;
   std::vector<std::vector<double>> first;
@@ -251,7 +251,7 @@ Meeting stretched_throughout() {
   return {"stretched_throughout", maker, 2, 1, 1};
 }
 
-INSTANTIATE_TEST_SUITE_P(Everywhere, Meetings,
+INSTANTIATE_TEST_SUITE_P(Everywhere, EveryMeeting,
                          testing::Values(flat(2, 3, 2, 3, "0", 1, 0), flat(2, 3, 2, 3, "pi", 2, 1),
                                          flat(3, 2, 3, 2, "0", -1, 2), flat(3, 2, 3, 2, "pi", 1, 1),
                                          flat(2, 4, 5, 3, "0", 1, -3),
@@ -263,6 +263,67 @@ INSTANTIATE_TEST_SUITE_P(Everywhere, Meetings,
                                          three_parallel_legs(2, 3), two_in_a_row(),
                                          stretched_throughout()),
                          [](const auto& meeting) { return meeting.param.name; });
+
+/// The angular accelerations of the rocker in all motions through the one configuration there is.
+std::vector<double> rocker_accelerations(const SceneMaker& scene) {
+  const Solved solved(mechanism::parse_scene(scene.scene().dump(), "scene"));
+  std::vector<double> result;
+  for (const Configuration& branch : solved.configurations().at(0).branches) {
+    result.push_back(branch.link("rocker").acceleration(2));
+  }
+  return result;
+}
+
+/// A crank at rest that is accelerated does to the rocker in each motion what its turning would.
+TEST(Meetings, AreLeftFromRestAsTheyArePassed) {
+  const std::vector<double> found = rocker_accelerations(four_bar(2, 1, 2, 1, "pi", 0, 1));
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_NEAR(found[0] + found[1], 4.0 / 3, 1e-9);
+  EXPECT_NEAR(found[0] * found[1], 1.0 / 3, 1e-9);
+}
+
+/// Neither the unit of length nor the speed changes how many digits are known.
+TEST(Meetings, DoNotDependOnUnits) {
+  const std::vector<double> truth = rocker_accelerations(four_bar(2, 5, 4, 3, "0", 1, -3));
+  ASSERT_EQ(truth.size(), 2U);
+  for (const int exponent : {-300, -100, 100, 300}) {
+    const double unit = std::ldexp(1.0, exponent);
+    const std::vector<double> found =
+        rocker_accelerations(four_bar(2 * unit, 5 * unit, 4 * unit, 3 * unit, "0", 1, -3));
+    ASSERT_EQ(found.size(), 2U) << exponent;
+    EXPECT_NEAR(found[0], truth[0], 1e-9) << exponent;
+    EXPECT_NEAR(found[1], truth[1], 1e-9) << exponent;
+  }
+  for (const double speed : {1e-12, 1e-6, 1e6, 1e12}) {
+    const std::vector<double> found =
+        rocker_accelerations(four_bar(2, 5, 4, 3, "0", speed, -3 * speed * speed));
+    ASSERT_EQ(found.size(), 2U) << speed;
+    EXPECT_NEAR(found[0] / (speed * speed), truth[0], 1e-9) << speed;
+    EXPECT_NEAR(found[1] / (speed * speed), truth[1], 1e-9) << speed;
+  }
+}
+
+/// Beside a crossing, at a distance s, velocities lose 1 / s^2 and accelerations 1 / s^3: what is
+/// not known to two digits is not told. The truth changes little from the crossing on.
+TEST(Meetings, BesideThemNothingIsToldThatIsNotKnown) {
+  for (const double beside : {1e-3, 1e-4, 1e-5, 3e-6, 1e-6, 3e-7, 1e-7, 1e-8}) {
+    SceneMaker scene = four_bar(4, 5, 3, 6, "0", -1, 0);
+    scene.parameter("phi", beside);
+    const Solved solved(mechanism::parse_scene(scene.scene().dump(), "scene"));
+    for (const Configuration& configuration : solved.configurations()) {
+      std::vector<Configuration> known = configuration.branches;
+      if (configuration.rates_known) {
+        known.push_back(configuration);
+      }
+      for (const Configuration& motion : known) {
+        const double omega = motion.link("rocker").velocity(2);
+        const double alpha = motion.link("rocker").acceleration(2);
+        EXPECT_LT(std::min(std::abs(omega + 1.16228), std::abs(omega - 5.16228)), 0.05) << beside;
+        EXPECT_FALSE(std::abs(alpha) > 0.2) << beside << ": " << alpha;
+      }
+    }
+  }
+}
 
 }  // namespace
 }  // namespace assur::test

@@ -73,6 +73,10 @@ class ModelFunctions {
     if (solvable) {
       Model::motion(d, u, q, u_rate, u_second_rate, q_rate, q_second_rate);
     }
+    motion.second_rates_known =
+        motion.derivatives_known &&
+        (standing.status == Status::ok || !solvable ||
+         among.second_rate_error(inverse, q_rate, q_second_rate) * standing.error < two_digits);
     if (!solvable || !moves) {
       forget(q_rate);
       forget(q_second_rate);

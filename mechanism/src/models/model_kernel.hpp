@@ -44,10 +44,11 @@ struct MotionQuery {
 /// One configuration of a group: rows in the order of the model's tables, poses (x, y, theta) link
 /// by link. Where the Jacobian has no inverse, rates and derivatives are NaN.
 struct GroupMotion {
-  double residual;         ///< largest of the closures
-  Status regularity;       ///< ok or near_singular
-  bool derivatives_known;  ///< to two digits at least
-  double displaced;        ///< how far rounding may have moved neighbours and links
+  double residual;          ///< largest of the closures
+  Status regularity;        ///< ok or near_singular
+  bool derivatives_known;   ///< to two digits at least
+  bool second_rates_known;  ///< likewise
+  double displaced;         ///< how far rounding may have moved neighbours and links
   std::array<Pose<double>, most_links> poses;
   SmallVector rate, second_rate;          ///< of the unknowns
   SmallMatrix velocities, accelerations;  ///< a row (x, y, theta) per link

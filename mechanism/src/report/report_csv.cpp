@@ -45,7 +45,7 @@ void add_numbers(bool wanted, const Vector& numbers, std::string& row) {
 /// Adds the cells of a configuration, each with a comma ahead.
 void add_cells(const Plan& plan, const Spread& spread, const Configuration& configuration,
                std::string& row) {
-  if (!configuration.derivatives_known) {
+  if (!configuration.derivatives_known || !configuration.rates_known) {
     add_cells(plan, spread, without_derivatives(plan, configuration), row);
     return;
   }

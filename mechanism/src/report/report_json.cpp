@@ -116,7 +116,7 @@ Json parts_json(const Configuration& configuration, const Report& report, const 
 }
 
 Json configuration_json(const Configuration& configuration, const Report& report) {
-  if (!configuration.derivatives_known) {
+  if (!configuration.derivatives_known || !configuration.rates_known) {
     return configuration_json(without_derivatives(report.plan, configuration), report);
   }
   const Want& want = report.plan.request().want;

@@ -36,13 +36,14 @@ namespace assur::mechanism {
 [[nodiscard]] inline Configuration without_derivatives(const Plan& plan,
                                                        Configuration configuration) {
   const double unknown = std::numeric_limits<double>::quiet_NaN();
-  const bool rates_known = configuration.rates_known;
+  const double of_rates = configuration.rates_known ? 1 : unknown;
+  const double of_derivatives = configuration.derivatives_known ? 1 : unknown;
   const auto forget = [=](auto& item) {
-    item.velocity *= rates_known ? 1 : unknown;
-    item.acceleration *= rates_known ? 1 : unknown;
-    item.follows.first *= unknown;
+    item.velocity *= of_rates;
+    item.acceleration *= of_rates;
+    item.follows.first *= of_derivatives;
     for (auto& second : item.follows.second) {
-      second *= unknown;
+      second *= of_derivatives;
     }
   };
   const Mechanism& mechanism = plan.mechanism();

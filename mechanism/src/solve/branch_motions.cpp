@@ -1,8 +1,10 @@
 #include "branch_motions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <assur/numeric/order.hpp>
 #include <cmath>
+#include <limits>
 
 #include "group_branches.hpp"
 #include "plan/plan_data.hpp"
@@ -143,37 +145,69 @@ class BranchWalk {
   std::vector<Configuration> found_;
 };
 
-/// Angular velocities of the links and velocities of the slides, by their names, and the
-/// accelerations: what an order of branches that does not depend on the listing can rely on.
-std::vector<double> rates_of(const Configuration& configuration, const NamedParts& parts) {
-  std::vector<double> rates;
-  std::vector<double> second_rates;
+/// What an order of branches that does not depend on the listing can rely on, by the names of links
+/// and slides: angular velocities, velocities of slides, and their accelerations.
+using Rates = std::array<std::vector<double>, 4>;
+
+Rates rates_of(const Configuration& configuration, const NamedParts& parts) {
+  Rates rates;
   for (const LinkIndex link : parts.links) {
-    rates.push_back(configuration.links[link].velocity(2));
-    second_rates.push_back(configuration.links[link].acceleration(2));
+    rates[0].push_back(configuration.links[link].velocity(2));
+    rates[2].push_back(configuration.links[link].acceleration(2));
   }
   for (const NamedSlide& named : parts.slides) {
     for (const SlideState& slide : configuration.slides) {
       if (slide.joint == named.joint) {
-        rates.push_back(named.sense * slide.velocity);
-        second_rates.push_back(named.sense * slide.acceleration);
+        rates[1].push_back(named.sense * slide.velocity);
+        rates[3].push_back(named.sense * slide.acceleration);
       }
     }
   }
-  rates.insert(rates.end(), second_rates.begin(), second_rates.end());
   return rates;
 }
 
-/// By the first rates that differ by more than rounding.
-bool goes_before(const std::vector<double>& one, const std::vector<double>& other) {
+/// By the first rates that differ by more than rounding leaves of the largest.
+bool goes_before(const Rates& one, const Rates& other) {
   constexpr double rounding = 1e-4;
-  for (std::size_t place = 0; place < one.size(); ++place) {
-    const double size = std::max(std::abs(one[place]), std::abs(other[place]));
-    if (std::abs(one[place] - other[place]) > rounding * size) {
-      return one[place] < other[place];
+  for (std::size_t kind = 0; kind < one.size(); ++kind) {
+    double largest = 0;
+    for (const std::vector<double>* of : {&one[kind], &other[kind]}) {
+      for (const double rate : *of) {
+        largest = std::max(largest, std::abs(rate));
+      }
+    }
+    for (std::size_t place = 0; place < one[kind].size(); ++place) {
+      const double difference = one[kind][place] - other[kind][place];
+      if (std::abs(difference) > rounding * largest) {
+        return difference < 0;
+      }
     }
   }
   return false;
+}
+
+/// Where the first order determines velocities to two digits, but not what follows from it.
+void forget_accelerations(const PlanData& plan, Configuration& configuration) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const Table<LinkIndex, bool> is_driven = plan.structure.placed_by_drivers();
+  for (const LinkIndex link : configuration.links.keys()) {
+    if (!is_driven[link]) {
+      configuration.links[link].acceleration.setConstant(unknown);
+    }
+  }
+  for (const OutputIndex output : configuration.outputs.keys()) {
+    if (!is_driven[plan.mechanism.features()[plan.mechanism.outputs()[output].point].link]) {
+      configuration.outputs[output].acceleration.setConstant(unknown);
+    }
+  }
+  for (SlideState& slide : configuration.slides) {
+    const auto& drivers = plan.mechanism.drivers();
+    if (std::none_of(drivers.begin(), drivers.end(),
+                     [&](const Driver& driver) { return driver.joint == slide.joint; })) {
+      slide.acceleration = unknown;
+    }
+  }
+  configuration.rates_known = true;
 }
 
 DriverMotions in_time(const Values& values) {
@@ -260,8 +294,12 @@ void find_branches(const Values& values, const PlacedLinks& placed, Configuratio
     configuration = std::move(found.front());
     return;
   }
+  if (found.empty() && configuration.derivatives_known) {
+    forget_accelerations(values.plan(), configuration);
+    return;
+  }
   const NamedParts& parts = values.plan().named_parts;
-  std::vector<std::vector<double>> rates;
+  std::vector<Rates> rates;
   rates.reserve(found.size());
   for (const Configuration& branch : found) {
     rates.push_back(rates_of(branch, parts));

@@ -12,15 +12,19 @@ constexpr double undecided = std::numeric_limits<double>::quiet_NaN();
 constexpr auto highest = static_cast<Eigen::Index>(Series::order);
 /// A term this small a part of what it is the component of is zero but for rounding.
 constexpr double negligible = 1e-6;
-/// J's least singular value is known to two digits where its square is so many times the rounding
-/// of the configuration that it is computed from.
-constexpr double decisive = 1e3;
+/// Rounding by `noise` moves a configuration by noise / s, s the least singular value of J to its
+/// largest. Rates are known to two digits where noise / s^2 is at most this, second rates where
+/// noise / s^3 is.
+constexpr double two_digits_lost = 1e-3;
+/// Configurations that meet are listed as one where rounding does not tell them apart; then s^2 is
+/// at most this part of the noise.
+constexpr double met = 0.1;
 
-/// The real roots of a c^2 + b c + constant; a double one once. What differs by less than rounding
-/// makes of numbers of this size is one.
-std::vector<double> roots_of(double a, double b, double constant, double size) {
+/// The real roots of a c^2 + b c + constant; a double one once. Roots that differ by less than
+/// `rounding` are one.
+std::vector<double> roots_of(double a, double b, double constant, double rounding) {
   const double discriminant = b * b - 4 * a * constant;
-  const double least = 1e-5 * (std::abs(b) + 2 * std::abs(a) * size);
+  const double least = std::abs(a) * rounding;
   if (std::abs(discriminant) <= least * least) {
     return {0.0 - b / (2 * a)};
   }
@@ -44,14 +48,19 @@ class BranchExpansion {
   std::vector<GroupBranch> run() {
     const Eigen::VectorXd& values = factors_.singularValues();
     const double noise = group_.displaced + 16 * std::numeric_limits<double>::epsilon();
-    const double least = std::sqrt(decisive * noise) * values(0);
-    if (values(count_ - 1) > least) {
+    const auto firmness = [&](Eigen::Index place) { return values(place) / values(0); };
+    const double last = firmness(count_ - 1);
+    const double least = std::sqrt(noise / two_digits_lost);
+    if (last > least) {
       rank_ = count_;
       for (Eigen::Index order = 1; order <= highest; ++order) {
         solve(order);
       }
+      if (!(noise / (last * last * last) < two_digits_lost)) {
+        parts_.rightCols(highest - 1).setConstant(undecided);
+      }
       list();
-    } else if (count_ == 1 || values(count_ - 2) > least) {
+    } else if (last * last < met * noise && (count_ == 1 || firmness(count_ - 2) > least)) {
       rank_ = count_ - 1;
       expand_singular();
     }
@@ -139,11 +148,18 @@ class BranchExpansion {
     const Eigen::VectorXd f = closures(order);
     return std::abs(blocked_.dot(f)) <= negligible * size_of(order, f);
   }
-  /// The size of the terms that a coefficient of the closures is made of.
+  /// The size of the terms that a coefficient of the closures is made of: of each input that moves
+  /// alone, and of the unknowns.
   [[nodiscard]] double size_of(Eigen::Index order, const Eigen::VectorXd& f) const {
     double size = std::max(f.norm(), size_of_order(order));
-    for (const Series& input : group_.u) {
-      size = std::max(size, std::abs(input.c[static_cast<std::size_t>(order)]));
+    const FlatSeries still = at_rest();
+    const Eigen::VectorXd of_unknowns = closures(order, still);
+    for (std::size_t place = 0; place < still.size(); ++place) {
+      if (group_.u[place].c[static_cast<std::size_t>(order)] != 0) {
+        FlatSeries one_moves = still;
+        one_moves[place] = group_.u[place];
+        size = std::max(size, (closures(order, one_moves) - of_unknowns).norm());
+      }
     }
     return size;
   }
@@ -191,6 +207,7 @@ class BranchExpansion {
       return std::abs(along) > negligible * f.norm() ? along : 0.0;
     };
     double reach = start > 0 ? start : 1;
+    double rounding = 0;
     double a = 0;
     double b = 0;
     double constant = 0;
@@ -200,11 +217,14 @@ class BranchExpansion {
       a = component(f.square);
       b = blocked_.dot(f.linear);
       constant = blocked_.dot(f.constant);
+      const double terms = size_of(decided_by, f.constant);
+      constant = std::abs(constant) > 1e-12 * terms ? constant : 0.0;
+      rounding = 1e-2 * start + 2e-6 * std::sqrt(terms / std::abs(a));
       const double size = std::max({start, std::sqrt(std::abs(constant / a)), std::abs(b / a)});
       reach = std::isfinite(size) && size > 0 ? size : reach;
     }
     const bool decides = a != 0 && std::isfinite(a + b + constant);
-    return decides ? roots_of(a, b, constant, start) : std::vector<double>{};
+    return decides ? roots_of(a, b, constant, rounding) : std::vector<double>{};
   }
 
   void expand_singular() {
@@ -224,10 +244,13 @@ class BranchExpansion {
   void expand_crossing() {
     for (Eigen::Index order = 2; order < highest; ++order) {
       solve(order);
+      const Eigen::VectorXd least = parts_.col(order);
+      const double size = size_of_order(order);
+      const double step = size > 0 ? size : 1;
       const double here = blocked_.dot(closures(order + 1));
-      parts_.col(order) += free_;
-      const double slope = blocked_.dot(closures(order + 1)) - here;
-      parts_.col(order) -= (1 + here / slope) * free_;
+      parts_.col(order) = least + step * free_;
+      const double there = blocked_.dot(closures(order + 1));
+      parts_.col(order) = least - here / (there - here) * step * free_;
     }
     parts_.col(highest).setConstant(undecided);
     list();
@@ -263,7 +286,7 @@ class BranchExpansion {
   Eigen::Index rank_ = 0;
   Eigen::MatrixXd parts_;  ///< of the unknowns: a row each, a column for each order
   Eigen::VectorXd scale_;  ///< of an unknown, so that it moves the closures by about one
-  Eigen::JacobiSVD<Eigen::MatrixXd> factors_;
+  Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> factors_;
   Eigen::VectorXd blocked_;  ///< w
   Eigen::VectorXd free_;     ///< v
   std::vector<GroupBranch> found_;

@@ -108,6 +108,7 @@ void GroupSolver::place(std::size_t configuration, std::size_t first_slide, Plac
     placed.regularity = Status::near_singular;
   }
   placed.derivatives_known = placed.derivatives_known && motion_.derivatives_known;
+  placed.rates_known = placed.rates_known && motion_.second_rates_known;
   placed.residual = std::max(placed.residual, motion_.residual);
   placed.displaced = motion_.displaced;
 }

@@ -23,6 +23,7 @@ struct PlacedLinks {
   Table<GroupIndex, PlacedGroup> groups;
   Status regularity = Status::ok;
   bool derivatives_known = true;
+  bool rates_known = true;
   double residual = 0;
   double displaced = 0;  ///< how far rounding may have moved the links
 };

@@ -121,11 +121,13 @@ class MechanismSolver {
     const double residual = placed_.residual;
     const double displaced = placed_.displaced;
     const bool derivatives_known = placed_.derivatives_known;
+    const bool rates_known = placed_.rates_known;
     for (std::size_t index = 0; index < found.count; ++index) {
       placed_.regularity = regularity;
       placed_.residual = residual;
       placed_.displaced = displaced;
       placed_.derivatives_known = derivatives_known;
+      placed_.rates_known = rates_known;
       placed_.groups[group] = {found.configurations[index], displaced};
       solver->place(index, first_slide_[group], placed_);
       descend(depth + 1);
@@ -186,10 +188,9 @@ class MechanismSolver {
   void list() {
     Configuration& result = solution_.configurations.emplace_back();
     const Mechanism& mechanism = plan_->mechanism;
-    result.links.resize(mechanism.links().size());
-    for (const LinkIndex link : mechanism.links().keys()) {
-      result.links[link] = placed_.links[link];
-    }
+    const auto links = placed_.links.begin();
+    result.links = Table<LinkIndex, Frame>(
+        std::vector<Frame>(links, links + static_cast<std::ptrdiff_t>(mechanism.links().size())));
     result.slides = placed_.slides;
     result.outputs.resize(mechanism.outputs().size());
     for (const OutputIndex output : mechanism.outputs().keys()) {
@@ -199,7 +200,7 @@ class MechanismSolver {
     }
     result.regularity = placed_.regularity;
     result.derivatives_known = placed_.derivatives_known;
-    result.rates_known = placed_.derivatives_known;
+    result.rates_known = placed_.rates_known;
     result.residual = placed_.residual;
     result.plan = plan_;
     const Want& want = plan_->request.want;

@@ -74,6 +74,17 @@ class DisplacedGroup {
     return result;
   }
 
+  /// By how much more than rates second rates are in error: J q'' = -H(q', q') - ..., in which an
+  /// error of q' weighs 1 / s, s how firmly J holds. Near a fold q'' is as large; at a crossing it
+  /// is not.
+  [[nodiscard]] double second_rate_error(const Inverse& J_inverse, const Unknowns& rate,
+                                         const Unknowns& second_rate) const {
+    const double speed = norm(rate) * norm(rate) / size_;
+    const double firm = std::max(norm(loosest(J_inverse, false)), norm(loosest(J_inverse, true)));
+    const double size = std::max(norm(second_rate), speed);
+    return size > 0 ? std::max(1.0, firm * speed / size) : 1.0;
+  }
+
   /// How far the group's own points may be off: both ends of a closure move, its own rounding is
   /// added, J^-1 makes of it turns and slides, and a turn moves points by the group's size.
   [[nodiscard]] double displaced(const Inverse& J_inverse) const {
