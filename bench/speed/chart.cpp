@@ -1,6 +1,7 @@
 #include "chart.hpp"
 
 #include <array>
+#include <stdexcept>
 #include <string_view>
 
 namespace assur::speed {
@@ -14,11 +15,13 @@ struct Naming {
   int family;
   std::string_view label;
 };
-constexpr std::array<Naming, 22> namings = {{
+constexpr std::array<Naming, 24> namings = {{
     {"generated, the nearest of all configurations", 1, "nearest of all"},
     {"generated, Newton from the neighbour", 1, "Newton, generated"},
     {"generated, ", 1, ""},
     {"generated", 1, "generated"},
+    {"emitted", 1, "emitted"},
+    {"assur solve", 1, "assur solve"},
     {"Eigen", 2, "Eigen"},
     {"Newton", 2, "Newton"},
     {"64-start", 2, "64-start"},
@@ -44,7 +47,10 @@ const Naming& naming_of(const std::string& method) {
   const auto* found = std::find_if(namings.begin(), namings.end(), [&](const Naming& naming) {
     return method.compare(0, naming.begins.size(), naming.begins) == 0;
   });
-  return found == namings.end() ? namings.back() : *found;
+  if (found == namings.end()) {
+    throw std::logic_error("the chart knows no family of the method " + method);
+  }
+  return *found;
 }
 
 /// Empty where the marker tells enough: float and long double, and all but one step of differences.
