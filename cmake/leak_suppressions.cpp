@@ -1,12 +1,13 @@
-// Linked into every program of a build with AddressSanitizer: the leaks that are not ours.
+// Linked into every program of a build with AddressSanitizer: the leaks that are not ours. Weak,
+// for libraries that are compiled as one file carry it too.
 
 // CLN never frees the 26 bytes that its static cl_prin_globals_init_helper allocates on loading.
 // GiNaC loses a power that it has just allocated when the power divides by zero and throws.
 // NOLINTNEXTLINE(bugprone-reserved-identifier): the name that LeakSanitizer looks for
-extern "C" const char* __lsan_default_suppressions() {
+extern "C" [[gnu::weak]] const char* __lsan_default_suppressions() {
   return "leak:libcln.so\nleak:GiNaC::mul::combine_ex_with_coeff_to_pair\n";
 }
 
 // Tests read what a program prints, so no word about a suppression.
 // NOLINTNEXTLINE(bugprone-reserved-identifier): as above
-extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
+extern "C" [[gnu::weak]] const char* __lsan_default_options() { return "print_suppressions=0"; }

@@ -36,19 +36,19 @@ struct GroupAssemblies {
 
 /// What is asked of one configuration, and how the group's neighbours move.
 struct MotionQuery {
-  bool derivatives;  ///< to dimensions and inputs
+  bool derivatives = false;  ///< to dimensions and inputs
   SmallVector input_rate, input_second_rate;
-  double displaced;  ///< how far rounding may have moved the neighbours
+  double displaced = 0;  ///< how far rounding may have moved the neighbours
 };
 
 /// One configuration of a group: rows in the order of the model's tables, poses (x, y, theta) link
 /// by link. Where the Jacobian has no inverse, rates and derivatives are NaN.
 struct GroupMotion {
-  double residual;          ///< largest of the closures
-  Status regularity;        ///< ok or near_singular
-  bool derivatives_known;   ///< to two digits at least
-  bool second_rates_known;  ///< likewise
-  double displaced;         ///< how far rounding may have moved neighbours and links
+  double residual = 0;                        ///< largest of the closures
+  Status regularity = Status::near_singular;  ///< ok or near_singular
+  bool derivatives_known = false;             ///< to two digits at least
+  bool second_rates_known = false;            ///< likewise
+  double displaced = 0;  ///< how far rounding may have moved neighbours and links
   std::array<Pose<double>, most_links> poses;
   SmallVector rate, second_rate;          ///< of the unknowns
   SmallMatrix velocities, accelerations;  ///< a row (x, y, theta) per link
