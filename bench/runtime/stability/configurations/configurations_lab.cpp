@@ -51,10 +51,9 @@ int main(int count, char** arguments) {
   bool is_vouched = true;
   std::apply(
       [&](auto... family) {
-        ((is_vouched =
-              append_listing_rows<decltype(family)>(
-                  listing_methods<typename decltype(family)::Model>(), rows) &&
-              is_vouched),
+        ((is_vouched = append_listing_rows<decltype(family)>(
+                           listing_methods<typename decltype(family)::Model>(), rows) &&
+                       is_vouched),
          ...);
       },
       ConfigurationFamilies{});
