@@ -75,7 +75,7 @@ class ModelFunctions {
     }
     motion.second_rates_known =
         motion.derivatives_known &&
-        (standing.status == Status::ok || !solvable ||
+        (standing.status == Status::ok ||
          among.second_rate_error(inverse, q_rate, q_second_rate) * standing.error < two_digits);
     if (!solvable || !moves) {
       forget(q_rate);

@@ -1,7 +1,7 @@
 // Turns the states of a solution into the words that every report uses.
 #pragma once
 
-#include <algorithm>
+#include <assur/mechanism/followed_parts.hpp>
 #include <assur/mechanism/report.hpp>
 #include <assur/variables.hpp>
 #include <limits>
@@ -46,25 +46,7 @@ namespace assur::mechanism {
       second *= of_derivatives;
     }
   };
-  const Mechanism& mechanism = plan.mechanism();
-  const Table<LinkIndex, bool> is_driven = plan.structure().placed_by_drivers();
-  for (const LinkIndex link : configuration.links.keys()) {
-    if (!is_driven[link]) {
-      forget(configuration.links[link]);
-    }
-  }
-  for (const OutputIndex output : configuration.outputs.keys()) {
-    if (!is_driven[mechanism.features()[mechanism.outputs()[output].point].link]) {
-      forget(configuration.outputs[output]);
-    }
-  }
-  for (SlideState& slide : configuration.slides) {
-    const auto& drivers = mechanism.drivers();
-    if (std::none_of(drivers.begin(), drivers.end(),
-                     [&](const Driver& driver) { return driver.joint == slide.joint; })) {
-      forget(slide);
-    }
-  }
+  for_each_followed(plan.mechanism(), plan.structure(), configuration, forget);
   configuration.derivatives_known = true;
   configuration.rates_known = true;
   return configuration;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <assur/mechanism/followed_parts.hpp>
 #include <assur/numeric/order.hpp>
 #include <cmath>
 #include <limits>
@@ -188,25 +189,9 @@ bool goes_before(const Rates& one, const Rates& other) {
 
 /// Where the first order determines velocities to two digits, but not what follows from it.
 void forget_accelerations(const PlanData& plan, Configuration& configuration) {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  const Table<LinkIndex, bool> is_driven = plan.structure.placed_by_drivers();
-  for (const LinkIndex link : configuration.links.keys()) {
-    if (!is_driven[link]) {
-      configuration.links[link].acceleration.setConstant(unknown);
-    }
-  }
-  for (const OutputIndex output : configuration.outputs.keys()) {
-    if (!is_driven[plan.mechanism.features()[plan.mechanism.outputs()[output].point].link]) {
-      configuration.outputs[output].acceleration.setConstant(unknown);
-    }
-  }
-  for (SlideState& slide : configuration.slides) {
-    const auto& drivers = plan.mechanism.drivers();
-    if (std::none_of(drivers.begin(), drivers.end(),
-                     [&](const Driver& driver) { return driver.joint == slide.joint; })) {
-      slide.acceleration = unknown;
-    }
-  }
+  for_each_followed(plan.mechanism, plan.structure, configuration, [](auto& part) {
+    part.acceleration *= std::numeric_limits<double>::quiet_NaN();
+  });
   configuration.rates_known = true;
 }
 
@@ -274,9 +259,7 @@ void take_derivatives(const Configuration& motion, Eigen::Index column,
 
 void find_derivatives(const Values& values, const PlacedLinks& placed, ParameterIndex parameter,
                       Configuration& configuration) {
-  const std::vector<ParameterIndex>& columns = values.columns();
-  const Eigen::Index column =
-      std::find(columns.begin(), columns.end(), parameter) - columns.begin();
+  const Eigen::Index column = values.plan().evaluation.column_of[parameter];
   if (!moves_drivers_alone(values, column)) {
     return;
   }
