@@ -56,16 +56,16 @@ class ModelFunctions {
     fetch(query.input_second_rate, u_second_rate);
     const bool moves = is_finite(u_rate) && is_finite(u_second_rate);
     const support::DisplacedGroup<Model> among(d, u, query.displaced);
-    Regularity<double> standing = among.regularity(d, u, q);
-    const bool solvable = is_solvable(standing.status);
+    motion.standing = among.regularity(d, u, q);
+    motion.size = among.size();
+    motion.held = among.held();
+    const bool solvable = is_solvable(motion.standing.status);
     Matrix<double, Model::unknown_count, Model::equation_count> inverse;
     if (solvable) {
       Model::inverse_jacobian(d, u, q, inverse);
-      standing = among.regularity(d, u, q, inverse);
     } else {
       forget(inverse);
     }
-    motion.derivatives_known = standing.error < two_digits;
     Vector<double, Model::unknown_count> q_rate;
     Vector<double, Model::unknown_count> q_second_rate;
     Matrix<double, Model::unknown_count, Model::dimension_count> q_d;
@@ -73,10 +73,6 @@ class ModelFunctions {
     if (solvable) {
       Model::motion(d, u, q, u_rate, u_second_rate, q_rate, q_second_rate);
     }
-    motion.second_rates_known =
-        motion.derivatives_known &&
-        (standing.status == Status::ok ||
-         among.second_rate_error(inverse, q_rate, q_second_rate) * standing.error < two_digits);
     if (!solvable || !moves) {
       forget(q_rate);
       forget(q_second_rate);
@@ -87,13 +83,13 @@ class ModelFunctions {
       forget(q_d);
       forget(q_u);
     }
-    motion.regularity = moves && standing.status == Status::ok ? Status::ok : Status::near_singular;
     motion.displaced = among.displaced(inverse);
 
     Matrix<double, Model::link_count, 3> velocities;
     Matrix<double, Model::link_count, 3> accelerations;
     Model::link_velocities(d, u, q, q_rate, u_rate, velocities);
     Model::link_accelerations(d, u, q, q_rate, q_second_rate, u_rate, u_second_rate, accelerations);
+    store(inverse, motion.inverse);
     store(q_rate, motion.rate);
     store(q_second_rate, motion.second_rate);
     store(velocities, motion.velocities);
@@ -103,7 +99,6 @@ class ModelFunctions {
       Matrix<double, 3 * Model::link_count, Model::dimension_count> p_d;
       Matrix<double, 3 * Model::link_count, Model::input_count> p_u;
       Model::pose_jacobians(d, u, q, p_q, p_d, p_u);
-      store(inverse, motion.inverse);
       store(q_d, motion.q_d);
       store(q_u, motion.q_u);
       store(p_q, motion.p_q);

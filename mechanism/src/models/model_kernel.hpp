@@ -44,11 +44,11 @@ struct MotionQuery {
 /// One configuration of a group: rows in the order of the model's tables, poses (x, y, theta) link
 /// by link. Where the Jacobian has no inverse, rates and derivatives are NaN.
 struct GroupMotion {
-  double residual = 0;                        ///< largest of the closures
-  Status regularity = Status::near_singular;  ///< ok or near_singular
-  bool derivatives_known = false;             ///< to two digits at least
-  bool second_rates_known = false;            ///< likewise
-  double displaced = 0;  ///< how far rounding may have moved neighbours and links
+  double residual = 0;          ///< largest of the closures
+  Regularity<double> standing;  ///< by the pivots alone
+  double size = 0;              ///< what one radian moves points by
+  double held = 0;              ///< how far rounding may have moved what holds the group
+  double displaced = 0;         ///< and, at most, its links
   std::array<Pose<double>, most_links> poses;
   SmallVector rate, second_rate;          ///< of the unknowns
   SmallMatrix velocities, accelerations;  ///< a row (x, y, theta) per link

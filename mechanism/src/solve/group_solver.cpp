@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "plan/plan_data.hpp"
+#include "solve/precision.hpp"
 
 namespace assur::mechanism {
 
@@ -104,11 +105,12 @@ void GroupSolver::place(std::size_t configuration, std::size_t first_slide, Plac
   }
   place_links(placed);
   place_slides(q, first_slide, placed);
-  if (motion_.regularity != Status::ok) {
+  const Precision precision = precision_of(model_, numbers_.d, u_, q, motion_);
+  if (precision.regularity != Status::ok) {
     placed.regularity = Status::near_singular;
   }
-  placed.derivatives_known = placed.derivatives_known && motion_.derivatives_known;
-  placed.rates_known = placed.rates_known && motion_.second_rates_known;
+  placed.derivatives_known = placed.derivatives_known && precision.derivatives_known;
+  placed.rates_known = placed.rates_known && precision.second_rates_known;
   placed.residual = std::max(placed.residual, motion_.residual);
   placed.displaced = motion_.displaced;
 }

@@ -1,13 +1,14 @@
 // Law: the sensitivities of an assembled configuration are as good as its margin says, against the
 // same configuration assembled in long double; six digits hold where the status is ok.
 #include <assur/kinematics.hpp>
-#include <assur/support/displacement.hpp>
+#include <assur/mechanism/group_model.hpp>
 #include <iostream>
 
 #include "exact.hpp"
 #include "kind_in_space.hpp"
 #include "largest.hpp"
 #include "model_types.hpp"
+#include "solve/precision.hpp"
 
 namespace assur::test {
 namespace {
@@ -16,6 +17,98 @@ using Long = long double;
 
 constexpr unsigned seed = 8128;
 constexpr int samples = 300;
+
+using LongRows = Eigen::Matrix<Long, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// Largest difference over the largest entry, among the unknowns of one unit.
+double relative_error(const std::vector<ModelUnknown>& unknowns,
+                      const mechanism::SmallMatrix& found, const LongRows& truth) {
+  double worst = 0;
+  for (const bool angles : {false, true}) {
+    Long difference = 0;
+    Long size = 0;
+    for (Eigen::Index row = 0; row < found.rows(); ++row) {
+      if (unknowns[static_cast<std::size_t>(row)].is_angle == angles) {
+        for (Eigen::Index column = 0; column < found.cols(); ++column) {
+          difference = largest(difference, std::abs(found(row, column) - truth(row, column)));
+          size = std::max(size, std::abs(truth(row, column)));
+        }
+      }
+    }
+    if (size > 0) {
+      worst = largest(worst, static_cast<double>(difference / size));
+    }
+  }
+  return worst;
+}
+
+/// What was promised and what is true.
+struct Promises {
+  int compared = 0;
+  int regular = 0;
+  int regular_at_second_look = 0;
+  double worst_margin = 0;       ///< error in units of eps / margin
+  double worst_regular = 0;      ///< error where `regularity` says ok
+  double worst_second_look = 0;  ///< where the second look says ok
+
+  void expect(const char* which, int least) const {
+    std::cout << "seed " << seed << ", " << which << ": " << compared << " configurations, at most "
+              << worst_margin << " eps/margin; " << regular << " regular, at most " << worst_regular
+              << "; at a second look " << regular_at_second_look << ", at most "
+              << worst_second_look << "\n";
+    EXPECT_GT(compared, least);
+    EXPECT_LE(worst_regular, 5e-7);
+    EXPECT_LE(worst_second_look, 5e-7);
+    EXPECT_GE(regular_at_second_look, regular);
+  }
+};
+
+/// A configuration of a group and its derivatives, as mechanisms see them.
+struct Standing {
+  Standing(const mechanism::GroupModel& row, const mechanism::FlatVariables& d,
+           const mechanism::FlatVariables& u, const mechanism::FlatVariables& q)
+      : model(row) {
+    mechanism::MotionQuery query;
+    query.derivatives = true;
+    query.input_rate.setZero(static_cast<Eigen::Index>(row.input_count));
+    query.input_second_rate = query.input_rate;
+    row.kernel->move(d, u, q, query, motion);
+    regularity = precision_of(row, d, u, q, motion).regularity;
+  }
+  const mechanism::GroupModel& model;
+  mechanism::GroupMotion motion;
+  Status regularity;
+};
+
+/// Counts what `found` promises, beside the truth.
+void compare(const Standing& found, const LongRows& to_dimensions, const LongRows& to_inputs,
+             Promises& kept) {
+  ++kept.compared;
+  const auto& unknowns = found.model.unknowns;
+  const double error = largest(relative_error(unknowns, found.motion.q_d, to_dimensions),
+                               relative_error(unknowns, found.motion.q_u, to_inputs));
+  const Regularity<double>& standing = found.motion.standing;
+  kept.worst_margin =
+      largest(kept.worst_margin, error * standing.margin / std::numeric_limits<double>::epsilon());
+  if (standing.status == Status::ok) {
+    ++kept.regular;
+    kept.worst_regular = largest(kept.worst_regular, error);
+  }
+  if (found.regularity == Status::ok) {
+    ++kept.regular_at_second_look;
+    kept.worst_second_look = largest(kept.worst_second_look, error);
+  }
+}
+
+/// The row of a generated model.
+template <typename Model>
+const mechanism::GroupModel& row_of() {
+  const auto& groups = mechanism::known_groups();
+  const auto group = std::find_if(groups.begin(), groups.end(), [](const auto& candidate) {
+    return candidate.structure.name == Model::group;
+  });
+  return group->models[static_cast<std::size_t>(Model::number - 1)];
+}
 
 template <typename Model>
 class Regular : public testing::Test {
@@ -56,49 +149,6 @@ class Regular : public testing::Test {
     });
   }
 
-  /// Largest difference over the largest entry, among the unknowns of one unit.
-  template <typename Found, typename Truth>
-  static double relative_error(const Found& found, const Truth& truth) {
-    double worst = 0;
-    for (const bool angles : {false, true}) {
-      Long difference = 0;
-      Long size = 0;
-      for (int row = 0; row < Model::unknown_count; ++row) {
-        if (Model::unknowns[static_cast<std::size_t>(row)].is_angle == angles) {
-          for (Eigen::Index column = 0; column < found.cols(); ++column) {
-            difference = largest(difference, std::abs(found(row, column) - truth(row, column)));
-            size = std::max(size, std::abs(truth(row, column)));
-          }
-        }
-      }
-      if (size > 0) {
-        worst = largest(worst, static_cast<double>(difference / size));
-      }
-    }
-    return worst;
-  }
-
-  /// What was promised and what is true.
-  struct Promises {
-    int compared = 0;
-    int regular = 0;
-    int regular_at_second_look = 0;
-    double worst_margin = 0;       ///< error in units of eps / margin
-    double worst_regular = 0;      ///< error where `regularity` says ok
-    double worst_second_look = 0;  ///< where DisplacedGroup says ok
-
-    void expect(const char* which, int least) const {
-      std::cout << "seed " << seed << ", " << which << ": " << compared
-                << " configurations, at most " << worst_margin << " eps/margin; " << regular
-                << " regular, at most " << worst_regular << "; at a second look "
-                << regular_at_second_look << ", at most " << worst_second_look << "\n";
-      EXPECT_GT(compared, least);
-      EXPECT_LE(worst_regular, 5e-7);
-      EXPECT_LE(worst_second_look, 5e-7);
-      EXPECT_GE(regular_at_second_look, regular);
-    }
-  };
-
   /// The sensitivities of a group in double against those in long double.
   void compare(Group<double> group, Promises& kept) {
     if (!is_solvable(refine<Model, double>(group.d, group.u, group.q))) {
@@ -115,28 +165,16 @@ class Regular : public testing::Test {
     if (!is_solvable(refine<Model, double>(group.d, group.u, group.q))) {
       return;
     }
-    Sensitivities<Model, double> found;
     Sensitivities<Model, Long> truth;
-    const Status status = sensitivities<Model, double>(group.d, group.u, group.q, found);
-    if (!is_solvable(status) || sensitivities<Model, Long>(d, u, q, truth) != Status::ok) {
-      return;
-    }
-    ++kept.compared;
-    const double error = largest(relative_error(found.to_dimensions, truth.to_dimensions),
-                                 relative_error(found.to_inputs, truth.to_inputs));
-    const double margin = regularity<Model, double>(group.d, group.u, group.q).margin;
-    kept.worst_margin =
-        largest(kept.worst_margin, error * margin / std::numeric_limits<double>::epsilon());
-    if (status == Status::ok) {
-      ++kept.regular;
-      kept.worst_regular = largest(kept.worst_regular, error);
-    }
-    Matrix<double, Model::unknown_count, Model::equation_count> inverse;
-    Model::inverse_jacobian(group.d, group.u, group.q, inverse);
-    const support::DisplacedGroup<Model> among(group.d, group.u, 0);
-    if (among.regularity(group.d, group.u, group.q, inverse).status == Status::ok) {
-      ++kept.regular_at_second_look;
-      kept.worst_second_look = largest(kept.worst_second_look, error);
+    const auto flat = [](const auto& variables) {
+      mechanism::FlatVariables result{};
+      support::flatten(variables, result);
+      return result;
+    };
+    const Standing found(row_of<Model>(), flat(group.d), flat(group.u), flat(group.q));
+    if (is_solvable(found.motion.standing.status) &&
+        sensitivities<Model, Long>(d, u, q, truth) == Status::ok) {
+      test::compare(found, truth.to_dimensions, truth.to_inputs, kept);
     }
   }
 
@@ -193,7 +231,7 @@ TYPED_TEST_SUITE(Regular, AllModels, ModelNames);
 TYPED_TEST(Regular, SensitivitiesAreAsGoodAsTheMarginSays) {
   using Model = TypeParam;
   if constexpr (Model::rigid) {
-    typename TestFixture::Promises kept;
+    Promises kept;
     for (const double shrink : {1.0, 1e-2, 1e-4, 1e-6, 1e-8}) {
       for (int sample = 0; sample < samples; ++sample) {
         this->compare(this->drawn(shrink), kept);
@@ -209,7 +247,7 @@ TYPED_TEST(Regular, SensitivitiesAreAsGoodAsTheMarginSays) {
 TYPED_TEST(Regular, SixDigitsHoldBesideASingularConfigurationToo) {
   using Model = TypeParam;
   if constexpr (Model::rigid) {
-    typename TestFixture::Promises kept;
+    Promises kept;
     for (int sample = 0; sample < samples; ++sample) {
       const auto from = this->drawn(1);
       const auto to = this->drawn(1);

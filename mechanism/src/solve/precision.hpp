@@ -1,0 +1,27 @@
+// Turns the inverse Jacobian and the curvature of a configuration into how far its derivatives can
+// be trusted.
+#pragma once
+
+#include <assur/mechanism/group_model.hpp>
+
+#include "models/model_kernel.hpp"
+
+namespace assur::mechanism {
+
+/// How far the derivatives of a configuration can be trusted.
+struct Precision {
+  Status regularity = Status::near_singular;  ///< ok or near_singular
+  bool derivatives_known = false;             ///< to two digits at least
+  bool second_rates_known = false;            ///< likewise
+};
+
+/// A configuration that its pivots call near-singular gets a second look: their bound multiplies
+/// the firmness of parts that need not fail together. Rounding and the neighbours move a
+/// configuration by dq = J^-1 df, and that changes the derivatives J^-1 c by J^-1 H(J^-1 c, dq),
+/// with H the second derivatives of the closures. Lengths and angles are each counted in parts of
+/// their own derivatives. `motion` is that of the configuration `q` of `model`.
+[[nodiscard]] Precision precision_of(const GroupModel& model, const FlatVariables& d,
+                                     const FlatVariables& u, const FlatVariables& q,
+                                     const GroupMotion& motion);
+
+}  // namespace assur::mechanism
