@@ -10,7 +10,7 @@ namespace assur::mechanism {
 namespace {
 
 // The entries come from the scene's expressions, a few roundings each.
-constexpr double tolerance = 1e-12;
+constexpr double entry_rounding = 1e-12;
 
 std::string shown(double number) {
   std::array<char, 32> text{};
@@ -35,12 +35,12 @@ Eigen::MatrixXd correlations(const Eigen::MatrixXd& matrix) {
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
     for (Eigen::Index j = 0; j < i; ++j) {
       const double limit = deviations(i) * deviations(j);
-      if (!(std::abs(matrix(i, j) - matrix(j, i)) <= tolerance * limit)) {
+      if (!(std::abs(matrix(i, j) - matrix(j, i)) <= entry_rounding * limit)) {
         throw MechanismError(entry(i, j), "the matrix is not symmetric: " + shown(matrix(i, j)) +
                                               " here, " + shown(matrix(j, i)) + " in [" +
                                               std::to_string(j) + "][" + std::to_string(i) + "]");
       }
-      if (!(std::abs(matrix(i, j)) <= (1 + tolerance) * limit)) {
+      if (!(std::abs(matrix(i, j)) <= (1 + entry_rounding) * limit)) {
         throw MechanismError(entry(i, j), "a covariance of " + shown(matrix(i, j)) +
                                               " is more than its variances allow (at most " +
                                               shown(limit) + ", the root of their product)");
@@ -85,7 +85,7 @@ Eigen::MatrixXd covariance_matrix(const Covariance& given, const Values& values,
     }
   }
   const Eigen::MatrixXd related = correlations(matrix);
-  if (!is_semi_definite(related, static_cast<double>(size) * tolerance)) {
+  if (!is_semi_definite(related, static_cast<double>(size) * entry_rounding)) {
     throw MechanismError("covariance.matrix",
                          "not positive semi-definite, so no parameters vary so: the matrix of "
                          "correlations has the eigenvalue " +
