@@ -1,4 +1,4 @@
-// Turns a generated model into its kernel and its row in the list of models.
+// Turns the generated models of a group into their kernels and rows in the list of models.
 #pragma once
 
 #include <algorithm>
@@ -232,19 +232,27 @@ template <typename Model>
   return row;
 }
 
-/// The rows of those models of a list whose place leaves the rest `Part` on division by `Parts`:
-/// the list is compiled in so many parts.
-template <typename Models, std::size_t Part, std::size_t Parts>
-void add_rows(std::vector<GroupModel>& rows) {
-  const auto add = [&]<std::size_t Place>() {
-    if constexpr (Place % Parts == Part) {
-      rows.push_back(row_of<std::tuple_element_t<Place, Models>>());
-    }
-  };
-  [&]<std::size_t... Place>(std::index_sequence<Place...>) {
-    (add.template operator()<Place>(), ...);
+/// The graph of a group, from the tables of one of its models: all of them have the same.
+template <typename Model>
+[[nodiscard]] GroupStructure structure_of() {
+  GroupStructure structure{Model::group, 0, {Model::joints.begin(), Model::joints.end()}, {}};
+  for (const ModelLink& link : Model::links) {
+    std::vector<int> joints(link.joints.begin(), link.joints.end());
+    joints.erase(std::remove(joints.begin(), joints.end(), -1), joints.end());
+    structure.link_joints.push_back(std::move(joints));
   }
-  (std::make_index_sequence<std::tuple_size_v<Models>>());
+  std::vector<JointPair> pairs;
+  for (const ModelJoint& joint : structure.joints) {
+    pairs.push_back({joint.first, joint.second});
+  }
+  structure.assur_class = assur_class_of(Model::link_count, pairs);
+  return structure;
+}
+
+/// A group with all its models, in the order of their numbers.
+template <typename First, typename... Rest>
+[[nodiscard]] GroupModels models_of(const std::tuple<First, Rest...>&) {
+  return {structure_of<First>(), {row_of<First>(), row_of<Rest>()...}};
 }
 
 }  // namespace assur::mechanism
