@@ -56,10 +56,14 @@ struct Regularity {
   /// determinant keeps of its terms and of how firmly the closures hold the unknowns. One at best,
   /// zero where J has no inverse. It does not depend on the unit of length.
   Scalar margin = Scalar(0);
-  /// Of the derivatives, relative: at most about this, with all constants. Infinite where there is
-  /// no inverse.
-  Scalar error = std::numeric_limits<Scalar>::infinity();
+  /// The relative error of what the margin is computed from, with all constants.
+  Scalar rounding = Scalar(1);
   int weakest = 0;  ///< index in Model::pivots of the pivot nearest to zero
+
+  /// Of the derivatives, relative: at most about this. Infinite where there is no inverse.
+  [[nodiscard]] Scalar error() const {
+    return margin > Scalar(0) ? rounding / margin : std::numeric_limits<Scalar>::infinity();
+  }
 };
 
 }  // namespace assur

@@ -33,10 +33,10 @@ template <typename Scalar>
   return Scalar(derivative_error_constant) * std::numeric_limits<Scalar>::epsilon();
 }
 
-/// `error`: the relative error of what the pivots are computed from, with all constants.
+/// `rounding`: the relative error of what the pivots are computed from, with all constants.
 template <typename Model, typename Scalar>
 [[nodiscard]] Regularity<Scalar> regularity_of(const Pivots<Model, Scalar>& pivots,
-                                               const Scalar& error) {
+                                               const Scalar& rounding) {
   using std::abs;
   Regularity<Scalar> result;
   // Of the core's pivots the product counts, of the others the smallest.
@@ -65,8 +65,8 @@ template <typename Model, typename Scalar>
     return result;
   }
   result.margin = kept * firmness;
-  result.error = error / result.margin;
-  const bool keeps = result.error < Scalar(5e-7);  // six digits
+  result.rounding = rounding;
+  const bool keeps = rounding < Scalar(5e-7) * result.margin;  // six digits
   result.status = keeps ? Status::ok : Status::near_singular;
   return result;
 }
