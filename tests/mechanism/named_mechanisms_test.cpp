@@ -92,5 +92,33 @@ TEST(NamedMechanisms, ChangePointsAreCrossings) {
   }
 }
 
+/// However short the sweep: what is close to a change point is told by the mechanism's size.
+TEST(NamedMechanisms, ChangePointsAreCrossingsOfShortSweepsToo) {
+  struct Case {
+    double crank, coupler, rocker, ground;
+    double at;
+  };
+  const double half_turn = 3.141592653589793;
+  for (const Case& bars : {Case{2, 4, 2, 4, 0}, Case{2, 4, 2, 4, half_turn},
+                           Case{3, 3, 3, 3, half_turn}, Case{4, 4, 2, 2, 0}}) {
+    for (const double half : {1e-1, 1e-2, 4e-3, 1e-3, 1e-4, 1e-5}) {
+      for (const double before : {half, 0.63 * half}) {
+        for (const int count : {2, 3, 4, 5, 8, 9}) {
+          SCOPED_TRACE(testing::Message() << bars.coupler << " " << bars.at << " " << half << " "
+                                          << before << " " << count);
+          Json scene = four_bar(bars.crank, bars.coupler, bars.rocker, bars.ground, "0");
+          scene["sweep"] = {{"parameter", "phi"},
+                            {"from", bars.at - before},
+                            {"to", bars.at + half},
+                            {"count", count}};
+          const SweepKept kept = run_sweep(mechanism::parse_scene(scene.dump(), "scene"));
+          EXPECT_EQ(kept.count_of("crossing"), 1);
+          EXPECT_EQ(kept.events.size(), 1U);
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace assur::test

@@ -62,17 +62,19 @@ class Matcher {
     if (left_.count() == 0 || right_.count() == 0) {
       return;
     }
-    Eigen::MatrixXd defects(left_.count(), right_.count());
+    // Two branches that cross half-way fit as well where they turn back: that they go on tells the
+    // turn.
+    Eigen::MatrixXd bends(left_.count(), right_.count());
     for (const PointIndex from : left_.points.keys()) {
       for (const PointIndex to : right_.points.keys()) {
-        defects(from.row(), to.row()) = defect(left_.points[from], right_.points[to], step_);
+        bends(from.row(), to.row()) = bend(left_.points[from], right_.points[to]);
       }
     }
     for (const PointIndex from : left_.points.keys()) {
       Eigen::Index best = 0;
       Eigen::Index back = 0;
-      defects.row(from.row()).minCoeff(&best);
-      defects.col(best).minCoeff(&back);
+      bends.row(from.row()).minCoeff(&best);
+      bends.col(best).minCoeff(&back);
       if (back == from.row()) {
         result_.to_right[from] = PointIndex(static_cast<std::size_t>(best));
       }
@@ -112,8 +114,9 @@ class Matcher {
   }
   /// How far a branch may stray from its cubic: turn + defect.
   [[nodiscard]] double bend(PointIndex index) const {
-    const ConfigurationPoint& from = left_.points[index];
-    const ConfigurationPoint& to = matched(index);
+    return bend(left_.points[index], matched(index));
+  }
+  [[nodiscard]] double bend(const ConfigurationPoint& from, const ConfigurationPoint& to) const {
     return std::abs(step_) * (to.slope - from.slope).norm() + defect(from, to, step_);
   }
 

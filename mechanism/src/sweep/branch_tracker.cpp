@@ -11,8 +11,24 @@ namespace {
 /// The longest interval, as a part of the sweep, that events may explain: beside a singular
 /// configuration others may be that a longer one does not show.
 constexpr double longest_explained = 1e-4;
+/// Branches that touch may be explained however short the sweep is where they are this close: in
+/// short sweeps they cannot be told apart any more before an interval is that part of it.
+constexpr double close_by = 2e-5;
 /// The shortest interval, as a part of the sweep and of the parameter's value.
 constexpr double shortest = 1e-13;
+
+/// Whether branches do nothing but touch, and those that do are close all the way.
+bool touches_closely(const BranchMatching& matching, const Snapshot& left, const Snapshot& right) {
+  const auto is_close = [&](const TouchingPair& pair) {
+    const auto apart = [](const Snapshot& set, PointIndex one, PointIndex other) {
+      return (set.points[one].at - set.points[other].at).norm();
+    };
+    return apart(left, pair.one, pair.other) < close_by &&
+           apart(right, matching.to_right[pair.one], matching.to_right[pair.other]) < close_by;
+  };
+  return matching.left_alone.empty() && matching.right_alone.empty() &&
+         std::all_of(matching.touching.begin(), matching.touching.end(), is_close);
+}
 
 }  // namespace
 
@@ -39,7 +55,8 @@ void BranchTracker::advance(const SnapshotPointer& set) {
     return;
   }
   const double width = std::abs(set->parameter - current_->parameter);
-  if (width <= longest_explained * std::abs(solver_.to() - solver_.from())) {
+  if (width <= longest_explained * std::abs(solver_.to() - solver_.from()) ||
+      touches_closely(matching, *current_, *set)) {
     if (auto events = explain(solver_, current_, set, matching)) {
       adopt(set, matching.to_right, std::move(*events));
       return;
