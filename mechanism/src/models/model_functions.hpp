@@ -23,8 +23,10 @@ class ModelFunctions {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
  public:
-  static void assemble(const FlatVariables& d, const FlatVariables& u, GroupAssemblies& result) {
-    const Assemblies<Model> found = assemblies<Model>(read<Dimensions>(d), read<Inputs>(u));
+  static void assemble(const FlatVariables& d, const FlatVariables& u, double displaced,
+                       GroupAssemblies& result) {
+    const Assemblies<Model> found =
+        assemblies<Model>(read<Dimensions>(d), read<Inputs>(u), displaced);
     result.status = found.status;
     result.mobility = found.mobility;
     result.count = static_cast<std::size_t>(found.count);

@@ -73,7 +73,9 @@ struct MovingGroup {
 
 /// The functions of one model behind plain numbers: d, u and q are flat.
 struct ModelKernel {
-  void (*assemble)(const FlatVariables& d, const FlatVariables& u, GroupAssemblies& found);
+  /// `displaced`: how far rounding may have moved the neighbours.
+  void (*assemble)(const FlatVariables& d, const FlatVariables& u, double displaced,
+                   GroupAssemblies& found);
   /// By how much the closures fail at least, where there are no configurations.
   double (*gap)(const FlatVariables& d, const FlatVariables& u);
   void (*move)(const FlatVariables& d, const FlatVariables& u, const FlatVariables& q,

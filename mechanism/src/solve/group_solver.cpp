@@ -88,7 +88,7 @@ void GroupSolver::hold(const PlacedLinks& placed) {
 }
 
 const GroupAssemblies& GroupSolver::assemble() {
-  model_.kernel->assemble(numbers_.d, u_, found_);
+  model_.kernel->assemble(numbers_.d, u_, query_.displaced, found_);
   return found_;
 }
 

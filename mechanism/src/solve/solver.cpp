@@ -134,7 +134,17 @@ class MechanismSolver {
     }
   }
 
+  /// A group that moves where it is held, unless one behind it that does not depend on it cannot be
+  /// assembled: then nothing can, in whatever order the two are listed.
   void add_family(GroupIndex group, int mobility, std::string reason) {
+    Table<LinkIndex, bool> unplaced(structure_.linkage.links.size(), false);
+    leave_out(group, unplaced);
+    const PlacedLinks placed = placed_;
+    const bool assembles = rest_assembles(group.place() + 1, unplaced);
+    placed_ = placed;
+    if (!assembles) {
+      return;
+    }
     Family& family = solution_.families.emplace_back();
     family.group = group;
     family.mobility = mobility;
@@ -148,6 +158,47 @@ class MechanismSolver {
       }
     }
     family.links = placed_.links;
+  }
+
+  void leave_out(GroupIndex group, Table<LinkIndex, bool>& unplaced) const {
+    for (const LinkIndex link : structure_.groups[group].links) {
+      unplaced[link] = true;
+    }
+  }
+
+  /// Whether the groups from one on can be assembled together, but for those that `unplaced` links
+  /// hold, or that move themselves.
+  [[nodiscard]] bool rest_assembles(std::size_t depth, Table<LinkIndex, bool> unplaced) {
+    if (depth == structure_.groups.size()) {
+      return true;
+    }
+    const GroupIndex group(depth);
+    std::optional<GroupSolver>& solver = solvers_[group];
+    const bool is_asked = solver && structure_.groups[group].model->rigid &&
+                          !values_.numbers_of(group).is_held_by(unplaced);
+    if (!is_asked) {
+      leave_out(group, unplaced);
+      return rest_assembles(depth + 1, std::move(unplaced));
+    }
+    solver->hold(placed_);
+    const GroupAssemblies& found = solver->assemble();
+    const double displaced = placed_.displaced;
+    for (std::size_t index = 0; index < found.count; ++index) {
+      placed_.displaced = displaced;
+      placed_.groups[group] = {found.configurations[index], displaced};
+      solver->place(index, first_slide_[group], placed_);
+      if (rest_assembles(depth + 1, unplaced)) {
+        return true;
+      }
+    }
+    if (found.mobility > 0 || found.status == AssemblyStatus::degenerate) {
+      leave_out(group, unplaced);
+      return rest_assembles(depth + 1, std::move(unplaced));
+    }
+    if (found.count == 0 && measures_gap_ && solution_.configurations.empty()) {
+      measure_gap(group);
+    }
+    return false;
   }
 
   /// Of the groups that cannot be assembled the one that fails by least is told.

@@ -1,6 +1,7 @@
 // Turns the normal forms of a group's links into the plain numbers that its model's kernel reads.
 #pragma once
 
+#include <algorithm>
 #include <assur/mechanism/values.hpp>
 
 #include "models/model_kernel.hpp"
@@ -45,6 +46,12 @@ struct Values::GroupNumbers {
   std::vector<Frame> own;        ///< their own frames, each in its normal frame
   std::vector<MeasuredSlide> slides;
   std::vector<HeldJoint> held;
+
+  /// Whether one of these links holds the group.
+  [[nodiscard]] bool is_held_by(const Table<LinkIndex, bool>& links_in_question) const {
+    return std::any_of(held.begin(), held.end(),
+                       [&](const HeldJoint& joint) { return bool(links_in_question[joint.base]); });
+  }
 };
 
 /// Derivatives of lengths, and of angles in radians.

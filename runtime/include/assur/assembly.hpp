@@ -15,7 +15,9 @@ namespace assur {
 
 /// Every assembly configuration: all q with F(d, u, q) = 0, the closures F in the comment of the
 /// model. Lengths share any unit, directions among dimensions and inputs must be unit vectors;
-/// configurations are in the frame and the unit of the inputs.
+/// configurations are in the frame and the unit of the inputs. `displaced`: how far any input may
+/// be from where exact arithmetic has it, where other groups were placed before; lengths in their
+/// unit.
 ///
 /// The final polynomial's real roots are isolated with a bound of all rounding, of the inputs too;
 /// where that does not settle the list, the group is searched as one in special position (see
@@ -25,7 +27,7 @@ namespace assur {
 template <typename Model>
 [[nodiscard]] Assemblies<Model> assemblies(
     const typename Model::template Dimensions<double>& dimensions,
-    const typename Model::template Inputs<double>& inputs) {
+    const typename Model::template Inputs<double>& inputs, double displaced = 0) {
   static_assert(Model::rigid, "a degenerate model has no closed form");
   using Dimensions = typename Model::template Dimensions<double>;
   using Inputs = typename Model::template Inputs<double>;
@@ -34,11 +36,11 @@ template <typename Model>
     result.status = AssemblyStatus::not_finite;
     return result;
   }
-  const double scale = support::unit_scale<Model>(dimensions, inputs);
+  const double scale = support::unit_scale<Model>(dimensions, inputs, displaced);
   const auto d = support::scaled_to<Dimensions>(dimensions, scale);
   const auto u = support::scaled_to<Inputs>(inputs, scale);
-  if (!detail::GeneralSearch<Model>(d, u, result).run()) {
-    detail::search_in_special_position<Model>(d, u, result);
+  if (!detail::GeneralSearch<Model>(d, u, displaced * scale, result).run()) {
+    detail::search_in_special_position<Model>(d, u, displaced * scale, result);
   }
   if (result.count > 1) {
     detail::put_in_order<Model>(d, u, result);
@@ -58,7 +60,7 @@ template <typename Model>
   const double scale = support::unit_scale<Model>(dimensions, inputs);
   const auto d = support::scaled_to<typename Model::template Dimensions<double>>(dimensions, scale);
   const auto u = support::scaled_to<typename Model::template Inputs<double>>(inputs, scale);
-  return detail::SpecialGroupOf<Model>(d, u).least_miss() / scale;
+  return detail::SpecialGroupOf<Model>(d, u, 0).least_miss() / scale;
 }
 
 }  // namespace assur

@@ -34,7 +34,8 @@ struct Closures {
   const void* group;
   const ModelUnknown* unknowns;
   int size;
-  Real farthest;  ///< coordinate among the inputs
+  Real farthest;   ///< coordinate among the inputs
+  Real displaced;  ///< by rounding, the inputs, at most
 
   [[nodiscard]] FlatVector<Real> at(const FlatVariables<Real>& q) const {
     FlatVector<Real> f = FlatVector<Real>::Zero();
@@ -103,11 +104,13 @@ template <typename Real>
   return longest;
 }
 
-/// What rounding leaves of closures among lengths of at most one.
+/// What rounding leaves of closures among lengths of at most one, its own and that of what was
+/// placed before.
 template <typename Real>
 [[nodiscard]] Real rounding(const Closures<Real>& closures, const FlatVariables<Real>& q) {
   return 32 * std::numeric_limits<Real>::epsilon() *
-         (1 + closures.farthest + longest_displacement(closures, q));
+             (1 + closures.farthest + longest_displacement(closures, q)) +
+         4 * closures.displaced;
 }
 
 /// The largest difference of two lists of unknowns; of long displacements in parts of them.

@@ -35,8 +35,8 @@ class GeneralSearch {
   using Configuration = typename Model::template Configuration<double>;
 
  public:
-  GeneralSearch(const Dimensions& d, const Inputs& u, Assemblies<Model>& result)
-      : d_(d), u_(u), result_(result) {}
+  GeneralSearch(const Dimensions& d, const Inputs& u, double displaced, Assemblies<Model>& result)
+      : d_(d), u_(u), displaced_(displaced), result_(result) {}
 
   /// False if it cannot vouch for its list.
   [[nodiscard]] bool run() {
@@ -49,7 +49,7 @@ class GeneralSearch {
 
  private:
   [[nodiscard]] bool find_angles() {
-    const auto polynomial = support::position_polynomial<Model, double>(d_, u_);
+    const auto polynomial = support::position_polynomial<Model, double>(d_, u_, displaced_);
     const auto roots = numeric::trigonometric_roots<double, Model::polynomial_degree>(
         polynomial.value, polynomial.error);
     if (roots.status == numeric::RootStatus::invalid) {
@@ -73,8 +73,10 @@ class GeneralSearch {
     using Certified = numeric::Bounded<double>;
     constexpr int degree = static_cast<int>(Model::polynomial_degree);
     Vector<Certified, degree + 1> bounded;
-    Model::position_polynomial(support::rounded<typename Model::template Dimensions<Certified>>(d_),
-                               support::rounded<typename Model::template Inputs<Certified>>(u_),
+    Model::position_polynomial(support::rounded<typename Model::template Dimensions<Certified>>(
+                                   d_, support::rounding_of_one),
+                               support::rounded<typename Model::template Inputs<Certified>>(
+                                   u_, support::rounding_of_inputs(u_, displaced_)),
                                bounded);
     for (int power = 0; power <= degree; ++power) {
       bounded(power).bound += support::rounding_of_numbers<Model>();
@@ -212,6 +214,7 @@ class GeneralSearch {
 
   const Dimensions& d_;
   const Inputs& u_;
+  double displaced_;
   Assemblies<Model>& result_;
 };
 

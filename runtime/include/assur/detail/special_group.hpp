@@ -26,7 +26,8 @@ class SpecialGroupOf {
   using Certified = numeric::Bounded<Precise>;
 
  public:
-  SpecialGroupOf(const Dimensions<double>& d, const Inputs<double>& u) : d_(d), u_(u) {
+  SpecialGroupOf(const Dimensions<double>& d, const Inputs<double>& u, double displaced)
+      : d_(d), u_(u), displaced_(std::min(displaced, most_displaced)) {
     support::flatten(d, flat_d_);
     support::flatten(u, flat_u_);
     tell_angles(d, dimension_is_angle_);
@@ -46,12 +47,13 @@ class SpecialGroupOf {
  private:
   [[nodiscard]] SpecialGroup<double> functions() const {
     return {{&evaluate, &differentiate, this, Model::unknowns.data(), Model::unknown_count,
-             longest_length(u_)},
+             longest_length(u_), displaced_},
             dimension_is_angle_.data(),
             input_is_angle_.data(),
             std::tuple_size_v<decltype(d_.members())>,
             std::tuple_size_v<decltype(u_.members())>,
             Model::dimension_count == 0,
+            support::rounding_of_inputs(u_, displaced_),
             is_angle<Model>(Model::first_unknown),
             &values,
             &complete};
@@ -93,15 +95,16 @@ class SpecialGroupOf {
   }
 
   static FirstValues values(const PreciseVariables& d, const PreciseVariables& u, double within) {
+    const double own = std::min(within, support::rounding_of_one);
     constexpr auto degree = Model::polynomial_degree;
     if constexpr (is_angle<Model>(Model::first_unknown)) {
       TrigonometricPolynomial<Certified, degree> polynomial;
-      Model::position_polynomial(certified<Dimensions<Certified>>(d, within),
+      Model::position_polynomial(certified<Dimensions<Certified>>(d, own),
                                  certified<Inputs<Certified>>(u, within), polynomial);
       return first_values(polynomial);
     } else {
       Vector<Certified, static_cast<int>(degree) + 1> polynomial;
-      Model::position_polynomial(certified<Dimensions<Certified>>(d, within),
+      Model::position_polynomial(certified<Dimensions<Certified>>(d, own),
                                  certified<Inputs<Certified>>(u, within), polynomial);
       return first_values(polynomial);
     }
@@ -153,8 +156,12 @@ class SpecialGroupOf {
     return result;
   }
 
+  /// Bounds of a long chain grow faster than what rounding does: beyond this they would take
+  /// configurations that lie close together for one.
+  static constexpr double most_displaced = 0x1p-38;
   const Dimensions<double>& d_;
   const Inputs<double>& u_;
+  double displaced_;
   PreciseVariables flat_d_{}, flat_u_{};
   std::array<bool, 12> dimension_is_angle_{}, input_is_angle_{};
 };
@@ -163,10 +170,10 @@ class SpecialGroupOf {
 /// singular is marked near_singular; a family of them sets the mobility.
 template <typename Model>
 void search_in_special_position(const typename Model::template Dimensions<double>& d,
-                                const typename Model::template Inputs<double>& u,
+                                const typename Model::template Inputs<double>& u, double displaced,
                                 Assemblies<Model>& result) {
   using Configuration = typename Model::template Configuration<double>;
-  const SpecialAssemblies<double> found = SpecialGroupOf<Model>(d, u).search();
+  const SpecialAssemblies<double> found = SpecialGroupOf<Model>(d, u, displaced).search();
   result.count = 0;
   for (std::size_t index = 0; index < found.count && result.count < Model::max_configurations;
        ++index) {

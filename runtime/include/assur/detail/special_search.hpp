@@ -41,8 +41,9 @@ struct SpecialGroup {
   std::size_t dimension_count, input_count;
   /// Dimensions that are numbers in the functions cannot be moved.
   bool is_specialised;
+  double rounding_of_inputs;
   bool first_is_angle;
-  /// Roots that are certain where every variable is known to `within`.
+  /// Roots that are certain where every input is known to `within`, and dimensions to a rounding.
   FirstValues (*first_values)(const PreciseVariables& d, const PreciseVariables& u, double within);
   Completions<Real> (*complete)(const PreciseVariables& d, const PreciseVariables& u,
                                 const FirstValue& first);
@@ -142,6 +143,27 @@ class SpecialSearch {
     }
   }
 
+  /// Where the final polynomial vanishes, its unknown may be the one that is free, and tell nothing
+  /// of the others: from places all over.
+  void try_anywhere() {
+    constexpr int starts = 48;
+    const Closures<Real>& closures = group_.closures;
+    for (int start = 0; start < starts; ++start) {
+      FlatVariables<Real> q{};
+      std::size_t place = 0;
+      for (int unknown = 0; unknown < closures.size; ++unknown) {
+        if (closures.unknowns[unknown].is_angle) {
+          const double angle = 3.1415926535 * next_random();
+          q[place++] = std::cos(angle);
+          q[place++] = std::sin(angle);
+        } else {
+          q[place++] = 2 * next_random();
+        }
+      }
+      add(q);
+    }
+  }
+
   /// Moves every variable by up to `reach`, a length by that much and an angle by that turn.
   void displace(const bool* is_angle, std::size_t count, double reach, PreciseVariables& flat) {
     using numeric::DoubleDouble;
@@ -218,8 +240,8 @@ class SpecialSearch {
 // Defined outside of the class, so that an explicit instantiation can be the only one.
 template <typename Real>
 SpecialAssemblies<Real> SpecialSearch<Real>::run() {
-  constexpr double rounding_of_variables = 2 * std::numeric_limits<double>::epsilon();
-  if (!group_.is_specialised && is_general(group_.first_values(d_, u_, rounding_of_variables))) {
+  if (!group_.is_specialised &&
+      is_general(group_.first_values(d_, u_, group_.rounding_of_inputs))) {
     return result_;
   }
   result_ = {};
@@ -228,6 +250,9 @@ SpecialAssemblies<Real> SpecialSearch<Real>::run() {
   try_all(d_, u_, exact);
   // A multiple root that rounding has made complex leaves no root behind.
   for_each_sample([this](const FlatVariables<Real>& start) { add(start); });
+  if (exact.vanishing) {
+    try_anywhere();
+  }
   for (int direction = 0; direction < directions; ++direction) {
     for (const double side : {1.0, -1.0}) {
       PreciseVariables d = d_;

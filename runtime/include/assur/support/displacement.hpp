@@ -21,7 +21,7 @@ class DisplacedGroup {
   /// `displaced`: how far any placed point may be from where exact arithmetic has it. Where a
   /// neighbour holds the group is known to a rounding of its coordinates at best.
   DisplacedGroup(const Dimensions& d, const Inputs& u, double displaced)
-      : size_(1 / unit_scale<Model>(d, u)),
+      : size_(1 / unit_scale<Model>(d, u, displaced)),
         longest_(Model::dimension_count == 0 ? 1 : size_of<Model>(d, u)),
         held_(displaced + epsilon * longest_length(u)) {}
 

@@ -18,20 +18,22 @@ struct PositionPolynomial {
 };
 
 /// The final polynomial of a model whose first unknown is an angle, evaluated in `Work`, double or
-/// DoubleDouble. In double the error counts what rounding may have changed of the variables. It is
-/// NaN or infinite where a coefficient is.
+/// DoubleDouble. In double the error counts what rounding may have changed of the variables, among
+/// neighbours that it has `displaced`. It is NaN or infinite where a coefficient is.
 template <typename Model, typename Work>
 [[nodiscard]] PositionPolynomial<Work, Model::polynomial_degree> position_polynomial(
     const typename Model::template Dimensions<double>& d,
-    const typename Model::template Inputs<double>& u) {
+    const typename Model::template Inputs<double>& u, double displaced = 0) {
   using Certified = numeric::Bounded<Work>;
   constexpr std::size_t degree = Model::polynomial_degree;
   TrigonometricPolynomial<Certified, degree> bounded;
   using Dimensions = typename Model::template Dimensions<Certified>;
   using Inputs = typename Model::template Inputs<Certified>;
   if constexpr (std::is_same_v<Work, double>) {
-    Model::position_polynomial(rounded<Dimensions>(d), rounded<Inputs>(u), bounded);
+    Model::position_polynomial(rounded<Dimensions>(d, rounding_of_one),
+                               rounded<Inputs>(u, rounding_of_inputs(u, displaced)), bounded);
   } else {
+    (void)displaced;
     Model::position_polynomial(scaled_to<Dimensions>(d, 1.0), scaled_to<Inputs>(u, 1.0), bounded);
   }
   PositionPolynomial<Work, degree> result;

@@ -25,13 +25,22 @@ template <typename To, typename From, typename Scale>
   return result;
 }
 
-/// The same variables with bounds, each within a few roundings of a length of one: where a root of
-/// their final polynomial is certain, it is so however the variables were rounded.
+/// A few roundings of a length of one.
+inline constexpr double rounding_of_one = 2 * std::numeric_limits<double>::epsilon();
+
+/// How far rounding may have moved the inputs of a group that is held `displaced` from where exact
+/// arithmetic has it. A place far away is rounded as it is long.
+template <typename Inputs>
+[[nodiscard]] double rounding_of_inputs(const Inputs& u, double displaced) {
+  return rounding_of_one * std::max(1.0, longest_length(u)) + displaced;
+}
+
+/// The same variables with bounds, each known to `within`: where a root of their final polynomial
+/// is certain, it is so however the variables were rounded.
 template <typename To, typename From>
-[[nodiscard]] To rounded(const From& from) {
-  constexpr double within = 2 * std::numeric_limits<double>::epsilon();
+[[nodiscard]] To rounded(const From& from, double within) {
   To result;
-  for_each_pair(result, from, [](auto& target, const auto& source) {
+  for_each_pair(result, from, [within](auto& target, const auto& source) {
     if constexpr (std::is_same_v<std::decay_t<decltype(source)>, double>) {
       target = {source, within};
     } else {
@@ -61,17 +70,20 @@ template <typename Model>
 }
 
 /// The power of two that brings the longest length of a group near one. A length that is nothing
-/// but rounding of the external joints' places is none, beside these.
+/// but rounding of the external joints' places, or as long as these are `displaced`, is none,
+/// beside these.
 template <typename Model>
 [[nodiscard]] double unit_scale(const typename Model::template Dimensions<double>& d,
-                                const typename Model::template Inputs<double>& u) {
+                                const typename Model::template Inputs<double>& u,
+                                double displaced = 0) {
   if constexpr (Model::dimension_count == 0) {  // folded, and in units of the longest already
     return 1;
   }
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   const double own = size_of<Model>(d, u);
   const double places = longest_length(u);
-  const double size = own > rounding * places ? std::max(own, 0x1p-44 * places) : places;
+  const double size =
+      own > std::max(rounding * places, displaced) ? std::max(own, 0x1p-44 * places) : places;
   return size > 0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
 }
 
