@@ -11,7 +11,7 @@
 #include "scene_maker.hpp"
 #include "solved.hpp"
 
-namespace assur::test {
+namespace assur::test::branch_rates_test {
 namespace {
 
 /// A scene that is driven by its parameter phi at these rates, and how many motions go through the
@@ -326,4 +326,4 @@ TEST(Meetings, BesideThemNothingIsToldThatIsNotKnown) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::branch_rates_test

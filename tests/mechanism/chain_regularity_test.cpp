@@ -8,7 +8,7 @@
 
 #include "scene_solutions.hpp"
 
-namespace assur::test {
+namespace assur::test::chain_regularity_test {
 namespace {
 
 using Exact = boost::multiprecision::cpp_bin_float_100;
@@ -235,4 +235,4 @@ TEST(ChainRegularity, LeavesOrdinaryMechanismsAlone) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::chain_regularity_test

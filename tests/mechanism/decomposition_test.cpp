@@ -11,7 +11,7 @@
 #include "largest.hpp"
 #include "random_chain.hpp"
 
-namespace assur::test {
+namespace assur::test::decomposition_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -209,4 +209,4 @@ TEST(Branches, ThatAreIndependentComeSmallerFirst) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::decomposition_test

@@ -7,7 +7,7 @@
 
 #include "richardson.hpp"
 
-namespace assur::test {
+namespace assur::test::dual_test {
 namespace {
 
 using mechanism::Dual;
@@ -65,4 +65,4 @@ TEST(DualNumbers, PowersOfZeroHaveTheDerivativesOfPolynomials) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::dual_test

@@ -13,7 +13,7 @@
 #include "rigid_scene.hpp"
 #include "solved.hpp"
 
-namespace assur::test {
+namespace assur::test::examples_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -295,4 +295,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Example, testing::ValuesIn(example_names()),
                          [](const auto& name) { return std::string(name.param); });
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::examples_test

@@ -8,7 +8,7 @@
 #include "lattice_run.hpp"
 #include "lattice_search.hpp"
 
-namespace assur::test {
+namespace assur::test::lattice_test {
 namespace {
 
 constexpr std::size_t default_scenes = 575;
@@ -121,4 +121,4 @@ TEST(Lattice, AnswersAreExact) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::lattice_test

@@ -8,7 +8,7 @@
 
 #include "same_solution.hpp"
 
-namespace assur::test {
+namespace assur::test::mechanism_builder_test {
 namespace {
 
 using mechanism::JointType;
@@ -286,4 +286,4 @@ TEST(MisusedLibrary, ValuesThatWereRefusedAreNotSolved) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::mechanism_builder_test

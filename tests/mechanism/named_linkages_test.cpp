@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace assur::test {
+namespace assur::test::named_linkages_test {
 namespace {
 
 const double pi = std::acos(-1.0);
@@ -395,4 +395,4 @@ std::vector<NamedSweep> sweeps() {
 INSTANTIATE_TEST_SUITE_P(Along, NamedLinkageSwept, testing::ValuesIn(sweeps()));
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::named_linkages_test

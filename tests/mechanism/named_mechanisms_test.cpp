@@ -9,7 +9,7 @@
 #include "solved.hpp"
 #include "sweep_runs.hpp"
 
-namespace assur::test {
+namespace assur::test::named_mechanisms_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -121,4 +121,4 @@ TEST(NamedMechanisms, ChangePointsAreCrossingsOfShortSweepsToo) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::named_mechanisms_test

@@ -4,7 +4,7 @@
 
 #include "named_linkages.hpp"
 
-namespace assur::test {
+namespace assur::test::named_slides_test {
 namespace {
 
 const double pi = std::acos(-1.0);
@@ -294,4 +294,4 @@ std::vector<NamedSweep> sweeps() {
 INSTANTIATE_TEST_SUITE_P(Along, NamedSlideSwept, testing::ValuesIn(sweeps()));
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::named_slides_test

@@ -4,7 +4,7 @@
 
 #include "named_linkages.hpp"
 
-namespace assur::test {
+namespace assur::test::named_straight_lines_test {
 namespace {
 
 const double pi = std::acos(-1.0);
@@ -323,4 +323,4 @@ std::vector<NamedSweep> sweeps() {
 INSTANTIATE_TEST_SUITE_P(Along, NamedStraightLineSwept, testing::ValuesIn(sweeps()));
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::named_straight_lines_test

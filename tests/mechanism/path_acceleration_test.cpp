@@ -9,7 +9,7 @@
 #include "largest.hpp"
 #include "scene_solutions.hpp"
 
-namespace assur::test {
+namespace assur::test::path_acceleration_test {
 namespace {
 
 /// A point on a circle of radius 2, with the crank's angular velocity and acceleration 5.
@@ -150,4 +150,4 @@ TEST(PathAcceleration, AlongACouplerCurveIsSpeedingUpAndTurning) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::path_acceleration_test

@@ -10,7 +10,7 @@
 #include "model_types.hpp"
 #include "solve/precision.hpp"
 
-namespace assur::test {
+namespace assur::test::regularity_test {
 namespace {
 
 using Long = long double;
@@ -174,7 +174,7 @@ class Regular : public testing::Test {
     const Standing found(row_of<Model>(), flat(group.d), flat(group.u), flat(group.q));
     if (is_solvable(found.motion.standing.status) &&
         sensitivities<Model, Long>(d, u, q, truth) == Status::ok) {
-      test::compare(found, truth.to_dimensions, truth.to_inputs, kept);
+      regularity_test::compare(found, truth.to_dimensions, truth.to_inputs, kept);
     }
   }
 
@@ -354,4 +354,4 @@ TEST(Accuracy, OfWellShapedTetradsIsThatOfAFewRoundings) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::regularity_test

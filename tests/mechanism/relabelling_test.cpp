@@ -10,7 +10,7 @@
 #include "largest.hpp"
 #include "solved.hpp"
 
-namespace assur::test {
+namespace assur::test::relabelling_test {
 namespace {
 
 /// Angles of the links by name, per configuration.
@@ -80,4 +80,4 @@ TEST(Relabelling, KeepsConfigurationsAndTheirOrder) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::relabelling_test

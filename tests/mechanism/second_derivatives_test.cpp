@@ -12,7 +12,7 @@
 #include "richardson.hpp"
 #include "scene_solutions.hpp"
 
-namespace assur::test {
+namespace assur::test::second_derivatives_test {
 namespace {
 
 double distance(const Configuration& one, const Configuration& other) {
@@ -236,4 +236,4 @@ TEST(SecondDerivativesOfAllKinds, AreTheDifferencesOfGradientsOfWholeSolutions) 
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::second_derivatives_test

@@ -8,7 +8,7 @@
 #include "random_sweep.hpp"
 #include "sweep_runs.hpp"
 
-namespace assur::test {
+namespace assur::test::sweep_events_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -304,4 +304,4 @@ TEST(SweepEvents, AFoldMayHaveABranchThrough) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::sweep_events_test

@@ -12,7 +12,7 @@
 #include "process.hpp"
 #include "solved.hpp"
 
-namespace assur::test {
+namespace assur::test::sweep_stream_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -153,4 +153,4 @@ TEST(SweepStream, WithoutASweepInTheRequestIsRefused) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::sweep_stream_test

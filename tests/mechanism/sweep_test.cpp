@@ -8,7 +8,7 @@
 #include "random_sweep.hpp"
 #include "sweep_runs.hpp"
 
-namespace assur::test {
+namespace assur::test::sweep_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -200,4 +200,4 @@ TEST(Sweep, OneStepAndNoRange) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::sweep_test

@@ -10,7 +10,7 @@
 #include "largest.hpp"
 #include "scene_solutions.hpp"
 
-namespace assur::test {
+namespace assur::test::tolerance_test {
 namespace {
 
 /// The worked mechanism with two parameters that vary together, their deviations scaled.
@@ -204,4 +204,4 @@ TEST(Covariance, MayBeOfRankOneWithTheRoundingsOfExpressions) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::tolerance_test

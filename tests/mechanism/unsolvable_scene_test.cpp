@@ -4,7 +4,7 @@
 
 #include "bars.hpp"
 
-namespace assur::test {
+namespace assur::test::unsolvable_scene_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -144,4 +144,4 @@ TEST(UnknownGroup, OfClassFiveIsNamed) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::unsolvable_scene_test

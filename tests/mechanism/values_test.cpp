@@ -9,7 +9,7 @@
 
 #include "same_solution.hpp"
 
-namespace assur::test {
+namespace assur::test::values_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -170,4 +170,4 @@ TEST(Values, OfAShortCycleAreRefusedByName) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::values_test

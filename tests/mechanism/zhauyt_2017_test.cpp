@@ -14,7 +14,7 @@
 #include "largest.hpp"
 #include "richardson.hpp"
 
-namespace assur::test {
+namespace assur::test::zhauyt_2017_test {
 namespace {
 
 /// Sensitivities and entries of (8) are of order 1: so much is no rounding.
@@ -110,9 +110,9 @@ TEST(Zhauyt2017, SensitivitiesAreTheDifferencesOfSolutions) {
     Json scene = example("zhauyt_2017_six_bar.json");
     scene["parameters"]["phi"] = angle * degree;
     const std::vector<Posture> at = postures(angle);
-    for (std::size_t j = 0; j < names.size(); ++j) {
+    for (std::size_t j = 0; j < symbols.size(); ++j) {
       const auto points = [&](double offset) -> Eigen::Vector4d {
-        const Json root = report_of(scene, {setting(scene, names[j], offset)});
+        const Json root = report_of(scene, {setting(scene, symbols[j], offset)});
         Eigen::Vector4d list = Eigen::Vector4d::Zero();
         EXPECT_EQ(root["configurations"].size(), 2U);
         for (std::size_t index = 0; index < 4; ++index) {
@@ -261,4 +261,4 @@ INSTANTIATE_TEST_SUITE_P(Zhauyt2017, PrintedSlip,
                          });
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::zhauyt_2017_test

@@ -5,13 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "solved.hpp"
+#include "scene_solutions.hpp"
 
 namespace assur::test {
-
-inline Solved solved(const nlohmann::ordered_json& json) {
-  return Solved(mechanism::parse_scene(json.dump(), "scene"));
-}
 
 /// Bars of one length each between points of links, all by revolute joints.
 class Bars {
@@ -47,10 +43,10 @@ class Bars {
     }
     return to.empty() ? *this : join(name + "_Q", {to, name + ".Q"});
   }
-  nlohmann::ordered_json& json() { return scene_; }
+  Json& json() { return scene_; }
 
  private:
-  nlohmann::ordered_json scene_;
+  Json scene_;
 };
 
 }  // namespace assur::test

@@ -16,8 +16,8 @@ namespace assur::test {
 
 inline constexpr double degree = 3.14159265358979323846 / 180;
 /// a1 ... a13 of the paper.
-inline const std::array<std::string, 13> names = {"x_O", "y_O", "OA",  "AB",  "BE",  "BD", "EF",
-                                                  "DG",  "x_F", "y_F", "x_G", "y_G", "ED"};
+inline const std::array<std::string, 13> symbols = {"x_O", "y_O", "OA",  "AB",  "BE",  "BD", "EF",
+                                                    "DG",  "x_F", "y_F", "x_G", "y_G", "ED"};
 
 using Parameters = Eigen::Matrix<double, 13, 1>;
 using ByParameter4 = Eigen::Matrix<double, 4, 13>;
@@ -40,8 +40,8 @@ inline std::vector<Posture> postures(double crank_degrees) {
   const Json root = report_of(scene);
   for (const Json& configuration : root["configurations"]) {
     Posture posture;
-    for (std::size_t j = 0; j < names.size(); ++j) {
-      const Json& parameter = scene["parameters"][names[j]];
+    for (std::size_t j = 0; j < symbols.size(); ++j) {
+      const Json& parameter = scene["parameters"][symbols[j]];
       posture.a(static_cast<Eigen::Index>(j)) = parameter["value"].get<double>();
       posture.tolerance(static_cast<Eigen::Index>(j)) = parameter["tolerance"].get<double>();
     }
@@ -188,8 +188,8 @@ inline ByParameter2 published(const Posture& posture, const AsPrinted& printed) 
 /// dM/da as the program says.
 inline ByParameter2 reported(const Posture& posture) {
   ByParameter2 m;
-  for (std::size_t j = 0; j < names.size(); ++j) {
-    const Json& entry = posture.point["sensitivity"][names[j]];
+  for (std::size_t j = 0; j < symbols.size(); ++j) {
+    const Json& entry = posture.point["sensitivity"][symbols[j]];
     m.col(static_cast<Eigen::Index>(j)) << entry[0].get<double>(), entry[1].get<double>();
   }
   return m;
