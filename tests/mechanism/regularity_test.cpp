@@ -201,9 +201,10 @@ class Regular : public testing::Test {
       }
     }
     const Eigen::MatrixXd shifts = f_u;
-    const Vector<double, Model::input_count> shift =
+    // Of one type for all models, as it takes seconds to compile.
+    const Eigen::VectorXd shift =
         shifts.completeOrthogonalDecomposition().solve(Eigen::VectorXd(-f));
-    advance(group.u, shift);
+    advance(group.u, Vector<double, Model::input_count>(shift));
     return group;
   }
 

@@ -28,7 +28,9 @@ class FoldCurve {
     parameter_ = event.parameter;
     made.set_parameter(parameter_);
     const RealMatrix jacobian = derivatives().leftCols(12);
-    Eigen::JacobiSVD<RealMatrix> factors(jacobian, Eigen::ComputeFullV);
+    // A square matrix needs no preconditioner, which takes seconds to compile.
+    const Eigen::JacobiSVD<RealMatrix, Eigen::NoQRPreconditioner> factors(jacobian,
+                                                                          Eigen::ComputeFullV);
     null_ = factors.matrixV().col(11);
   }
 

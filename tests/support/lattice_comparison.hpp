@@ -182,7 +182,8 @@ inline void examine(const LatticeScene& scene, ListedConfiguration& configuratio
                                  1e-16 * pose.translation().cwiseAbs().maxCoeff());
     configuration.residual = !(miss <= configuration.residual) ? miss : configuration.residual;
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> values(equations.jacobian);
+  // A square matrix needs no preconditioner, which takes seconds to compile.
+  const Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> values(equations.jacobian);
   configuration.smallest = values.singularValues().tail<1>()(0);
 }
 
