@@ -8,7 +8,7 @@
 
 #include "command.hpp"
 
-namespace assur::test {
+namespace assur::test::bad_input_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -241,4 +241,4 @@ TEST(BadArguments, OutputNotWritable) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::bad_input_test

@@ -7,7 +7,7 @@
 
 #include "command.hpp"
 
-namespace assur::test {
+namespace assur::test::branch_option_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -99,4 +99,4 @@ TEST(BranchOption, OutOfRangeIsOneLine) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::branch_option_test

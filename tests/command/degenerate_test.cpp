@@ -11,7 +11,7 @@
 
 #include "command.hpp"
 
-namespace assur::test {
+namespace assur::test::degenerate_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -225,4 +225,4 @@ TEST(Degenerate, TheEmitterWarnsOfTheScenesOwnNumbers) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::degenerate_test

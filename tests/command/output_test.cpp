@@ -9,7 +9,7 @@
 
 #include "process.hpp"
 
-namespace assur::test {
+namespace assur::test::output_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -122,4 +122,4 @@ TEST(EmittedOutput, WhereADirectoryHasItsNameLeavesNoFile) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::output_test

@@ -7,7 +7,7 @@
 
 #include "command.hpp"
 
-namespace assur::test {
+namespace assur::test::same_text_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -79,4 +79,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SameText, testing::ValuesIn(example_names()),
                          [](const auto& name) { return name.param; });
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::same_text_test

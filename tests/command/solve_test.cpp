@@ -15,7 +15,7 @@
 #include "command.hpp"
 #include "largest.hpp"
 
-namespace assur::test {
+namespace assur::test::solve_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -345,4 +345,4 @@ TEST(Solve, DegenerateGroupIsAVerdict) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::solve_test

@@ -6,7 +6,7 @@
 
 #include "command.hpp"
 
-namespace assur::test {
+namespace assur::test::audit_format_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -76,4 +76,4 @@ TEST(AuditFormat, PrintedNumbersAreRounded) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::audit_format_test

@@ -9,7 +9,7 @@
 #include "closures/formula_text.hpp"
 #include "derivatives/differentiate.hpp"
 
-namespace assur::test {
+namespace assur::test::audit_models_test {
 namespace {
 
 using namespace generator;
@@ -167,4 +167,4 @@ INSTANTIATE_TEST_SUITE_P(AllModels, AuditOfModel, testing::ValuesIn(all_models()
                          });
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::audit_models_test

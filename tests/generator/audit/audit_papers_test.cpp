@@ -7,7 +7,7 @@
 
 #include "command.hpp"
 
-namespace assur::test {
+namespace assur::test::audit_papers_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -174,4 +174,4 @@ TEST(WorkedExampleAudit, ExplainsItsNumbers) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::audit_papers_test

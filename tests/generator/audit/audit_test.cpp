@@ -11,7 +11,7 @@
 
 #include "audit/audit_report.hpp"
 
-namespace assur::test {
+namespace assur::test::audit_test {
 namespace {
 
 using namespace generator::audit;
@@ -306,4 +306,4 @@ printed matrix J of f1 f2 by theta s
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::audit_test

@@ -5,7 +5,7 @@
 
 #include "command.hpp"
 
-namespace assur::test {
+namespace assur::test::code_matrix_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -133,4 +133,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<Code>& at) { return std::string(at.param.name); });
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::code_matrix_test

@@ -8,7 +8,7 @@
 
 #include "command.hpp"
 
-namespace assur::test {
+namespace assur::test::own_model_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -418,4 +418,4 @@ TEST(OwnModel, AMissingFileAndADirectoryAreRefused) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::own_model_test

@@ -10,7 +10,7 @@
 
 #include "command.hpp"
 
-namespace assur::test {
+namespace assur::test::determinism_test {
 namespace {
 
 constexpr int processes = 3;
@@ -107,4 +107,4 @@ INSTANTIATE_TEST_SUITE_P(Commands, Determinism, testing::ValuesIn(calls()),
                          [](const auto& call) { return call.param.name; });
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::determinism_test

@@ -18,7 +18,7 @@
 #include "largest.hpp"
 #include "model_types.hpp"
 
-namespace assur::test {
+namespace assur::test::derive_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -324,4 +324,4 @@ TEST(DeriveCommand, RefusesWhatItDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::derive_test

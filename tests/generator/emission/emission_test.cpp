@@ -6,7 +6,7 @@
 
 #include "command.hpp"
 
-namespace assur::test {
+namespace assur::test::emission_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -91,4 +91,4 @@ TEST(Emission, LinesFitAHundredColumns) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::emission_test

@@ -9,7 +9,7 @@
 
 #include "command.hpp"
 
-namespace assur::test {
+namespace assur::test::emit_scene_content_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -143,4 +143,4 @@ TEST(EmitSceneContent, RefusesWhatHasNoSolver) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::emit_scene_content_test

@@ -7,7 +7,7 @@
 
 #include "solver_comparison.hpp"
 
-namespace assur::test {
+namespace assur::test::emit_scene_names_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -140,4 +140,4 @@ TEST(EmitSceneNames, OfFilesMayBeEveryWordOfASolver) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::emit_scene_names_test

@@ -3,7 +3,7 @@
 
 #include "solver_comparison.hpp"
 
-namespace assur::test {
+namespace assur::test::emit_scene_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,4 +47,4 @@ TEST(EmitScene, AgreesWithSolveOverAllExamples) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::emit_scene_test

@@ -8,7 +8,7 @@
 
 #include "command.hpp"
 
-namespace assur::test {
+namespace assur::test::catalogue_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -144,4 +144,4 @@ TEST(Catalogue, PrintsTextAndTheDocumentedMarkdown) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::catalogue_test
