@@ -1,0 +1,137 @@
+// Law: pins that coincide hold a group that moves, wherever rounding has put them; and what an
+// independent group answers does not depend on which of the two is listed first.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scene_solutions.hpp"
+
+namespace assur::test::coincident_pins {
+namespace {
+
+Json pin(const std::string& one, const std::string& other) {
+  return {{"type", "revolute"}, {"between", {one, other}}};
+}
+
+/// A crank of `length` at `phi`, whose end stands on the ground's pin O, and two equal bars from
+/// there.
+Json folded_kite(double length, double phi, double x, double y) {
+  return {{"parameters", {{"phi", phi}}},
+          {"links",
+           {{"ground", {{"A", {0, 0}}, {"O", {x, y}}}},
+            {"crank", {{"A", {0, 0}}, {"B", {length, 0}}}},
+            {"coupler", {{"B", {0, 0}}, {"C", {2, 0}}}},
+            {"rocker", {{"O", {0, 0}}, {"C", {2, 0}}}}}},
+          {"joints",
+           {{"A", pin("ground.A", "crank.A")},
+            {"B", pin("crank.B", "coupler.B")},
+            {"C", pin("coupler.C", "rocker.C")},
+            {"O", pin("ground.O", "rocker.O")}}},
+          {"drivers", {{"A", {{"position", "phi"}, {"velocity", 1}}}}}};
+}
+
+TEST(CoincidentPins, LetAFoldedKiteTurnWhereverItStands) {
+  for (const double length : {1.0, 3.0, 250.0, 1000.0, 12345.0}) {
+    for (const auto& [x, y] : {std::pair(1.0, 0.0), std::pair(0.0, 1.0), std::pair(-1.0, 0.0),
+                               std::pair(0.6, 0.8), std::pair(-5.0 / 13, 12.0 / 13)}) {
+      SCOPED_TRACE(testing::Message() << length << " at " << x << ", " << y);
+      const Solved kite = solved(folded_kite(length, std::atan2(y, x), length * x, length * y));
+      EXPECT_EQ(kite.solution.status, mechanism::SolutionStatus::degenerate);
+      EXPECT_EQ(kite.solution.mobility, 1);
+    }
+  }
+}
+
+/// Two bars on one crank carry a pin onto another of its pins, at every angle; from there to the
+/// second pin go two more, equal ones or a pin in a slot through it.
+TEST(CoincidentPins, AreSoThroughOtherGroupsToo) {
+  const Json links = {{"ground", {{"A", {1, 0}}}},
+                      {"crank", {{"A", {2, 1}}, {"B", {0, 0}}, {"D", {2, 2}}}},
+                      {"one", {{"B", {-3, 3}}, {"C", {-1, 2}}, {"E", {-1, 1}}}},
+                      {"other", {{"C", {1, 2}}, {"D", {2, 2}}}}};
+  const Json joints = {{"A", pin("ground.A", "crank.A")},
+                       {"B", pin("crank.B", "one.B")},
+                       {"C", pin("one.C", "other.C")},
+                       {"D", pin("other.D", "crank.D")}};
+  Json kite = {{"parameters", {{"phi", 0}}},
+               {"links", links},
+               {"joints", joints},
+               {"drivers", {{"A", {{"position", "phi"}}}}}};
+  Json slot = kite;
+  kite["links"]["left"] = {{"E", {0, 0}}, {"F", {0, 5}}};
+  kite["links"]["right"] = {{"G", {3, 4}}, {"F", {0, 0}}};
+  kite["joints"]["E"] = pin("one.E", "left.E");
+  kite["joints"]["F"] = pin("left.F", "right.F");
+  kite["joints"]["G"] = pin("crank.D", "right.G");
+  slot["links"]["left"] = {{"E", {-2, 3}}, {"S", {{"through", {-2, 5}}, {"along", {0, -1}}}}};
+  slot["links"]["right"] = {{"G", {-1, -1}}, {"S", {{"through", {-1, -1}}, {"along", {0, 1}}}}};
+  slot["joints"]["E"] = pin("one.E", "left.E");
+  slot["joints"]["S"] = {{"type", "prismatic"}, {"between", {"left.S", "right.S"}}};
+  slot["joints"]["G"] = pin("crank.D", "right.G");
+  for (const Json& scene : {kite, slot}) {
+    for (int step = 0; step <= 20; ++step) {
+      SCOPED_TRACE(step);
+      const Solved found = solved(scene, {"phi=" + std::to_string(step) + "/10"});
+      EXPECT_EQ(found.solution.families.size(), 1U);
+      ASSERT_EQ(found.configurations().size(), 2U);  // where the pin is on the other side
+      for (const mechanism::Configuration& configuration : found.configurations()) {
+        EXPECT_EQ(configuration.regularity, Status::ok);
+      }
+    }
+  }
+}
+
+/// A bar of no length spins beside a platform on two bars and the pin that it stands on, which fit
+/// exactly.
+TEST(CoincidentPins, OfABarLetItSpin) {
+  const std::vector<std::pair<double, double>> turns = {{1, 0}, {0, 1}, {0.6, 0.8}, {-0.8, 0.6}};
+  const std::vector<std::vector<std::string>> listings = {{"none", "left", "right", "platform"},
+                                                          {"platform", "none", "left", "right"},
+                                                          {"right", "platform", "none", "left"},
+                                                          {"left", "right", "platform", "none"}};
+  for (const auto& [c, s] : turns) {
+    const auto turned = [c = c, s = s](double x, double y) {
+      return Json({c * x - s * y, s * x + c * y});
+    };
+    const Json parts = {{"none", {{"M", {-1, -2}}, {"N", {-1, -2}}}},
+                        {"left", {{"P", {-2, 4}}, {"Q", {-3, 2}}}},
+                        {"right", {{"R", {-4, 2}}, {"S", {-2, 1}}}},
+                        {"platform", {{"N", {0, 0}}, {"Q", {-1, 1}}, {"S", {-1, 1}}}}};
+    for (const std::vector<std::string>& listing : listings) {
+      SCOPED_TRACE(testing::Message() << c << " " << s << " " << listing[0]);
+      Json scene = {
+          {"links",
+           {{"ground", {{"M", turned(0, -1)}, {"P", turned(0, 2)}, {"R", turned(0, 2)}}}}}};
+      for (const std::string& link : listing) {
+        scene["links"][link] = parts[link];
+      }
+      scene["joints"] = {{"M", pin("ground.M", "none.M")},  {"N", pin("none.N", "platform.N")},
+                         {"P", pin("ground.P", "left.P")},  {"Q", pin("left.Q", "platform.Q")},
+                         {"R", pin("ground.R", "right.R")}, {"S", pin("right.S", "platform.S")}};
+      const Solved found = solved(scene);
+      EXPECT_EQ(found.solution.status, mechanism::SolutionStatus::degenerate);
+      EXPECT_EQ(found.solution.mobility, 1);
+      EXPECT_TRUE(found.configurations().empty());
+    }
+  }
+}
+
+TEST(CoincidentPins, DoNotHideThatAnotherGroupCannotReach) {
+  const Json kite = {{"a", {{"A", {0, 0}}, {"B", {1, 0}}}}, {"b", {{"B", {0, 0}}, {"D", {1, 0}}}}};
+  const Json far = {{"c", {{"G", {0, 0}}, {"E", {1, 0}}}}, {"d", {{"E", {0, 0}}, {"H", {1, 0}}}}};
+  for (const auto& [first, second] : {std::pair(kite, far), std::pair(far, kite)}) {
+    Json scene = {
+        {"links", {{"ground", {{"A", {0, 0}}, {"D", {0, 0}}, {"G", {5, 0}}, {"H", {9, 0}}}}}}};
+    scene["links"].update(first);
+    scene["links"].update(second);
+    scene["joints"] = {{"A", pin("ground.A", "a.A")}, {"B", pin("a.B", "b.B")},
+                       {"D", pin("ground.D", "b.D")}, {"G", pin("ground.G", "c.G")},
+                       {"E", pin("c.E", "d.E")},      {"H", pin("ground.H", "d.H")}};
+    const Solved found = solved(scene);
+    EXPECT_EQ(found.solution.status, mechanism::SolutionStatus::no_assembly);
+    EXPECT_TRUE(found.solution.families.empty());
+  }
+}
+
+}  // namespace
+}  // namespace assur::test::coincident_pins
