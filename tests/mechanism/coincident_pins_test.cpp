@@ -81,6 +81,32 @@ TEST(CoincidentPins, AreSoThroughOtherGroupsToo) {
   }
 }
 
+/// Two bars in line are held by their ends to the root of a rounding as far as bounds tell.
+TEST(CoincidentPins, AreSoBehindBarsInLine) {
+  for (const auto& [c, s] : {std::pair(1.0, 0.0), std::pair(0.6, 0.8), std::pair(-0.8, 0.6)}) {
+    SCOPED_TRACE(c);
+    const auto turned = [c = c, s = s](double x, double y) {
+      return Json({c * x - s * y, s * x + c * y});
+    };
+    const Json scene = {{"links",
+                         {{"ground", {{"A", {0, 0}}, {"C", turned(5, 0)}, {"F", turned(2, 1)}}},
+                          {"one", {{"A", {0, 0}}, {"B", {2, 0}}, {"D", {2, 1}}}},
+                          {"other", {{"B", {0, 0}}, {"C", {3, 0}}}},
+                          {"left", {{"D", {0, 0}}, {"E", {3, 4}}}},
+                          {"right", {{"F", {0, 0}}, {"E", {5, 0}}}}}},
+                        {"joints",
+                         {{"A", pin("ground.A", "one.A")},
+                          {"B", pin("one.B", "other.B")},
+                          {"C", pin("ground.C", "other.C")},
+                          {"D", pin("one.D", "left.D")},
+                          {"E", pin("left.E", "right.E")},
+                          {"F", pin("ground.F", "right.F")}}}};
+    const Solved found = solved(scene);
+    EXPECT_EQ(found.solution.status, mechanism::SolutionStatus::degenerate);
+    EXPECT_EQ(found.solution.mobility, 1);
+  }
+}
+
 /// A bar of no length spins beside a platform on two bars and the pin that it stands on, which fit
 /// exactly.
 TEST(CoincidentPins, OfABarLetItSpin) {

@@ -423,7 +423,13 @@ class Neighbourhood {
     for (const Real way : {reach_, -reach_}) {
       FlatVariables<Real> to = q;
       closures_.advance(way * along, to);
-      const Real miss = close(closures_, to);
+      // Where neighbours are displaced, steps below rounding would lead along the family, to where
+      // it closes exactly.
+      restore(closures_, to);
+      Real miss = closures_.at(to).norm();
+      if (!(miss < rounding(closures_, to))) {
+        miss = close(closures_, to);
+      }
       FlatVector<Real> step = step_between(closures_, q, to);
       const Real length = step.norm();
       if (!(miss < rounding(closures_, to)) || length < 0.7 * reach_ || length > 1.4 * reach_ ||

@@ -82,8 +82,8 @@ template <typename Model>
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   const double own = size_of<Model>(d, u);
   const double places = longest_length(u);
-  const double size =
-      own > std::max(rounding * places, displaced) ? std::max(own, 0x1p-44 * places) : places;
+  const bool tells = own > std::max(rounding * places, displaced);
+  const double size = std::max(own, tells ? 0x1p-44 * places : places);
   return size > 0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
 }
 
