@@ -1,16 +1,48 @@
-// Turns every rigid model into an instance of the search for all its configurations.
-#include <assur/assembly.hpp>
+// Turns every rigid model into an instance of the search for all its configurations, which the
+// library assur::mechanism has compiled already, behind plain numbers.
+#include <algorithm>
+#include <assur/mechanism/group_model.hpp>
+#include <assur/support/flat_variables.hpp>
 
 #include "compiled_models.hpp"
 #include "instances.hpp"
+#include "models/model_kernel.hpp"
 #include "registry.hpp"
 
 namespace assur::test::compiled {
+namespace {
+
+const mechanism::ModelKernel& kernel_of(const char* group, int number) {
+  const auto& groups = mechanism::known_groups();
+  const auto models = std::find_if(groups.begin(), groups.end(), [group](const auto& candidate) {
+    return candidate.structure.name == group;
+  });
+  return *models->models[static_cast<std::size_t>(number - 1)].kernel;
+}
+
+}  // namespace
 
 template <typename Model>
 Assemblies<Model> assemblies(const typename Model::template Dimensions<double>& d,
                              const typename Model::template Inputs<double>& u) {
-  return assur::assemblies<Model>(d, u);
+  static const mechanism::ModelKernel& kernel = kernel_of(Model::group, Model::number);
+  mechanism::FlatVariables dimensions{};
+  mechanism::FlatVariables inputs{};
+  support::flatten(d, dimensions);
+  support::flatten(u, inputs);
+  mechanism::GroupAssemblies found;
+  kernel.assemble(dimensions, inputs, found);
+  Assemblies<Model> result;
+  result.status = found.status;
+  result.count = static_cast<int>(found.count);
+  result.mobility = found.mobility;
+  for (std::size_t index = 0; index < found.count; ++index) {
+    using Configuration = typename Model::template Configuration<double>;
+    result.configurations[index] = support::unflattened<Configuration>(
+        found.configurations[index], [](double value) { return value; });
+    result.regularity[index] = found.regularity[index];
+  }
+  return result;
 }
 
 template <typename Model>
