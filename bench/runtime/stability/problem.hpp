@@ -2,16 +2,12 @@
 #pragma once
 
 #include <assur/kinematics.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
 #include <limits>
 #include <tuple>
 
-namespace assur::stability {
+#include "real.hpp"
 
-/// 50 decimal digits, without expression templates.
-using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
-                                           boost::multiprecision::et_off>;
+namespace assur::stability {
 
 /// A group, one of its configurations, and how its inputs move.
 template <typename Model, typename Scalar>

@@ -1,0 +1,90 @@
+// Turns Boost's numbers of 50 digits into a scalar that costs little to compile: what uses it sees
+// none of Boost's templates, and one file compiles their arithmetic, optimised.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <limits>
+#include <string>
+
+namespace assur::stability {
+
+/// A number of 50 decimal digits.
+class Real {
+ public:
+  Real();
+  Real(int value);             // NOLINT(google-explicit-constructor): a number
+  Real(std::ptrdiff_t value);  // NOLINT(google-explicit-constructor): a number, as Eigen counts
+  Real(double value);          // NOLINT(google-explicit-constructor): a number
+  explicit Real(const std::string& digits);
+  Real(const Real& other);
+  Real& operator=(const Real& other);
+  ~Real() = default;
+
+  /// Rounded; toward zero if to a whole number.
+  explicit operator int() const;
+  explicit operator double() const;
+  explicit operator long double() const;
+
+  Real& operator+=(const Real& other) { return *this = *this + other; }
+  Real& operator-=(const Real& other) { return *this = *this - other; }
+  Real& operator*=(const Real& other) { return *this = *this * other; }
+  Real& operator/=(const Real& other) { return *this = *this / other; }
+
+  friend Real operator+(const Real& a, const Real& b);
+  friend Real operator-(const Real& a, const Real& b);
+  friend Real operator*(const Real& a, const Real& b);
+  friend Real operator/(const Real& a, const Real& b);
+  friend Real operator-(const Real& a);
+  friend bool operator==(const Real& a, const Real& b);
+  friend bool operator<(const Real& a, const Real& b);
+  friend bool operator>(const Real& a, const Real& b) { return b < a; }
+  friend bool operator<=(const Real& a, const Real& b);
+  friend bool operator>=(const Real& a, const Real& b) { return b <= a; }
+
+  friend Real abs(const Real& a);
+  friend Real sqrt(const Real& a);
+  friend Real sin(const Real& a);
+  friend Real cos(const Real& a);
+  friend bool isfinite(const Real& a);
+
+  /// The difference between one and the next number.
+  static Real epsilon();
+
+ private:
+  struct Access;  // to the number that lives in the storage, whose type is the .cpp's own
+  alignas(16) std::byte storage_[64];
+};
+
+}  // namespace assur::stability
+
+template <>
+class std::numeric_limits<assur::stability::Real> {
+ public:
+  static constexpr bool is_specialized = true;
+  static constexpr bool is_signed = true;
+  static constexpr bool is_integer = false;
+  static constexpr bool is_exact = false;
+  static constexpr int digits10 = 50;
+  static assur::stability::Real epsilon() { return assur::stability::Real::epsilon(); }
+};
+
+template <>
+struct Eigen::NumTraits<assur::stability::Real>
+    : Eigen::GenericNumTraits<assur::stability::Real> {
+  using Real = assur::stability::Real;
+  using NonInteger = Real;
+  using Nested = Real;
+  using Literal = Real;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 10,
+    AddCost = 100,
+    MulCost = 100
+  };
+  static Real epsilon() { return Real::epsilon(); }
+  static Real dummy_precision() { return Real(1000) * Real::epsilon(); }
+};
