@@ -9,7 +9,7 @@
 #include "model_types.hpp"
 #include "sturm.hpp"
 
-namespace assur::test {
+namespace assur::test::assembly_test {
 namespace {
 
 constexpr int samples = 300;
@@ -60,4 +60,4 @@ TYPED_TEST(Assembling, LosesNoneAndInventsNone) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::assembly_test

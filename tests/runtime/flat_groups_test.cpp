@@ -16,7 +16,7 @@
 #include "compiled_models.hpp"
 #include "exact_assembly.hpp"
 
-namespace assur::test {
+namespace assur::test::flat_groups_test {
 namespace {
 
 constexpr unsigned seed = 30103;
@@ -167,4 +167,4 @@ TEST(FlatGroup, AnEndLedOnACircle) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::flat_groups_test

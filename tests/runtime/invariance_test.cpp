@@ -8,7 +8,7 @@
 #include "largest.hpp"
 #include "model_types.hpp"
 
-namespace assur::test {
+namespace assur::test::invariance_test {
 namespace {
 
 constexpr unsigned samples = 10;
@@ -197,4 +197,4 @@ TYPED_TEST(Invariance, ChangeOfUnits) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::invariance_test

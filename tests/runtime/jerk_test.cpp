@@ -9,7 +9,7 @@
 #include "model_types.hpp"
 #include "richardson.hpp"
 
-namespace assur::test {
+namespace assur::test::jerk_test {
 namespace {
 
 constexpr unsigned seed = 271;
@@ -125,4 +125,4 @@ TYPED_TEST(Jerk, OfRatesThatAreNoNumbersIsNone) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::jerk_test

@@ -3,12 +3,13 @@
 #include <assur/kinematics.hpp>
 #include <iostream>
 #include <set>
+#include <span>
 
 #include "kind_in_space.hpp"
 #include "largest.hpp"
 #include "model_types.hpp"
 
-namespace assur::test {
+namespace assur::test::kinds_test {
 namespace {
 
 constexpr unsigned samples = 25;
@@ -16,19 +17,127 @@ constexpr unsigned samples = 25;
 constexpr Real motion_step = 1e-3L;
 constexpr Real dimension_step = 1e-5L;
 
+// What follows works on matrices of no fixed size, so that it is compiled once for all models.
+
 /// d/dt at 0 of a function known at -3h .. 3h by central differences, extrapolated by Richardson
 /// twice: error O(h^6).
-template <typename Sample>
-auto first_derivative(const Sample& at, Real h) {
-  using Value = std::decay_t<decltype(at(0))>;  // not an expression of values that are gone
-  return Value((45 * (at(1) - at(-1)) - 9 * (at(2) - at(-2)) + (at(3) - at(-3))) / (60 * h));
+using Stencil = std::array<RealVector, 7>;
+RealVector first_derivative(const Stencil& at, Real h) {
+  return (45 * (at[4] - at[2]) - 9 * (at[5] - at[1]) + (at[6] - at[0])) / (60 * h);
 }
+RealVector second_derivative(const Stencil& at, Real h) {
+  return (270 * (at[4] + at[2]) - 27 * (at[5] + at[1]) + 2 * (at[6] + at[0]) - 490 * at[3]) /
+         (180 * h * h);
+}
+/// Samples a function of a number of steps.
 template <typename Sample>
-auto second_derivative(const Sample& at, Real h) {
-  using Value = std::decay_t<decltype(at(0))>;
-  return Value(
-      (270 * (at(1) + at(-1)) - 27 * (at(2) + at(-2)) + 2 * (at(3) + at(-3)) - 490 * at(0)) /
-      (180 * h * h));
+Stencil sampled(const Sample& at) {
+  Stencil stencil;
+  for (int step = -3; step <= 3; ++step) {
+    stencil[static_cast<std::size_t>(step + 3)] = at(step);
+  }
+  return stencil;
+}
+
+/// The numbers of a model's vector or matrix, column by column.
+template <int Rows, int Columns>
+RealVector numbers(const Matrix<Real, Rows, Columns>& matrix) {
+  RealVector list(Rows * Columns);
+  std::copy_n(matrix.data(), Rows * Columns, list.data());
+  return list;
+}
+
+Real largest_entry(const RealVector& list) { return list.cwiseAbs().maxCoeff(); }
+
+/// The largest error of `found` against `expected`, relative to what is more than one.
+Real worst_of(Real so_far, const RealVector& found, const RealVector& expected) {
+  for (Eigen::Index index = 0; index < found.size(); ++index) {
+    so_far =
+        largest(so_far, std::abs(found(index) - expected(index)) / (1 + std::abs(expected(index))));
+  }
+  return so_far;
+}
+
+/// The angle between -pi and pi that differs by full turns.
+Real wrapped(Real angle) { return std::remainder(angle, 2 * std::acos(Real(-1))); }
+
+void expect_pose(const Pose<Real>& pose, const BodyPose& expected) {
+  // Lines that are nearly parallel put a frame's origin far away.
+  const Real size = 1 + std::abs(expected.x) + std::abs(expected.y);
+  EXPECT_NEAR(static_cast<double>((pose.x - expected.x) / size), 0.0, 1e-15);
+  EXPECT_NEAR(static_cast<double>((pose.y - expected.y) / size), 0.0, 1e-15);
+  EXPECT_NEAR(static_cast<double>(wrapped(angle_of(pose.direction) - expected.theta)), 0.0, 1e-15);
+}
+
+/// That angles which prismatic joints tie agree: their differences are (1, 0).
+void expect_compatible(const RealVector& cosines_then_sines) {
+  const Eigen::Index count = cosines_then_sines.size() / 2;
+  for (Eigen::Index row = 0; row < count; ++row) {
+    EXPECT_NEAR(static_cast<double>(cosines_then_sines(row)), 1.0, 1e-15);
+    EXPECT_NEAR(static_cast<double>(cosines_then_sines(count + row)), 0.0, 1e-15);
+  }
+}
+
+/// How the links of a model have moved, x, y and theta link by link, when every coordinate of the
+/// base has travelled with its rate and its second rate for a time.
+RealVector links_after(const KindBodies& space, std::span<const NormalForm<Real>> forms,
+                       const RealVector& rate, const RealVector& second, Real t) {
+  KindBodies moved = space;
+  int index = 0;
+  for (std::size_t joint = 0; joint < space.model_joints.size(); ++joint) {
+    if (space.model_joints[joint].first != base_link) {
+      continue;
+    }
+    BodyJoint& at = moved.bodies.joints[space.player(static_cast<int>(joint))];
+    const auto travel = [&] {
+      const Real value = rate(index) * t + second(index) * t * t / 2;
+      ++index;
+      return value;
+    };
+    at.on_first.x += travel();
+    at.on_first.y += travel();
+    if (at.prismatic) {
+      at.on_first.angle += travel();
+    }
+  }
+  EXPECT_TRUE(moved.bodies.assemble());
+  RealVector poses(3 * static_cast<Eigen::Index>(forms.size()));
+  for (std::size_t link = 0; link < forms.size(); ++link) {
+    const BodyPose pose = moved.frame(static_cast<int>(link), forms[link]);
+    const Real before = space.frame(static_cast<int>(link), forms[link]).theta;
+    poses.segment<3>(3 * static_cast<Eigen::Index>(link)) << pose.x, pose.y,
+        wrapped(pose.theta - before);
+  }
+  return poses;
+}
+
+/// The same numbers, row by row where they stood column by column.
+RealVector by_rows(const RealVector& by_columns, Eigen::Index rows) {
+  const RealMatrix transposed = by_columns.reshaped(rows, by_columns.size() / rows).transpose();
+  return transposed.reshaped();
+}
+
+Real difference(Real to, Real from) { return to - from; }
+Real difference(const Direction<Real>& to, const Direction<Real>& from) {
+  return angle_of(turned(to, reversed(from)));
+}
+/// The change of variables, angles as angles.
+template <typename Variables>
+RealVector change(const Variables& to, const Variables& from, int count) {
+  RealVector list(count);
+  Eigen::Index row = 0;
+  for_each_pair(to, from,
+                [&](const auto& one, const auto& other) { list(row++) = difference(one, other); });
+  return list;
+}
+
+/// Moves one of the variables by steps, the others by nothing.
+template <int Count, typename Variables>
+void move_one(Variables& variables, int moved, int steps) {
+  Vector<Real, Count> way;
+  std::fill_n(way.data(), Count, Real(0));
+  way(moved) = steps * dimension_step;
+  advance(variables, way);
 }
 
 template <typename Model>
@@ -55,39 +164,26 @@ class Kinds : public testing::Test {
   }
 };
 
-/// The angle between -pi and pi that differs by full turns.
-Real wrapped(Real angle) { return std::remainder(angle, 2 * std::acos(Real(-1))); }
-
 TYPED_TEST_SUITE(Kinds, AllModels, ModelNames);
 
 TYPED_TEST(Kinds, AssembledBodiesCloseTheLoopsAndPosesAgree) {
   using Model = TypeParam;
-  this->for_each_group([](const auto& space, const auto& forms, const auto& d, const auto& u,
-                          const auto& q) {
-    Vector<Real, Model::equation_count> f;
-    Model::residual(d, u, q, f);
-    EXPECT_LT(f.cwiseAbs().maxCoeff(), 1e-15L);
-    Poses<Real, Model::link_count> poses;
-    Model::link_poses(d, u, q, poses);
-    for (int link = 0; link < Model::link_count; ++link) {
-      const auto slot = static_cast<std::size_t>(link);
-      const BodyPose expected = space.frame(link, forms[slot]);
-      // Lines that are nearly parallel put a frame's origin far away.
-      const Real size = 1 + std::abs(expected.x) + std::abs(expected.y);
-      EXPECT_NEAR(static_cast<double>((poses[slot].x - expected.x) / size), 0.0, 1e-15);
-      EXPECT_NEAR(static_cast<double>((poses[slot].y - expected.y) / size), 0.0, 1e-15);
-      EXPECT_NEAR(static_cast<double>(wrapped(angle_of(poses[slot].direction) - expected.theta)),
-                  0.0, 1e-15);
-    }
-    if constexpr (!Model::rigid) {
-      Matrix<Real, Model::compatibility_count, 2> c;
-      Model::compatibility(d, u, c);
-      for (int row = 0; row < Model::compatibility_count; ++row) {
-        EXPECT_NEAR(static_cast<double>(c(row, 0)), 1.0, 1e-15);
-        EXPECT_NEAR(static_cast<double>(c(row, 1)), 0.0, 1e-15);
-      }
-    }
-  });
+  this->for_each_group(
+      [](const auto& space, const auto& forms, const auto& d, const auto& u, const auto& q) {
+        Vector<Real, Model::equation_count> f;
+        Model::residual(d, u, q, f);
+        EXPECT_LT(largest_entry(numbers(f)), 1e-15L);
+        Poses<Real, Model::link_count> poses;
+        Model::link_poses(d, u, q, poses);
+        for (std::size_t link = 0; link < poses.size(); ++link) {
+          expect_pose(poses[link], space.frame(static_cast<int>(link), forms[link]));
+        }
+        if constexpr (!Model::rigid) {
+          Matrix<Real, Model::compatibility_count, 2> c;
+          Model::compatibility(d, u, c);
+          expect_compatible(numbers(c));
+        }
+      });
 }
 
 TYPED_TEST(Kinds, MotionFollowsTheBodies) {
@@ -113,59 +209,19 @@ TYPED_TEST(Kinds, MotionFollowsTheBodies) {
       Motion<Model, Real> q_motion;
       ASSERT_EQ((motion<Model, Real>(d, u, q, rate, second, q_motion)), Status::ok);
       // The faster the motion, the shorter the time in which differences can follow it.
-      const Real h = motion_step / (1 + q_motion.velocity.cwiseAbs().maxCoeff() +
-                                    std::sqrt(q_motion.acceleration.cwiseAbs().maxCoeff()));
-      const auto stands = [&](int steps) {
-        auto moved = space;
-        const Real t = steps * h;
-        int index = 0;
-        for (int joint = 0; joint < Model::joint_count; ++joint) {
-          if (Model::joints[static_cast<std::size_t>(joint)].first != base_link) {
-            continue;
-          }
-          BodyJoint& at = moved.bodies.joints[space.player(joint)];
-          const auto travel = [&] {
-            const Real value = rate(index) * t + second(index) * t * t / 2;
-            ++index;
-            return value;
-          };
-          at.on_first.x += travel();
-          at.on_first.y += travel();
-          if (at.prismatic) {
-            at.on_first.angle += travel();
-          }
-        }
-        EXPECT_TRUE(moved.bodies.assemble());
-        RealVector poses(3 * Model::link_count);
-        for (int link = 0; link < Model::link_count; ++link) {
-          const BodyPose pose = moved.frame(link, forms[static_cast<std::size_t>(link)]);
-          poses.template segment<3>(3 * link) << pose.x, pose.y,
-              wrapped(pose.theta - space.frame(link, forms[static_cast<std::size_t>(link)]).theta);
-        }
-        return poses;
-      };
-      std::array<RealVector, 7> stand;
-      for (int index = 0; index < 7; ++index) {
-        stand[static_cast<std::size_t>(index)] = stands(index - 3);
-      }
-      const auto at = [&](int index) { return stand[static_cast<std::size_t>(index + 3)]; };
-      const RealVector v_expected = first_derivative(at, h);
-      const RealVector a_expected = second_derivative(at, h);
-
+      const Real h = motion_step / (1 + largest_entry(numbers(q_motion.velocity)) +
+                                    std::sqrt(largest_entry(numbers(q_motion.acceleration))));
+      const Stencil stands = sampled([&](int steps) {
+        return links_after(space, forms, numbers(rate), numbers(second), steps * h);
+      });
       Matrix<Real, Model::link_count, 3> v;
       Matrix<Real, Model::link_count, 3> a;
       Model::link_velocities(d, u, q, q_motion.velocity, rate, v);
       Model::link_accelerations(d, u, q, q_motion.velocity, q_motion.acceleration, rate, second, a);
-      for (int link = 0; link < Model::link_count; ++link) {
-        for (int part = 0; part < 3; ++part) {
-          const Real v_true = v_expected(3 * link + part);
-          const Real a_true = a_expected(3 * link + part);
-          worst_velocity =
-              largest(worst_velocity, std::abs(v(link, part) - v_true) / (1 + std::abs(v_true)));
-          worst_acceleration = largest(worst_acceleration,
-                                       std::abs(a(link, part) - a_true) / (1 + std::abs(a_true)));
-        }
-      }
+      worst_velocity = worst_of(worst_velocity, by_rows(numbers(v), Model::link_count),
+                                first_derivative(stands, h));
+      worst_acceleration = worst_of(worst_acceleration, by_rows(numbers(a), Model::link_count),
+                                    second_derivative(stands, h));
       ++compared;
     });
     std::cout << model_name<Model>() << ": " << compared << " groups, largest relative error of "
@@ -188,50 +244,29 @@ TYPED_TEST(Kinds, SensitivitiesFollowReassembly) {
       }
       Sensitivities<Model, Real> result;
       ASSERT_EQ((sensitivities<Model, Real>(d, u, q, result)), Status::ok);
-      const auto change = [&](auto variables, int index, int steps, auto reassembled) {
-        auto move =
-            decltype(Vector<Real, std::tuple_size_v<decltype(variables.members())>>())::Zero()
-                .eval();
-        move(index) = steps * dimension_step;
-        advance(variables, move);
+      const auto reassembled = [&q](const auto& moved_d, const auto& moved_u) {
         auto moved = q;
-        EXPECT_EQ(reassembled(variables, moved), Status::ok);
-        // The change of the unknowns, angles as angles.
-        Vector<Real, Model::unknown_count> difference;
-        Eigen::Index row = 0;
-        const auto part = [](const auto& to, const auto& from) -> Real {
-          if constexpr (std::is_same_v<std::decay_t<decltype(to)>, Real>) {
-            return to - from;
-          } else {
-            return angle_of(turned(to, reversed(from)));
-          }
-        };
-        for_each_pair(moved, q, [&](const auto& to, const auto& from) {
-          difference(row++) = part(to, from);
-        });
-        return difference;
+        EXPECT_EQ((refine<Model, Real>(moved_d, moved_u, moved)), Status::ok);
+        return change(moved, q, Model::unknown_count);
       };
-      const auto compare = [&](const auto& column, const auto& expected) {
-        for (int row = 0; row < Model::unknown_count; ++row) {
-          worst =
-              largest(worst, std::abs(column(row) - expected(row)) / (1 + std::abs(expected(row))));
-        }
+      const auto compare = [&worst](const RealVector& entries, int column, const Stencil& at) {
+        worst =
+            worst_of(worst, entries.segment(column * Model::unknown_count, Model::unknown_count),
+                     first_derivative(at, dimension_step));
       };
       for (int index = 0; index < Model::dimension_count; ++index) {
-        const auto at = [&](int steps) {
-          return change(d, index, steps, [&](const auto& moved_d, auto& moved_q) {
-            return refine<Model, Real>(moved_d, u, moved_q);
-          });
-        };
-        compare(result.to_dimensions.col(index), first_derivative(at, dimension_step).eval());
+        compare(numbers(result.to_dimensions), index, sampled([&](int steps) {
+                  auto moved = d;
+                  move_one<Model::dimension_count>(moved, index, steps);
+                  return reassembled(moved, u);
+                }));
       }
       for (int index = 0; index < Model::input_count; ++index) {
-        const auto at = [&](int steps) {
-          return change(u, index, steps, [&](const auto& moved_u, auto& moved_q) {
-            return refine<Model, Real>(d, moved_u, moved_q);
-          });
-        };
-        compare(result.to_inputs.col(index), first_derivative(at, dimension_step).eval());
+        compare(numbers(result.to_inputs), index, sampled([&](int steps) {
+                  auto moved = u;
+                  move_one<Model::input_count>(moved, index, steps);
+                  return reassembled(d, moved);
+                }));
       }
       ++compared;
     });
@@ -260,4 +295,4 @@ TEST(KindTable, CoversEveryKindOnce) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::kinds_test

@@ -7,7 +7,7 @@
 #include "largest.hpp"
 #include "model_types.hpp"
 
-namespace assur::test {
+namespace assur::test::numeric_derivatives_test {
 namespace {
 
 constexpr int samples = 50;
@@ -137,4 +137,4 @@ TYPED_TEST(NumericDerivatives, ResidualAndJacobiansAgree) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::numeric_derivatives_test

@@ -5,7 +5,7 @@
 #include <assur/kinematics.hpp>
 #include <assur/tetrad/model_01.hpp>
 
-namespace assur::test {
+namespace assur::test::refine_test {
 namespace {
 
 using Model = tetrad::Model01;
@@ -45,4 +45,4 @@ TEST(Refine, ConvergesWithAShortBar) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::refine_test

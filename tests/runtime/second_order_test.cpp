@@ -12,7 +12,7 @@
 #include "largest.hpp"
 #include "richardson.hpp"
 
-namespace assur::test {
+namespace assur::test::second_order_test {
 namespace {
 
 /// A random assembled group of a model, a curve of dimensions and inputs through it, and what
@@ -179,4 +179,4 @@ TEST(RuntimeSecondOrderStatus, SaysWhereNothingWasComputed) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::second_order_test

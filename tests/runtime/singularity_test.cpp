@@ -8,16 +8,60 @@
 
 #include "model_types.hpp"
 
-namespace assur::test {
+namespace assur::test::singularity_test {
 namespace {
 
 constexpr unsigned seed = 5;
 constexpr int samples = 200;
 
-/// Any x with A x = b; of no fixed size, so that it is compiled once.
+// Matrices below have no fixed size, so that what computes with them is compiled once for all
+// models.
+
+/// Any x with A x = -b.
 Eigen::VectorXd solution_of(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
-  return A.fullPivLu().solve(b);
+  return A.fullPivLu().solve(-b);
 }
+
+/// The product, summed from the first column to the last.
+Eigen::VectorXd product(const Eigen::MatrixXd& A, const Eigen::VectorXd& x) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(A.rows());
+  for (Eigen::Index column = 0; column < A.cols(); ++column) {
+    sum += A.col(column) * x(column);
+  }
+  return sum;
+}
+
+/// Copies the columns of a matrix into a larger one, from a column on.
+template <int Rows, int Columns>
+void put(const Matrix<double, Rows, Columns>& from, Eigen::MatrixXd& to, int first_column) {
+  std::copy_n(from.data(), Rows * Columns, to.data() + first_column * Rows);
+}
+
+/// Draws variables and rates.
+class Draws {
+ public:
+  using Range = std::uniform_real_distribution<double>;
+
+  void fill(double& member, Range& range) { member = range(engine_); }
+  void fill(Direction<double>& member, Range& /*range*/) {
+    member = direction_of(angles_(engine_));
+  }
+  Eigen::VectorXd rates(int count) {
+    Eigen::VectorXd drawn(count);
+    for (int index = 0; index < count; ++index) {
+      drawn(index) = rates_(engine_);
+    }
+    return drawn;
+  }
+
+  Range lengths{0.5, 2};
+  Range coordinates{-2, 2};
+
+ private:
+  std::mt19937 engine_{seed};
+  Range angles_{-3.1, 3.1};
+  Range rates_{-1, 1};
+};
 
 template <typename Model>
 struct SingularGroup {
@@ -30,13 +74,7 @@ template <typename Model>
 class Singular : public testing::Test {
  protected:
   using Group = SingularGroup<Model>;
-  using Residual = Vector<double, Model::equation_count>;
   static constexpr int parameter_count = Model::dimension_count + Model::input_count;
-
-  template <int Count>
-  Vector<double, Count> rates() {
-    return Vector<double, Count>::NullaryExpr([this] { return rate_(engine_); });
-  }
 
   /// Of the groups between two random ones, one whose core's determinant vanishes; false if its
   /// sign is the same at both.
@@ -59,36 +97,36 @@ class Singular : public testing::Test {
   }
 
   /// [F_d F_u].
-  static Matrix<double, Model::equation_count, parameter_count> parameters(const Group& group) {
+  static Eigen::MatrixXd parameters(const Group& group) {
     Matrix<double, Model::equation_count, Model::dimension_count> f_d;
     Matrix<double, Model::equation_count, Model::input_count> f_u;
     Model::dimension_jacobian(group.d, group.u, group.q, f_d);
     Model::input_jacobian(group.d, group.u, group.q, f_u);
-    Matrix<double, Model::equation_count, parameter_count> both;
-    both << f_d, f_u;
+    Eigen::MatrixXd both(Model::equation_count, parameter_count);
+    put(f_d, both, 0);
+    put(f_u, both, Model::dimension_count);
     return both;
   }
 
-  static Singularity<double> along(const Group& group,
-                                   const Vector<double, parameter_count>& rate) {
-    return singularity_along<Model, double>(group.d, group.u, group.q,
-                                            rate.template head<Model::dimension_count>().eval(),
-                                            rate.template tail<Model::input_count>().eval());
+  static Singularity<double> along(const Group& group, const Eigen::VectorXd& rate) {
+    Vector<double, Model::dimension_count> d_rate;
+    Vector<double, Model::input_count> u_rate;
+    std::copy_n(rate.data(), Model::dimension_count, d_rate.data());
+    std::copy_n(rate.data() + Model::dimension_count, Model::input_count, u_rate.data());
+    return singularity_along<Model, double>(group.d, group.u, group.q, d_rate, u_rate);
   }
+
+  Draws draws;
 
  private:
   Group random_group() {
     Group group;
-    const auto fill = [this](auto& member, auto& length) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
-        member = length(engine_);
-      } else {
-        member = direction_of(angle_(engine_));
-      }
-    };
-    std::apply([&](auto&... member) { (fill(member, length_), ...); }, group.d.members());
-    std::apply([&](auto&... member) { (fill(member, coordinate_), ...); }, group.u.members());
-    std::apply([&](auto&... member) { (fill(member, coordinate_), ...); }, group.q.members());
+    for_each_member(group.d,
+                    [this](auto& member, std::size_t) { draws.fill(member, draws.lengths); });
+    for_each_member(group.u,
+                    [this](auto& member, std::size_t) { draws.fill(member, draws.coordinates); });
+    for_each_member(group.q,
+                    [this](auto& member, std::size_t) { draws.fill(member, draws.coordinates); });
     return group;
   }
 
@@ -119,12 +157,6 @@ class Singular : public testing::Test {
     }
     return product;
   }
-
-  std::mt19937 engine_{seed};
-  std::uniform_real_distribution<double> length_{0.5, 2};
-  std::uniform_real_distribution<double> coordinate_{-2, 2};
-  std::uniform_real_distribution<double> angle_{-3.1, 3.1};
-  std::uniform_real_distribution<double> rate_{-1, 1};
 };
 
 TYPED_TEST_SUITE(Singular, AllModels, ModelNames);
@@ -132,7 +164,6 @@ TYPED_TEST_SUITE(Singular, AllModels, ModelNames);
 TYPED_TEST(Singular, TypeFollowsTheMotion) {
   using Model = TypeParam;
   if constexpr (Model::rigid) {
-    constexpr int parameters = TestFixture::parameter_count;
     double smallest_at_fold = 1;
     double largest_at_crossing = 0;
     int compared = 0;
@@ -143,14 +174,14 @@ TYPED_TEST(Singular, TypeFollowsTheMotion) {
       }
       ++compared;
       EXPECT_NE((regularity<Model, double>(group.d, group.u, group.q).status), Status::ok);
-      const auto fold = this->along(group, this->template rates<parameters>());
+      const auto fold = this->along(group, this->draws.rates(TestFixture::parameter_count));
       Matrix<double, Model::equation_count, Model::unknown_count> jacobian;
       Model::jacobian(group.d, group.u, group.q, jacobian);
+      Eigen::MatrixXd of_unknowns(Model::equation_count, Model::unknown_count);
+      put(jacobian, of_unknowns, 0);
       // Any dq/dt makes a motion that stays in the range.
-      const typename TestFixture::Residual within =
-          -(jacobian * this->template rates<Model::unknown_count>());
-      const auto crossing = this->along(
-          group, Vector<double, parameters>(solution_of(TestFixture::parameters(group), within)));
+      const Eigen::VectorXd within = product(of_unknowns, this->draws.rates(Model::unknown_count));
+      const auto crossing = this->along(group, solution_of(TestFixture::parameters(group), within));
       if (fold.transversality > 1e-4) {  // a random motion may come close to the range
         EXPECT_EQ(fold.type, SingularityType::fold) << fold.transversality << " " << fold.distance;
       }
@@ -167,4 +198,4 @@ TYPED_TEST(Singular, TypeFollowsTheMotion) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::singularity_test

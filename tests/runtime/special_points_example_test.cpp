@@ -13,7 +13,7 @@
 #include "largest.hpp"
 #include "motion_error.hpp"
 
-namespace assur::test {
+namespace assur::test::special_points_example_test {
 namespace {
 
 using Group = tetrad::Model02;
@@ -256,4 +256,4 @@ TEST(PointAtInfinity, IsSaidAndDigitsAreCounted) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::special_points_example_test

@@ -10,7 +10,7 @@
 #include "model_types.hpp"
 #include "motion_error.hpp"
 
-namespace assur::test {
+namespace assur::test::special_points_test {
 namespace {
 
 constexpr unsigned seed = 20110;
@@ -246,4 +246,4 @@ TEST(SpecialPointTable, ServesTwentyKinds) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::special_points_test

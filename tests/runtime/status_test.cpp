@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-namespace assur::test {
+namespace assur::test::status_test {
 namespace {
 
 using Model = tetrad::Model01;
@@ -211,4 +211,4 @@ TEST(Version, IsThatOfTheProject) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::status_test

@@ -7,7 +7,7 @@
 #include "exact.hpp"
 #include "model_types.hpp"
 
-namespace assur::test {
+namespace assur::test::tracking_test {
 namespace {
 
 constexpr unsigned seed = 14142;
@@ -172,4 +172,4 @@ TEST(TrackingReport, IsGivenWhereABranchEnds) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::tracking_test

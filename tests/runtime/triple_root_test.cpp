@@ -11,7 +11,7 @@
 #include "compiled_models.hpp"
 #include "exact.hpp"
 
-namespace assur::test {
+namespace assur::test::triple_root_test {
 namespace {
 
 constexpr unsigned seed = 1618;
@@ -115,4 +115,4 @@ TYPED_TEST(TripleRoot, LosesNoneAndInventsNone) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::triple_root_test
