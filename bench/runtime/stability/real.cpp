@@ -48,22 +48,18 @@ Real operator+(const Real& a, const Real& b) {
   return Real::Access::made_of(Real::Access::in(a) + Real::Access::in(b));
 }
 Real operator-(const Real& a, const Real& b) {
-  return Real::Access::made_of(Real::Access::in(a) - Real::Access::in(b));
+  return Real::Access::made_of(Real::Access::in(a)-Real::Access::in(b));
 }
 Real operator*(const Real& a, const Real& b) {
-  return Real::Access::made_of(Real::Access::in(a) * Real::Access::in(b));
+  return Real::Access::made_of(Real::Access::in(a)*Real::Access::in(b));
 }
 Real operator/(const Real& a, const Real& b) {
   return Real::Access::made_of(Real::Access::in(a) / Real::Access::in(b));
 }
 Real operator-(const Real& a) { return Real::Access::made_of(-Real::Access::in(a)); }
-bool operator==(const Real& a, const Real& b) {
-  return Real::Access::in(a) == Real::Access::in(b);
-}
+bool operator==(const Real& a, const Real& b) { return Real::Access::in(a) == Real::Access::in(b); }
 bool operator<(const Real& a, const Real& b) { return Real::Access::in(a) < Real::Access::in(b); }
-bool operator<=(const Real& a, const Real& b) {
-  return Real::Access::in(a) <= Real::Access::in(b);
-}
+bool operator<=(const Real& a, const Real& b) { return Real::Access::in(a) <= Real::Access::in(b); }
 
 Real abs(const Real& a) { return Real::Access::made_of(abs(Real::Access::in(a))); }
 Real sqrt(const Real& a) { return Real::Access::made_of(sqrt(Real::Access::in(a))); }

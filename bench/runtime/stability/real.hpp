@@ -70,8 +70,7 @@ class std::numeric_limits<assur::stability::Real> {
 };
 
 template <>
-struct Eigen::NumTraits<assur::stability::Real>
-    : Eigen::GenericNumTraits<assur::stability::Real> {
+struct Eigen::NumTraits<assur::stability::Real> : Eigen::GenericNumTraits<assur::stability::Real> {
   using Real = assur::stability::Real;
   using NonInteger = Real;
   using Nested = Real;
