@@ -1,5 +1,6 @@
 #include "group_solver.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "plan/plan_data.hpp"
@@ -63,7 +64,9 @@ void GroupSolver::hold(const PlacedLinks& placed) {
     }
     ++row;
   };
+  query_.displaced = 0;
   for (const HeldJoint& joint : numbers_.held) {
+    query_.displaced = std::max(query_.displaced, placed.displaced[joint.base]);
     const Frame& base = placed.links[joint.base];
     const Frame& feature = values_.frame(joint.feature);
     if (joint.prismatic) {
@@ -84,7 +87,6 @@ void GroupSolver::hold(const PlacedLinks& placed) {
       }
     }
   }
-  query_.displaced = placed.displaced;
 }
 
 const GroupAssemblies& GroupSolver::assemble() {
@@ -112,7 +114,9 @@ void GroupSolver::place(std::size_t configuration, std::size_t first_slide, Plac
   placed.derivatives_known = placed.derivatives_known && precision.derivatives_known;
   placed.rates_known = placed.rates_known && precision.second_rates_known;
   placed.residual = std::max(placed.residual, motion_.residual);
-  placed.displaced = motion_.displaced;
+  for (const LinkIndex link : numbers_.links) {
+    placed.displaced[link] = motion_.displaced;
+  }
 }
 
 /// q_a = q_d d_a + q_u u_a and p_a = p_q q_a + p_d d_a + p_u u_a for every parameter a.

@@ -18,14 +18,14 @@ struct PlacedGroup {
 
 /// What is placed so far of one configuration.
 struct PlacedLinks {
-  Table<LinkIndex, Frame> links;  ///< blocks behind the mechanism's links
+  Table<LinkIndex, Frame> links;       ///< blocks behind the mechanism's links
+  Table<LinkIndex, double> displaced;  ///< how far rounding may have moved each
   std::vector<SlideState> slides;
   Table<GroupIndex, PlacedGroup> groups;
   Status regularity = Status::ok;
   bool derivatives_known = true;
   bool rates_known = true;
   double residual = 0;
-  double displaced = 0;  ///< how far rounding may have moved the links
 };
 
 /// The configurations of one group among placed neighbours.
@@ -38,6 +38,8 @@ class GroupSolver {
   void hold(const PlacedLinks& placed);
   /// Finds all configurations of the group where it is held.
   [[nodiscard]] const GroupAssemblies& assemble();
+  /// How far rounding may have moved what holds the group.
+  [[nodiscard]] double displaced() const { return query_.displaced; }
   /// By how much the closures fail at least where it is held, if there are no configurations.
   [[nodiscard]] double gap() const;
   /// Places the group's links and slides in one of its configurations; its slides stand in

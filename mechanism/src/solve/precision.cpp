@@ -141,7 +141,8 @@ Precision precision_of(const GroupModel& model, const FlatVariables& d, const Fl
     return result;
   }
   const SecondLook look(model, d, u, q, motion);
-  const double error = motion.inverse.allFinite() ? look.error(motion.held) : motion.standing.error();
+  const double error =
+      motion.inverse.allFinite() ? look.error(motion.held) : motion.standing.error();
   const bool is_regular = error < six_digits;
   result.regularity = moves && is_regular ? Status::ok : Status::near_singular;
   result.derivatives_known = error < two_digits;

@@ -23,6 +23,7 @@ class MechanismSolver {
                   bool measures_gap)
       : plan_(plan), structure_(plan->structure), values_(values), measures_gap_(measures_gap) {
     placed_.links.resize(structure_.linkage.links.size());
+    placed_.displaced.assign(structure_.linkage.links.size(), 0);
     placed_.groups.resize(structure_.groups.size());
     solvers_.reserve(structure_.groups.size());
     for (const GroupIndex group : structure_.groups.keys()) {
@@ -119,16 +120,14 @@ class MechanismSolver {
     }
     const Status regularity = placed_.regularity;
     const double residual = placed_.residual;
-    const double displaced = placed_.displaced;
     const bool derivatives_known = placed_.derivatives_known;
     const bool rates_known = placed_.rates_known;
     for (std::size_t index = 0; index < found.count; ++index) {
       placed_.regularity = regularity;
       placed_.residual = residual;
-      placed_.displaced = displaced;
       placed_.derivatives_known = derivatives_known;
       placed_.rates_known = rates_known;
-      placed_.groups[group] = {found.configurations[index], displaced};
+      placed_.groups[group] = {found.configurations[index], solver->displaced()};
       solver->place(index, first_slide_[group], placed_);
       descend(depth + 1);
     }
@@ -182,10 +181,8 @@ class MechanismSolver {
     }
     solver->hold(placed_);
     const GroupAssemblies& found = solver->assemble();
-    const double displaced = placed_.displaced;
     for (std::size_t index = 0; index < found.count; ++index) {
-      placed_.displaced = displaced;
-      placed_.groups[group] = {found.configurations[index], displaced};
+      placed_.groups[group] = {found.configurations[index], solver->displaced()};
       solver->place(index, first_slide_[group], placed_);
       if (rest_assembles(depth + 1, unplaced)) {
         return true;

@@ -39,8 +39,9 @@ template <typename Model>
   const double scale = support::unit_scale<Model>(dimensions, inputs, displaced);
   const auto d = support::scaled_to<Dimensions>(dimensions, scale);
   const auto u = support::scaled_to<Inputs>(inputs, scale);
-  if (!detail::GeneralSearch<Model>(d, u, displaced * scale, result).run()) {
-    detail::search_in_special_position<Model>(d, u, displaced * scale, result);
+  const double held = std::min(displaced * scale, support::most_displaced);
+  if (!detail::GeneralSearch<Model>(d, u, held, result).run()) {
+    detail::search_in_special_position<Model>(d, u, held, result);
   }
   if (result.count > 1) {
     detail::put_in_order<Model>(d, u, result);

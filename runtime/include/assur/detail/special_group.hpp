@@ -27,7 +27,7 @@ class SpecialGroupOf {
 
  public:
   SpecialGroupOf(const Dimensions<double>& d, const Inputs<double>& u, double displaced)
-      : d_(d), u_(u), displaced_(std::min(displaced, most_displaced)) {
+      : d_(d), u_(u), displaced_(displaced) {
     support::flatten(d, flat_d_);
     support::flatten(u, flat_u_);
     tell_angles(d, dimension_is_angle_);
@@ -156,9 +156,6 @@ class SpecialGroupOf {
     return result;
   }
 
-  /// Bounds of a long chain grow faster than what rounding does: beyond this they would take
-  /// configurations that lie close together for one.
-  static constexpr double most_displaced = 0x1p-38;
   const Dimensions<double>& d_;
   const Inputs<double>& u_;
   double displaced_;

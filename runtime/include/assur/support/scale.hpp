@@ -28,6 +28,10 @@ template <typename To, typename From, typename Scale>
 /// A few roundings of a length of one.
 inline constexpr double rounding_of_one = 2 * std::numeric_limits<double>::epsilon();
 
+/// The bounds of what rounding has displaced grow in a chain much faster than what it does: beyond
+/// this part of a length they would take configurations that lie close together for one.
+inline constexpr double most_displaced = 0x1p-46;
+
 /// How far rounding may have moved the inputs of a group that is held `displaced` from where exact
 /// arithmetic has it. A place far away is rounded as it is long.
 template <typename Inputs>
@@ -82,7 +86,7 @@ template <typename Model>
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   const double own = size_of<Model>(d, u);
   const double places = longest_length(u);
-  const bool tells = own > std::max(rounding * places, displaced);
+  const bool tells = own > rounding * places + (std::isfinite(displaced) ? displaced : 0);
   const double size = std::max(own, tells ? 0x1p-44 * places : places);
   return size > 0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
 }
