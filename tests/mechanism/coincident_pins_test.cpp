@@ -159,5 +159,44 @@ TEST(CoincidentPins, DoNotHideThatAnotherGroupCannotReach) {
   }
 }
 
+/// Two bars that just meet, or just do not, beside others whose place hardly holds them.
+TEST(IndependentGroups, DoNotBlurOneAnother) {
+  const auto dyad = [](const std::string& name, double one, double other) {
+    return Json{{name + "_one", {{"A", {0, 0}}, {"B", {one, 0}}}},
+                {name + "_other", {{"B", {0, 0}}, {"C", {other, 0}}}}};
+  };
+  const auto joints = [](const std::string& name) {
+    return Json{{name + "A", pin("ground." + name + "A", name + "_one.A")},
+                {name + "B", pin(name + "_one.B", name + "_other.B")},
+                {name + "C", pin("ground." + name + "C", name + "_other.C")}};
+  };
+  struct Neighbour {
+    double from, to, length;
+  };
+  for (const Neighbour& beside : {Neighbour{5, 7, 1}, Neighbour{5, 7, 1 + 1e-12},
+                                  Neighbour{1e3, 1e3 + 1, 1}, Neighbour{1e6, 1e6 + 1, 1}}) {
+    for (const double excess : {-1e-10, -1e-11, -1e-12, 1e-12, 1e-11, 1e-10}) {
+      for (const bool first : {true, false}) {
+        SCOPED_TRACE(testing::Message() << beside.from << " " << excess << " " << first);
+        const Json near = dyad("near", 1, 0.7 + excess);
+        const Json other = dyad("other", beside.length, beside.length);
+        Json scene = {{"links",
+                       {{"ground",
+                         {{"nearA", {0, 0}},
+                          {"nearC", {1.7, 0}},
+                          {"otherA", {beside.from, 0}},
+                          {"otherC", {beside.to, 0}}}}}},
+                      {"joints", Json::object()}};
+        scene["links"].update(first ? other : near);
+        scene["links"].update(first ? near : other);
+        scene["joints"].update(joints("near"));
+        scene["joints"].update(joints("other"));
+        const std::size_t beside_it = beside.to - beside.from < 2 * beside.length ? 2 : 1;
+        EXPECT_EQ(solved(scene).configurations().size(), excess > 0 ? 2 * beside_it : 0);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace assur::test::coincident_pins

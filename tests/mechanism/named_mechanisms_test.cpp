@@ -120,5 +120,53 @@ TEST(NamedMechanisms, ChangePointsAreCrossingsOfShortSweepsToo) {
   }
 }
 
+/// Each of several parallelograms in a row may fold over at their common change point. Each loses
+/// the digits that the one before it has lost once more, so short sweeps know two of them.
+TEST(NamedMechanisms, ChangePointsOfParallelogramsInARowAreCrossings) {
+  for (const double half : {1.0, 0.1, 0.01}) {
+    for (const int parallelograms : {1, 2, 3}) {
+      if (parallelograms == 3 && half < 1) {
+        continue;
+      }
+      SCOPED_TRACE(testing::Message() << parallelograms << " parallelograms, " << half);
+      Json scene = {
+          {"parameters", {{"phi", 0}}},
+          {"links", {{"ground", {{"A", {0, 0}}}}, {"crank", {{"A", {0, 0}}, {"N", {6, 0}}}}}},
+          {"joints", {{"A", {{"type", "revolute"}, {"between", {"ground.A", "crank.A"}}}}}},
+          {"drivers", {{"A", {{"position", "phi"}}}}},
+          {"want", {"position"}}};
+      std::string before = "crank";
+      int place = 0;
+      for (int index = 0; index < parallelograms; ++index) {
+        const std::string number = std::to_string(index);
+        const int length = 11 - 2 * index;
+        place += length;
+        const std::string coupler = "coupler" + number;
+        const std::string rocker = "rocker" + number;
+        scene["links"]["ground"]["D" + number] = {place, 0};
+        scene["links"][coupler] = {{"B", {0, 0}}, {"C", {length, 0}}};
+        scene["links"][rocker] = {{"D", {0, 0}}, {"C", {6, 0}}, {"N", {6, 0}}};
+        const auto joined = [](const std::string& one, const std::string& other) {
+          return Json{{"type", "revolute"}, {"between", {one, other}}};
+        };
+        scene["joints"]["B" + number] = joined(before + ".N", coupler + ".B");
+        scene["joints"]["C" + number] = joined(coupler + ".C", rocker + ".C");
+        scene["joints"]["D" + number] = joined("ground.D" + number, rocker + ".D");
+        before = rocker;
+      }
+      const double half_turn = 3.141592653589793;
+      scene["sweep"] = {{"parameter", "phi"},
+                        {"from", half_turn - half},
+                        {"to", half_turn + 0.8 * half},
+                        {"count", 20}};
+      const SweepKept kept = run_sweep(mechanism::parse_scene(scene.dump(), "scene"));
+      ASSERT_EQ(kept.events.size(), 1U);
+      EXPECT_EQ(kept.events[0].kind(), "crossing");
+      EXPECT_EQ(std::count(kept.events[0].text.begin(), kept.events[0].text.end(), ' '),
+                1 << parallelograms);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace assur::test::named_mechanisms_test
