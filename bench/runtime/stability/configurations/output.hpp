@@ -1,6 +1,7 @@
 // Turns the rows of configurations into JSON, into gnuplot's columns and into a Markdown table.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -27,18 +28,27 @@ inline void write_listing_json(const std::vector<ListingRow>& rows, std::ostream
   out << "\n]}\n";
 }
 
+/// The methods in the order of the rows.
+[[nodiscard]] inline std::vector<std::string> methods_of(const std::vector<ListingRow>& rows) {
+  std::vector<std::string> methods;
+  for (const ListingRow& row : rows) {
+    if (std::find(methods.begin(), methods.end(), row.method) == methods.end()) {
+      methods.push_back(row.method);
+    }
+  }
+  return methods;
+}
+
 /// A file a family, a block a method: the place of the distance from the left, lost, invented.
 inline void write_listing_columns(const std::vector<ListingRow>& rows,
                                   const std::filesystem::path& directory) {
   const std::vector<double> distances = configuration_distances();
   for (const std::string& family : families_of(rows)) {
     std::ofstream out(directory / (family + ".dat"));
-    std::string method;
-    for (const auto& entry : listing_methods<Model01>()) {
+    for (const std::string& method : methods_of(rows)) {
       for (std::size_t place = 0; place < distances.size(); ++place) {
         for (const ListingRow& row : rows) {
-          if (row.family == family && row.method == entry.name &&
-              row.distance == distances[place]) {
+          if (row.family == family && row.method == method && row.distance == distances[place]) {
             out << place + 1 << ' ' << row.lost << ' ' << row.invented << '\n';
           }
         }
@@ -58,13 +68,13 @@ inline void write_listing_table(const std::vector<ListingRow>& rows, std::ostrea
     line += "---|---|";
   }
   out << line << '\n';
-  for (const auto& method : listing_methods<Model01>()) {
-    out << "| " << method.name << " |";
+  for (const std::string& method : methods_of(rows)) {
+    out << "| " << method << " |";
     for (const std::string& family : families) {
       for (const bool at_zero : {false, true}) {
         ListingRow sum;
         for (const ListingRow& row : rows) {
-          if (row.family == family && row.method == method.name && (row.distance == 0) == at_zero) {
+          if (row.family == family && row.method == method && (row.distance == 0) == at_zero) {
             sum.configurations += row.configurations;
             sum.lost += row.lost;
             sum.invented += row.invented;
