@@ -2,6 +2,7 @@
 // with a certificate.
 #pragma once
 
+#include <algorithm>
 #include <assur/assemblies.hpp>
 #include <assur/detail/assembly_order.hpp>
 #include <assur/detail/general_search.hpp>

@@ -7,6 +7,7 @@
 #include <assur/kinematics.hpp>
 #include <assur/numeric/bounded.hpp>
 #include <assur/numeric/second_unknown.hpp>
+#include <assur/support/scale.hpp>
 #include <assur/variables.hpp>
 #include <tuple>
 #include <type_traits>
