@@ -24,12 +24,12 @@ std::string in_quotes(const std::string& text) {
 }
 
 ParameterIndex Mechanism::parameter_named(const std::string& name, const std::string& part) const {
-  const ParameterIndex found = index_of(parameters_, name);
-  if (!found.exists()) {
+  const auto found = parameter_of_name_.find(name);
+  if (found == parameter_of_name_.end()) {
     throw MechanismError(part, "no parameter named " + in_quotes(name) +
                                    text::suggestion(name, names_of(parameters_)));
   }
-  return found;
+  return found->second;
 }
 
 Formula Mechanism::formula(const std::string& text, const std::string& part) const {
@@ -66,12 +66,14 @@ void Mechanism::expect_new_parameter(const std::string& name) const {
   if (text::is_reserved_name(name)) {
     throw MechanismError("parameters", in_quotes(name) + " is the name of a function or constant");
   }
-  expect_new(parameters_, name, "parameters");
+  if (parameter_of_name_.count(name) > 0) {
+    throw MechanismError("parameters", "the name " + in_quotes(name) + " is taken");
+  }
 }
 
 ParameterIndex Mechanism::declare_parameter(const std::string& name) {
   expect_new_parameter(name);
-  return parameters_.add({name, {}, {}});
+  return add({name, {}, {}});
 }
 
 void Mechanism::set_parameter(const std::string& name, const Given& value,
@@ -88,7 +90,12 @@ void Mechanism::set_tolerance(const std::string& name, const Given& half_width) 
 
 ParameterIndex Mechanism::add_parameter(const std::string& name, const Given& value) {
   expect_new_parameter(name);
-  return parameters_.add({name, add_number(value, "parameters." + name), {}});
+  return add({name, add_number(value, "parameters." + name), {}});
+}
+
+ParameterIndex Mechanism::add(Parameter parameter) {
+  const std::string name = parameter.name;
+  return parameter_of_name_[name] = parameters_.add(std::move(parameter));
 }
 
 LinkIndex Mechanism::add_link(const std::string& name) {

@@ -5,6 +5,7 @@
 #include <assur/mechanism/formula.hpp>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace assur::mechanism {
@@ -142,6 +143,7 @@ class Mechanism {
   /// Puts a number where one stands already, or adds it.
   void put_number(const Given& given, const std::string& part, NumberIndex& place);
   void expect_new_parameter(const std::string& name) const;
+  ParameterIndex add(Parameter parameter);
   [[nodiscard]] Feature new_feature(const std::string& name, const std::string& part) const;
   FeatureIndex add_feature(Feature feature);
   [[nodiscard]] FeatureIndex feature_named(const std::string& name, const std::string& part) const;
@@ -149,6 +151,7 @@ class Mechanism {
 
   std::string name_;
   Table<ParameterIndex, Parameter> parameters_;
+  std::unordered_map<std::string, ParameterIndex> parameter_of_name_;
   Table<NumberIndex, Number> numbers_;
   Table<FeatureIndex, Feature> features_;
   Table<LinkIndex, Link> links_;
