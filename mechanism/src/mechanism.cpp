@@ -6,9 +6,8 @@ namespace assur::mechanism {
 
 namespace {
 
-template <typename Key, typename Item>
-void expect_new(const Table<Key, Item>& table, const std::string& name, const std::string& part) {
-  if (index_of(table, name).exists()) {
+void expect_new(bool is_known, const std::string& name, const std::string& part) {
+  if (is_known) {
     throw MechanismError(part, "the name " + in_quotes(name) + " is taken");
   }
 }
@@ -66,9 +65,7 @@ void Mechanism::expect_new_parameter(const std::string& name) const {
   if (text::is_reserved_name(name)) {
     throw MechanismError("parameters", in_quotes(name) + " is the name of a function or constant");
   }
-  if (parameter_of_name_.count(name) > 0) {
-    throw MechanismError("parameters", "the name " + in_quotes(name) + " is taken");
-  }
+  expect_new(parameter_of_name_.count(name) > 0, name, "parameters");
 }
 
 ParameterIndex Mechanism::declare_parameter(const std::string& name) {
@@ -102,7 +99,7 @@ LinkIndex Mechanism::add_link(const std::string& name) {
   if (name.empty() || name.find('.') != std::string::npos) {
     throw MechanismError("links", in_quotes(name) + " is not a name: it is empty or has a dot");
   }
-  expect_new(links_, name, "links");
+  expect_new(index_of(links_, name).exists(), name, "links");
   return links_.add({name, {}});
 }
 
@@ -187,7 +184,7 @@ FeatureIndex Mechanism::feature_named(const std::string& name, const std::string
 JointIndex Mechanism::add_joint(const std::string& name, JointType type,
                                 const std::vector<std::string>& between) {
   const std::string part = "joints." + name + ".between";
-  expect_new(joints_, name, "joints");
+  expect_new(index_of(joints_, name).exists(), name, "joints");
   if (between.size() < 2) {
     throw MechanismError(part, "expected two or more features [\"link.feature\", ...]");
   }
@@ -252,7 +249,7 @@ DriverIndex Mechanism::add_driver(const std::string& joint, const Given& positio
 
 OutputIndex Mechanism::add_output(const std::string& name, const std::string& point) {
   const std::string part = "outputs." + name;
-  expect_new(outputs_, name, "outputs");
+  expect_new(index_of(outputs_, name).exists(), name, "outputs");
   const FeatureIndex feature = feature_named(point, part);
   if (features_[feature].is_line) {
     throw MechanismError(part, "an output is a point, and this feature is a line");

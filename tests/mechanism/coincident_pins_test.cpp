@@ -1,5 +1,5 @@
-// Law: pins that coincide hold a group that moves, wherever rounding has put them; and what an
-// independent group answers does not depend on which of the two is listed first.
+// Law: a group on pins that coincide moves, however rounding has placed the pins; and of two
+// independent groups neither changes the answer of the other, whichever is listed first.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,8 +42,8 @@ TEST(CoincidentPins, LetAFoldedKiteTurnWhereverItStands) {
   }
 }
 
-/// Two bars on one crank carry a pin onto another of its pins, at every angle; from there to the
-/// second pin go two more, equal ones or a pin in a slot through it.
+/// Two bars on a crank carry a pin that coincides with a pin of the crank at every angle. Two more
+/// links join the two pins: equal bars, or a slide through both.
 TEST(CoincidentPins, AreSoThroughOtherGroupsToo) {
   const Json links = {{"ground", {{"A", {1, 0}}}},
                       {"crank", {{"A", {2, 1}}, {"B", {0, 0}}, {"D", {2, 2}}}},
@@ -81,7 +81,7 @@ TEST(CoincidentPins, AreSoThroughOtherGroupsToo) {
   }
 }
 
-/// Two bars in line are held by their ends to the root of a rounding as far as bounds tell.
+/// Of two bars in line the bounds know the middle pin only to the root of a rounding.
 TEST(CoincidentPins, AreSoBehindBarsInLine) {
   for (const auto& [c, s] : {std::pair(1.0, 0.0), std::pair(0.6, 0.8), std::pair(-0.8, 0.6)}) {
     SCOPED_TRACE(c);
@@ -107,8 +107,8 @@ TEST(CoincidentPins, AreSoBehindBarsInLine) {
   }
 }
 
-/// A bar of no length spins beside a platform on two bars and the pin that it stands on, which fit
-/// exactly.
+/// A platform stands on a pin and on two bars that fit exactly; between pin and platform is a bar
+/// of no length, which spins.
 TEST(CoincidentPins, OfABarLetItSpin) {
   const std::vector<std::pair<double, double>> turns = {{1, 0}, {0, 1}, {0.6, 0.8}, {-0.8, 0.6}};
   const std::vector<std::vector<std::string>> listings = {{"none", "left", "right", "platform"},
@@ -159,7 +159,7 @@ TEST(CoincidentPins, DoNotHideThatAnotherGroupCannotReach) {
   }
 }
 
-/// Two bars that just meet, or just do not, beside others whose place hardly holds them.
+/// Two bars that just meet, or just do not, beside two others that are in line or far away.
 TEST(IndependentGroups, DoNotBlurOneAnother) {
   const auto dyad = [](const std::string& name, double one, double other) {
     return Json{{name + "_one", {{"A", {0, 0}}, {"B", {one, 0}}}},

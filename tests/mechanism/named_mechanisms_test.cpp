@@ -92,7 +92,7 @@ TEST(NamedMechanisms, ChangePointsAreCrossings) {
   }
 }
 
-/// However short the sweep: what is close to a change point is told by the mechanism's size.
+/// The mechanism's size tells what is close to a change point, not the length of the sweep.
 TEST(NamedMechanisms, ChangePointsAreCrossingsOfShortSweepsToo) {
   struct Case {
     double crank, coupler, rocker, ground;
@@ -121,7 +121,7 @@ TEST(NamedMechanisms, ChangePointsAreCrossingsOfShortSweepsToo) {
 }
 
 /// Each of several parallelograms in a row may fold over at their common change point. Each loses
-/// the digits that the one before it has lost once more, so short sweeps know two of them.
+/// as many digits again as the one before it, so in short sweeps only two of them can be followed.
 TEST(NamedMechanisms, ChangePointsOfParallelogramsInARowAreCrossings) {
   for (const double half : {1.0, 0.1, 0.01}) {
     for (const int parallelograms : {1, 2, 3}) {

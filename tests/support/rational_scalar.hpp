@@ -3,10 +3,10 @@
 
 #include <Eigen/Core>
 
-#include "cln_scalars.hpp"
+#include "number_traits.hpp"
 #include "rational.hpp"
 
 namespace Eigen {
 template <>
-struct NumTraits<assur::test::Rational> : assur::test::ClnTraits<assur::test::Rational> {};
+struct NumTraits<assur::test::Rational> : assur::test::NumberTraits<assur::test::Rational> {};
 }  // namespace Eigen

@@ -1,4 +1,4 @@
-// The arithmetic of 50 digits, which is Boost's.
+// Compiles the arithmetic of 50 digits, which is Boost's.
 #include "stability/real.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>

@@ -7,6 +7,8 @@
 #include <limits>
 #include <string>
 
+#include "number_traits.hpp"
+
 namespace assur::stability {
 
 /// A number of 50 decimal digits.
@@ -70,20 +72,9 @@ class std::numeric_limits<assur::stability::Real> {
 };
 
 template <>
-struct Eigen::NumTraits<assur::stability::Real> : Eigen::GenericNumTraits<assur::stability::Real> {
+struct Eigen::NumTraits<assur::stability::Real>
+    : assur::test::NumberTraits<assur::stability::Real> {
   using Real = assur::stability::Real;
-  using NonInteger = Real;
-  using Nested = Real;
-  using Literal = Real;
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 10,
-    AddCost = 100,
-    MulCost = 100
-  };
   static Real epsilon() { return Real::epsilon(); }
   static Real dummy_precision() { return Real(1000) * Real::epsilon(); }
 };

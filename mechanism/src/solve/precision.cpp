@@ -25,8 +25,8 @@ class SecondLook {
     double result = 0;
     for (const bool angles : {false, true}) {
       const SmallVector moved = unclosed * loosest(angles);
-      // Of the linear equations alone: right-hand sides as long as the group reaches, of which a
-      // turn by one may be left, or a length of the group's size.
+      // The error of solving the linear equations: the right-hand sides are as long as the group
+      // reaches, and what is left of them may be a turn by one, or a length of the group's size.
       result = std::max(result, epsilon * reach * largest(moved, angles) /
                                     (angles ? unclosed : unclosed * size_));
       SmallMatrix change(inverse_.rows(), inverse_.cols());
@@ -41,9 +41,9 @@ class SecondLook {
     return second_look_constant * result;
   }
 
-  /// By how much more than rates second rates are in error: J q'' = -H(q', q') - ..., in which an
-  /// error of q' weighs 1 / s, s how firmly J holds. Near a fold q'' is as large; at a crossing it
-  /// is not.
+  /// The factor by which the error of second rates exceeds that of rates. In J q'' = -H(q', q') -
+  /// ... an error of q' counts 1 / s times, where s is how firmly J holds. Near a fold q'' is as
+  /// large; at a crossing it is not.
   [[nodiscard]] double second_rate_error(const SmallVector& rate,
                                          const SmallVector& second_rate) const {
     const double speed = norm(rate) * norm(rate) / size_;

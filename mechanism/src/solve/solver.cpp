@@ -133,8 +133,9 @@ class MechanismSolver {
     }
   }
 
-  /// A group that moves where it is held, unless one behind it that does not depend on it cannot be
-  /// assembled: then nothing can, in whatever order the two are listed.
+  /// Reports a group that moves where it is held. If a later group that does not depend on it
+  /// cannot be assembled, nothing is reported: the answer must not depend on which of the two comes
+  /// first.
   void add_family(GroupIndex group, int mobility, std::string reason) {
     Table<LinkIndex, bool> unplaced(structure_.linkage.links.size(), false);
     leave_out(group, unplaced);
@@ -165,8 +166,8 @@ class MechanismSolver {
     }
   }
 
-  /// Whether the groups from one on can be assembled together, but for those that `unplaced` links
-  /// hold, or that move themselves.
+  /// Whether the groups from `depth` on can be assembled together. Groups that `unplaced` links
+  /// hold are left out, and so are groups that move.
   [[nodiscard]] bool rest_assembles(std::size_t depth, Table<LinkIndex, bool> unplaced) {
     if (depth == structure_.groups.size()) {
       return true;

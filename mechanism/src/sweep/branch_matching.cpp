@@ -62,8 +62,8 @@ class Matcher {
     if (left_.count() == 0 || right_.count() == 0) {
       return;
     }
-    // Two branches that cross half-way fit as well where they turn back: that they go on tells the
-    // turn.
+    // Two branches that cross half-way would have no defect either if they turned back there. The
+    // turn shows that they go straight on.
     Eigen::MatrixXd bends(left_.count(), right_.count());
     for (const PointIndex from : left_.points.keys()) {
       for (const PointIndex to : right_.points.keys()) {

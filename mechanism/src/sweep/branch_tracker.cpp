@@ -11,13 +11,13 @@ namespace {
 /// The longest interval, as a part of the sweep, that events may explain: beside a singular
 /// configuration others may be that a longer one does not show.
 constexpr double longest_explained = 1e-4;
-/// Branches that touch may be explained however short the sweep is where they are this close: in
-/// short sweeps they cannot be told apart any more before an interval is that part of it.
+/// Touching branches that are this close may be explained in any sweep. In a short one they can no
+/// longer be told apart when an interval has become that small a part of it.
 constexpr double close_by = 2e-5;
 /// The shortest interval, as a part of the sweep and of the parameter's value.
 constexpr double shortest = 1e-13;
 
-/// Whether branches do nothing but touch, and those that do are close all the way.
+/// Whether every branch goes through the interval and those that touch are close at both ends.
 bool touches_closely(const BranchMatching& matching, const Snapshot& left, const Snapshot& right) {
   const auto is_close = [&](const TouchingPair& pair) {
     const auto apart = [](const Snapshot& set, PointIndex one, PointIndex other) {

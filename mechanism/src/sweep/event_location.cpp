@@ -292,11 +292,11 @@ std::optional<EventLocation> locate_crossing(SnapshotSolver& solver, const Confi
   double width = step;
   for (int index = 0; index < widths; ++index, width *= 2) {
     const auto estimate = crossing_at_width(solver, lines, width);
-    if (!estimate && !last) {
-      continue;  // so close to one another the branches may not be told apart
-    }
     if (!estimate) {
-      break;
+      if (last) {
+        break;
+      }
+      continue;  // So close to one another the branches cannot be told apart.
     }
     if (last) {
       const double change =

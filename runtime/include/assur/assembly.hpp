@@ -16,9 +16,8 @@ namespace assur {
 
 /// Every assembly configuration: all q with F(d, u, q) = 0, the closures F in the comment of the
 /// model. Lengths share any unit, directions among dimensions and inputs must be unit vectors;
-/// configurations are in the frame and the unit of the inputs. `displaced`: how far any input may
-/// be from where exact arithmetic has it, where other groups were placed before; lengths in their
-/// unit.
+/// configurations are in the frame and the unit of the inputs. `displaced` is a length: how far
+/// rounding may have moved any input, for example because another group was placed before.
 ///
 /// The final polynomial's real roots are isolated with a bound of all rounding, of the inputs too;
 /// where that does not settle the list, the group is searched as one in special position (see

@@ -104,8 +104,8 @@ template <typename Real>
   return longest;
 }
 
-/// What rounding leaves of closures among lengths of at most one, its own and that of what was
-/// placed before.
+/// What rounding leaves of closures among lengths of at most one: the rounding of the closures
+/// themselves, and that of the groups that were placed before.
 template <typename Real>
 [[nodiscard]] Real rounding(const Closures<Real>& closures, const FlatVariables<Real>& q) {
   return 32 * std::numeric_limits<Real>::epsilon() *
@@ -423,8 +423,8 @@ class Neighbourhood {
     for (const Real way : {reach_, -reach_}) {
       FlatVariables<Real> to = q;
       closures_.advance(way * along, to);
-      // Where neighbours are displaced, steps below rounding would lead along the family, to where
-      // it closes exactly.
+      // Where neighbours are displaced, a family closes to within rounding everywhere and exactly
+      // in a few places; steps that lessen what is below rounding would lead there.
       restore(closures_, to);
       Real miss = closures_.at(to).norm();
       if (!(miss < rounding(closures_, to))) {

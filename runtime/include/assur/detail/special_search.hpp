@@ -43,7 +43,8 @@ struct SpecialGroup {
   bool is_specialised;
   double rounding_of_inputs;
   bool first_is_angle;
-  /// Roots that are certain where every input is known to `within`, and dimensions to a rounding.
+  /// Finds the roots that are certain if every input is known to `within` and every dimension to a
+  /// rounding.
   FirstValues (*first_values)(const PreciseVariables& d, const PreciseVariables& u, double within);
   Completions<Real> (*complete)(const PreciseVariables& d, const PreciseVariables& u,
                                 const FirstValue& first);
@@ -143,8 +144,8 @@ class SpecialSearch {
     }
   }
 
-  /// Where the final polynomial vanishes, its unknown may be the one that is free, and tell nothing
-  /// of the others: from places all over.
+  /// Starts from places all over. Where the final polynomial vanishes, its unknown may be the one
+  /// that is free, which tells nothing of the others.
   void try_anywhere() {
     constexpr int starts = 48;
     const Closures<Real>& closures = group_.closures;

@@ -1,6 +1,7 @@
 // Turns a specialised group with held external joints into the motion of its links and slides.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <assur/detail/index.hpp>
 #include <assur/support/displacement.hpp>
@@ -23,6 +24,7 @@ struct HeldJoints {
   typename Group::template Inputs<double> u;
   Matrix<double, Group::input_count, Order> rates;
   Matrix<double, Group::input_count, Parameters> gradient;
+  double displaced = 0;  ///< by rounding, the joints, at most
 
   /// A revolute joint, whose inputs (x, y) stand from `First` on.
   template <int First>
@@ -31,12 +33,13 @@ struct HeldJoints {
     std::get<First + 1>(u.members()) = point.y / Group::unit;
     rates.template middleRows<2>(First) = point.rates / Group::unit;
     gradient.template middleRows<2>(First) = point.gradient / Group::unit;
+    displaced = std::max(displaced, point.displaced / Group::unit);
   }
   /// A prismatic joint along the x-axis of a frame, whose inputs (x, y, phi) stand from `First` on.
   template <int First>
   void hold_line(const Frame<double, Order, Parameters>& frame) {
     hold_point<First>({frame.pose.x, frame.pose.y, frame.rates.template topRows<2>(),
-                       frame.gradient.template topRows<2>()});
+                       frame.gradient.template topRows<2>(), frame.displaced});
     std::get<First + 2>(u.members()) = frame.pose.direction;
     rates.row(First + 2) = frame.rates.row(2);
     gradient.row(First + 2) = frame.gradient.row(2);
@@ -50,23 +53,22 @@ struct PlacedGroup {
   std::array<Frame<double, Order, Parameters>, detail::size(Group::link_count)> frames;
   Matrix<double, Group::unknown_count, Order> rates;  ///< lengths in the group's unit
   Status regularity = Status::ok;
-  double residual = 0;   ///< largest of the closures
-  double displaced = 0;  ///< by rounding, at most; as large as before at least
+  double residual = 0;  ///< largest of the closures
 };
 
-/// Places a group's links where its configuration is known and its neighbours are `displaced` by
-/// rounding. Where the Jacobian has no inverse, rates and gradients are NaN.
+/// Places a group's links where its configuration is known. Where the Jacobian has no inverse,
+/// rates and gradients are NaN.
 template <typename Group, int Order, int Parameters>
 [[nodiscard]] PlacedGroup<Group, Order, Parameters> place_group(
     const HeldJoints<Group, Order, Parameters>& held,
-    const typename Group::template Configuration<double>& q, double displaced) {
+    const typename Group::template Configuration<double>& q) {
   constexpr int links = Group::link_count;
   const typename Group::template Dimensions<double> d;
   PlacedGroup<Group, Order, Parameters> placed;
   Vector<double, Group::equation_count> f;
   Group::residual(d, held.u, q, f);
   placed.residual = f.cwiseAbs().maxCoeff() * Group::unit;
-  const DisplacedGroup<Group> among(d, held.u, displaced / Group::unit);
+  const DisplacedGroup<Group> among(d, held.u, held.displaced);
   placed.regularity = among.regularity(d, held.u, q).status;
   const bool solvable = is_solvable(placed.regularity);
   Matrix<double, Group::unknown_count, Group::equation_count> J_inverse;
@@ -74,7 +76,6 @@ template <typename Group, int Order, int Parameters>
   if (solvable) {
     Group::inverse_jacobian(d, held.u, q, J_inverse);
   }
-  placed.displaced = among.displaced(J_inverse) * Group::unit;
   Poses<double, links> poses;
   Group::link_poses(d, held.u, q, poses);
 
@@ -117,6 +118,7 @@ template <typename Group, int Order, int Parameters>
   for (int link = 0; link < links; ++link) {
     Frame<double, Order, Parameters>& frame = detail::entry(placed.frames, link);
     frame.pose = detail::entry(poses, link);
+    frame.displaced = among.displaced(J_inverse) * Group::unit;
     frame.pose.x *= Group::unit;
     frame.pose.y *= Group::unit;
     if constexpr (Order > 0) {

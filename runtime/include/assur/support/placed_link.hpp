@@ -14,6 +14,7 @@ struct Frame {
   Pose<Scalar> pose{};
   Matrix<Scalar, 3, Order> rates = Matrix<Scalar, 3, Order>::Zero();
   Matrix<Scalar, 3, Parameters> gradient = Matrix<Scalar, 3, Parameters>::Zero();
+  double displaced = 0;  ///< by rounding, at most
 };
 
 /// A point in a frame, likewise.
@@ -23,10 +24,11 @@ struct Point {
   Scalar y{};
   Matrix<Scalar, 2, Order> rates = Matrix<Scalar, 2, Order>::Zero();
   Matrix<Scalar, 2, Parameters> gradient = Matrix<Scalar, 2, Parameters>::Zero();
+  double displaced = 0;  ///< by rounding, at most
 };
 
 /// A point that is given in a moving frame, in the frame in which that one moves: see `carried` and
-/// `carried_twice`.
+/// `carried_twice`. It is displaced as the frame is.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Point<Scalar, Order, Parameters> point_in(
     const Frame<Scalar, Order, Parameters>& frame, const Point<Scalar, Order, Parameters>& point) {
@@ -37,6 +39,7 @@ template <typename Scalar, int Order, int Parameters>
   Point<Scalar, Order, Parameters> result;
   result.x = frame.pose.x + arm(0);
   result.y = frame.pose.y + arm(1);
+  result.displaced = frame.displaced;
   // Eigen has no columns of a matrix without columns.
   if constexpr (Order > 0) {
     const Vector<Scalar, 2> sliding = turn(point.rates.col(0));
@@ -56,20 +59,21 @@ template <typename Scalar, int Order, int Parameters>
   return result;
 }
 
-/// A frame that is given in a moving frame, in the frame in which that one moves.
+/// A frame that is given in a moving frame, in the frame in which that one moves; likewise.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Frame<Scalar, Order, Parameters> frame_in(
     const Frame<Scalar, Order, Parameters>& frame, const Frame<Scalar, Order, Parameters>& inner) {
   const Point<Scalar, Order, Parameters> origin =
       point_in(frame, Point<Scalar, Order, Parameters>{inner.pose.x, inner.pose.y,
                                                        inner.rates.template topRows<2>(),
-                                                       inner.gradient.template topRows<2>()});
+                                                       inner.gradient.template topRows<2>(), 0});
   Frame<Scalar, Order, Parameters> result;
   result.pose = {origin.x, origin.y, turned(frame.pose.direction, inner.pose.direction)};
   result.rates.template topRows<2>() = origin.rates;
   result.rates.row(2) = frame.rates.row(2) + inner.rates.row(2);
   result.gradient.template topRows<2>() = origin.gradient;
   result.gradient.row(2) = frame.gradient.row(2) + inner.gradient.row(2);
+  result.displaced = frame.displaced;
   return result;
 }
 

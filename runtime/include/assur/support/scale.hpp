@@ -28,12 +28,13 @@ template <typename To, typename From, typename Scale>
 /// A few roundings of a length of one.
 inline constexpr double rounding_of_one = 2 * std::numeric_limits<double>::epsilon();
 
-/// The bounds of what rounding has displaced grow in a chain much faster than what it does: beyond
-/// this part of a length they would take configurations that lie close together for one.
+/// In a chain of groups the bound of a displacement grows much faster than the displacement itself.
+/// A bound beyond this part of a length would make one of two configurations that are close
+/// together, so it counts as this much.
 inline constexpr double most_displaced = 0x1p-46;
 
-/// How far rounding may have moved the inputs of a group that is held `displaced` from where exact
-/// arithmetic has it. A place far away is rounded as it is long.
+/// How far rounding may have moved the inputs of a group whose neighbours it has `displaced`. The
+/// rounding of a coordinate grows with the coordinate.
 template <typename Inputs>
 [[nodiscard]] double rounding_of_inputs(const Inputs& u, double displaced) {
   return rounding_of_one * std::max(1.0, longest_length(u)) + displaced;
@@ -73,9 +74,9 @@ template <typename Model>
   return std::max(longest_length(d), f.cwiseAbs().maxCoeff());
 }
 
-/// The power of two that brings the longest length of a group near one. A length that is nothing
-/// but rounding of the external joints' places, or as long as these are `displaced`, is none,
-/// beside these.
+/// The power of two that brings the longest length of a group near one. A length that is no
+/// longer than the rounding of the external joints' places, or than these are `displaced`, does not
+/// count.
 template <typename Model>
 [[nodiscard]] double unit_scale(const typename Model::template Dimensions<double>& d,
                                 const typename Model::template Inputs<double>& u,
