@@ -5,6 +5,7 @@
 #include <csignal>
 #include <functional>
 #include <iostream>
+#include <limits>
 
 #include "audit/audit.hpp"
 #include "audit/audit_report.hpp"
@@ -138,6 +139,9 @@ std::vector<std::string> group_names() {
 }
 
 int run(int argc, char** argv) {
+  const CLI::Validator not_empty(
+      [](const std::string& name) { return name.empty() ? std::string("the name is empty") : ""; },
+      "");
   CLI::App app{"Derives the kinematics of planar linkages and emits closed-form solvers."};
   app.name("assur");
   app.set_version_flag("--version", "assur " ASSUR_VERSION);
@@ -172,19 +176,23 @@ int run(int argc, char** argv) {
   auto* what = command->add_option_group("what");
   what->add_flag("--all", emit.all, "every model of every group");
   what->add_option("--model", emit.model, "one model of a group, by its number");
-  what->add_option("--scene", emit.scene, "a solver for one scene file (JSON) alone");
-  what->add_option("--closures", emit.closures, "the closures that an audit file types");
+  what->add_option("--scene", emit.scene, "a solver for one scene file (JSON) alone")
+      ->check(not_empty);
+  what->add_option("--closures", emit.closures, "the closures that an audit file types")
+      ->check(not_empty);
   what->require_option(1);
   command->add_option("--group", emit.group, "the group that --model means")
       ->check(CLI::IsMember(group_names()))
       ->capture_default_str();
-  command->add_option("--output", emit.output, "directory to write to")->required();
+  command->add_option("--output", emit.output, "directory to write to")
+      ->required()
+      ->check(not_empty);
   command->add_flag("--check", emit.check, "write nothing; exit 1 if what is there differs");
   command->callback([&] { chosen = [&] { return run_emit(emit); }; });
 
   SolveOptions solve;
   command = app.add_subcommand("solve", "the assembly configurations of a scene");
-  command->add_option("scene", solve.scene, "scene file (JSON)")->required();
+  command->add_option("scene", solve.scene, "scene file (JSON)")->required()->check(not_empty);
   command->add_option("--set", solve.settings, "NAME=EXPR, replaces a parameter's value")
       ->expected(1)
       ->take_all();
@@ -195,7 +203,7 @@ int run(int argc, char** argv) {
       ->add_option("--branch", solve.branch,
                    "report configuration N alone; of a sweep, the rows of branch N")
       ->type_name("N")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   command->callback([&] { chosen = [&] { return run_solve(solve); }; });
 
   AuditOptions audit;
@@ -220,8 +228,10 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A closed pipe is an error of writing, with a line and a status, and not the end of the process.
+  // A closed pipe and a file that may not grow are errors of writing, with a line and a status, and
+  // not the end of the process.
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     const int status = run(argc, argv);
     finish_output();

@@ -50,10 +50,16 @@ bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
       add_csv_row(plan, row, text);
     }
   };
+  std::string reason;  // of the step before: a stretch of steps is told once
   const auto judge = [&](const mechanism::Solution& solution) {
-    if (solution.status == mechanism::SolutionStatus::degenerate) {
-      degenerate = true;
-      std::cerr << "degenerate: " << solution.reason << '\n';
+    if (solution.status != mechanism::SolutionStatus::degenerate) {
+      reason.clear();
+      return;
+    }
+    degenerate = true;
+    if (solution.reason != reason) {
+      reason = solution.reason;
+      std::cerr << "degenerate: " << reason << '\n';
     }
   };
   const auto step_done = [&](int done) {

@@ -94,17 +94,22 @@ Values Plan::values(const std::vector<std::pair<std::string, double>>& replaced)
   return {data_, indexed};
 }
 
-Solution Plan::solve(const Values& values) const {
+void Plan::expect_usable(const Values& values) const {
   if (&values.plan() != data_.get()) {
     throw MechanismError("", "the values belong to another plan");
   }
   if (!values.usable()) {
     throw MechanismError("", "the values cannot be used: the last one that was set was refused");
   }
+}
+
+Solution Plan::solve(const Values& values) const {
+  expect_usable(values);
   return mechanism::solve(data_, values, false);
 }
 
 std::string Plan::obstacle(const Values& values) const {
+  expect_usable(values);
   return mechanism::solve(data_, values, true).reason;
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
 
 #include "house.hpp"
 
@@ -71,7 +72,7 @@ House house() {
               stage("pivoting", {"structure", "equations"}),
               stage("program", {"equations"}),
               stage("closures", {"structure", "equations"}),
-              stage("emission/cpp", {"equations", "program"}, {"ginac", "kainjow"}),
+              stage("emission/cpp", {"equations", "program"}, {"ginac", "kainjow", "unistd.h"}),
               stage("emission/model", {"structure", "equations", "derivatives", "elimination",
                                        "special_points", "pivoting", "program", "emission/cpp"}),
               stage("emission/closures", {"equations", "derivatives", "program", "closures",
@@ -145,6 +146,29 @@ TEST(House, MechanismAndGeneratorMeetAboveBothAlone) {
           << folder.path;
     }
   }
+}
+
+TEST(House, NobodyOutsideNamesTheDetailsOfTheRuntime) {
+  const std::filesystem::path root = ASSUR_SOURCE;
+  const std::regex details(R"(assur/detail/|(^|[^:\w])(assur::)?detail::)");
+  int read = 0;
+  for (const std::string top :
+       {"mechanism", "generator", "generated", "templates", "examples", "bench", "tests/mechanism",
+        "tests/generator", "tests/runtime", "tests/command", "tests/support"}) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / top)) {
+      if (!entry.is_regular_file()) {
+        continue;
+      }
+      ++read;
+      std::ifstream in(entry.path(), std::ios::binary);
+      std::string line;
+      for (int number = 1; std::getline(in, line); ++number) {
+        EXPECT_FALSE(std::regex_search(line, details))
+            << entry.path().lexically_relative(root).string() << ":" << number << ": " << line;
+      }
+    }
+  }
+  EXPECT_GT(read, 300);
 }
 
 /// A house of two storeys with a private room.

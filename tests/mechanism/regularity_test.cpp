@@ -7,6 +7,7 @@
 #include "exact.hpp"
 #include "kind_in_space.hpp"
 #include "largest.hpp"
+#include "least_change.hpp"
 #include "model_types.hpp"
 #include "solve/precision.hpp"
 
@@ -200,11 +201,7 @@ class Regular : public testing::Test {
         f_u.col(input).setZero();
       }
     }
-    const Eigen::MatrixXd shifts = f_u;
-    // Of one type for all models, as it takes seconds to compile.
-    const Eigen::VectorXd shift =
-        shifts.completeOrthogonalDecomposition().solve(Eigen::VectorXd(-f));
-    advance(group.u, Vector<double, Model::input_count>(shift));
+    advance(group.u, Vector<double, Model::input_count>(least_change(f_u, -f)));
     return group;
   }
 
@@ -212,11 +209,13 @@ class Regular : public testing::Test {
   double singular_between(const Group<double>& from, const Group<double>& to) {
     const auto orientation = [&](double part) {
       const Group<double> group = between(from, to, part);
-      return detail::orientation_of(detail::pivots_at<Model, double>(group.d, group.u, group.q));
+      Matrix<double, Model::equation_count, Model::unknown_count> jacobian;
+      Model::jacobian(group.d, group.u, group.q, jacobian);
+      return std::signbit(Eigen::MatrixXd(jacobian).partialPivLu().determinant());
     };
     double low = 0;
     double high = 1;
-    const int before = orientation(low);
+    const bool before = orientation(low);
     for (int step = 0; step < 60; ++step) {
       const double centre = (low + high) / 2;
       (orientation(centre) == before ? low : high) = centre;

@@ -4,7 +4,7 @@
 #include "model_types.hpp"
 #include "taylor.hpp"
 
-namespace assur::test {
+namespace assur::test::exact_derivatives_test {
 namespace {
 
 constexpr int samples = 20;
@@ -200,4 +200,4 @@ TYPED_TEST(ExactDerivatives, CurvaturesAreTheSecondCoefficientsAlongALine) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::exact_derivatives_test

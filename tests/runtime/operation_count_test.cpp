@@ -7,7 +7,7 @@
 
 #include "model_types.hpp"
 
-namespace assur::test {
+namespace assur::test::operation_count_test {
 namespace {
 
 struct Count {
@@ -178,4 +178,4 @@ TEST(OperationTable, KeepsWhatTheStructurePromises) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::operation_count_test

@@ -9,6 +9,7 @@
 #include "compiled_models.hpp"
 #include "exact.hpp"
 #include "largest.hpp"
+#include "least_change.hpp"
 #include "reference_roots.hpp"
 #include "sturm.hpp"
 
@@ -155,11 +156,6 @@ Group<Model> near_pi(RandomInputs& random, double distance) {
     for_each_member(group.u, [&](auto& member, std::size_t) { rotate(member); });
   }
   return group;
-}
-
-/// The shortest x with A x = b; of no fixed size, so that it is compiled once.
-Eigen::VectorXd least_change(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
-  return A.completeOrthogonalDecomposition().solve(b);
 }
 
 /// Lengths changed as little as possible so that a chosen configuration closes.
@@ -327,8 +323,10 @@ Tally family_campaign(int members) {
             TrigonometricPolynomial<double, Model::polynomial_degree> T;
             Model::position_polynomial(group.d, group.u, T);
             const int expected = compiled::exact_assembly_count<Model>(group.d, group.u);
-            references[0].add(companion_roots(T).count, expected, false);
-            references[1].add(half_angle_roots(T).count, expected, false);
+            references[0].add(companion_roots<Model::polynomial_degree, Eigen::MatrixXcd>(T).count,
+                              expected, false);
+            references[1].add(half_angle_roots<Model::polynomial_degree, Eigen::Dynamic>(T).count,
+                              expected, false);
             references[2].add(subdivision_roots(T).count, expected, false);
           }
         }

@@ -7,7 +7,7 @@
 #include "largest.hpp"
 #include "model_types.hpp"
 
-namespace assur::test {
+namespace assur::test::rounding_test {
 namespace {
 
 constexpr int samples = 100;
@@ -133,4 +133,4 @@ TYPED_TEST(Rounding, StaysWithinUlps) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::rounding_test

@@ -3,7 +3,7 @@
 #include "exact.hpp"
 #include "model_types.hpp"
 
-namespace assur::test {
+namespace assur::test::solution_test {
 namespace {
 
 constexpr int samples = 10;
@@ -186,4 +186,4 @@ TYPED_TEST(Solution, SensitivitiesAndRatesSolveTheirEquations) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::solution_test

@@ -9,7 +9,7 @@
 #include "cluster_value.hpp"
 #include "sturm.hpp"
 
-namespace assur::test {
+namespace assur::test::trigonometric_roots_test {
 namespace {
 
 constexpr unsigned seed = 66260;
@@ -217,4 +217,4 @@ TEST(TrigonometricRoots, VerdictsOnWhatIsNoPolynomial) {
 }
 
 }  // namespace
-}  // namespace assur::test
+}  // namespace assur::test::trigonometric_roots_test

@@ -1,7 +1,6 @@
 // Law: near geometries at which three configurations meet, none is lost and none invented.
 #include <gtest/gtest.h>
 
-#include <Eigen/QR>
 #include <assur/assemblies.hpp>
 #include <assur/tetrad/model_01.hpp>
 #include <assur/tetrad/model_02.hpp>
@@ -10,6 +9,7 @@
 
 #include "compiled_models.hpp"
 #include "exact.hpp"
+#include "least_change.hpp"
 
 namespace assur::test::triple_root_test {
 namespace {
@@ -31,11 +31,6 @@ Vector<double, 3> contact(const TrigonometricPolynomial<double, Degree>& T, doub
     scale += std::abs(T.cosine[k]) + std::abs(T.sine[k]);
   }
   return f / scale;
-}
-
-/// The shortest x with A x = b; of no fixed size, so that it is compiled once.
-Eigen::VectorXd least_change(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
-  return A.completeOrthogonalDecomposition().solve(b);
 }
 
 /// Dimensions changed by Newton's least steps until T has a triple root at a random angle.

@@ -26,7 +26,10 @@ struct ReferenceRoots {
 };
 
 /// Eigenvalues of the companion matrix in z = exp(i x) that lie within `tolerance` of the circle.
-template <std::size_t Degree>
+/// A `Square` of no fixed size is compiled sooner and runs longer.
+template <std::size_t Degree,
+          typename Square = Eigen::Matrix<std::complex<double>, 2 * static_cast<int>(Degree),
+                                          2 * static_cast<int>(Degree)>>
 ReferenceRoots<Degree> companion_roots(const TrigonometricPolynomial<double, Degree>& T,
                                        double tolerance = 1e-8) {
   using Complex = std::complex<double>;
@@ -37,7 +40,7 @@ ReferenceRoots<Degree> companion_roots(const TrigonometricPolynomial<double, Deg
     coefficient[Degree + k] = Complex(T.cosine[k], -T.sine[k]) / 2.0;
     coefficient[Degree - k] = std::conj(coefficient[Degree + k]);
   }
-  Eigen::Matrix<Complex, size, size> companion = Eigen::Matrix<Complex, size, size>::Zero();
+  Square companion = Square::Zero(size, size);
   for (int row = 0; row < size; ++row) {
     companion(row, size - 1) =
         -coefficient[static_cast<std::size_t>(row)] / coefficient[2 * Degree];
@@ -45,7 +48,7 @@ ReferenceRoots<Degree> companion_roots(const TrigonometricPolynomial<double, Deg
       companion(row, row - 1) = 1;
     }
   }
-  const Eigen::ComplexEigenSolver<Eigen::Matrix<Complex, size, size>> solver(companion, false);
+  const Eigen::ComplexEigenSolver<Square> solver(companion, false);
   ReferenceRoots<Degree> roots;
   for (int index = 0; index < size && solver.info() == Eigen::Success; ++index) {
     const Complex z = solver.eigenvalues()(index);
@@ -91,7 +94,7 @@ Eigen::Matrix<double, 2 * static_cast<int>(Degree) + 1, 1> half_angle_coefficien
 }
 
 /// The tangent of the half angle and Eigen's general polynomial solver: one chart, fails at pi.
-template <std::size_t Degree>
+template <std::size_t Degree, int Size = 2 * static_cast<int>(Degree)>
 ReferenceRoots<Degree> half_angle_roots(const TrigonometricPolynomial<double, Degree>& T,
                                         double tolerance = 1e-8) {
   constexpr int degree = 2 * static_cast<int>(Degree);
@@ -100,7 +103,7 @@ ReferenceRoots<Degree> half_angle_roots(const TrigonometricPolynomial<double, De
   if (coefficients(degree) == 0) {
     return roots;
   }
-  const Eigen::PolynomialSolver<double, degree> solver(coefficients);
+  const Eigen::PolynomialSolver<double, Size> solver(coefficients);
   for (int index = 0; index < degree; ++index) {
     const std::complex<double> t = solver.roots()(index);
     if (std::abs(t.imag()) < tolerance * (1 + std::abs(t.real()))) {

@@ -1,6 +1,9 @@
 #include "emission/cpp/files.hpp"
 
+#include <unistd.h>
+
 #include <assur/text/error.hpp>
+#include <cerrno>
 #include <fstream>
 #include <iterator>
 #include <system_error>
@@ -9,28 +12,68 @@ namespace assur::generator::emission::cpp {
 
 namespace fs = std::filesystem;
 
-void write_files(const std::vector<EmittedFile>& files, const fs::path& directory) {
-  for (const EmittedFile& file : files) {
-    const fs::path target = directory / file.path;
+namespace {
+
+/// Files that stand beside those that they will replace; removed unless they do.
+class PendingFiles {
+ public:
+  explicit PendingFiles(fs::path directory) : directory_(std::move(directory)) {}
+  PendingFiles(const PendingFiles&) = delete;
+  PendingFiles& operator=(const PendingFiles&) = delete;
+  ~PendingFiles() {
+    std::error_code ignored;
+    for (const auto& [beside, target] : written_) {
+      fs::remove(beside, ignored);
+    }
+  }
+
+  void write(const EmittedFile& file) {
+    const fs::path target = directory_ / file.path;
     fs::path beside = target;
-    beside += ".part";
+    // Two runs at once do not write the same one.
+    beside += ".part" + std::to_string(getpid());
     std::error_code error;
     fs::create_directories(target.parent_path(), error);
+    if (error) {
+      throw text::InputError("--output: cannot write " + target.string() + ": " + error.message());
+    }
+    errno = 0;
     std::ofstream out(beside, std::ios::binary);
+    if (out) {
+      written_.emplace_back(beside, target);
+    }
     out << file.text;
     out.close();
     if (!out) {
-      fs::remove(beside, error);
-      throw text::InputError("--output: cannot write " + target.string() +
-                             " (is the directory writable?)");
-    }
-    fs::rename(beside, target, error);
-    if (error) {
-      const std::string reason = error.message();
-      fs::remove(beside, error);
-      throw text::InputError("--output: cannot replace " + target.string() + ": " + reason);
+      throw text::InputError("--output: cannot write " + target.string() + ": " +
+                             std::generic_category().message(errno));
     }
   }
+
+  void replace_all() {
+    for (const auto& [beside, target] : written_) {
+      std::error_code error;
+      fs::rename(beside, target, error);
+      if (error) {
+        throw text::InputError("--output: cannot replace " + target.string() + ": " +
+                               error.message());
+      }
+    }
+  }
+
+ private:
+  fs::path directory_;
+  std::vector<std::pair<fs::path, fs::path>> written_;
+};
+
+}  // namespace
+
+void write_files(const std::vector<EmittedFile>& files, const fs::path& directory) {
+  PendingFiles pending(directory);
+  for (const EmittedFile& file : files) {
+    pending.write(file);
+  }
+  pending.replace_all();
 }
 
 std::vector<fs::path> differing_files(const std::vector<EmittedFile>& files,

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <assur/mechanism/group_model.hpp>
 #include <assur/support/displacement.hpp>
+#include <assur/support/shared_search.hpp>
 #include <cmath>
 #include <limits>
 #include <tuple>
 #include <utility>
 
-#include "models/compiled_once.hpp"
 #include "models/model_kernel.hpp"
 
 namespace assur::mechanism {
@@ -36,8 +36,8 @@ class ModelFunctions {
     }
   }
 
-  static double gap(const FlatVariables& d, const FlatVariables& u) {
-    return closure_gap<Model>(read<Dimensions>(d), read<Inputs>(u));
+  static Status gap(const FlatVariables& d, const FlatVariables& u, double& result) {
+    return closure_gap<Model>(read<Dimensions>(d), read<Inputs>(u), result);
   }
 
   static void move(const FlatVariables& flat_d, const FlatVariables& flat_u,

@@ -77,7 +77,7 @@ struct ModelKernel {
   void (*assemble)(const FlatVariables& d, const FlatVariables& u, double displaced,
                    GroupAssemblies& found);
   /// By how much the closures fail at least, where there are no configurations.
-  double (*gap)(const FlatVariables& d, const FlatVariables& u);
+  Status (*gap)(const FlatVariables& d, const FlatVariables& u, double& result);
   void (*move)(const FlatVariables& d, const FlatVariables& u, const FlatVariables& q,
                const MotionQuery& query, GroupMotion& motion);
   void (*bend)(const FlatVariables& d, const FlatVariables& u, const FlatVariables& q,

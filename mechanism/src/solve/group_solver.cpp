@@ -94,7 +94,7 @@ const GroupAssemblies& GroupSolver::assemble() {
   return found_;
 }
 
-double GroupSolver::gap() const { return model_.kernel->gap(numbers_.d, u_); }
+Status GroupSolver::gap(double& result) const { return model_.kernel->gap(numbers_.d, u_, result); }
 
 bool GroupSolver::is_compatible() const { return model_.kernel->is_compatible(numbers_.d, u_); }
 

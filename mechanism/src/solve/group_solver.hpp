@@ -40,8 +40,9 @@ class GroupSolver {
   [[nodiscard]] const GroupAssemblies& assemble();
   /// How far rounding may have moved what holds the group.
   [[nodiscard]] double displaced() const { return query_.displaced; }
-  /// By how much the closures fail at least where it is held, if there are no configurations.
-  [[nodiscard]] double gap() const;
+  /// By how much the closures fail at least where it is held, if there are no configurations. Set
+  /// where the status is ok; not_finite.
+  [[nodiscard]] Status gap(double& result) const;
   /// Places the group's links and slides in one of its configurations; its slides stand in
   /// `placed.slides` from `first_slide` on.
   void place(std::size_t configuration, std::size_t first_slide, PlacedLinks& placed);

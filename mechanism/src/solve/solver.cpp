@@ -201,8 +201,8 @@ class MechanismSolver {
 
   /// Of the groups that cannot be assembled the one that fails by least is told.
   void measure_gap(GroupIndex group) {
-    const double gap = solvers_[group]->gap();
-    if (!(gap >= least_gap_)) {
+    double gap = 0;
+    if (solvers_[group]->gap(gap) == Status::ok && gap < least_gap_) {
       least_gap_ = gap;
       unreached_ = group;
     }

@@ -69,17 +69,24 @@ const Values& SnapshotSolver::values_at(double parameter) {
   return values_;
 }
 
+SnapshotPointer SnapshotSolver::at_step(double parameter) {
+  const Values& values = values_at(parameter);
+  return completed({parameter, values.spread(), plan_.solve(values), {}, true});
+}
+
 SnapshotPointer SnapshotSolver::at(double parameter) {
-  Snapshot snapshot{parameter, {}, {}, {}, true};
   try {
-    const Values& values = values_at(parameter);
-    snapshot.spread = values.spread();
-    snapshot.solution = plan_.solve(values);
+    return at_step(parameter);
   } catch (const MechanismError& error) {
-    // The steps' own values are known to be good; between them a formula may have none.
+    // Between steps a formula may have no value.
+    Snapshot snapshot{parameter, {}, {}, {}, true};
     snapshot.solution.status = SolutionStatus::degenerate;
     snapshot.solution.reason = error.what();
+    return completed(std::move(snapshot));
   }
+}
+
+SnapshotPointer SnapshotSolver::completed(Snapshot snapshot) const {
   snapshot.points.reserve(snapshot.solution.configurations.size());
   for (const Configuration& configuration : snapshot.solution.configurations) {
     snapshot.points.add(point_of_space(configuration));

@@ -39,6 +39,9 @@ class SnapshotSolver {
   /// the swept one are as in `values`.
   SnapshotSolver(const Plan& plan, const Values& values);
 
+  /// At a step of the sweep. Throws MechanismError where it cannot be solved in doubles.
+  [[nodiscard]] SnapshotPointer at_step(double parameter);
+  /// Anywhere: what `at_step` throws is the reason of a degenerate solution.
   [[nodiscard]] SnapshotPointer at(double parameter);
   /// The mechanism's values there. They change with the next call.
   [[nodiscard]] const Values& values_at(double parameter);
@@ -55,6 +58,8 @@ class SnapshotSolver {
   }
 
  private:
+  /// With its configurations' points, and whether these can be told apart.
+  [[nodiscard]] SnapshotPointer completed(Snapshot snapshot) const;
   [[nodiscard]] ConfigurationPoint point_of_space(const Configuration& configuration) const;
 
   const Plan& plan_;

@@ -56,7 +56,7 @@ class Sweeper {
       (void)solver_.values_at(value_at(step));
     }
     for (int step = 0; step < count(); ++step) {
-      const SnapshotPointer set = solver_.at(value_at(step));
+      const SnapshotPointer set = solver_.at_step(value_at(step));
       observer_.solved(set->solution);
       if (set->separable) {
         pass(step, set);
@@ -348,6 +348,7 @@ void sweep(const Plan& plan, const Values& values, const SweepObserver& observer
   if (!plan.request().sweep) {
     throw MechanismError("sweep", "the request has no sweep");
   }
+  plan.expect_usable(values);
   SweepObserver complete = observer;
   if (!complete.record) {
     complete.record = [](const SweepRecord&) {};

@@ -173,7 +173,9 @@ class NormalForms {
         form.frame.x = kept.x + along * kept.along.cos;
         form.frame.y = kept.y + along * kept.along.sin;
       }
-      measure_in_frame(features, joints.size(), form);
+      if (measure_in_frame(features, joints.size(), form) != Status::ok) {
+        continue;
+      }
       const LinkFeature<Dual>& given = features[moved];
       const Dual offset =
           (given.y - form.frame.y) * given.along.cos - (given.x - form.frame.x) * given.along.sin;

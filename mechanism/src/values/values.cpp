@@ -10,6 +10,9 @@ namespace assur::mechanism {
 
 namespace {
 
+/// Products of two coordinates and their derivatives must be finite.
+const double largest_coordinate = std::ldexp(1.0, 400);
+
 LinkFeature<Dual> block_feature(const Values& values, bool is_line) {
   return {is_line,
           values.constant(0.0),
@@ -67,6 +70,8 @@ void Values::expect_finite(ParameterIndex parameter, double value) const {
 }
 
 void Values::set(ParameterIndex parameter, double value) {
+  const bool were_usable = usable_;
+  usable_ = false;
   expect_finite(parameter, value);
   bool found = false;
   for (auto& [index, replacement] : replaced_) {
@@ -78,12 +83,11 @@ void Values::set(ParameterIndex parameter, double value) {
   if (!found) {
     replaced_.emplace_back(parameter, value);
   }
-  if (!usable_) {  // what the failed evaluation has left is not known
+  if (!were_usable) {  // what the failed evaluation has left is not known
     evaluate();
     usable_ = true;
     return;
   }
-  usable_ = false;
   evaluate_dependents(parameter);
   usable_ = true;
 }
@@ -179,6 +183,11 @@ void Values::evaluate_feature(FeatureIndex index) {
   LinkFeature<Dual> result = block_feature(*this, feature.is_line);
   result.x = numbers_[feature.x];
   result.y = numbers_[feature.y];
+  if (std::max(std::abs(result.x.value()), std::abs(result.y.value())) > largest_coordinate) {
+    throw MechanismError(
+        "links." + plan_->mechanism.links()[feature.link].name + "." + feature.name,
+        "a coordinate is larger than 2^400; give the lengths in another unit");
+  }
   if (feature.is_line) {
     const Dual& dx = numbers_[feature.along_x];
     const Dual& dy = numbers_[feature.along_y];

@@ -10,6 +10,7 @@
 #include <assur/detail/special_group.hpp>
 #include <assur/support/scale.hpp>
 #include <assur/variables.hpp>
+#include <cmath>
 #include <type_traits>
 
 namespace assur {
@@ -54,14 +55,21 @@ template <typename Model>
 }
 
 /// By how much the loop closures fail at least, in the unit of the lengths, where the links cannot
-/// reach: the largest of |F(d, u, q)| at the best q that a search from some places finds.
+/// reach: the largest of |F(d, u, q)| at the best q that a search from some places finds. Set where
+/// the status is ok; not_finite.
 template <typename Model>
-[[nodiscard]] double closure_gap(const typename Model::template Dimensions<double>& dimensions,
-                                 const typename Model::template Inputs<double>& inputs) {
+[[nodiscard]] Status closure_gap(const typename Model::template Dimensions<double>& dimensions,
+                                 const typename Model::template Inputs<double>& inputs,
+                                 double& gap) {
+  static_assert(Model::rigid, "a degenerate model has no closed form");
+  if (!is_finite(dimensions) || !is_finite(inputs)) {
+    return Status::not_finite;
+  }
   const double scale = support::unit_scale<Model>(dimensions, inputs);
   const auto d = support::scaled_to<typename Model::template Dimensions<double>>(dimensions, scale);
   const auto u = support::scaled_to<typename Model::template Inputs<double>>(inputs, scale);
-  return detail::SpecialGroupOf<Model>(d, u, 0).least_miss() / scale;
+  gap = detail::SpecialGroupOf<Model>(d, u, 0).least_miss() / scale;
+  return std::isfinite(gap) ? Status::ok : Status::not_finite;
 }
 
 }  // namespace assur

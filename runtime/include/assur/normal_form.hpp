@@ -51,10 +51,14 @@ struct NormalForm {
 
 /// The dimensions and shifts of a link whose normal frame is known. What the frame fixes is not
 /// measured: the first line's angle and offset or the first point's place, and where there are no
-/// two of these, the second line's offset or the second point's direction.
+/// two of these, the second line's offset or the second point's direction. singular, and nothing is
+/// set: there are not two or three joints.
 template <typename Scalar>
-void measure_in_frame(const std::array<LinkFeature<Scalar>, 3>& features, std::size_t joints,
-                      NormalForm<Scalar>& result) {
+[[nodiscard]] Status measure_in_frame(const std::array<LinkFeature<Scalar>, 3>& features,
+                                      std::size_t joints, NormalForm<Scalar>& result) {
+  if (joints < 2 || joints > 3) {
+    return Status::singular;
+  }
   const Direction<Scalar>& axis = result.frame.direction;
   std::array<std::size_t, 3> points{joints, joints, joints};
   std::array<std::size_t, 3> lines{joints, joints, joints};
@@ -90,6 +94,7 @@ void measure_in_frame(const std::array<LinkFeature<Scalar>, 3>& features, std::s
       }
     }
   }
+  return Status::ok;
 }
 
 /// Brings a link of two or three joints, `count` of them, into its normal form; all features are
@@ -151,8 +156,7 @@ template <typename Scalar>
     result.frame.y = lines[0]->y + along * axis.sin;
   }
 
-  measure_in_frame(features, joints, result);
-  return Status::ok;
+  return measure_in_frame(features, joints, result);
 }
 
 /// Fills a model's Dimensions from the normal forms of its links, in the order of Model::links. The

@@ -24,6 +24,20 @@ foreach(point "160.000, +160.000" "-?0.000, +-160.000")
   endif()
 endforeach()
 
+# A program for another instruction set is refused by the linker, and does not crash.
+execute_process(COMMAND ${COMPILER} -mavx -x c++ - -fsyntax-only INPUT_FILE /dev/null
+  RESULT_VARIABLE no_avx ERROR_QUIET)
+if(no_avx EQUAL 0)
+  execute_process(COMMAND ${configure} -S ${EXAMPLE} -B ${WORK}/avx
+    -DCMAKE_PREFIX_PATH=${WORK}/install -DCMAKE_CXX_FLAGS=-mavx -DCMAKE_BUILD_TYPE=Debug
+    OUTPUT_QUIET)
+  execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/avx
+    RESULT_VARIABLE status OUTPUT_VARIABLE messages ERROR_VARIABLE messages)
+  if(status EQUAL 0 OR NOT messages MATCHES "LibraryForEigenAlignment<32>")
+    message(FATAL_ERROR "expected an undefined reference, found ${status}: ${messages}")
+  endif()
+endif()
+
 function(expect_refusal prefix components message)
   file(REMOVE_RECURSE ${WORK}/refused)
   execute_process(COMMAND ${configure} -S ${SOURCE} -B ${WORK}/refused

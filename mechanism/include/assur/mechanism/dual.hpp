@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <assur/mechanism/eigen_alignment.hpp>
 #include <cmath>
 #include <utility>
 

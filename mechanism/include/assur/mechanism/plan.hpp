@@ -38,6 +38,10 @@ class Plan {
   /// moves freely. Takes longer than to solve. Empty where there are configurations.
   [[nodiscard]] std::string obstacle(const Values& values) const;
 
+  /// Throws MechanismError for values of another plan, or that were left by a refused
+  /// `Values::set`.
+  void expect_usable(const Values& values) const;
+
   [[nodiscard]] const Mechanism& mechanism() const;
   [[nodiscard]] const Request& request() const;
   [[nodiscard]] const Structure& structure() const;

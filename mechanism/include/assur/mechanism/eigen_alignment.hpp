@@ -1,0 +1,21 @@
+// Turns a program that would mix two layouts of Eigen's matrices into one that does not link.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace assur::mechanism {
+
+/// Eigen allocates matrices by the instruction set that a file is compiled for: with AVX it aligns
+/// them to 32 bytes, and frees what it takes to be allocated so. The library exists for one
+/// alignment; a program compiled for another fails to link with an undefined reference to this.
+/// Compile both for the same instruction set (`-march`, `-mavx`).
+template <int Bytes>
+struct LibraryForEigenAlignment {
+  static const bool exists;
+};
+
+/// Refers to it from every file that includes a header of the library.
+inline const bool eigen_alignments_agree =
+    LibraryForEigenAlignment<EIGEN_DEFAULT_ALIGN_BYTES>::exists;
+
+}  // namespace assur::mechanism
