@@ -7,7 +7,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <string>
 #include <vector>
 
@@ -38,7 +37,6 @@ inline ProcessResult run_process(const std::vector<std::string>& arguments, int 
   const pid_t child = fork();
   if (child == 0) {
     if (largest_file != 0) {
-      (void)std::signal(SIGXFSZ, SIG_IGN);  // as a full disk, which sends no signal
       const rlimit limit{largest_file, largest_file};
       (void)setrlimit(RLIMIT_FSIZE, &limit);
     }
