@@ -1,6 +1,7 @@
 # assur_generator_folder(SOURCES FILE... [LINKS FOLDER...] [PUBLIC TARGET...] [PRIVATE TARGET...]): the
-# library assur_generator_<folder> of this folder of generator/. It links the folders below it alone,
-# so that the linker finds an arrow that points upwards.
+# library assur_generator_<folder> of this folder of generator/. With the tests comes a program that
+# holds all of the library and what it says that it links, so that the linker finds an arrow that
+# points upwards.
 function(assur_generator_folder)
   cmake_parse_arguments(arg "" "" "SOURCES;LINKS;PUBLIC;PRIVATE" ${ARGN})
   file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR}/generator ${CMAKE_CURRENT_SOURCE_DIR})
@@ -14,11 +15,17 @@ function(assur_generator_folder)
     PRIVATE ${arg_PRIVATE} assur_build_flags)
   # GiNaC, which has been optimised, does the work; optimising what calls it costs more than it saves.
   target_compile_options(${library} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-Og>)
+  if(ASSUR_BUILD_TESTS)
+    add_executable(${library}_alone ${PROJECT_SOURCE_DIR}/tests/house/empty_program.cpp)
+    set_target_properties(${library}_alone PROPERTIES UNITY_BUILD OFF)
+    target_link_libraries(${library}_alone
+      PRIVATE $<LINK_LIBRARY:WHOLE_ARCHIVE,${library}> assur_build_flags)
+  endif()
   # GiNaC's header takes longer to read than most files that include it: it is read once.
   if(folder STREQUAL "equations")
     target_precompile_headers(${library} PRIVATE <algorithm> <deque> <functional> <ginac/ginac.h>
       <map> <optional> <set> <sstream> <string> <vector>)
-  elseif(NOT folder STREQUAL "structure")
+  elseif(arg_LINKS)
     target_precompile_headers(${library} REUSE_FROM assur_generator_equations)
   endif()
 endfunction()

@@ -103,21 +103,25 @@ LinkIndex Mechanism::add_link(const std::string& name) {
   return links_.add({name, {}});
 }
 
-Feature Mechanism::new_feature(const std::string& name, const std::string& part) const {
+Feature Mechanism::on_link(const std::string& name, const std::string& part) const {
   const std::size_t dot = name.find('.');
   if (dot == std::string::npos) {
     throw MechanismError(part, "expected 'link.feature', found " + in_quotes(name));
   }
   const std::string link_name = name.substr(0, dot);
-  const LinkIndex link = index_of(links_, link_name);
-  if (!link.exists()) {
+  Feature feature;
+  feature.name = name.substr(dot + 1);
+  feature.link = index_of(links_, link_name);
+  if (!feature.link.exists()) {
     throw MechanismError(part, "no link named " + in_quotes(link_name) +
                                    text::suggestion(link_name, names_of(links_)));
   }
-  Feature feature;
-  feature.name = name.substr(dot + 1);
-  feature.link = link;
-  for (const FeatureIndex other : links_[link].features) {
+  return feature;
+}
+
+Feature Mechanism::new_feature(const std::string& name, const std::string& part) const {
+  const Feature feature = on_link(name, part);
+  for (const FeatureIndex other : links_[feature.link].features) {
     if (features_[other].name == feature.name) {
       throw MechanismError(part, "the name " + in_quotes(feature.name) + " is taken");
     }
@@ -159,26 +163,17 @@ FeatureIndex Mechanism::add_line(const std::string& name, const Given& x, const 
 }
 
 FeatureIndex Mechanism::feature_named(const std::string& name, const std::string& part) const {
-  const std::size_t dot = name.find('.');
-  if (dot == std::string::npos) {
-    throw MechanismError(part, "expected 'link.feature', found " + in_quotes(name));
-  }
-  const std::string link_name = name.substr(0, dot);
-  const std::string feature_name = name.substr(dot + 1);
-  const LinkIndex link = index_of(links_, link_name);
-  if (!link.exists()) {
-    throw MechanismError(part, "no link named " + in_quotes(link_name) +
-                                   text::suggestion(link_name, names_of(links_)));
-  }
+  const Feature wanted = on_link(name, part);
+  const Link& link = links_[wanted.link];
   std::vector<std::string> names;
-  for (const FeatureIndex feature : links_[link].features) {
-    if (features_[feature].name == feature_name) {
+  for (const FeatureIndex feature : link.features) {
+    if (features_[feature].name == wanted.name) {
       return feature;
     }
     names.push_back(features_[feature].name);
   }
-  throw MechanismError(part, "link '" + link_name + "' has no feature " + in_quotes(feature_name) +
-                                 text::suggestion(feature_name, names));
+  throw MechanismError(part, "link '" + link.name + "' has no feature " + in_quotes(wanted.name) +
+                                 text::suggestion(wanted.name, names));
 }
 
 JointIndex Mechanism::add_joint(const std::string& name, JointType type,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <assur/kinematics.hpp>
+#include <assur/support/rigid_motion.hpp>
 
 namespace assur {
 
@@ -166,11 +167,10 @@ template <typename Model, typename Scalar>
                                                         const FirstDerivative<Model, Scalar>& y,
                                                         const SecondDerivative<Model, Scalar>& xy) {
   const int row = 3 * link;
-  const Scalar turning = xy.p(row + 2);
-  const Scalar square = x.p(row + 2) * y.p(row + 2);
-  const Scalar r_x = direction.cos * local(0) - direction.sin * local(1);
-  const Scalar r_y = direction.sin * local(0) + direction.cos * local(1);
-  return {xy.p(row) - turning * r_y - square * r_x, xy.p(row + 1) + turning * r_x - square * r_y};
+  const Vector<Scalar, 2> at_rest = Vector<Scalar, 2>::Zero();
+  return support::carried_twice<Scalar>(xy.p.template segment<3>(row), x.p(row + 2), y.p(row + 2),
+                                        support::rotated(direction, local), at_rest, at_rest,
+                                        at_rest);
 }
 
 }  // namespace assur

@@ -144,6 +144,8 @@ class Mechanism {
   void put_number(const Given& given, const std::string& part, NumberIndex& place);
   void expect_new_parameter(const std::string& name) const;
   ParameterIndex add(Parameter parameter);
+  /// `link.feature` as a feature of a link that is there, which may have it or not.
+  [[nodiscard]] Feature on_link(const std::string& name, const std::string& part) const;
   [[nodiscard]] Feature new_feature(const std::string& name, const std::string& part) const;
   FeatureIndex add_feature(Feature feature);
   [[nodiscard]] FeatureIndex feature_named(const std::string& name, const std::string& part) const;
