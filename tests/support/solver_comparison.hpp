@@ -124,8 +124,8 @@ inline int compare_printed(std::istream& printed, const EmittedScene& scene,
   return compared;
 }
 
-/// Expects that every number of every scene agrees, and gives how many were compared.
-inline int compare_with_solve(const std::vector<EmittedScene>& scenes) {
+/// Expects that every number of every scene agrees, and gives how many of each were compared.
+inline std::vector<int> compare_with_solve(const std::vector<EmittedScene>& scenes) {
   const TemporaryDirectory directory;
   const std::string root = directory.path().string();
   std::string includes;
@@ -147,12 +147,12 @@ inline int compare_with_solve(const std::vector<EmittedScene>& scenes) {
   if (testing::Test::HasFailure() ||
       std::system((root + "/driver > " + root + "/printed").c_str()) != 0) {
     ADD_FAILURE() << "no program to compare";
-    return 0;
+    return std::vector<int>(scenes.size());
   }
   std::istringstream printed(read_file(directory.path() / "printed"));
-  int compared = 0;
+  std::vector<int> compared;
   for (std::size_t index = 0; index < scenes.size(); ++index) {
-    compared += compare_printed(printed, scenes[index], expected[index]);
+    compared.push_back(compare_printed(printed, scenes[index], expected[index]));
   }
   return compared;
 }

@@ -69,12 +69,14 @@ TEST(Emission, CheckFindsAChangeAndWritesNothing) {
 
 TEST(Emission, CallsNoPowerAndNoTrigonometryAndDoesNotBranch) {
   std::istringstream lines(whole_tree(ASSUR_GENERATED));
+  const std::regex quoted("\"[^\"]*\"");
   std::string text;
   std::string line;
   while (std::getline(lines, line)) {
     // Comments and names in quotes may say what they like.
+    line = line.substr(0, line.find("//"));
     text +=
-        std::regex_replace(line.substr(0, line.find("//")), std::regex("\"[^\"]*\""), "") + "\n";
+        (line.find('"') == std::string::npos ? line : std::regex_replace(line, quoted, "")) + "\n";
   }
   for (const char* forbidden :
        {"pow(", "sin(", "cos(", "tan(", "sqrt(", "if (", "for (", "while (", " ? "}) {

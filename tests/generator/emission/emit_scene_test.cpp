@@ -1,6 +1,10 @@
-// Law: the solver emitted for a scene agrees with `assur solve`.
+// Law: the solver emitted for a scene agrees with `assur solve`, whatever the links, joints,
+// outputs and the file of the scene are called.
 #include <gtest/gtest.h>
 
+#include <numeric>
+
+#include "awkward_scene.hpp"
 #include "solver_comparison.hpp"
 
 namespace assur::test::emit_scene_test {
@@ -40,10 +44,27 @@ std::vector<EmittedScene> examples() {
   return scenes;
 }
 
-TEST(EmitScene, AgreesWithSolveOverAllExamples) {
-  const int compared = compare_with_solve(examples());
-  std::printf("all: %d numbers\n", compared);
-  EXPECT_GT(compared, 10000);
+/// A scene whose names become identifiers that differ.
+EmittedScene awkwardly_named(const TemporaryDirectory& directory) {
+  const std::map<std::string, std::string> members = {
+      {"class", "class_2"},     {"1-2", "n1_2"},   {"1 2", "n1_2_2"},
+      {"slide_S", "slide_S_2"}, {"\u00e9\n", "n"}, {"__Drivers", "Drivers_2"}};
+  return {directory.write("4-bar & \"co\".json", awkward_scene().dump()), "_4_bar____co_",
+          "Scene4BarCo", members};
+}
+
+/// All in one program, because most of its compilation is what they share.
+TEST(EmitScene, AgreesWithSolveOverAllExamplesAndAwkwardNames) {
+  const TemporaryDirectory directory;
+  std::vector<EmittedScene> scenes = examples();
+  scenes.push_back(awkwardly_named(directory));
+  const std::vector<int> compared = compare_with_solve(scenes);
+  for (std::size_t index = 0; index < scenes.size(); ++index) {
+    EXPECT_GT(compared[index], 100) << scenes[index].solver;
+  }
+  const int all = std::accumulate(compared.begin(), compared.end(), 0);
+  std::printf("all: %d numbers\n", all);
+  EXPECT_GT(all, 10000);
 }
 
 }  // namespace
