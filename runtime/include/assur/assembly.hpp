@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <assur/assemblies.hpp>
 #include <assur/detail/assembly_order.hpp>
+#include <assur/detail/closed_search.hpp>
 #include <assur/detail/general_search.hpp>
 #include <assur/detail/index.hpp>
 #include <assur/detail/special_group.hpp>
@@ -15,41 +16,59 @@
 
 namespace assur {
 
-/// Every assembly configuration: all q with F(d, u, q) = 0, the closures F in the comment of the
-/// model. Lengths share any unit, directions among dimensions and inputs must be unit vectors;
-/// configurations are in the frame and the unit of the inputs. `displaced` is a length: how far
-/// rounding may have moved any input, for example because another group was placed before.
-///
-/// The final polynomial's real roots are isolated with a bound of all rounding, of the inputs too;
-/// where that does not settle the list, the group is searched as one in special position (see
-/// detail/special_search.hpp). What meets to within rounding is listed once and marked
-/// near_singular. Status: ok, also where the links cannot reach, with no configuration; degenerate;
-/// not_finite.
+namespace detail {
+
+/// Every configuration, where no formula vouches for the list.
 template <typename Model>
-[[nodiscard]] Assemblies<Model> assemblies(
+[[gnu::noinline, gnu::cold]] void search(
     const typename Model::template Dimensions<double>& dimensions,
-    const typename Model::template Inputs<double>& inputs, double displaced = 0) {
-  static_assert(Model::rigid, "a degenerate model has no closed form");
+    const typename Model::template Inputs<double>& inputs, double displaced,
+    Assemblies<Model>& result) {
   using Dimensions = typename Model::template Dimensions<double>;
   using Inputs = typename Model::template Inputs<double>;
-  Assemblies<Model> result;
   if (!is_finite(dimensions) || !is_finite(inputs)) {
     result.status = AssemblyStatus::not_finite;
-    return result;
+    return;
   }
   const double scale = support::unit_scale<Model>(dimensions, inputs, displaced);
   const auto d = support::scaled_to<Dimensions>(dimensions, scale);
   const auto u = support::scaled_to<Inputs>(inputs, scale);
   const double held = std::min(displaced * scale, support::most_displaced);
-  if (!detail::GeneralSearch<Model>(d, u, held, result).run()) {
-    detail::search_in_special_position<Model>(d, u, held, result);
+  bool found = false;
+  if constexpr (!has_closed_form<Model>) {
+    found = GeneralSearch<Model>(d, u, held, result).run();
   }
-  if (result.count > 1) {
-    detail::put_in_order<Model>(d, u, result);
+  if (!found) {
+    search_in_special_position<Model>(d, u, held, result);
   }
-  for (int index = 0; index < result.count; ++index) {
-    auto& q = detail::entry(result.configurations, index);
-    q = support::scaled_to<std::decay_t<decltype(q)>>(q, 1 / scale);
+  list_in<Model>(d, u, 1 / scale, result);
+}
+
+}  // namespace detail
+
+/// Every assembly configuration: all q with F(d, u, q) = 0, the closures F in the comment of the
+/// model. Lengths share any unit, directions among dimensions and inputs must be unit vectors;
+/// configurations are in the frame and the unit of the inputs. `displaced` is a length: how far
+/// rounding may have moved any input, for example because another group was placed before.
+///
+/// A final polynomial of first or second degree is solved by formula where its discriminant is
+/// larger than all rounding, of the inputs too; of one of higher degree the real roots are isolated
+/// with such a bound. Where that does not settle the list, the group is searched as one in special
+/// position (see detail/special_search.hpp). What meets to within rounding is listed once and
+/// marked near_singular. Status: ok, also where the links cannot reach, with no configuration;
+/// degenerate; not_finite.
+template <typename Model>
+[[nodiscard]] Assemblies<Model> assemblies(
+    const typename Model::template Dimensions<double>& dimensions,
+    const typename Model::template Inputs<double>& inputs, double displaced = 0) {
+  static_assert(Model::rigid, "a degenerate model has no closed form");
+  Assemblies<Model> result;
+  bool found = false;
+  if constexpr (detail::has_closed_form<Model>) {
+    found = detail::search_by_formula<Model>(dimensions, inputs, displaced, result);
+  }
+  if (!found) {
+    detail::search<Model>(dimensions, inputs, displaced, result);
   }
   return result;
 }

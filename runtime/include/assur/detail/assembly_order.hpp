@@ -6,6 +6,7 @@
 #include <assur/detail/index.hpp>
 #include <assur/model.hpp>
 #include <assur/numeric/order.hpp>
+#include <assur/support/scale.hpp>
 #include <assur/variables.hpp>
 #include <cstddef>
 #include <type_traits>
@@ -70,6 +71,27 @@ void put_in_order(const typename Model::template Dimensions<double>& d,
         std::swap(result.configurations[one], result.configurations[other]);
         std::swap(result.regularity[one], result.regularity[other]);
       });
+}
+
+/// Puts the configurations of a group whose lengths are near one in order, and gives them in the
+/// unit of which these lengths are multiples.
+template <typename Model>
+void list_in(const typename Model::template Dimensions<double>& d,
+             const typename Model::template Inputs<double>& u, double unit,
+             Assemblies<Model>& result) {
+  if (result.count == 2) {
+    if (numeric::comes_before(AssemblyOrder<Model>::key(d, u, result.configurations[1]),
+                              AssemblyOrder<Model>::key(d, u, result.configurations[0]))) {
+      std::swap(result.configurations[0], result.configurations[1]);
+      std::swap(result.regularity[0], result.regularity[1]);
+    }
+  } else if (result.count > 2) {
+    put_in_order<Model>(d, u, result);
+  }
+  for (int index = 0; index < result.count; ++index) {
+    auto& q = entry(result.configurations, index);
+    q = support::scaled_to<std::decay_t<decltype(q)>>(q, unit);
+  }
 }
 
 }  // namespace assur::detail

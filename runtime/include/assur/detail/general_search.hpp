@@ -40,15 +40,8 @@ class GeneralSearch {
 
   /// False if it cannot vouch for its list.
   [[nodiscard]] bool run() {
-    if constexpr (is_angle<Model>(Model::first_unknown)) {
-      return find_angles();
-    } else {
-      return find_displacements();
-    }
-  }
-
- private:
-  [[nodiscard]] bool find_angles() {
+    static_assert(is_angle<Model>(Model::first_unknown),
+                  "a polynomial in a displacement is of second degree at most");
     const auto polynomial = support::position_polynomial<Model, double>(d_, u_, displaced_);
     const auto roots = numeric::trigonometric_roots<double, Model::polynomial_degree>(
         polynomial.value, polynomial.error);
@@ -69,50 +62,7 @@ class GeneralSearch {
     return !has_twins();
   }
 
-  [[nodiscard]] bool find_displacements() {
-    using Certified = numeric::Bounded<double>;
-    constexpr int degree = static_cast<int>(Model::polynomial_degree);
-    Vector<Certified, degree + 1> bounded;
-    Model::position_polynomial(support::rounded<typename Model::template Dimensions<Certified>>(
-                                   d_, support::rounding_of_one),
-                               support::rounded<typename Model::template Inputs<Certified>>(
-                                   u_, support::rounding_of_inputs(u_, displaced_)),
-                               bounded);
-    for (int power = 0; power <= degree; ++power) {
-      bounded(power).bound += support::rounding_of_numbers<Model>();
-      if (!std::isfinite(bounded(power).size())) {
-        result_.status = AssemblyStatus::not_finite;
-        return true;
-      }
-    }
-    const Certified& leading = bounded(degree);
-    if (!leading.sign_is_certain()) {
-      return false;
-    }
-    if constexpr (degree == 1) {
-      return accept_displacement(-bounded(0).value / leading.value);
-    } else {
-      const Certified discriminant = bounded(1) * bounded(1) - Certified(4) * leading * bounded(0);
-      if (!discriminant.sign_is_certain()) {
-        return false;
-      }
-      if (discriminant.value < 0) {
-        return true;
-      }
-      const double root = std::sqrt(discriminant.value);
-      const double b = bounded(1).value;
-      const double q = b > 0 ? -(b + root) / 2 : -(b - root) / 2;
-      const double other = q == 0 ? -q / leading.value : bounded(0).value / q;
-      return accept_displacement(q / leading.value) && accept_displacement(other) && !has_twins();
-    }
-  }
-
-  bool accept_displacement(double value) {
-    Configuration q;
-    first_of(q) = value;
-    return accept(q);
-  }
-
+ private:
   /// Completes the configuration at a simple root, where one second value fits, polishes it on the
   /// loop equations and lists it; false if it does not close.
   [[nodiscard]] bool accept(Configuration& q) {

@@ -33,6 +33,8 @@ template <typename Scalar>
   return Scalar(derivative_error_constant) * std::numeric_limits<Scalar>::epsilon();
 }
 
+inline constexpr double six_digits = 5e-7;
+
 /// `rounding`: the relative error of what the pivots are computed from, with all constants.
 template <typename Model, typename Scalar>
 [[nodiscard]] Regularity<Scalar> regularity_of(const Pivots<Model, Scalar>& pivots,
@@ -66,9 +68,31 @@ template <typename Model, typename Scalar>
   }
   result.margin = kept * firmness;
   result.rounding = rounding;
-  const bool keeps = rounding < Scalar(5e-7) * result.margin;  // six digits
+  const bool keeps = rounding < Scalar(six_digits) * result.margin;
   result.status = keeps ? Status::ok : Status::near_singular;
   return result;
+}
+
+/// Whether `regularity_of` says ok, without a division.
+template <typename Model>
+[[nodiscard]] bool is_regular(const Pivots<Model, double>& pivots, double rounding) {
+  double core = 1;
+  double core_size = 1;
+  double other = 1;
+  double other_size = 1;
+  for (int index = 0; index < Model::pivot_count; ++index) {
+    const double value = std::abs(pivots.values(index));
+    const double size = pivots.sizes(index);
+    if (index < Model::core_pivot_count) {
+      core *= value;
+      core_size *= size;
+    } else if (!(value * other_size >= other * size)) {
+      other = value;
+      other_size = size;
+    }
+  }
+  return rounding * (pivots.terms * core_size) * (other_size * other_size) <
+         six_digits * (core * core) * (other * other);
 }
 
 /// The sign of det J; zero only where a pivot vanishes.

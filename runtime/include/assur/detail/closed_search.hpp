@@ -1,0 +1,242 @@
+// Turns a group whose final polynomial has one or two roots into its configurations by formula, or
+// tells that a closer look is needed.
+#pragma once
+
+#include <algorithm>
+#include <assur/assemblies.hpp>
+#include <assur/detail/assembly_order.hpp>
+#include <assur/detail/index.hpp>
+#include <assur/detail/members.hpp>
+#include <assur/detail/pivots.hpp>
+#include <assur/numeric/magnitude.hpp>
+#include <assur/numeric/second_unknown.hpp>
+#include <assur/support/scale.hpp>
+#include <assur/variables.hpp>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <tuple>
+#include <type_traits>
+
+namespace assur::detail {
+
+/// What decides how many real roots a final polynomial of first or second degree has, and what
+/// its formula divides by: the discriminant, and the leading coefficient of a polynomial in a
+/// displacement (that of a trigonometric one is no less than its discriminant).
+template <typename Scalar>
+struct Discriminants {
+  Scalar discriminant{};
+  Scalar leading{};
+};
+
+/// Of T = c0 + c1 cos x + s1 sin x: c1^2 + s1^2 - c0^2.
+template <typename Scalar>
+[[nodiscard]] Discriminants<Scalar> discriminants_of(const TrigonometricPolynomial<Scalar, 1>& T) {
+  const Scalar leading = T.cosine[1] * T.cosine[1] + T.sine[1] * T.sine[1];
+  return {leading - T.cosine[0] * T.cosine[0], leading};
+}
+/// Of T = a + b x, which has one root wherever it has a leading coefficient.
+template <typename Scalar>
+[[nodiscard]] Discriminants<Scalar> discriminants_of(const Vector<Scalar, 2>& T) {
+  return {T(1) * T(1), T(1)};
+}
+/// Of T = a + b x + c x^2: b^2 - 4 a c.
+template <typename Scalar>
+[[nodiscard]] Discriminants<Scalar> discriminants_of(const Vector<Scalar, 3>& T) {
+  return {T(1) * T(1) - Scalar(4) * T(2) * T(0), T(2)};
+}
+
+/// The final polynomial of a model as its functions take it.
+template <typename Model, typename Scalar>
+using FinalPolynomial =
+    std::conditional_t<is_angle<Model>(Model::first_unknown),
+                       TrigonometricPolynomial<Scalar, Model::polynomial_degree>,
+                       Vector<Scalar, static_cast<int>(Model::polynomial_degree) + 1>>;
+
+/// Lengths of at most so much: one, after scaling; a specialised group holds its dimensions as
+/// numbers and is not scaled.
+template <typename Model>
+inline constexpr double most_length = Model::dimension_count == 0 ? 8 : 1;
+
+/// The error that rounding may leave in the discriminants of a model, whatever its variables are,
+/// if no length is longer than `most_length` and each is known to a few roundings.
+template <typename Model>
+[[nodiscard]] Discriminants<double> discriminant_rounding() {
+  using numeric::Magnitude;
+  const auto fill = [](auto& member, std::size_t) {
+    const Magnitude length = Magnitude::given(most_length<Model>);
+    if constexpr (std::is_same_v<std::decay_t<decltype(member)>, Magnitude>) {
+      member = length;
+    } else {
+      member = {Magnitude::given(1), Magnitude::given(1)};
+    }
+  };
+  typename Model::template Dimensions<Magnitude> d;
+  typename Model::template Inputs<Magnitude> u;
+  for_each_member(d, fill);
+  for_each_member(u, fill);
+  FinalPolynomial<Model, Magnitude> T;
+  Model::position_polynomial(d, u, T);
+  const Discriminants<Magnitude> found = discriminants_of(T);
+  return {found.discriminant.rounding(), found.leading.rounding()};
+}
+
+/// It is zero until the program's variables are initialised.
+template <typename Model>
+inline const Discriminants<double> discriminant_error = discriminant_rounding<Model>();
+
+/// Whether a model's final polynomial has at most two roots, in closed form.
+template <typename Model>
+inline constexpr bool has_closed_form = Model::polynomial_degree == 1 ||
+                                        (!is_angle<Model>(Model::first_unknown) &&
+                                         Model::polynomial_degree == 2);
+
+/// A power of two and its inverse.
+struct PowerOfTwo {
+  double value = 0;
+  double inverse = 0;
+};
+
+/// The power of two above a length, where it is neither so small nor so large that products of
+/// lengths underflow or overflow; else zero.
+[[nodiscard]] inline PowerOfTwo power_above(double length) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &length, sizeof(bits));
+  const std::uint64_t exponent = bits >> 52U;
+  constexpr std::uint64_t one = 1023;
+  if (exponent < one - 64 || exponent > one + 64) {
+    return {};
+  }
+  const std::uint64_t above = (exponent + 1) << 52U;
+  const std::uint64_t below = (2 * one - exponent - 1) << 52U;
+  PowerOfTwo power;
+  std::memcpy(&power.value, &above, sizeof(above));
+  std::memcpy(&power.inverse, &below, sizeof(below));
+  return power;
+}
+
+/// The search by formula. It vouches for its list where the discriminant has a certain sign,
+/// however dimensions and inputs were rounded, and what it lists closes.
+template <typename Model>
+class ClosedSearch {
+  using Dimensions = typename Model::template Dimensions<double>;
+  using Inputs = typename Model::template Inputs<double>;
+  using Configuration = typename Model::template Configuration<double>;
+
+ public:
+  ClosedSearch(const Dimensions& d, const Inputs& u, Assemblies<Model>& result)
+      : d_(d), u_(u), result_(result) {}
+
+  /// False if it cannot vouch for its list. Lengths are at most `most_length`, and rounding has
+  /// displaced the inputs by at most `displaced`.
+  [[nodiscard]] bool run(double displaced) {
+    FinalPolynomial<Model, double> T;
+    Model::position_polynomial(d_, u_, T);
+    const Discriminants<double> found = discriminants_of(T);
+    // Errors grow with what the inputs are off.
+    const double growth = 1 + displaced / numeric::Magnitude::given_rounding();
+    const Discriminants<double>& rounding = discriminant_error<Model>;
+    if (!(std::abs(found.discriminant) > rounding.discriminant * growth &&
+          std::abs(found.leading) > rounding.leading * growth && rounding.discriminant > 0)) {
+      return false;
+    }
+    return found.discriminant < 0 || list_roots(T, found);
+  }
+
+ private:
+  /// With r = sqrt(discriminant): c1 cos x + s1 sin x = -c0 and s1 cos x - c1 sin x = -+r.
+  [[nodiscard]] bool list_roots(const TrigonometricPolynomial<double, 1>& T,
+                                const Discriminants<double>& found) {
+    const double root = std::sqrt(found.discriminant);
+    const double scale = 1 / found.leading;
+    const double cosine = T.cosine[1] * scale;
+    const double sine = T.sine[1] * scale;
+    const Direction<double> middle = {-T.cosine[0] * cosine, -T.cosine[0] * sine};
+    return accept(Direction<double>{middle.cos - root * sine, middle.sin + root * cosine}) &&
+           accept(Direction<double>{middle.cos + root * sine, middle.sin - root * cosine});
+  }
+  [[nodiscard]] bool list_roots(const Vector<double, 2>& T,
+                                const Discriminants<double>& /*found*/) {
+    return accept(-T(0) / T(1));
+  }
+  [[nodiscard]] bool list_roots(const Vector<double, 3>& T, const Discriminants<double>& found) {
+    const double larger = -(T(1) + std::copysign(std::sqrt(found.discriminant), T(1))) / 2;
+    // Both roots are zero only where the discriminant is.
+    return accept(larger / T(2)) && accept(T(0) / larger);
+  }
+
+  /// Completes and lists a configuration; false if it does not close to a few roundings.
+  template <typename Value>
+  [[nodiscard]] bool accept(const Value& value) {
+    Configuration q;
+    std::get<size(Model::first_unknown)>(q.members()) = value;
+    if constexpr (Model::second_unknown >= 0) {
+      auto& second = std::get<size(Model::second_unknown)>(q.members());
+      Matrix<double, 2, 3> e;
+      Model::second_equations(d_, u_, q, e);
+      const auto candidates = numeric::second_candidates<std::decay_t<decltype(second)>>(e);
+      if (candidates.count == 0) {
+        return false;
+      }
+      second = candidates.list[0].value;
+    }
+    Model::complete(d_, u_, q);
+    double off_circle = 0;
+    for_each_member(q, [&off_circle](auto& member, std::size_t) {
+      if constexpr (!std::is_same_v<std::decay_t<decltype(member)>, double>) {
+        const double more = member.cos * member.cos + member.sin * member.sin - 1;
+        off_circle += std::abs(more);
+        member.cos -= more / 2 * member.cos;
+        member.sin -= more / 2 * member.sin;
+      }
+    });
+    constexpr double straight = 1e-8;  // its square is rounding
+    Vector<double, Model::equation_count> f;
+    Model::residual(d_, u_, q, f);
+    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+    if (!(off_circle < straight && f.cwiseAbs().maxCoeff() <= rounding)) {
+      return false;
+    }
+    entry(result_.configurations, result_.count) = q;
+    entry(result_.regularity, result_.count) =
+        is_regular<Model>(pivots_at<Model, double>(d_, u_, q), derivative_rounding<double>())
+            ? Status::ok
+            : Status::near_singular;
+    ++result_.count;
+    return true;
+  }
+
+  const Dimensions& d_;
+  const Inputs& u_;
+  Assemblies<Model>& result_;
+};
+
+/// Every configuration by formula, in any unit of length. False, and nothing is listed, if a closer
+/// look is needed.
+template <typename Model>
+[[nodiscard]] bool search_by_formula(const typename Model::template Dimensions<double>& d,
+                                     const typename Model::template Inputs<double>& u,
+                                     double displaced, Assemblies<Model>& result) {
+  using Dimensions = typename Model::template Dimensions<double>;
+  using Inputs = typename Model::template Inputs<double>;
+  PowerOfTwo power{1, 1};  // a specialised group is in a unit of its own
+  if constexpr (Model::dimension_count == 0) {
+    power.value = longest_length(u) <= most_length<Model> ? 1 : 0;
+  } else {
+    power = power_above(std::max(longest_length(d), longest_length(u)));
+  }
+  if (!(power.value > 0)) {
+    return false;
+  }
+  const Dimensions scaled_d = support::scaled_to<Dimensions>(d, power.inverse);
+  const Inputs scaled_u = support::scaled_to<Inputs>(u, power.inverse);
+  if (!ClosedSearch<Model>(scaled_d, scaled_u, result).run(displaced * power.inverse)) {
+    result.count = 0;
+    return false;
+  }
+  list_in<Model>(scaled_d, scaled_u, power.value, result);
+  return true;
+}
+
+}  // namespace assur::detail

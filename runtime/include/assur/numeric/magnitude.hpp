@@ -1,0 +1,47 @@
+// Turns arithmetic on unknown numbers of known size into the size and the rounding of its results.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace assur::numeric {
+
+/// Numbers of absolute value `size` at most, in which rounding leaves an error of `units` times
+/// half an epsilon at most. What is computed from these holds for all numbers that are no larger.
+struct Magnitude {
+  double size = 0;
+  double units = 0;
+
+  Magnitude() = default;
+  /// A number of the text, which may have been rounded.
+  explicit Magnitude(double number) : size(std::abs(number)), units(std::abs(number)) {}
+  explicit Magnitude(int number) : size(std::abs(number)) {}
+  Magnitude(double most, double error) : size(most), units(error) {}
+
+  static constexpr double given_units = 4;
+  /// A variable that is known to a few roundings of a number of its size.
+  static Magnitude given(double most) { return {most, given_units * most}; }
+  static constexpr double given_rounding() {
+    return given_units * std::numeric_limits<double>::epsilon() / 2;
+  }
+
+  /// The largest error; an eighth more for the rounding of this estimate and higher orders.
+  [[nodiscard]] double rounding() const {
+    return units * (std::numeric_limits<double>::epsilon() / 2) * 1.125;
+  }
+
+  friend Magnitude operator+(const Magnitude& a, const Magnitude& b) {
+    return {a.size + b.size, a.units + b.units + a.size + b.size};
+  }
+  friend Magnitude operator-(const Magnitude& a, const Magnitude& b) { return a + b; }
+  friend Magnitude operator-(const Magnitude& a) { return a; }
+  friend Magnitude operator*(const Magnitude& a, const Magnitude& b) {
+    return {a.size * b.size, a.size * b.units + a.units * b.size + a.size * b.size};
+  }
+  /// By an exact number only: the constants of generated code.
+  friend Magnitude operator/(const Magnitude& a, const Magnitude& b) {
+    return {a.size / b.size, (a.units + a.size) / b.size};
+  }
+};
+
+}  // namespace assur::numeric
