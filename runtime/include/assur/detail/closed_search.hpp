@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <assur/assemblies.hpp>
 #include <assur/detail/assembly_order.hpp>
+#include <assur/detail/closure_geometry.hpp>
 #include <assur/detail/index.hpp>
 #include <assur/detail/members.hpp>
 #include <assur/detail/pivots.hpp>
+#include <assur/detail/polish.hpp>
+#include <assur/numeric/bounded.hpp>
 #include <assur/numeric/magnitude.hpp>
 #include <assur/numeric/second_unknown.hpp>
 #include <assur/support/scale.hpp>
@@ -53,6 +56,21 @@ using FinalPolynomial =
     std::conditional_t<is_angle<Model>(Model::first_unknown),
                        TrigonometricPolynomial<Scalar, Model::polynomial_degree>,
                        Vector<Scalar, static_cast<int>(Model::polynomial_degree) + 1>>;
+
+/// Coefficients that may be off by more.
+template <std::size_t Degree>
+void widen(TrigonometricPolynomial<numeric::Bounded<double>, Degree>& T, double more) {
+  for (std::size_t k = 0; k <= Degree; ++k) {
+    T.cosine[k].bound += more;
+    T.sine[k].bound += more;
+  }
+}
+template <int Count>
+void widen(Vector<numeric::Bounded<double>, Count>& T, double more) {
+  for (auto& coefficient : T) {
+    coefficient.bound += more;
+  }
+}
 
 /// Lengths of at most so much: one, after scaling; a specialised group holds its dimensions as
 /// numbers and is not scaled.
@@ -137,14 +155,32 @@ class ClosedSearch {
     // Errors grow with what the inputs are off.
     const double growth = 1 + displaced / numeric::Magnitude::given_rounding();
     const Discriminants<double>& rounding = discriminant_error<Model>;
-    if (!(std::abs(found.discriminant) > rounding.discriminant * growth &&
-          std::abs(found.leading) > rounding.leading * growth && rounding.discriminant > 0)) {
+    const bool is_certain = std::abs(found.discriminant) > rounding.discriminant * growth &&
+                            std::abs(found.leading) > rounding.leading * growth &&
+                            rounding.discriminant > 0;
+    if (!is_certain && !is_certain_here(displaced)) {
       return false;
     }
-    return found.discriminant < 0 || list_roots(T, found);
+    return found.discriminant < 0 ||
+           (list_roots(T, found) && !(was_polished_ && has_twins<Model>(result_)));
   }
 
  private:
+  /// The same with the bounds of these very dimensions and inputs, which are much closer where many
+  /// lengths are multiplied.
+  [[nodiscard, gnu::noinline]] bool is_certain_here(double displaced) const {
+    using Certified = numeric::Bounded<double>;
+    FinalPolynomial<Model, Certified> T;
+    Model::position_polynomial(support::rounded<typename Model::template Dimensions<Certified>>(
+                                   d_, support::rounding_of_one),
+                               support::rounded<typename Model::template Inputs<Certified>>(
+                                   u_, support::rounding_of_inputs(u_, displaced)),
+                               T);
+    widen(T, support::rounding_of_numbers<Model>());
+    const Discriminants<Certified> found = discriminants_of(T);
+    return found.discriminant.sign_is_certain() && found.leading.sign_is_certain();
+  }
+
   /// With r = sqrt(discriminant): c1 cos x + s1 sin x = -c0 and s1 cos x - c1 sin x = -+r.
   [[nodiscard]] bool list_roots(const TrigonometricPolynomial<double, 1>& T,
                                 const Discriminants<double>& found) {
@@ -195,14 +231,23 @@ class ClosedSearch {
     Vector<double, Model::equation_count> f;
     Model::residual(d_, u_, q, f);
     constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
-    if (!(off_circle < straight && f.cwiseAbs().maxCoeff() <= rounding)) {
-      return false;
+    const double longest = std::max({1.0, longest_length(u_), longest_length(q)});
+    Status& regularity = entry(result_.regularity, result_.count);
+    if (off_circle < straight && f.cwiseAbs().maxCoeff() <= rounding * longest &&
+        longest < farthest_configuration) {
+      regularity =
+          is_regular<Model>(pivots_at<Model, double>(d_, u_, q), derivative_rounding<double>())
+              ? Status::ok
+              : Status::near_singular;
+    } else {
+      regularity =
+          off_circle < 0.1 && is_finite(q) ? polish<Model>(d_, u_, q) : Status::no_convergence;
+      was_polished_ = true;
+      if (regularity == Status::no_convergence) {
+        return false;
+      }
     }
     entry(result_.configurations, result_.count) = q;
-    entry(result_.regularity, result_.count) =
-        is_regular<Model>(pivots_at<Model, double>(d_, u_, q), derivative_rounding<double>())
-            ? Status::ok
-            : Status::near_singular;
     ++result_.count;
     return true;
   }
@@ -210,6 +255,7 @@ class ClosedSearch {
   const Dimensions& d_;
   const Inputs& u_;
   Assemblies<Model>& result_;
+  bool was_polished_ = false;
 };
 
 /// Every configuration by formula, in any unit of length. False, and nothing is listed, if a closer

@@ -6,6 +6,7 @@
 #include <assur/detail/closure_geometry.hpp>
 #include <assur/detail/index.hpp>
 #include <assur/detail/members.hpp>
+#include <assur/detail/polish.hpp>
 #include <assur/kinematics.hpp>
 #include <assur/numeric/bounded.hpp>
 #include <assur/numeric/second_unknown.hpp>
@@ -18,11 +19,6 @@
 #include <type_traits>
 
 namespace assur::detail {
-
-/// What polishing leaves of the closures where the longest number among them is so long.
-[[nodiscard]] inline double polished_rounding(double longest) {
-  return 16 * std::numeric_limits<double>::epsilon() * longest;
-}
 
 /// The search in double precision, of a group whose longest length is near one. It vouches for its
 /// list where every root of the final polynomial is certainly simple, however dimensions and inputs
@@ -59,7 +55,7 @@ class GeneralSearch {
         return false;
       }
     }
-    return !has_twins();
+    return !has_twins<Model>(result_);
   }
 
  private:
@@ -89,7 +85,7 @@ class GeneralSearch {
     if (!fits || !is_finite(q) || result_.count == Model::max_configurations) {
       return false;
     }
-    const Status regularity = polish(q);
+    const Status regularity = polish<Model>(d_, u_, q);
     if (regularity == Status::no_convergence) {
       return false;
     }
@@ -101,65 +97,6 @@ class GeneralSearch {
 
   [[nodiscard]] static auto& first_of(Configuration& q) {
     return std::get<size(Model::first_unknown)>(q.members());
-  }
-
-  /// Newton's steps as long as they lessen a residual above rounding. The longest length is near
-  /// one; where a displacement is longer, its rounding ends the steps. `no_convergence` if the
-  /// closures do not hold then.
-  [[nodiscard]] Status polish(Configuration& q) const {
-    constexpr int steps = 3;
-    Vector<double, Model::equation_count> f;
-    Model::residual(d_, u_, q, f);
-    double miss = f.cwiseAbs().maxCoeff();
-    const InverseJacobian<Model, double> jacobian(d_, u_, q);
-    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
-    for (int step = 0; step < steps && miss > rounding && jacobian.solvable(); ++step) {
-      Configuration next = q;
-      nudge(next, jacobian.solve(Vector<double, Model::equation_count>(-f)));
-      Model::residual(d_, u_, next, f);
-      const double next_miss = f.cwiseAbs().maxCoeff();
-      if (!(next_miss < miss)) {
-        break;
-      }
-      q = next;
-      miss = next_miss;
-    }
-    const double longest = longest_length(q);
-    if (!(longest < farthest_configuration) ||
-        (miss > polished_rounding(1) &&
-         !(miss <= polished_rounding(std::max(longest, longest_length(u_)))))) {
-      return Status::no_convergence;
-    }
-    return jacobian.status() == Status::ok ? Status::ok : Status::near_singular;
-  }
-
-  /// A small step without trigonometric functions.
-  static void nudge(Configuration& q, const Vector<double, Model::unknown_count>& step) {
-    for_each_member(q, [&step](auto& member, std::size_t index) {
-      const double by = step(static_cast<Eigen::Index>(index));
-      if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
-        member += by;
-      } else {
-        member = normalised(
-            Direction<double>{member.cos - by * member.sin, member.sin + by * member.cos});
-      }
-    });
-  }
-
-  /// Two roots that polish to one configuration: one of them was completed wrongly.
-  [[nodiscard]] bool has_twins() const {
-    for (int index = 1; index < result_.count; ++index) {
-      for (int other = 0; other < index; ++other) {
-        double largest = 0;
-        for_each_pair(
-            entry(result_.configurations, index), entry(result_.configurations, other),
-            [&largest](const auto& a, const auto& b) { largest = std::max(largest, apart(a, b)); });
-        if (largest < 1e-7) {
-          return true;
-        }
-      }
-    }
-    return false;
   }
 
   const Dimensions& d_;

@@ -1,0 +1,87 @@
+// Turns a configuration that nearly closes into one that closes to a few roundings.
+#pragma once
+
+#include <algorithm>
+#include <assur/assemblies.hpp>
+#include <assur/detail/closure_geometry.hpp>
+#include <assur/detail/index.hpp>
+#include <assur/detail/members.hpp>
+#include <assur/kinematics.hpp>
+#include <assur/variables.hpp>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+namespace assur::detail {
+
+/// What polishing leaves of the closures where the longest number among them is so long.
+[[nodiscard]] inline double polished_rounding(double longest) {
+  return 16 * std::numeric_limits<double>::epsilon() * longest;
+}
+
+/// A small step without trigonometric functions.
+template <typename Model>
+void nudge(typename Model::template Configuration<double>& q,
+           const Vector<double, Model::unknown_count>& step) {
+  for_each_member(q, [&step](auto& member, std::size_t index) {
+    const double by = step(static_cast<Eigen::Index>(index));
+    if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
+      member += by;
+    } else {
+      member =
+          normalised(Direction<double>{member.cos - by * member.sin, member.sin + by * member.cos});
+    }
+  });
+}
+
+/// Newton's steps as long as they lessen a residual above rounding. The longest length is near
+/// one; where a displacement is longer, its rounding ends the steps. `no_convergence` if the
+/// closures do not hold then.
+template <typename Model>
+[[nodiscard, gnu::noinline]] Status polish(const typename Model::template Dimensions<double>& d,
+                                           const typename Model::template Inputs<double>& u,
+                                           typename Model::template Configuration<double>& q) {
+  constexpr int steps = 3;
+  Vector<double, Model::equation_count> f;
+  Model::residual(d, u, q, f);
+  double miss = f.cwiseAbs().maxCoeff();
+  const InverseJacobian<Model, double> jacobian(d, u, q);
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  for (int step = 0; step < steps && miss > rounding && jacobian.solvable(); ++step) {
+    auto next = q;
+    nudge<Model>(next, jacobian.solve(Vector<double, Model::equation_count>(-f)));
+    Model::residual(d, u, next, f);
+    const double next_miss = f.cwiseAbs().maxCoeff();
+    if (!(next_miss < miss)) {
+      break;
+    }
+    q = next;
+    miss = next_miss;
+  }
+  const double longest = longest_length(q);
+  if (!(longest < farthest_configuration) ||
+      (miss > polished_rounding(1) &&
+       !(miss <= polished_rounding(std::max(longest, longest_length(u)))))) {
+    return Status::no_convergence;
+  }
+  return jacobian.status() == Status::ok ? Status::ok : Status::near_singular;
+}
+
+/// Two roots that polish to one configuration: one of them was completed wrongly.
+template <typename Model>
+[[nodiscard]] bool has_twins(const Assemblies<Model>& found) {
+  for (int index = 1; index < found.count; ++index) {
+    for (int other = 0; other < index; ++other) {
+      double largest = 0;
+      for_each_pair(
+          entry(found.configurations, index), entry(found.configurations, other),
+          [&largest](const auto& a, const auto& b) { largest = std::max(largest, apart(a, b)); });
+      if (largest < 1e-7) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace assur::detail
