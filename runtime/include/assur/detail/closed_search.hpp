@@ -6,18 +6,16 @@
 #include <assur/assemblies.hpp>
 #include <assur/detail/assembly_order.hpp>
 #include <assur/detail/closure_geometry.hpp>
+#include <assur/detail/completion.hpp>
 #include <assur/detail/index.hpp>
 #include <assur/detail/members.hpp>
 #include <assur/detail/pivots.hpp>
 #include <assur/detail/polish.hpp>
 #include <assur/numeric/bounded.hpp>
 #include <assur/numeric/magnitude.hpp>
-#include <assur/numeric/second_unknown.hpp>
 #include <assur/support/scale.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 #include <tuple>
 #include <type_traits>
@@ -57,18 +55,18 @@ using FinalPolynomial =
                        TrigonometricPolynomial<Scalar, Model::polynomial_degree>,
                        Vector<Scalar, static_cast<int>(Model::polynomial_degree) + 1>>;
 
-/// Coefficients that may be off by more.
-template <std::size_t Degree>
-void widen(TrigonometricPolynomial<numeric::Bounded<double>, Degree>& T, double more) {
+/// Coefficients that may be off by more: `error` is a number without a value.
+template <typename Scalar, std::size_t Degree>
+void widen(TrigonometricPolynomial<Scalar, Degree>& T, const Scalar& error) {
   for (std::size_t k = 0; k <= Degree; ++k) {
-    T.cosine[k].bound += more;
-    T.sine[k].bound += more;
+    T.cosine[k] = T.cosine[k] + error;
+    T.sine[k] = T.sine[k] + error;
   }
 }
-template <int Count>
-void widen(Vector<numeric::Bounded<double>, Count>& T, double more) {
-  for (auto& coefficient : T) {
-    coefficient.bound += more;
+template <typename Scalar, int Count>
+void widen(Vector<Scalar, Count>& T, const Scalar& error) {
+  for (Scalar& coefficient : T) {
+    coefficient = coefficient + error;
   }
 }
 
@@ -96,11 +94,12 @@ template <typename Model>
   for_each_member(u, fill);
   FinalPolynomial<Model, Magnitude> T;
   Model::position_polynomial(d, u, T);
+  widen(T, Magnitude::error(support::rounding_of_numbers<Model>()));
   const Discriminants<Magnitude> found = discriminants_of(T);
   return {found.discriminant.rounding(), found.leading.rounding()};
 }
 
-/// It is zero until the program's variables are initialised.
+/// Until the program's variables are initialised it is zero, and nothing is vouched for by it.
 template <typename Model>
 inline const Discriminants<double> discriminant_error = discriminant_rounding<Model>();
 
@@ -109,30 +108,6 @@ template <typename Model>
 inline constexpr bool has_closed_form = Model::polynomial_degree == 1 ||
                                         (!is_angle<Model>(Model::first_unknown) &&
                                          Model::polynomial_degree == 2);
-
-/// A power of two and its inverse.
-struct PowerOfTwo {
-  double value = 0;
-  double inverse = 0;
-};
-
-/// The power of two above a length, where it is neither so small nor so large that products of
-/// lengths underflow or overflow; else zero.
-[[nodiscard]] inline PowerOfTwo power_above(double length) {
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, &length, sizeof(bits));
-  const std::uint64_t exponent = bits >> 52U;
-  constexpr std::uint64_t one = 1023;
-  if (exponent < one - 64 || exponent > one + 64) {
-    return {};
-  }
-  const std::uint64_t above = (exponent + 1) << 52U;
-  const std::uint64_t below = (2 * one - exponent - 1) << 52U;
-  PowerOfTwo power;
-  std::memcpy(&power.value, &above, sizeof(above));
-  std::memcpy(&power.inverse, &below, sizeof(below));
-  return power;
-}
 
 /// The search by formula. It vouches for its list where the discriminant has a certain sign,
 /// however dimensions and inputs were rounded, and what it lists closes.
@@ -176,7 +151,7 @@ class ClosedSearch {
                                support::rounded<typename Model::template Inputs<Certified>>(
                                    u_, support::rounding_of_inputs(u_, displaced)),
                                T);
-    widen(T, support::rounding_of_numbers<Model>());
+    widen(T, Certified(0, support::rounding_of_numbers<Model>()));
     const Discriminants<Certified> found = discriminants_of(T);
     return found.discriminant.sign_is_certain() && found.leading.sign_is_certain();
   }
@@ -202,54 +177,40 @@ class ClosedSearch {
     return accept(larger / T(2)) && accept(T(0) / larger);
   }
 
-  /// Completes and lists a configuration; false if it does not close to a few roundings.
+  /// Completes and lists a configuration; false if it does not close.
   template <typename Value>
   [[nodiscard]] bool accept(const Value& value) {
     Configuration q;
     std::get<size(Model::first_unknown)>(q.members()) = value;
-    if constexpr (Model::second_unknown >= 0) {
-      auto& second = std::get<size(Model::second_unknown)>(q.members());
-      Matrix<double, 2, 3> e;
-      Model::second_equations(d_, u_, q, e);
-      const auto candidates = numeric::second_candidates<std::decay_t<decltype(second)>>(e);
-      if (candidates.count == 0) {
-        return false;
-      }
-      second = candidates.list[0].value;
+    if (!complete<Model>(d_, u_, q)) {
+      return false;
     }
-    Model::complete(d_, u_, q);
-    double off_circle = 0;
-    for_each_member(q, [&off_circle](auto& member, std::size_t) {
-      if constexpr (!std::is_same_v<std::decay_t<decltype(member)>, double>) {
-        const double more = member.cos * member.cos + member.sin * member.sin - 1;
-        off_circle += std::abs(more);
-        member.cos -= more / 2 * member.cos;
-        member.sin -= more / 2 * member.sin;
-      }
-    });
-    constexpr double straight = 1e-8;  // its square is rounding
-    Vector<double, Model::equation_count> f;
-    Model::residual(d_, u_, q, f);
-    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
-    const double longest = std::max({1.0, longest_length(u_), longest_length(q)});
     Status& regularity = entry(result_.regularity, result_.count);
-    if (off_circle < straight && f.cwiseAbs().maxCoeff() <= rounding * longest &&
-        longest < farthest_configuration) {
-      regularity =
-          is_regular<Model>(pivots_at<Model, double>(d_, u_, q), derivative_rounding<double>())
-              ? Status::ok
-              : Status::near_singular;
-    } else {
-      regularity =
-          off_circle < 0.1 && is_finite(q) ? polish<Model>(d_, u_, q) : Status::no_convergence;
-      was_polished_ = true;
-      if (regularity == Status::no_convergence) {
-        return false;
-      }
+    regularity = closes(q) ? regularity_of_closed(q) : polish<Model>(d_, u_, q);
+    if (regularity == Status::no_convergence) {
+      return false;
     }
     entry(result_.configurations, result_.count) = q;
     ++result_.count;
     return true;
+  }
+
+  /// Whether the closures hold as they are to a few roundings.
+  [[nodiscard]] bool closes(const Configuration& q) {
+    Vector<double, Model::equation_count> f;
+    Model::residual(d_, u_, q, f);
+    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+    const double longest = std::max({1.0, longest_length(u_), longest_length(q)});
+    const bool hold =
+        f.cwiseAbs().maxCoeff() <= rounding * longest && longest < farthest_configuration;
+    was_polished_ = was_polished_ || !hold;
+    return hold;
+  }
+
+  [[nodiscard]] Status regularity_of_closed(const Configuration& q) const {
+    const Pivots<Model, double> pivots = pivots_at<Model, double>(d_, u_, q);
+    return is_regular<Model>(pivots, derivative_rounding<double>()) ? Status::ok
+                                                                    : Status::near_singular;
   }
 
   const Dimensions& d_;
@@ -266,22 +227,26 @@ template <typename Model>
                                      double displaced, Assemblies<Model>& result) {
   using Dimensions = typename Model::template Dimensions<double>;
   using Inputs = typename Model::template Inputs<double>;
-  PowerOfTwo power{1, 1};  // a specialised group is in a unit of its own
+  const double longest = std::max(longest_length(d), longest_length(u));
+  double scale = 1;  // a specialised group is in a unit of its own
   if constexpr (Model::dimension_count == 0) {
-    power.value = longest_length(u) <= most_length<Model> ? 1 : 0;
+    if (!(longest <= most_length<Model>)) {
+      return false;
+    }
   } else {
-    power = power_above(std::max(longest_length(d), longest_length(u)));
+    // Products of several lengths may neither overflow nor underflow.
+    if (!(longest > 0x1p-64 && longest < 0x1p64)) {
+      return false;
+    }
+    scale = support::inverse_power_of_two(longest) / 2;
   }
-  if (!(power.value > 0)) {
-    return false;
-  }
-  const Dimensions scaled_d = support::scaled_to<Dimensions>(d, power.inverse);
-  const Inputs scaled_u = support::scaled_to<Inputs>(u, power.inverse);
-  if (!ClosedSearch<Model>(scaled_d, scaled_u, result).run(displaced * power.inverse)) {
+  const Dimensions scaled_d = support::scaled_to<Dimensions>(d, scale);
+  const Inputs scaled_u = support::scaled_to<Inputs>(u, scale);
+  if (!ClosedSearch<Model>(scaled_d, scaled_u, result).run(displaced * scale)) {
     result.count = 0;
     return false;
   }
-  list_in<Model>(scaled_d, scaled_u, power.value, result);
+  list_in<Model>(scaled_d, scaled_u, 1 / scale, result);
   return true;
 }
 

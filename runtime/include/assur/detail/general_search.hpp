@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <assur/assemblies.hpp>
 #include <assur/detail/closure_geometry.hpp>
+#include <assur/detail/completion.hpp>
 #include <assur/detail/index.hpp>
 #include <assur/detail/members.hpp>
 #include <assur/detail/polish.hpp>
 #include <assur/kinematics.hpp>
 #include <assur/numeric/bounded.hpp>
-#include <assur/numeric/second_unknown.hpp>
 #include <assur/numeric/trigonometric_roots.hpp>
 #include <assur/support/position_polynomial.hpp>
 #include <assur/variables.hpp>
@@ -62,27 +62,7 @@ class GeneralSearch {
   /// Completes the configuration at a simple root, where one second value fits, polishes it on the
   /// loop equations and lists it; false if it does not close.
   [[nodiscard]] bool accept(Configuration& q) {
-    if constexpr (Model::second_unknown >= 0) {
-      auto& second = std::get<size(Model::second_unknown)>(q.members());
-      Matrix<double, 2, 3> e;
-      Model::second_equations(d_, u_, q, e);
-      const auto candidates = numeric::second_candidates<std::decay_t<decltype(second)>>(e);
-      if (candidates.count == 0) {
-        return false;
-      }
-      second = candidates.list[0].value;
-    }
-    Model::complete(d_, u_, q);
-    bool fits = true;
-    for_each_member(q, [&fits](auto& member, std::size_t) {
-      if constexpr (!std::is_same_v<std::decay_t<decltype(member)>, double>) {
-        // Between ends that coincide a bar has no direction, whatever its length.
-        const double square = member.cos * member.cos + member.sin * member.sin;
-        fits = fits && std::abs(square - 1) < 0.1;
-        member = normalised(member);
-      }
-    });
-    if (!fits || !is_finite(q) || result_.count == Model::max_configurations) {
+    if (!complete<Model>(d_, u_, q) || result_.count == Model::max_configurations) {
       return false;
     }
     const Status regularity = polish<Model>(d_, u_, q);

@@ -36,11 +36,14 @@ void nudge(typename Model::template Configuration<double>& q,
 
 /// Newton's steps as long as they lessen a residual above rounding. The longest length is near
 /// one; where a displacement is longer, its rounding ends the steps. `no_convergence` if the
-/// closures do not hold then.
+/// closures do not hold then, or if the configuration is not finite.
 template <typename Model>
 [[nodiscard, gnu::noinline]] Status polish(const typename Model::template Dimensions<double>& d,
                                            const typename Model::template Inputs<double>& u,
                                            typename Model::template Configuration<double>& q) {
+  if (!is_finite(q)) {
+    return Status::no_convergence;
+  }
   constexpr int steps = 3;
   Vector<double, Model::equation_count> f;
   Model::residual(d, u, q, f);

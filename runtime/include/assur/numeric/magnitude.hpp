@@ -18,6 +18,10 @@ struct Magnitude {
   explicit Magnitude(int number) : size(std::abs(number)) {}
   Magnitude(double most, double error) : size(most), units(error) {}
 
+  /// Nothing but an error.
+  static Magnitude error(double most) {
+    return {0, most / (std::numeric_limits<double>::epsilon() / 2)};
+  }
   static constexpr double given_units = 4;
   /// A variable that is known to a few roundings of a number of its size.
   static Magnitude given(double most) { return {most, given_units * most}; }

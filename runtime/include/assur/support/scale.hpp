@@ -5,6 +5,8 @@
 #include <assur/model.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <type_traits>
 
@@ -23,6 +25,20 @@ template <typename To, typename From, typename Scale>
     }
   });
   return result;
+}
+
+/// 2^-e of a length of 2^e m, 1 <= m < 2, by the bits of a number that has them all.
+[[nodiscard]] inline double inverse_power_of_two(double length) {
+  if (!(length >= std::numeric_limits<double>::min() && length < 0x1p1023)) {
+    return std::ldexp(1.0, -std::ilogb(length));
+  }
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &length, sizeof(bits));
+  constexpr std::uint64_t exponent_of_one = 1023;
+  bits = (2 * exponent_of_one - (bits >> 52U)) << 52U;
+  double power = 0;
+  std::memcpy(&power, &bits, sizeof(power));
+  return power;
 }
 
 /// A few roundings of a length of one.
@@ -89,7 +105,7 @@ template <typename Model>
   const double places = longest_length(u);
   const bool tells = own > rounding * places + (std::isfinite(displaced) ? displaced : 0);
   const double size = std::max(own, tells ? 0x1p-44 * places : places);
-  return size > 0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
+  return size > 0 && std::isfinite(size) ? inverse_power_of_two(size) : 1.0;
 }
 
 }  // namespace assur::support
