@@ -104,13 +104,21 @@ void Plan::expect_usable(const Values& values) const {
 }
 
 Solution Plan::solve(const Values& values) const {
+  Solution result;
+  solve(values, result);
+  return result;
+}
+
+void Plan::solve(const Values& values, Solution& result) const {
   expect_usable(values);
-  return mechanism::solve(data_, values, false);
+  mechanism::solve(data_, values, false, result);
 }
 
 std::string Plan::obstacle(const Values& values) const {
   expect_usable(values);
-  return mechanism::solve(data_, values, true).reason;
+  Solution result;
+  mechanism::solve(data_, values, true, result);
+  return result.reason;
 }
 
 const Mechanism& Plan::mechanism() const { return data_->mechanism; }

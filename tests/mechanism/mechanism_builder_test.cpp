@@ -239,6 +239,23 @@ mechanism::Mechanism turning_bar() {
   return bar;
 }
 
+// Seven positions, some of which the links cannot reach, in the memory of those before.
+TEST(Solution, IsTheSameInTheMemoryOfAnother) {
+  Mechanism linkage = four_bar();
+  linkage.set_parameter("coupler", 62.5);
+  const mechanism::Plan plan(linkage);
+  mechanism::Solution reused;
+  std::vector<std::size_t> counts;
+  for (int step = 0; step < 7; ++step) {
+    const mechanism::Values values = plan.values({{"phi", 0.9 * step}});
+    plan.solve(values, reused);
+    expect_same_solution(plan.solve(values), reused);
+    counts.push_back(reused.configurations.size());
+  }
+  EXPECT_NE(std::count(counts.begin(), counts.end(), 0U), 0);
+  EXPECT_NE(std::count(counts.begin(), counts.end(), 2U), 0);
+}
+
 TEST(MisusedLibrary, IsRefusedInALine) {
   using mechanism::MechanismError;
   mechanism::Mechanism bar = turning_bar();

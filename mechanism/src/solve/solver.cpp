@@ -20,8 +20,16 @@ namespace {
 class MechanismSolver {
  public:
   MechanismSolver(const std::shared_ptr<const PlanData>& plan, const Values& values,
-                  bool measures_gap)
-      : plan_(plan), structure_(plan->structure), values_(values), measures_gap_(measures_gap) {
+                  bool measures_gap, Solution& result)
+      : plan_(plan),
+        structure_(plan->structure),
+        values_(values),
+        measures_gap_(measures_gap),
+        solution_(result) {
+    solution_.status = SolutionStatus::ok;
+    solution_.mobility = 0;
+    solution_.reason.clear();
+    solution_.families.clear();
     placed_.links.resize(structure_.linkage.links.size());
     placed_.displaced.assign(structure_.linkage.links.size(), 0);
     placed_.groups.resize(structure_.groups.size());
@@ -35,7 +43,7 @@ class MechanismSolver {
     }
   }
 
-  Solution run() {
+  void run() {
     place_driven_links();
     std::size_t slides = placed_.slides.size();
     for (const GroupIndex group : structure_.groups.keys()) {
@@ -44,8 +52,8 @@ class MechanismSolver {
     }
     placed_.slides.resize(slides);
     descend(0);
+    solution_.configurations.resize(listed_);
     conclude();
-    return std::move(solution_);
   }
 
  private:
@@ -115,7 +123,7 @@ class MechanismSolver {
       add_family(group, found.mobility, reason_of_freedom(group, found.mobility));
     } else if (found.count == 0 && !values_.group(group).flaw.empty()) {
       add_family(group, 0, values_.group(group).flaw);
-    } else if (found.count == 0 && measures_gap_ && solution_.configurations.empty()) {
+    } else if (found.count == 0 && measures_gap_ && listed_ == 0) {
       measure_gap(group);
     }
     const Status regularity = placed_.regularity;
@@ -193,7 +201,7 @@ class MechanismSolver {
       leave_out(group, unplaced);
       return rest_assembles(depth + 1, std::move(unplaced));
     }
-    if (found.count == 0 && measures_gap_ && solution_.configurations.empty()) {
+    if (found.count == 0 && measures_gap_ && listed_ == 0) {
       measure_gap(group);
     }
     return false;
@@ -235,11 +243,15 @@ class MechanismSolver {
 
   /// A configuration in which everything is placed.
   void list() {
-    Configuration& result = solution_.configurations.emplace_back();
+    if (listed_ == solution_.configurations.size()) {
+      solution_.configurations.emplace_back();
+    }
+    Configuration& result = solution_.configurations[listed_++];
     const Mechanism& mechanism = plan_->mechanism;
-    const auto links = placed_.links.begin();
-    result.links = Table<LinkIndex, Frame>(
-        std::vector<Frame>(links, links + static_cast<std::ptrdiff_t>(mechanism.links().size())));
+    result.links.resize(mechanism.links().size());
+    for (const LinkIndex link : mechanism.links().keys()) {
+      result.links[link] = placed_.links[link];
+    }
     result.slides = placed_.slides;
     result.outputs.resize(mechanism.outputs().size());
     for (const OutputIndex output : mechanism.outputs().keys()) {
@@ -251,6 +263,7 @@ class MechanismSolver {
     result.derivatives_known = placed_.derivatives_known;
     result.rates_known = placed_.rates_known;
     result.residual = placed_.residual;
+    result.branches.clear();
     result.plan = plan_;
     const Want& want = plan_->request.want;
     if (!result.rates_known && (want.velocity || want.acceleration)) {
@@ -296,16 +309,17 @@ class MechanismSolver {
   Table<GroupIndex, std::optional<GroupSolver>> solvers_;
   Table<GroupIndex, std::size_t> first_slide_;
   PlacedLinks placed_;
-  Solution solution_;
+  Solution& solution_;
+  std::size_t listed_ = 0;  ///< configurations; those behind are of an earlier solution
   GroupIndex unreached_;
   double least_gap_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
 
-Solution solve(const std::shared_ptr<const PlanData>& plan, const Values& values,
-               bool measure_gap) {
-  return MechanismSolver(plan, values, measure_gap).run();
+void solve(const std::shared_ptr<const PlanData>& plan, const Values& values, bool measure_gap,
+           Solution& result) {
+  MechanismSolver(plan, values, measure_gap, result).run();
 }
 
 }  // namespace assur::mechanism

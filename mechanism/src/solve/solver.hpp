@@ -10,7 +10,7 @@ namespace assur::mechanism {
 
 /// See `Plan::solve`. On demand a solution without configurations tells by how much the links fail
 /// to close, which takes longer than to solve.
-[[nodiscard]] Solution solve(const std::shared_ptr<const PlanData>& plan, const Values& values,
-                             bool measure_gap);
+void solve(const std::shared_ptr<const PlanData>& plan, const Values& values, bool measure_gap,
+           Solution& result);
 
 }  // namespace assur::mechanism

@@ -71,7 +71,13 @@ const Values& SnapshotSolver::values_at(double parameter) {
 
 SnapshotPointer SnapshotSolver::at_step(double parameter) {
   const Values& values = values_at(parameter);
-  return completed({parameter, values.spread(), plan_.solve(values), {}, true});
+  Snapshot snapshot{parameter, values.spread(), {}, {}, true};
+  if (!spares_->empty()) {
+    snapshot.solution = std::move(spares_->back());
+    spares_->pop_back();
+  }
+  plan_.solve(values, snapshot.solution);
+  return completed(std::move(snapshot));
 }
 
 SnapshotPointer SnapshotSolver::at(double parameter) {
@@ -92,7 +98,10 @@ SnapshotPointer SnapshotSolver::completed(Snapshot snapshot) const {
     snapshot.points.add(point_of_space(configuration));
   }
   snapshot.separable = is_separable(snapshot);
-  return std::make_shared<const Snapshot>(std::move(snapshot));
+  return {new Snapshot(std::move(snapshot)), [spares = spares_](Snapshot* gone) {
+            spares->push_back(std::move(gone->solution));
+            delete gone;
+          }};
 }
 
 ConfigurationPoint SnapshotSolver::point_of_space(const Configuration& configuration) const {

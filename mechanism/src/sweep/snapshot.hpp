@@ -62,8 +62,13 @@ class SnapshotSolver {
   [[nodiscard]] SnapshotPointer completed(Snapshot snapshot) const;
   [[nodiscard]] ConfigurationPoint point_of_space(const Configuration& configuration) const;
 
+  using Spares = std::vector<Solution>;
+
   const Plan& plan_;
   Values values_;
+  /// Solutions of snapshots that are gone, for the memory that they hold. Snapshots may outlive the
+  /// solver.
+  std::shared_ptr<Spares> spares_ = std::make_shared<Spares>();
   Eigen::Index column_;  ///< of the derivatives to the swept parameter
   double from_ = 0;
   double to_ = 0;

@@ -34,6 +34,9 @@ class Plan {
   /// configurations is one of the mechanism. Throws MechanismError where the lengths differ by more
   /// powers of ten than double precision holds.
   [[nodiscard]] Solution solve(const Values& values) const;
+  /// The same in the memory of an earlier solution, which saves most allocations. What `result`
+  /// holds after an error is not specified.
+  void solve(const Values& values, Solution& result) const;
   /// Why there are no configurations: which group fails to close and by how much at least, or what
   /// moves freely. Takes longer than to solve. Empty where there are configurations.
   [[nodiscard]] std::string obstacle(const Values& values) const;
