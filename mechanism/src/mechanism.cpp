@@ -252,4 +252,48 @@ OutputIndex Mechanism::add_output(const std::string& name, const std::string& po
   return outputs_.add({name, feature});
 }
 
+Mechanism Mechanism::only(const Table<LinkIndex, bool>& kept) const {
+  Mechanism part = *this;
+  part.features_ = {};
+  part.links_ = {};
+  part.joints_ = {};
+  part.drivers_ = {};
+  part.outputs_ = {};
+  Table<FeatureIndex, FeatureIndex> feature_of(features_.size());
+  for (const LinkIndex link : links_.keys()) {
+    if (!kept[link]) {
+      continue;
+    }
+    const LinkIndex own = part.links_.add({links_[link].name, {}});
+    for (const FeatureIndex index : links_[link].features) {
+      Feature feature = features_[index];
+      feature.link = own;
+      feature_of[index] = part.add_feature(std::move(feature));
+    }
+  }
+  Table<JointIndex, JointIndex> joint_of(joints_.size());
+  for (const JointIndex index : joints_.keys()) {
+    Joint joint{joints_[index].name, joints_[index].type, {}};
+    for (const FeatureIndex feature : joints_[index].between) {
+      if (feature_of[feature].exists()) {
+        joint.between.push_back(feature_of[feature]);
+      }
+    }
+    if (joint.between.size() > 1) {
+      joint_of[index] = part.joints_.add(std::move(joint));
+    }
+  }
+  for (Driver driver : drivers_) {
+    driver.joint = joint_of[driver.joint];
+    if (driver.joint.exists()) {
+      part.drivers_.add(driver);
+    }
+  }
+  for (Output output : outputs_) {
+    output.point = feature_of[output.point];
+    part.outputs_.add(std::move(output));
+  }
+  return part;
+}
+
 }  // namespace assur::mechanism

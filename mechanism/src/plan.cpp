@@ -3,11 +3,42 @@
 #include <assur/text/suggestion.hpp>
 
 #include "plan/plan_data.hpp"
+#include "plan/reported_part.hpp"
 #include "solve/solver.hpp"
 
 namespace assur::mechanism {
 
 namespace {
+
+/// Throws MechanismError where something is reported that is not there, twice, or no slide.
+void expect_reported(const Mechanism& mechanism, const Reported& reported) {
+  const auto expect = [](const auto& list, const auto& parts, const std::string& part) {
+    if (!list) {
+      return;
+    }
+    for (auto key = list->begin(); key != list->end(); ++key) {
+      if (!key->exists() || key->place() >= parts.size()) {
+        throw MechanismError(part, "the mechanism has no such part");
+      }
+      if (std::find(list->begin(), key, *key) != key) {
+        throw MechanismError(part, in_quotes(parts[*key].name) + " stands twice");
+      }
+    }
+  };
+  expect(reported.links, mechanism.links(), "report.links");
+  expect(reported.joints, mechanism.joints(), "report.joints");
+  if (!reported.joints) {
+    return;
+  }
+  for (const JointIndex joint : *reported.joints) {
+    const Joint& at = mechanism.joints()[joint];
+    if (at.type == JointType::revolute) {
+      throw MechanismError("report.joints", "the joint " + in_quotes(at.name) +
+                                                " is revolute and has no displacement; report " +
+                                                "prismatic joints, pins in slots, or links");
+    }
+  }
+}
 
 /// Throws MechanismError where a request names what the mechanism does not have.
 void expect_usable(const Mechanism& mechanism, const Request& request) {
@@ -21,6 +52,7 @@ void expect_usable(const Mechanism& mechanism, const Request& request) {
       throw MechanismError(part, "the number is missing");
     }
   };
+  expect_reported(mechanism, request.reported);
   if (request.sweep) {
     expect_parameter(request.sweep->parameter, "sweep.parameter");
     expect_number(request.sweep->from, "sweep.from");
@@ -51,13 +83,23 @@ void expect_usable(const Mechanism& mechanism, const Request& request) {
   }
 }
 
-std::shared_ptr<const PlanData> planned(const Mechanism& mechanism, const Request& request) {
-  expect_usable(mechanism, request);
-  Structure structure = structure_of(mechanism);
+/// Of a mechanism all of which is modelled.
+std::shared_ptr<const PlanData> planned_whole(const Mechanism& mechanism, const Request& request,
+                                              Structure structure) {
   EvaluationOrder order = evaluation_order(mechanism, request);
   NamedParts parts = structure.named_parts(mechanism);
   return std::make_shared<const PlanData>(
       PlanData{mechanism, request, std::move(structure), std::move(order), std::move(parts)});
+}
+
+std::shared_ptr<const PlanData> planned(const Mechanism& mechanism, const Request& request) {
+  expect_usable(mechanism, request);
+  Structure structure = structure_of(mechanism);
+  if (request.reported.everything()) {
+    return planned_whole(mechanism, request, std::move(structure));
+  }
+  const ReportedPart part = reported_part(mechanism, structure, request);
+  return planned_whole(part.mechanism, part.request, structure_of(part.mechanism));
 }
 
 /// The item with a name, for messages of what a program asks for.

@@ -242,7 +242,7 @@ mechanism::Mechanism turning_bar() {
 // Seven positions, some of which the links cannot reach, in the memory of those before.
 TEST(Solution, IsTheSameInTheMemoryOfAnother) {
   Mechanism linkage = four_bar();
-  linkage.set_parameter("coupler", 62.5);
+  linkage.set_parameter("coupler", 30);
   const mechanism::Plan plan(linkage);
   mechanism::Solution reused;
   std::vector<std::size_t> counts;

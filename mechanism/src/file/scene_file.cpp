@@ -19,8 +19,8 @@ class SceneReader {
   void read() {
     expect_object(root_, "");
     expect_keys(root_, "",
-                {"name", "parameters", "links", "joints", "drivers", "outputs", "want", "sweep",
-                 "covariance"});
+                {"name", "parameters", "links", "joints", "drivers", "outputs", "want", "report",
+                 "sweep", "covariance"});
     if (root_.contains("name")) {
       mechanism_.set_name(text_of(root_["name"], "name"));
     }
@@ -31,6 +31,7 @@ class SceneReader {
     read_drivers();
     read_outputs();
     read_want();
+    read_report();
     read_sweep();
     read_covariance();
   }
@@ -186,6 +187,42 @@ class SceneReader {
       }
       *flags[static_cast<std::size_t>(found - known.begin())] = true;
     }
+  }
+
+  void read_report() {
+    if (!root_.contains("report")) {
+      return;
+    }
+    const SceneJson& value = root_["report"];
+    expect_object(value, "report");
+    expect_keys(value, "report", {"links", "joints"});
+    request_.reported.links = listed_parts(value, "links", mechanism_.links(), "link");
+    request_.reported.joints = listed_parts(value, "joints", mechanism_.joints(), "joint");
+  }
+
+  template <typename Key, typename Part>
+  static std::optional<std::vector<Key>> listed_parts(const SceneJson& report,
+                                                      const std::string& key,
+                                                      const Table<Key, Part>& parts,
+                                                      const std::string& what) {
+    if (!report.contains(key)) {
+      return std::nullopt;
+    }
+    const std::string list = "report." + key;
+    if (!report[key].is_array()) {
+      throw MechanismError(list, "expected a list of the names of " + key);
+    }
+    std::vector<Key> result;
+    for (std::size_t index = 0; index < report[key].size(); ++index) {
+      const std::string part = list + "[" + std::to_string(index) + "]";
+      const std::string name = text_of(report[key][index], part);
+      result.push_back(index_of(parts, name));
+      if (!result.back().exists()) {
+        throw MechanismError(part, "no " + what + " named " + in_quotes(name) +
+                                       text::suggestion(name, names_of(parts)));
+      }
+    }
+    return result;
   }
 
   void read_sweep() {

@@ -50,11 +50,7 @@ void add_cells(const Plan& plan, const Spread& spread, const Configuration& conf
     return;
   }
   const Want& want = plan.request().want;
-  const LinkIndex ground = plan.mechanism().ground();
-  for (const LinkIndex link : plan.mechanism().links().keys()) {
-    if (link == ground) {
-      continue;
-    }
+  for (const LinkIndex link : reported_links(plan, false)) {
     const Frame& frame = configuration.links[link];
     if (want.position) {
       add_number(frame.pose.x, row);
@@ -110,13 +106,11 @@ std::string csv_header(const Plan& plan) {
     }
   };
   const Want& want = request.want;
-  for (const LinkIndex link : mechanism.links().keys()) {
+  for (const LinkIndex link : reported_links(plan, false)) {
     const std::string& name = mechanism.links()[link].name;
-    if (link != mechanism.ground()) {
-      add(want.position, name, {"x", "y", "theta"});
-      add(want.velocity, name, {"vx", "vy", "omega"});
-      add(want.acceleration, name, {"ax", "ay", "alpha"});
-    }
+    add(want.position, name, {"x", "y", "theta"});
+    add(want.velocity, name, {"vx", "vy", "omega"});
+    add(want.acceleration, name, {"ax", "ay", "alpha"});
   }
   for (const Output& output : mechanism.outputs()) {
     add(want.position, output.name, {"x", "y"});

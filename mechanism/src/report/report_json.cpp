@@ -100,12 +100,12 @@ Json parts_json(const Configuration& configuration, const Report& report, const 
   const Mechanism& mechanism = report.plan.mechanism();
   Json entry;
   entry["links"] = Json::object();
-  for (const LinkIndex link : mechanism.links().keys()) {
+  for (const LinkIndex link : reported_links(report.plan, true)) {
     entry["links"][mechanism.links()[link].name] = link_json(configuration.links[link], want);
   }
   entry["joints"] = Json::object();
-  for (const SlideState& slide : configuration.slides) {
-    entry["joints"][mechanism.joints()[slide.joint].name] = slide_json(slide, want);
+  for (const SlideState* slide : reported_slides(report.plan, configuration)) {
+    entry["joints"][mechanism.joints()[slide->joint].name] = slide_json(*slide, want);
   }
   entry["outputs"] = Json::object();
   for (const OutputIndex output : mechanism.outputs().keys()) {

@@ -80,13 +80,15 @@ std::string tables_text(const Configuration& configuration, const Report& report
   const Mechanism& mechanism = report.plan.mechanism();
   constexpr double degree = std::numbers::pi / 180;
   std::string text;
+  const std::vector<LinkIndex> links = reported_links(report.plan, false);
   const auto link_table = [&](const std::string& title, const std::vector<std::string>& head,
                               const auto& numbers) {
+    if (links.empty()) {
+      return;
+    }
     text += "  " + title + "\n" + table_head(head);
-    for (const LinkIndex link : mechanism.links().keys()) {
-      if (link != mechanism.ground()) {
-        text += table_row(mechanism.links()[link].name, numbers(configuration.links[link]));
-      }
+    for (const LinkIndex link : links) {
+      text += table_row(mechanism.links()[link].name, numbers(configuration.links[link]));
     }
   };
   if (want.position) {
@@ -102,11 +104,12 @@ std::string tables_text(const Configuration& configuration, const Report& report
     link_table("accelerations", {"ax", "ay", "alpha"},
                [](const Frame& link) { return link.acceleration; });
   }
-  if (!configuration.slides.empty()) {
+  const std::vector<const SlideState*> slides = reported_slides(report.plan, configuration);
+  if (!slides.empty()) {
     text += "  slides\n" + table_head({"displacement", "velocity", "acceleration"});
-    for (const SlideState& slide : configuration.slides) {
-      text += table_row(mechanism.joints()[slide.joint].name,
-                        Eigen::Vector3d(slide.displacement, slide.velocity, slide.acceleration));
+    for (const SlideState* slide : slides) {
+      text += table_row(mechanism.joints()[slide->joint].name,
+                        Eigen::Vector3d(slide->displacement, slide->velocity, slide->acceleration));
     }
   }
   for (const OutputIndex output : mechanism.outputs().keys()) {

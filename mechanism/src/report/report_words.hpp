@@ -57,6 +57,29 @@ namespace assur::mechanism {
   return {false, want.velocity, want.acceleration, false};
 }
 
+/// The links that are reported, in the mechanism's order.
+[[nodiscard]] inline std::vector<LinkIndex> reported_links(const Plan& plan, bool with_ground) {
+  std::vector<LinkIndex> links;
+  for (const LinkIndex link : plan.mechanism().links().keys()) {
+    if (plan.request().reported.has(link) && (with_ground || link != plan.mechanism().ground())) {
+      links.push_back(link);
+    }
+  }
+  return links;
+}
+
+/// The slides of a configuration that are reported.
+[[nodiscard]] inline std::vector<const SlideState*> reported_slides(
+    const Plan& plan, const Configuration& configuration) {
+  std::vector<const SlideState*> slides;
+  for (const SlideState& slide : configuration.slides) {
+    if (plan.request().reported.has(slide.joint)) {
+      slides.push_back(&slide);
+    }
+  }
+  return slides;
+}
+
 [[nodiscard]] inline bool is_reported(const Report& report, std::size_t configuration) {
   return report.branch == 0 || configuration + 1 == static_cast<std::size_t>(report.branch);
 }

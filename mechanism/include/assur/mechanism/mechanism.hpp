@@ -131,6 +131,11 @@ class Mechanism {
   /// The fixed frame; none if no link is named `ground`.
   [[nodiscard]] LinkIndex ground() const { return index_of(links_, std::string("ground")); }
 
+  /// The mechanism without the links that are not kept: without their features, and without the
+  /// joints that fewer than two of the kept links share. Outputs must be on kept links. Parameters
+  /// and numbers stay as they are.
+  [[nodiscard]] Mechanism only(const Table<LinkIndex, bool>& kept) const;
+
   /// The parameter with a name; `part` is what a message says of the place that names it.
   [[nodiscard]] ParameterIndex parameter_named(const std::string& name,
                                                const std::string& part = "") const;

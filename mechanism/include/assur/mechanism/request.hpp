@@ -1,6 +1,7 @@
-// Turns what is wanted of a mechanism into one object: results, a sweep, a covariance.
+// Turns what is wanted of a mechanism into one object: results, of what, a sweep, a covariance.
 #pragma once
 
+#include <algorithm>
 #include <assur/mechanism/mechanism.hpp>
 #include <optional>
 #include <vector>
@@ -28,8 +29,27 @@ struct Covariance {
   std::vector<std::vector<NumberIndex>> matrix;  ///< square, in the order of `parameters`
 };
 
+/// What is reported beside the outputs: links, and slides by their joints. A list that is left out
+/// means all. A group on which nothing reported depends is not solved; a plan's mechanism is the
+/// part that is left.
+struct Reported {
+  std::optional<std::vector<LinkIndex>> links;
+  std::optional<std::vector<JointIndex>> joints;  ///< prismatic ones, and pins in slots
+
+  [[nodiscard]] bool everything() const { return !links && !joints; }
+  [[nodiscard]] bool has(LinkIndex link) const { return holds(links, link); }
+  [[nodiscard]] bool has(JointIndex joint) const { return holds(joints, joint); }
+
+ private:
+  template <typename Key>
+  [[nodiscard]] static bool holds(const std::optional<std::vector<Key>>& list, Key key) {
+    return !list || std::find(list->begin(), list->end(), key) != list->end();
+  }
+};
+
 struct Request {
   Want want;
+  Reported reported;
   std::optional<Sweep> sweep;
   std::optional<Covariance> covariance;
 };

@@ -1,0 +1,88 @@
+#include "plan/reported_part.hpp"
+
+#include <algorithm>
+
+namespace assur::mechanism {
+
+namespace {
+
+class PartFinder {
+ public:
+  PartFinder(const Mechanism& mechanism, const Structure& structure, const Reported& reported)
+      : mechanism_(mechanism),
+        structure_(structure),
+        needed_(structure.linkage.links.size(), false) {
+    needed_[mechanism.ground()] = true;
+    for (const Output& output : mechanism.outputs()) {
+      needed_[mechanism.features()[output.point].link] = true;
+    }
+    for (const LinkIndex link : mechanism.links().keys()) {
+      needed_[link] = needed_[link] || reported.has(link);
+    }
+    for (const ElementaryJoint& joint : structure.linkage.joints) {
+      if (joint.prismatic && reported.has(joint.joint)) {
+        needed_[joint.first] = true;
+        needed_[joint.second] = true;
+      }
+    }
+  }
+
+  /// Of the mechanism's links those that are needed. What holds a link is placed before it.
+  [[nodiscard]] Table<LinkIndex, bool> run() {
+    for (std::size_t place = structure_.groups.size(); place-- > 0;) {
+      need_with_bases(structure_.groups[GroupIndex(place)]);
+    }
+    for (auto link = structure_.driven.rbegin(); link != structure_.driven.rend(); ++link) {
+      needed_[link->from] = needed_[link->from] || needed_[link->to];
+    }
+    Table<LinkIndex, bool> kept;
+    for (const LinkIndex link : mechanism_.links().keys()) {
+      kept.add(needed_[link]);
+    }
+    return kept;
+  }
+
+ private:
+  void need_with_bases(const FoundGroup& group) {
+    if (std::none_of(group.links.begin(), group.links.end(),
+                     [this](LinkIndex link) { return needed_[link]; })) {
+      return;
+    }
+    for (const ElementaryJointIndex joint : group.assignments.front().joints) {
+      needed_[structure_.linkage.joints[joint].first] = true;
+      needed_[structure_.linkage.joints[joint].second] = true;
+    }
+  }
+
+  const Mechanism& mechanism_;
+  const Structure& structure_;
+  Table<LinkIndex, bool> needed_;
+};
+
+/// The keys of items that have the same names elsewhere.
+template <typename Key, typename Item>
+std::optional<std::vector<Key>> translated(const std::optional<std::vector<Key>>& keys,
+                                           const Table<Key, Item>& from,
+                                           const Table<Key, Item>& to) {
+  if (!keys) {
+    return std::nullopt;
+  }
+  std::vector<Key> result;
+  for (const Key key : *keys) {
+    result.push_back(index_of(to, from[key].name));
+  }
+  return result;
+}
+
+}  // namespace
+
+ReportedPart reported_part(const Mechanism& mechanism, const Structure& structure,
+                           const Request& request) {
+  Mechanism part = mechanism.only(PartFinder(mechanism, structure, request.reported).run());
+  Request asked = request;
+  asked.reported = {translated(request.reported.links, mechanism.links(), part.links()),
+                    translated(request.reported.joints, mechanism.joints(), part.joints())};
+  return {std::move(part), std::move(asked)};
+}
+
+}  // namespace assur::mechanism
