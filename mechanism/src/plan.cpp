@@ -54,7 +54,7 @@ void expect_usable(const Mechanism& mechanism, const Request& request) {
 std::shared_ptr<const PlanData> planned(const Mechanism& mechanism, const Request& request) {
   expect_usable(mechanism, request);
   Structure structure = structure_of(mechanism);
-  EvaluationOrder order = evaluation_order(mechanism, request);
+  plan::EvaluationOrder order = plan::evaluation_order(mechanism, request);
   NamedParts parts = structure.named_parts(mechanism);
   return std::make_shared<const PlanData>(
       PlanData{mechanism, request, std::move(structure), std::move(order), std::move(parts)});
@@ -105,12 +105,12 @@ void Plan::expect_usable(const Values& values) const {
 
 Solution Plan::solve(const Values& values) const {
   expect_usable(values);
-  return mechanism::solve(data_, values, false);
+  return solve::solve(data_, values, false);
 }
 
 std::string Plan::obstacle(const Values& values) const {
   expect_usable(values);
-  return mechanism::solve(data_, values, true).reason;
+  return solve::solve(data_, values, true).reason;
 }
 
 const Mechanism& Plan::mechanism() const { return data_->mechanism; }

@@ -71,16 +71,17 @@ TEST(RandomChains, FallIntoTheGroupsOfWhichTheyWereMade) {
     const RandomChain chain(engine);
     for (int listing = 0; listing < 3; ++listing) {
       const ListedChain listed = chain.listed(engine);
-      const mechanism::Decomposition found =
-          mechanism::decompose(listed.linkage, listed.placed, listed.spent);
+      const mechanism::plan::Decomposition found =
+          mechanism::plan::decompose(listed.linkage, listed.placed, listed.spent);
       ASSERT_EQ(found.free.surplus, 0);
       ASSERT_EQ(found.overloaded.surplus, 0);
       std::vector<std::string> lines;
       mechanism::Table<LinkIndex, bool> placed = listed.placed;
-      for (const mechanism::Component& component : found.components) {
-        const auto group = mechanism::find_group(found.linkage, component.links, component.joints);
+      for (const mechanism::plan::Component& component : found.components) {
+        const auto group =
+            mechanism::plan::find_group(found.linkage, component.links, component.joints);
         ASSERT_TRUE(group.has_value());
-        EXPECT_EQ(mechanism::assur_class_of(found.linkage, component.links, component.joints),
+        EXPECT_EQ(mechanism::plan::assur_class_of(found.linkage, component.links, component.joints),
                   group->model->group->assur_class);
         std::vector<std::string> names;
         for (const LinkIndex link : component.links) {

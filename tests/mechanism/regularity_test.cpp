@@ -23,7 +23,7 @@ using LongRows = Eigen::Matrix<Long, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// Largest difference over the largest entry, among the unknowns of one unit.
 double relative_error(const std::vector<ModelUnknown>& unknowns,
-                      const mechanism::SmallMatrix& found, const LongRows& truth) {
+                      const mechanism::models::SmallMatrix& found, const LongRows& truth) {
   double worst = 0;
   for (const bool angles : {false, true}) {
     Long difference = 0;
@@ -66,18 +66,18 @@ struct Promises {
 
 /// A configuration of a group and its derivatives, as mechanisms see them.
 struct Standing {
-  Standing(const mechanism::GroupModel& row, const mechanism::FlatVariables& d,
-           const mechanism::FlatVariables& u, const mechanism::FlatVariables& q)
+  Standing(const mechanism::GroupModel& row, const mechanism::models::FlatVariables& d,
+           const mechanism::models::FlatVariables& u, const mechanism::models::FlatVariables& q)
       : model(row) {
-    mechanism::MotionQuery query;
+    mechanism::models::MotionQuery query;
     query.derivatives = true;
     query.input_rate.setZero(static_cast<Eigen::Index>(row.input_count));
     query.input_second_rate = query.input_rate;
     row.kernel->move(d, u, q, query, motion);
-    regularity = precision_of(row, d, u, q, motion).regularity;
+    regularity = mechanism::solve::precision_of(row, d, u, q, motion).regularity;
   }
   const mechanism::GroupModel& model;
-  mechanism::GroupMotion motion;
+  mechanism::models::GroupMotion motion;
   Status regularity;
 };
 
@@ -168,7 +168,7 @@ class Regular : public testing::Test {
     }
     Sensitivities<Model, Long> truth;
     const auto flat = [](const auto& variables) {
-      mechanism::FlatVariables result{};
+      mechanism::models::FlatVariables result{};
       support::flatten(variables, result);
       return result;
     };

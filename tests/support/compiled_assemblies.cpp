@@ -26,11 +26,11 @@ template <typename Model>
 Assemblies<Model> assemblies(const typename Model::template Dimensions<double>& d,
                              const typename Model::template Inputs<double>& u) {
   static const mechanism::ModelKernel& kernel = kernel_of(Model::group, Model::number);
-  mechanism::FlatVariables dimensions{};
-  mechanism::FlatVariables inputs{};
+  mechanism::models::FlatVariables dimensions{};
+  mechanism::models::FlatVariables inputs{};
   support::flatten(d, dimensions);
   support::flatten(u, inputs);
-  mechanism::GroupAssemblies found;
+  mechanism::models::GroupAssemblies found;
   kernel.assemble(dimensions, inputs, 0, found);
   Assemblies<Model> result;
   result.status = found.status;

@@ -5,7 +5,7 @@
 #include <set>
 #include <tuple>
 
-namespace assur::mechanism {
+namespace assur::mechanism::plan {
 
 namespace {
 
@@ -352,4 +352,4 @@ Decomposition decompose(const Linkage& linkage, const Table<LinkIndex, bool>& pl
   return StructuralGraph(linkage, placed, spent).run();
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::plan

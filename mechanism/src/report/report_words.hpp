@@ -6,7 +6,7 @@
 #include <assur/variables.hpp>
 #include <limits>
 
-namespace assur::mechanism {
+namespace assur::mechanism::report {
 
 [[nodiscard]] inline const char* status_text(SolutionStatus status) {
   switch (status) {
@@ -61,4 +61,4 @@ namespace assur::mechanism {
   return report.branch == 0 || configuration + 1 == static_cast<std::size_t>(report.branch);
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::report

@@ -9,7 +9,7 @@
 #include "group_numbers.hpp"
 #include "plan/plan_data.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::values {
 
 namespace {
 
@@ -204,15 +204,6 @@ class NormalForms {
 
 }  // namespace
 
-std::vector<DimensionValue<Dual>> GroupGeometry::dimensions() const {
-  std::vector<DimensionValue<Dual>> values;
-  for (const NormalForm<Dual>& link : links) {
-    values.insert(values.end(), link.dimensions.begin(),
-                  link.dimensions.begin() + link.dimension_count);
-  }
-  return values;
-}
-
 GroupGeometry group_geometry(const Values& values, GroupIndex index) {
   const FoundGroup& group = values.plan().structure.groups[index];
   GroupGeometry geometry;
@@ -238,28 +229,8 @@ GroupGeometry group_geometry(const Values& values, GroupIndex index) {
   return geometry;
 }
 
-SlideMeasure Values::slide_measure(GroupIndex group, int model_joint) const {
-  const FoundGroup& found = plan_->structure.groups[group];
-  const GroupGeometry& geometry = groups_[group];
-  const auto slot = static_cast<std::size_t>(model_joint);
-  const ModelJoint& wanted = found.model->group->joints[slot];
-  const ElementaryJoint& at = plan_->structure.linkage.joints[geometry.roles->joints[slot]];
-  const auto shift_on = [&](int link) -> Dual {
-    if (link == base_link) {
-      return constant(0.0);
-    }
-    const auto place = static_cast<std::size_t>(link);
-    const std::vector<int>& joints = joints_of(*found.model, place);
-    const auto at_joint = std::find(joints.begin(), joints.end(), model_joint) - joints.begin();
-    return geometry.links[place].shift[static_cast<std::size_t>(at_joint)];
-  };
-  const bool same_sense =
-      at.second == geometry.roles->links[static_cast<std::size_t>(wanted.second)];
-  return {same_sense ? 1.0 : -1.0, shift_on(wanted.second) - shift_on(wanted.first)};
-}
-
-SmallVector ParameterDerivatives::mixed(Eigen::Index i, Eigen::Index j) const {
-  SmallVector column(first.rows());
+models::SmallVector ParameterDerivatives::mixed(Eigen::Index i, Eigen::Index j) const {
+  models::SmallVector column(first.rows());
   for (Eigen::Index row = 0; row < column.size(); ++row) {
     column(row) = second[static_cast<std::size_t>(row)](i, j);
   }
@@ -336,6 +307,39 @@ Values::GroupNumbers group_numbers(const Values& values, GroupIndex index) {
     ++joint;
   }
   return numbers;
+}
+
+}  // namespace assur::mechanism::values
+
+namespace assur::mechanism {
+
+std::vector<DimensionValue<Dual>> GroupGeometry::dimensions() const {
+  std::vector<DimensionValue<Dual>> values;
+  for (const NormalForm<Dual>& link : links) {
+    values.insert(values.end(), link.dimensions.begin(),
+                  link.dimensions.begin() + link.dimension_count);
+  }
+  return values;
+}
+
+SlideMeasure Values::slide_measure(GroupIndex group, int model_joint) const {
+  const FoundGroup& found = plan_->structure.groups[group];
+  const GroupGeometry& geometry = groups_[group];
+  const auto slot = static_cast<std::size_t>(model_joint);
+  const ModelJoint& wanted = found.model->group->joints[slot];
+  const ElementaryJoint& at = plan_->structure.linkage.joints[geometry.roles->joints[slot]];
+  const auto shift_on = [&](int link) -> Dual {
+    if (link == base_link) {
+      return constant(0.0);
+    }
+    const auto place = static_cast<std::size_t>(link);
+    const std::vector<int>& joints = values::joints_of(*found.model, place);
+    const auto at_joint = std::find(joints.begin(), joints.end(), model_joint) - joints.begin();
+    return geometry.links[place].shift[static_cast<std::size_t>(at_joint)];
+  };
+  const bool same_sense =
+      at.second == geometry.roles->links[static_cast<std::size_t>(wanted.second)];
+  return {same_sense ? 1.0 : -1.0, shift_on(wanted.second) - shift_on(wanted.first)};
 }
 
 }  // namespace assur::mechanism

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace assur::mechanism {
+namespace assur::mechanism::follow {
 
 namespace {
 
@@ -343,4 +343,4 @@ std::optional<EventLocation> locate_escape(SnapshotSolver& solver, const Snapsho
   return EventLocation{parameter, unknown_configuration(solver.plan())};
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::follow

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-namespace assur::mechanism {
+namespace assur::mechanism::follow {
 
 /// One configuration as a point: (x / L, y / L, cos theta, sin theta) of every link, with L a
 /// length of the mechanism, and the derivative of that with respect to the swept parameter.
@@ -70,4 +70,4 @@ class SnapshotSolver {
   double length_ = 1;
 };
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::follow

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace assur::mechanism {
+namespace assur::mechanism::follow {
 
 namespace {
 
@@ -166,4 +166,4 @@ BranchMatching match(const Snapshot& left, const Snapshot& right) {
   return Matcher(left, right).run();
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::follow

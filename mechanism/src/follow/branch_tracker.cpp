@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace assur::mechanism {
+namespace assur::mechanism::follow {
 
 namespace {
 
@@ -137,4 +137,4 @@ void BranchTracker::give_up(const SnapshotPointer& set, const BranchMatching& ma
   adopt(set, to_right, {event});
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::follow

@@ -7,7 +7,7 @@
 #include <limits>
 #include <tuple>
 
-namespace assur::mechanism {
+namespace assur::mechanism::follow {
 
 namespace {
 
@@ -342,4 +342,4 @@ Events folds_at_end(SnapshotSolver& solver, const SnapshotPointer& near, double 
   return std::move(explanation.events());
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::follow

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace assur::mechanism {
+namespace assur::mechanism::follow {
 
 namespace {
 
@@ -111,4 +111,4 @@ ConfigurationPoint SnapshotSolver::point_of_space(const Configuration& configura
   return point;
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::follow

@@ -7,7 +7,7 @@
 #include "branch_matching.hpp"
 #include "event_location.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::follow {
 
 enum class EventKind : unsigned char {
   fold,        ///< two configurations meet, and beyond there is neither
@@ -41,4 +41,4 @@ struct SingularEvent {
 [[nodiscard]] std::vector<SingularEvent> folds_at_end(SnapshotSolver& solver,
                                                       const SnapshotPointer& near, double end);
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::follow

@@ -5,7 +5,7 @@
 
 #include "snapshot.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::follow {
 
 /// Two matched configurations of the left set whose branches come too close in between to be told
 /// apart.
@@ -37,4 +37,4 @@ struct BranchMatching {
 [[nodiscard]] double defect(const ConfigurationPoint& left, const ConfigurationPoint& right,
                             double step);
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::follow

@@ -7,7 +7,7 @@
 #include "branch_tracker.hpp"
 #include "solve/closure_error.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::follow {
 
 namespace {
 
@@ -311,7 +311,8 @@ class Sweeper {
   [[nodiscard]] Spread complete(BranchEvent& event) {
     try {
       const Values& values = solver_.values_at(event.parameter);
-      event.configuration.residual = closure_error(values, event.configuration, solver_.length());
+      event.configuration.residual =
+          solve::closure_error(values, event.configuration, solver_.length());
       return values.spread();
     } catch (const MechanismError&) {
       const auto count = static_cast<Eigen::Index>(solver_.plan().mechanism().parameters().size());
@@ -340,6 +341,10 @@ class Sweeper {
 
 }  // namespace
 
+}  // namespace assur::mechanism::follow
+
+namespace assur::mechanism {
+
 void sweep(const Plan& plan, const SweepObserver& observer) {
   sweep(plan, plan.values(), observer);
 }
@@ -359,7 +364,7 @@ void sweep(const Plan& plan, const Values& values, const SweepObserver& observer
   if (!complete.progress) {
     complete.progress = [](int) {};
   }
-  Sweeper(plan, values, complete).run();
+  follow::Sweeper(plan, values, complete).run();
 }
 
 }  // namespace assur::mechanism

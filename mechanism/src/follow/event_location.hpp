@@ -5,7 +5,7 @@
 
 #include "snapshot.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::follow {
 
 /// Where a singular event happens. Its rates and gradients are not numbers.
 struct EventLocation {
@@ -50,4 +50,4 @@ struct ConfigurationPair {
 /// A configuration of a mechanism with nothing known.
 [[nodiscard]] Configuration unknown_configuration(const Plan& plan);
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::follow

@@ -6,7 +6,7 @@
 
 #include "singular_event.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::follow {
 
 /// An event with the numbers of its branches.
 struct BranchEvent {
@@ -51,4 +51,4 @@ class BranchTracker {
   int last_number_ = 0;
 };
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::follow
