@@ -5,6 +5,7 @@
 #include <assur/mechanism/report.hpp>
 #include <assur/variables.hpp>
 #include <limits>
+#include <utility>
 
 namespace assur::mechanism::report {
 
@@ -58,7 +59,7 @@ namespace assur::mechanism::report {
 }
 
 [[nodiscard]] inline bool is_reported(const Report& report, std::size_t configuration) {
-  return report.branch == 0 || configuration + 1 == static_cast<std::size_t>(report.branch);
+  return report.branch == 0 || std::cmp_equal(configuration + 1, report.branch);
 }
 
 }  // namespace assur::mechanism::report
