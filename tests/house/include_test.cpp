@@ -183,7 +183,7 @@ TEST(House, NobodyOutsideNamesTheDetailsOfTheRuntime) {
   int read = 0;
   for (const std::string top :
        {"mechanism", "generator", "generated", "templates", "examples", "bench", "tests/mechanism",
-        "tests/generator", "tests/runtime", "tests/command", "tests/support"}) {
+        "tests/generator", "tests/generated", "tests/runtime", "tests/command", "tests/support"}) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / top)) {
       if (!entry.is_regular_file()) {
         continue;
