@@ -1,8 +1,8 @@
 // Law: over rational numbers every generated derivative equals the exact Taylor coefficient of the
 // generated residual and link poses.
-#include "exact.hpp"
-#include "model_types.hpp"
-#include "taylor.hpp"
+#include "runtime/exact.hpp"
+#include "runtime/model_types.hpp"
+#include "runtime/taylor.hpp"
 
 namespace assur::test::exact_derivatives_test {
 namespace {

@@ -3,9 +3,9 @@
 #include <complex>
 #include <iostream>
 
-#include "exact.hpp"
 #include "largest.hpp"
-#include "model_types.hpp"
+#include "runtime/exact.hpp"
+#include "runtime/model_types.hpp"
 
 namespace assur::test::numeric_derivatives_test {
 namespace {

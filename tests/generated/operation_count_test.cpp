@@ -5,7 +5,7 @@
 #include <regex>
 #include <sstream>
 
-#include "model_types.hpp"
+#include "runtime/model_types.hpp"
 
 namespace assur::test::operation_count_test {
 namespace {

@@ -3,9 +3,9 @@
 #include <iostream>
 #include <vector>
 
-#include "exact.hpp"
 #include "largest.hpp"
-#include "model_types.hpp"
+#include "runtime/exact.hpp"
+#include "runtime/model_types.hpp"
 
 namespace assur::test::rounding_test {
 namespace {

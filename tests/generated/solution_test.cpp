@@ -1,7 +1,7 @@
 // Law: over rational numbers the structured elimination of every rigid model solves its linear
 // equations exactly, and its pivots multiply to the determinant and stay within their bounds.
-#include "exact.hpp"
-#include "model_types.hpp"
+#include "runtime/exact.hpp"
+#include "runtime/model_types.hpp"
 
 namespace assur::test::solution_test {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "random_sweep.hpp"
-#include "sweep_runs.hpp"
+#include "mechanism/random_sweep.hpp"
+#include "mechanism/sweep_runs.hpp"
 
 namespace assur::test {
 namespace {

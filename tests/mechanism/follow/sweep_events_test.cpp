@@ -5,8 +5,8 @@
 #include <iostream>
 
 #include "largest.hpp"
-#include "random_sweep.hpp"
-#include "sweep_runs.hpp"
+#include "mechanism/random_sweep.hpp"
+#include "mechanism/sweep_runs.hpp"
 
 namespace assur::test::sweep_events_test {
 namespace {

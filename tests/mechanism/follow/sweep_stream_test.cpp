@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "process.hpp"
-#include "solved.hpp"
+#include "command/process.hpp"
+#include "mechanism/solved.hpp"
 
 namespace assur::test::sweep_stream_test {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <iostream>
 
-#include "command.hpp"
+#include "command/command.hpp"
 #include "largest.hpp"
-#include "random_sweep.hpp"
-#include "sweep_runs.hpp"
+#include "mechanism/random_sweep.hpp"
+#include "mechanism/sweep_runs.hpp"
 
 namespace assur::test::sweep_test {
 namespace {

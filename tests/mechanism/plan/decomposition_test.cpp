@@ -7,9 +7,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "bars.hpp"
 #include "largest.hpp"
-#include "random_chain.hpp"
+#include "mechanism/bars.hpp"
+#include "mechanism/random_chain.hpp"
 
 namespace assur::test::decomposition_test {
 namespace {

@@ -6,9 +6,9 @@
 #include <assur/tetrad/models.hpp>
 #include <numeric>
 
-#include "kind_scene.hpp"
 #include "largest.hpp"
-#include "solved.hpp"
+#include "mechanism/kind_scene.hpp"
+#include "mechanism/solved.hpp"
 
 namespace assur::test::relabelling_test {
 namespace {

@@ -2,7 +2,7 @@
 // its links or joints.
 #include <gtest/gtest.h>
 
-#include "bars.hpp"
+#include "mechanism/bars.hpp"
 
 namespace assur::test::unsolvable_scene_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "largest.hpp"
-#include "scene_solutions.hpp"
+#include "mechanism/scene_solutions.hpp"
 
 namespace assur::test::path_acceleration_test {
 namespace {

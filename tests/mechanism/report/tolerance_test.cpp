@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "largest.hpp"
-#include "scene_solutions.hpp"
+#include "mechanism/scene_solutions.hpp"
 
 namespace assur::test::tolerance_test {
 namespace {

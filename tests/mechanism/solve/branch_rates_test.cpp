@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "scene_maker.hpp"
-#include "solved.hpp"
+#include "mechanism/scene_maker.hpp"
+#include "mechanism/solved.hpp"
 
 namespace assur::test::branch_rates_test {
 namespace {

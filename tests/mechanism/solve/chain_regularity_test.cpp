@@ -6,7 +6,7 @@
 #include <iostream>
 #include <random>
 
-#include "scene_solutions.hpp"
+#include "mechanism/scene_solutions.hpp"
 
 namespace assur::test::chain_regularity_test {
 namespace {

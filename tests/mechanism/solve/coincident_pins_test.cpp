@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "scene_solutions.hpp"
+#include "mechanism/scene_solutions.hpp"
 
 namespace assur::test::coincident_pins {
 namespace {

@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "assembly_truth.hpp"
-#include "scene_maker.hpp"
-#include "solved.hpp"
+#include "mechanism/assembly_truth.hpp"
+#include "mechanism/scene_maker.hpp"
+#include "mechanism/solved.hpp"
 
 namespace assur::test {
 

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "solved.hpp"
-#include "sweep_runs.hpp"
+#include "mechanism/solved.hpp"
+#include "mechanism/sweep_runs.hpp"
 
 namespace assur::test::named_mechanisms_test {
 namespace {

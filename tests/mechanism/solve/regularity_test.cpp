@@ -4,11 +4,11 @@
 #include <assur/mechanism/group_model.hpp>
 #include <iostream>
 
-#include "exact.hpp"
 #include "kind_in_space.hpp"
 #include "largest.hpp"
 #include "least_change.hpp"
-#include "model_types.hpp"
+#include "runtime/exact.hpp"
+#include "runtime/model_types.hpp"
 #include "solve/precision.hpp"
 
 namespace assur::test::regularity_test {

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <iostream>
 
-#include "kind_scene.hpp"
 #include "largest.hpp"
+#include "mechanism/kind_scene.hpp"
+#include "mechanism/scene_solutions.hpp"
 #include "richardson.hpp"
-#include "scene_solutions.hpp"
 
 namespace assur::test::second_derivatives_test {
 namespace {

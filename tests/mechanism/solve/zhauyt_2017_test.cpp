@@ -1,6 +1,6 @@
 // Law: the third-class six-bar's point M follows its 13 parameters as re-solved scenes do and as
 // the published equations do once their slips are mended; with any one slip left in they do not.
-#include "zhauyt_2017.hpp"
+#include "mechanism/zhauyt_2017.hpp"
 
 #include <gtest/gtest.h>
 

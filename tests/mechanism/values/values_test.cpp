@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "same_solution.hpp"
+#include "mechanism/same_solution.hpp"
 
 namespace assur::test::values_test {
 namespace {

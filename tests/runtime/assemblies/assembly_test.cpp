@@ -3,11 +3,11 @@
 #include <assur/assemblies.hpp>
 #include <iostream>
 
-#include "compiled_models.hpp"
-#include "exact.hpp"
 #include "largest.hpp"
-#include "model_types.hpp"
-#include "sturm.hpp"
+#include "runtime/compiled_models.hpp"
+#include "runtime/exact.hpp"
+#include "runtime/model_types.hpp"
+#include "runtime/sturm.hpp"
 
 namespace assur::test::assembly_test {
 namespace {

@@ -12,9 +12,9 @@
 #include <iostream>
 #include <vector>
 
-#include "cluster_value.hpp"
-#include "compiled_models.hpp"
-#include "exact_assembly.hpp"
+#include "runtime/cluster_value.hpp"
+#include "runtime/compiled_models.hpp"
+#include "runtime/exact_assembly.hpp"
 
 namespace assur::test::flat_groups_test {
 namespace {

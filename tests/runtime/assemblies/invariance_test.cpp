@@ -3,10 +3,10 @@
 #include <assur/assemblies.hpp>
 #include <iostream>
 
-#include "compiled_models.hpp"
 #include "kind_in_space.hpp"
 #include "largest.hpp"
-#include "model_types.hpp"
+#include "runtime/compiled_models.hpp"
+#include "runtime/model_types.hpp"
 
 namespace assur::test::invariance_test {
 namespace {

@@ -6,12 +6,12 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "compiled_models.hpp"
-#include "exact.hpp"
 #include "largest.hpp"
 #include "least_change.hpp"
-#include "reference_roots.hpp"
-#include "sturm.hpp"
+#include "runtime/compiled_models.hpp"
+#include "runtime/exact.hpp"
+#include "runtime/reference_roots.hpp"
+#include "runtime/sturm.hpp"
 
 namespace assur::test {
 namespace {

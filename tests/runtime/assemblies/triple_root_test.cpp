@@ -7,9 +7,9 @@
 #include <assur/tetrad/model_05.hpp>
 #include <iostream>
 
-#include "compiled_models.hpp"
-#include "exact.hpp"
 #include "least_change.hpp"
+#include "runtime/compiled_models.hpp"
+#include "runtime/exact.hpp"
 
 namespace assur::test::triple_root_test {
 namespace {

@@ -6,8 +6,8 @@
 #include <assur/numeric/trigonometric_roots.hpp>
 #include <iostream>
 
-#include "cluster_value.hpp"
-#include "sturm.hpp"
+#include "runtime/cluster_value.hpp"
+#include "runtime/sturm.hpp"
 
 namespace assur::test::trigonometric_roots_test {
 namespace {

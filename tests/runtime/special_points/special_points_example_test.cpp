@@ -9,9 +9,9 @@
 #include <assur/tetrad/model_02.hpp>
 #include <iostream>
 
-#include "exact_assembly.hpp"
 #include "largest.hpp"
-#include "motion_error.hpp"
+#include "runtime/exact_assembly.hpp"
+#include "runtime/motion_error.hpp"
 
 namespace assur::test::special_points_example_test {
 namespace {

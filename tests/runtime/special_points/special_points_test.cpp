@@ -5,10 +5,10 @@
 #include <numeric>
 #include <vector>
 
-#include "exact_assembly.hpp"
 #include "largest.hpp"
-#include "model_types.hpp"
-#include "motion_error.hpp"
+#include "runtime/exact_assembly.hpp"
+#include "runtime/model_types.hpp"
+#include "runtime/motion_error.hpp"
 
 namespace assur::test::special_points_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <iostream>
 
-#include "family_types.hpp"
+#include "runtime/family_types.hpp"
 #include "stability/configurations/rows.hpp"
 
 namespace assur::stability {

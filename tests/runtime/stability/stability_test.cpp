@@ -5,8 +5,8 @@
 #include <iostream>
 #include <map>
 
-#include "family_types.hpp"
 #include "largest.hpp"
+#include "runtime/family_types.hpp"
 #include "stability/bad_input.hpp"
 #include "stability/measure.hpp"
 

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "lattice_run.hpp"
+#include "mechanism/lattice_run.hpp"
 
 int main(int argc, char** argv) {
   using namespace assur::test;

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "lattice_run.hpp"
-#include "lattice_search.hpp"
+#include "mechanism/lattice_run.hpp"
+#include "mechanism/lattice_search.hpp"
 
 namespace assur::test::lattice_test {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "lattice_scene.hpp"
+#include "mechanism/lattice_scene.hpp"
 
 namespace assur::test {
 namespace {
