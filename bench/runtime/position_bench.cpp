@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "reference_roots.hpp"
+#include "runtime/reference_roots.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include <assur/variables.hpp>
 
-#include "cln_scalars.hpp"
+#include "runtime/cln_scalars.hpp"
 
 namespace assur::speed {
 

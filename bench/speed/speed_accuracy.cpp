@@ -5,8 +5,8 @@
 #include <exception>
 #include <iostream>
 
-#include "interleaved_timer.hpp"
-#include "report.hpp"
+#include "table/interleaved_timer.hpp"
+#include "table/report.hpp"
 #include "tasks.hpp"
 
 namespace {

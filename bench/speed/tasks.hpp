@@ -1,7 +1,7 @@
 // The tasks of the table, made with the errors of every method; the times are filled in later.
 #pragma once
 
-#include "row.hpp"
+#include "table/row.hpp"
 
 namespace assur::speed {
 

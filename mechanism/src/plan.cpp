@@ -86,7 +86,7 @@ void expect_usable(const Mechanism& mechanism, const Request& request) {
 /// Of a mechanism all of which is modelled.
 std::shared_ptr<const PlanData> planned_whole(const Mechanism& mechanism, const Request& request,
                                               Structure structure) {
-  EvaluationOrder order = evaluation_order(mechanism, request);
+  plan::EvaluationOrder order = plan::evaluation_order(mechanism, request);
   NamedParts parts = structure.named_parts(mechanism);
   return std::make_shared<const PlanData>(
       PlanData{mechanism, request, std::move(structure), std::move(order), std::move(parts)});
@@ -98,7 +98,7 @@ std::shared_ptr<const PlanData> planned(const Mechanism& mechanism, const Reques
   if (request.reported.everything()) {
     return planned_whole(mechanism, request, std::move(structure));
   }
-  const ReportedPart part = reported_part(mechanism, structure, request);
+  const plan::ReportedPart part = plan::reported_part(mechanism, structure, request);
   return planned_whole(part.mechanism, part.request, structure_of(part.mechanism));
 }
 
@@ -153,13 +153,13 @@ Solution Plan::solve(const Values& values) const {
 
 void Plan::solve(const Values& values, Solution& result) const {
   expect_usable(values);
-  mechanism::solve(data_, values, false, result);
+  solve::solve(data_, values, false, result);
 }
 
 std::string Plan::obstacle(const Values& values) const {
   expect_usable(values);
   Solution result;
-  mechanism::solve(data_, values, true, result);
+  solve::solve(data_, values, true, result);
   return result.reason;
 }
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "command.hpp"
+#include "command/command.hpp"
 
 namespace assur::test::bad_input_test {
 namespace {

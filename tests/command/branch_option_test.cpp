@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "command.hpp"
+#include "command/command.hpp"
 
 namespace assur::test::branch_option_test {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "command.hpp"
+#include "command/command.hpp"
 
 namespace assur::test::degenerate_test {
 namespace {

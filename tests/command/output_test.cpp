@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "process.hpp"
+#include "command/process.hpp"
 
 namespace assur::test::output_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "command.hpp"
+#include "command/command.hpp"
 
 namespace assur::test::same_text_test {
 namespace {

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "command.hpp"
+#include "command/command.hpp"
 #include "largest.hpp"
 
 namespace assur::test::solve_test {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -21,6 +22,9 @@ struct Folder {
   std::vector<std::string> libraries;  ///< of others: `Eigen`, `ginac`
   /// Whether a folder inside has its name behind the namespace, or shares it.
   bool nested = false;
+  /// The folder through which this one is called, if any: what its headers declare, in its
+  /// namespace, is defined here.
+  std::string door = "";
 };
 
 /// The house as a table.
@@ -208,11 +212,50 @@ class HouseCheck {
         expected += "::" + part;
       }
     }
+    const Folder* door = folder.door.empty() ? nullptr : named(folder.door);
     for (const SourceLine& name : namespaces_of(text)) {
-      if (name.text != expected) {
+      if (door != nullptr && name.text == door->name_space) {
+        check_definitions(path, text, name, *door);
+      } else if (name.text != expected) {
         complain(path, name.number, "namespace " + name.text + " in a folder of " + expected);
       }
     }
+  }
+
+  /// Whatever begins a line between a door's namespace and its end has been declared by the door.
+  void check_definitions(const std::string& path, const std::string& text, const SourceLine& opened,
+                         const Folder& door) {
+    static const std::regex begins(R"(^\w)");
+    std::istringstream in(text);
+    std::string line;
+    for (std::size_t number = 1; std::getline(in, line); ++number) {
+      if (number <= opened.number) {
+        continue;
+      }
+      if (line.starts_with("}  // namespace assur")) {
+        break;
+      }
+      if (std::regex_search(line, begins) && !declares(door, line)) {
+        complain(path, number, "no header of " + door.path + " declares: " + line);
+      }
+    }
+  }
+
+  /// Whether a door's headers declare the class or the function that a line defines, or the class
+  /// of which it defines a member.
+  [[nodiscard]] bool declares(const Folder& door, const std::string& line) const {
+    static const std::regex definition(R"(^(?:struct|class) (\w+)|(\w+)(::[\w:~]+)?\()");
+    std::smatch found;
+    if (!std::regex_search(line, found, definition)) {
+      return false;
+    }
+    const bool is_function = found[2].matched && !found[3].matched;
+    const std::string name = found[1].matched ? found[1] : found[2];
+    const std::regex declaration(is_function ? R"((^|\n)[^/\n]*\b)" + name + R"(\()"
+                                             : R"(\n(struct|class) )" + name + R"(\b)");
+    return std::any_of(files_.begin(), files_.end(), [&](const auto& file) {
+      return house_.folder_of(file.first) == &door && std::regex_search(file.second, declaration);
+    });
   }
 
   const House& house_;

@@ -9,9 +9,9 @@
 #include <map>
 
 #include "largest.hpp"
+#include "mechanism/rigid_scene.hpp"
+#include "mechanism/solved.hpp"
 #include "richardson.hpp"
-#include "rigid_scene.hpp"
-#include "solved.hpp"
 
 namespace assur::test::examples_test {
 namespace {

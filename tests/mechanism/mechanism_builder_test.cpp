@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 
-#include "same_solution.hpp"
+#include "mechanism/same_solution.hpp"
 
 namespace assur::test::mechanism_builder_test {
 namespace {

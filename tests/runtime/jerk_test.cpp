@@ -6,8 +6,8 @@
 
 #include "kind_in_space.hpp"
 #include "largest.hpp"
-#include "model_types.hpp"
 #include "richardson.hpp"
+#include "runtime/model_types.hpp"
 
 namespace assur::test::jerk_test {
 namespace {

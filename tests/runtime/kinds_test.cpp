@@ -7,7 +7,7 @@
 
 #include "kind_in_space.hpp"
 #include "largest.hpp"
-#include "model_types.hpp"
+#include "runtime/model_types.hpp"
 
 namespace assur::test::kinds_test {
 namespace {

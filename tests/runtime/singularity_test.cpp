@@ -6,7 +6,7 @@
 #include <iostream>
 #include <random>
 
-#include "model_types.hpp"
+#include "runtime/model_types.hpp"
 
 namespace assur::test::singularity_test {
 namespace {

@@ -3,9 +3,9 @@
 #include <assur/assemblies.hpp>
 #include <assur/tracking.hpp>
 
-#include "compiled_models.hpp"
-#include "exact.hpp"
-#include "model_types.hpp"
+#include "runtime/compiled_models.hpp"
+#include "runtime/exact.hpp"
+#include "runtime/model_types.hpp"
 
 namespace assur::test::tracking_test {
 namespace {

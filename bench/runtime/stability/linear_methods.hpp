@@ -5,7 +5,7 @@
 #include <assur/special_points.hpp>
 
 #include "problem.hpp"
-#include "taylor.hpp"
+#include "runtime/taylor.hpp"
 
 namespace assur::stability {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "number_traits.hpp"
+#include "runtime/number_traits.hpp"
 
 namespace assur::stability {
 

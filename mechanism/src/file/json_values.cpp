@@ -4,7 +4,7 @@
 #include <assur/text/suggestion.hpp>
 #include <set>
 
-namespace assur::mechanism {
+namespace assur::mechanism::file {
 
 SceneJson parsed(const std::string& text) {
   // The library keeps the last of two equal keys without a word; a scene must not.
@@ -81,4 +81,4 @@ std::array<Mechanism::Given, 2> pair_of(const SceneJson& value, const std::strin
   return {number_of(value[0], part + "[0]"), number_of(value[1], part + "[1]")};
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::file

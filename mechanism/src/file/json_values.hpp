@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace assur::mechanism {
+namespace assur::mechanism::file {
 
 /// Ordered, because the order of links and joints decides how a group is spelled.
 using SceneJson = nlohmann::ordered_json;
@@ -28,4 +28,4 @@ void expect_keys(const SceneJson& value, const std::string& part,
 [[nodiscard]] std::array<Mechanism::Given, 2> pair_of(const SceneJson& value,
                                                       const std::string& part);
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::file

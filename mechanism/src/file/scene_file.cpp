@@ -6,7 +6,7 @@
 
 #include "json_values.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::file {
 
 namespace {
 
@@ -302,11 +302,15 @@ class SceneReader {
 
 }  // namespace
 
+}  // namespace assur::mechanism::file
+
+namespace assur::mechanism {
+
 Scene parse_scene(const std::string& text, const std::string& file,
                   const std::vector<std::string>& settings) {
   Scene scene{file, Mechanism(), {}};
   try {
-    SceneReader(parsed(text), settings, scene).read();
+    file::SceneReader(file::parsed(text), settings, scene).read();
   } catch (const MechanismError& error) {
     throw InputError(file + ": " + error.what());
   }

@@ -12,7 +12,7 @@
 
 #include "models/model_kernel.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::models {
 
 /// The functions of a model on flat variables.
 template <typename Model>
@@ -257,4 +257,4 @@ template <typename First, typename... Rest>
   return {structure_of<First>(), {row_of<First>(), row_of<Rest>()...}};
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::models

@@ -11,7 +11,7 @@
 
 #include "models/series.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::models {
 
 /// A group has at most four links; nothing of it is larger than the rows of all its link poses.
 inline constexpr int most_links = 4;
@@ -71,23 +71,29 @@ struct MovingGroup {
   std::array<Pose<Series>, most_links> poses;
 };
 
+}  // namespace assur::mechanism::models
+
+namespace assur::mechanism {
+
 /// The functions of one model behind plain numbers: d, u and q are flat.
 struct ModelKernel {
   /// `displaced`: how far rounding may have moved the neighbours.
-  void (*assemble)(const FlatVariables& d, const FlatVariables& u, double displaced,
-                   GroupAssemblies& found);
+  void (*assemble)(const models::FlatVariables& d, const models::FlatVariables& u, double displaced,
+                   models::GroupAssemblies& found);
   /// By how much the closures fail at least, where there are no configurations.
-  Status (*gap)(const FlatVariables& d, const FlatVariables& u, double& result);
-  void (*move)(const FlatVariables& d, const FlatVariables& u, const FlatVariables& q,
-               const MotionQuery& query, GroupMotion& motion);
-  void (*bend)(const FlatVariables& d, const FlatVariables& u, const FlatVariables& q,
-               const SmallVector& q_x, const SmallVector& d_x, const SmallVector& u_x,
-               Curvature& along_x);
+  Status (*gap)(const models::FlatVariables& d, const models::FlatVariables& u, double& result);
+  void (*move)(const models::FlatVariables& d, const models::FlatVariables& u,
+               const models::FlatVariables& q, const models::MotionQuery& query,
+               models::GroupMotion& motion);
+  void (*bend)(const models::FlatVariables& d, const models::FlatVariables& u,
+               const models::FlatVariables& q, const models::SmallVector& q_x,
+               const models::SmallVector& d_x, const models::SmallVector& u_x,
+               models::Curvature& along_x);
   /// The closures and poses of a group that moves, to the order of a series.
-  void (*expand)(const FlatVariables& d, const FlatSeries& u, const FlatSeries& q,
-                 MovingGroup& moving);
+  void (*expand)(const models::FlatVariables& d, const models::FlatSeries& u,
+                 const models::FlatSeries& q, models::MovingGroup& moving);
   /// Whether the angles that prismatic joints tie are compatible (of a degenerate model).
-  bool (*is_compatible)(const FlatVariables& d, const FlatVariables& u);
+  bool (*is_compatible)(const models::FlatVariables& d, const models::FlatVariables& u);
 };
 
 }  // namespace assur::mechanism

@@ -2,7 +2,7 @@
 
 #include <assur/directions.hpp>
 
-namespace assur::mechanism {
+namespace assur::mechanism::models {
 
 Series operator+(const Series& a, const Series& b) {
   Series sum;
@@ -65,4 +65,4 @@ Pose<Series> at_rest(const Pose<double>& pose) {
   return {pose.x, pose.y, {pose.direction.cos, pose.direction.sin}};
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::models

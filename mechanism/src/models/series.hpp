@@ -5,7 +5,7 @@
 #include <assur/model.hpp>
 #include <cstddef>
 
-namespace assur::mechanism {
+namespace assur::mechanism::models {
 
 /// c0 + c1 t + ... + c4 t^4, and what is of higher order cut off. A coefficient that is not known
 /// is NaN, and makes those that depend on it NaN, which are of its order and above.
@@ -41,4 +41,4 @@ struct Series {
 /// A frame at rest.
 [[nodiscard]] Pose<Series> at_rest(const Pose<double>& pose);
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::models

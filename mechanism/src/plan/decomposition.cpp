@@ -5,7 +5,7 @@
 #include <set>
 #include <tuple>
 
-namespace assur::mechanism {
+namespace assur::mechanism::plan {
 
 namespace {
 
@@ -14,6 +14,8 @@ using BodyIndex = Index<Body>;
 struct Tie;
 using TieIndex = Index<Tie>;
 using ComponentIndex = Index<struct StrongComponent>;
+/// The place of a component in the order.
+using RankIndex = Index<Component>;
 
 /// What moves as one: a link, or the point of a pin of several links.
 struct Body {
@@ -164,7 +166,7 @@ class StructuralGraph {
         continue;
       }
       asked_[body] = round_;
-      if (bodies_[body].matched.size() < static_cast<std::size_t>(bodies_[body].freedoms)) {
+      if (std::ssize(bodies_[body].matched) < bodies_[body].freedoms) {
         bodies_[body].matched.push_back(tie);
         return true;
       }
@@ -272,11 +274,11 @@ class StructuralGraph {
         ready.insert({ranks[component], component});
       }
     }
-    Table<ComponentIndex, int> rank_of(components.count(), -1);
+    Table<ComponentIndex, RankIndex> rank_of(components.count());
     while (!ready.empty()) {
       const ComponentIndex next = ready.begin()->second;
       ready.erase(ready.begin());
-      rank_of[next] = rank_count_++;
+      rank_of[next] = RankIndex(rank_count_++);
       for (const ComponentIndex waiting : waited_by[next]) {
         waits_for[waiting].erase(next);
         if (waits_for[waiting].empty()) {
@@ -289,9 +291,9 @@ class StructuralGraph {
     }
   }
 
-  [[nodiscard]] int rank_of_link(LinkIndex link) const {
+  [[nodiscard]] RankIndex rank_of_link(LinkIndex link) const {
     const BodyIndex body = body_of_link_[link];
-    return body.exists() ? rank_[body] : -1;
+    return body.exists() ? rank_[body] : RankIndex();
   }
 
   /// The links of a pin all join the one that is placed first.
@@ -313,17 +315,17 @@ class StructuralGraph {
   }
 
   void list_components(Decomposition& result) const {
-    std::vector<Component> components(static_cast<std::size_t>(rank_count_));
+    Table<RankIndex, Component> components(rank_count_);
     for (const BodyIndex body : bodies_.keys()) {
       if (bodies_[body].link.exists()) {
-        components[static_cast<std::size_t>(rank_[body])].links.push_back(bodies_[body].link);
+        components[rank_[body]].links.push_back(bodies_[body].link);
       }
     }
     for (const ElementaryJointIndex index : result.linkage.joints.keys()) {
       const ElementaryJoint& joint = result.linkage.joints[index];
-      const int rank = std::max(rank_of_link(joint.first), rank_of_link(joint.second));
-      if (rank >= 0) {
-        components[static_cast<std::size_t>(rank)].joints.push_back(index);
+      const RankIndex rank = std::max(rank_of_link(joint.first), rank_of_link(joint.second));
+      if (rank.exists()) {
+        components[rank].joints.push_back(index);
       }
     }
     for (Component& component : components) {
@@ -341,8 +343,8 @@ class StructuralGraph {
   Table<TieIndex, Tie> ties_;
   Table<BodyIndex, int> asked_;  ///< the round of matching in which a body was asked last
   int round_ = 0;
-  Table<BodyIndex, int> rank_;  ///< the number of its component in the order
-  int rank_count_ = 0;
+  Table<BodyIndex, RankIndex> rank_;  ///< of its component
+  std::size_t rank_count_ = 0;
 };
 
 }  // namespace
@@ -352,4 +354,4 @@ Decomposition decompose(const Linkage& linkage, const Table<LinkIndex, bool>& pl
   return StructuralGraph(linkage, placed, spent).run();
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::plan

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace assur::mechanism {
+namespace assur::mechanism::plan {
 
 /// The links of one Assur group and all their joints, among themselves and to links placed before.
 struct Component {
@@ -37,4 +37,4 @@ struct Decomposition {
 [[nodiscard]] Decomposition decompose(const Linkage& linkage, const Table<LinkIndex, bool>& placed,
                                       const Table<ElementaryJointIndex, bool>& spent);
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::plan

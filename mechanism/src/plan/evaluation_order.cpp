@@ -4,7 +4,7 @@
 
 #include "plan/plan_data.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::plan {
 
 namespace {
 
@@ -199,4 +199,4 @@ Dependents dependents_of(ParameterIndex changed, const PlanData& plan) {
   return result;
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::plan

@@ -19,6 +19,10 @@ struct Dependents {
   bool spread = false;  ///< a tolerance or a covariance
 };
 
+}  // namespace assur::mechanism
+
+namespace assur::mechanism::plan {
+
 /// The order of evaluation. Formulas hold indices: nothing is looked up by name any more.
 struct EvaluationOrder {
   std::vector<ParameterIndex> parameters;         ///< each behind those in its formula
@@ -36,4 +40,4 @@ struct EvaluationOrder {
 /// Throws MechanismError where a parameter depends on itself or has no value.
 [[nodiscard]] EvaluationOrder evaluation_order(const Mechanism& mechanism, const Request& request);
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::plan

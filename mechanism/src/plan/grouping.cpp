@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace assur::mechanism {
+namespace assur::mechanism::plan {
 
 namespace {
 
@@ -101,4 +101,4 @@ int assur_class_of(const Linkage& linkage, const std::vector<LinkIndex>& moving,
   return assur_class_of(static_cast<int>(moving.size()), pairs);
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::plan

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace assur::mechanism {
+namespace assur::mechanism::plan {
 
 /// The group that `moving` links form with `joints`, all others being placed; nothing if none of
 /// the known groups has this graph. The kind is spelled from the first of the group's links in the
@@ -18,4 +18,4 @@ namespace assur::mechanism {
 [[nodiscard]] int assur_class_of(const Linkage& linkage, const std::vector<LinkIndex>& moving,
                                  const std::vector<ElementaryJointIndex>& joints);
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::plan

@@ -14,7 +14,7 @@ struct PlanData {
   Mechanism mechanism;
   Request request;
   Structure structure;
-  EvaluationOrder evaluation;
+  plan::EvaluationOrder evaluation;
   NamedParts named_parts;
 };
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace assur::mechanism {
+namespace assur::mechanism::plan {
 
 namespace {
 
@@ -85,4 +85,4 @@ ReportedPart reported_part(const Mechanism& mechanism, const Structure& structur
   return {std::move(part), std::move(asked)};
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::plan

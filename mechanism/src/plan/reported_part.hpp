@@ -4,7 +4,7 @@
 #include <assur/mechanism/request.hpp>
 #include <assur/mechanism/structure.hpp>
 
-namespace assur::mechanism {
+namespace assur::mechanism::plan {
 
 struct ReportedPart {
   Mechanism mechanism;
@@ -15,4 +15,4 @@ struct ReportedPart {
 [[nodiscard]] ReportedPart reported_part(const Mechanism& mechanism, const Structure& structure,
                                          const Request& request);
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::plan

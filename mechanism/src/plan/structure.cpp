@@ -6,7 +6,7 @@
 #include "decomposition.hpp"
 #include "grouping.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::plan {
 
 namespace {
 
@@ -143,6 +143,10 @@ class PlacementPlanner {
 
 }  // namespace
 
+}  // namespace assur::mechanism::plan
+
+namespace assur::mechanism {
+
 Linkage linkage_of(const Mechanism& mechanism) {
   Linkage linkage;
   for (const Link& link : mechanism.links()) {
@@ -221,6 +225,8 @@ NamedParts Structure::named_parts(const Mechanism& mechanism) const {
   return parts;
 }
 
-Structure structure_of(const Mechanism& mechanism) { return PlacementPlanner(mechanism).run(); }
+Structure structure_of(const Mechanism& mechanism) {
+  return plan::PlacementPlanner(mechanism).run();
+}
 
 }  // namespace assur::mechanism

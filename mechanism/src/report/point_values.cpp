@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-namespace assur::mechanism {
+namespace assur::mechanism::report {
 
 namespace {
 
@@ -16,18 +16,22 @@ void expect_derivatives(const Point& point, const Spread& spread) {
 
 }  // namespace
 
+}  // namespace assur::mechanism::report
+
+namespace assur::mechanism {
+
 Eigen::Vector2d worst_case(const Point& point, const Spread& spread) {
-  expect_derivatives(point, spread);
+  report::expect_derivatives(point, spread);
   return point.follows.first.cwiseAbs() * spread.tolerances;
 }
 
 Eigen::Vector2d root_sum_square(const Point& point, const Spread& spread) {
-  expect_derivatives(point, spread);
+  report::expect_derivatives(point, spread);
   return (point.follows.first * spread.tolerances.asDiagonal()).rowwise().norm();
 }
 
 PointSpread spread_of(const Point& point, const Spread& spread) {
-  expect_derivatives(point, spread);
+  report::expect_derivatives(point, spread);
   if (!point.follows.has_second() || spread.covariance.size() == 0) {
     throw MechanismError("", "the point has no second derivatives: no covariance is wanted");
   }

@@ -6,7 +6,7 @@
 
 #include "report_words.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::report {
 
 namespace {
 
@@ -89,6 +89,10 @@ void add_cells(const Plan& plan, const Spread& spread, const Configuration& conf
 
 }  // namespace
 
+}  // namespace assur::mechanism::report
+
+namespace assur::mechanism {
+
 std::string csv_header(const Plan& plan) {
   const Mechanism& mechanism = plan.mechanism();
   const Request& request = plan.request();
@@ -127,7 +131,7 @@ std::string csv_header(const Plan& plan) {
   }
   std::string line;
   for (const std::string& cell : cells) {
-    line += (line.empty() ? "" : ",") + csv_cell(cell);
+    line += (line.empty() ? "" : ",") + report::csv_cell(cell);
   }
   return line + "\n";
 }
@@ -136,9 +140,9 @@ std::string csv_rows(const Report& report) {
   std::string rows;
   const std::vector<Configuration>& configurations = report.solution.configurations;
   for (std::size_t index = 0; index < configurations.size(); ++index) {
-    if (is_reported(report, index)) {
+    if (report::is_reported(report, index)) {
       rows += "0," + std::to_string(index + 1);
-      add_cells(report.plan, report.values.spread(), configurations[index], rows);
+      report::add_cells(report.plan, report.values.spread(), configurations[index], rows);
       rows += "\n";
     }
   }
@@ -149,8 +153,8 @@ void add_csv_row(const Plan& plan, const SweepRecord& record, std::string& text)
   const auto number = [](int value) { return value > 0 ? std::to_string(value) : std::string(); };
   text += std::to_string(record.step) + "," + number(record.configuration) + "," +
           number(record.branch);
-  add_number(record.parameter, text);
-  add_cells(plan, *record.spread, *record.state, text);
+  report::add_number(record.parameter, text);
+  report::add_cells(plan, *record.spread, *record.state, text);
   text += "," + record.event + "\n";
 }
 

@@ -4,7 +4,7 @@
 
 #include "report_words.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::report {
 
 namespace {
 
@@ -155,24 +155,29 @@ Json families_json(const Report& report) {
 
 }  // namespace
 
+}  // namespace assur::mechanism::report
+
+namespace assur::mechanism {
+
 std::string report_json(const Report& report) {
   const Solution& solution = report.solution;
-  Json root;
-  root["status"] = status_text(solution.status);
+  report::Json root;
+  root["status"] = report::status_text(solution.status);
   root["mobility"] = solution.mobility;
-  const std::string reason = reason_text(report);
+  const std::string reason = report::reason_text(report);
   if (!reason.empty()) {
     root["reason"] = reason;
   }
-  root["groups"] = groups_json(report.plan.structure());
-  root["configurations"] = Json::array();
+  root["groups"] = report::groups_json(report.plan.structure());
+  root["configurations"] = report::Json::array();
   for (std::size_t number = 0; number < solution.configurations.size(); ++number) {
-    if (is_reported(report, number)) {
-      root["configurations"].push_back(configuration_json(solution.configurations[number], report));
+    if (report::is_reported(report, number)) {
+      root["configurations"].push_back(
+          report::configuration_json(solution.configurations[number], report));
     }
   }
   if (!solution.families.empty()) {
-    root["families"] = families_json(report);
+    root["families"] = report::families_json(report);
   }
   return root.dump(2) + "\n";
 }

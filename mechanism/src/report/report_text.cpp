@@ -7,7 +7,7 @@
 
 #include "report_words.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::report {
 
 namespace {
 
@@ -135,15 +135,19 @@ std::string configuration_text(const Configuration& configuration, const Report&
 
 }  // namespace
 
+}  // namespace assur::mechanism::report
+
+namespace assur::mechanism {
+
 std::string report_text(const Report& report) {
   const Solution& solution = report.solution;
   const std::string& name = report.plan.mechanism().name();
   std::string text = name.empty() ? report.title : name;
-  text += std::string("\nstatus: ") + status_text(solution.status);
+  text += std::string("\nstatus: ") + report::status_text(solution.status);
   if (solution.status == SolutionStatus::degenerate) {
     text += ", mobility " + std::to_string(solution.mobility);
   }
-  const std::string reason = reason_text(report);
+  const std::string reason = report::reason_text(report);
   text += (reason.empty() ? "" : ": " + reason) + "\n";
   const Structure& structure = report.plan.structure();
   for (const FoundGroup& group : structure.groups) {
@@ -159,7 +163,7 @@ std::string report_text(const Report& report) {
             std::to_string(family.mobility) + ": " + family.reason + "\n";
   }
   for (std::size_t index = 0; index < solution.configurations.size(); ++index) {
-    if (!is_reported(report, index)) {
+    if (!report::is_reported(report, index)) {
       continue;
     }
     const Configuration& configuration = solution.configurations[index];
@@ -167,8 +171,9 @@ std::string report_text(const Report& report) {
     (void)std::snprintf(residual.data(), residual.size(), "%.1e", configuration.residual);
     text += "\nconfiguration " + std::to_string(index + 1) + " of " +
             std::to_string(solution.configurations.size()) + ": " +
-            regularity_text(configuration.regularity) + ", residual " + residual.data() + "\n";
-    text += configuration_text(configuration, report);
+            report::regularity_text(configuration.regularity) + ", residual " + residual.data() +
+            "\n";
+    text += report::configuration_text(configuration, report);
   }
   return text;
 }

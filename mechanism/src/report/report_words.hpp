@@ -5,8 +5,9 @@
 #include <assur/mechanism/report.hpp>
 #include <assur/variables.hpp>
 #include <limits>
+#include <utility>
 
-namespace assur::mechanism {
+namespace assur::mechanism::report {
 
 [[nodiscard]] inline const char* status_text(SolutionStatus status) {
   switch (status) {
@@ -81,7 +82,7 @@ namespace assur::mechanism {
 }
 
 [[nodiscard]] inline bool is_reported(const Report& report, std::size_t configuration) {
-  return report.branch == 0 || configuration + 1 == static_cast<std::size_t>(report.branch);
+  return report.branch == 0 || std::cmp_equal(configuration + 1, report.branch);
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::report

@@ -10,12 +10,12 @@
 #include "group_branches.hpp"
 #include "plan/plan_data.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::solve {
 
 namespace {
 
 /// How far each driver moves, from where it is.
-using DriverMotions = Table<DriverIndex, Series>;
+using DriverMotions = Table<DriverIndex, models::Series>;
 
 /// Walks depth first through the motions of the groups, as solving walks through configurations.
 class BranchWalk {
@@ -37,27 +37,29 @@ class BranchWalk {
 
  private:
   void move_driven_links() {
-    links_[structure_.linkage.ground] = at_rest({0, 0, {1, 0}});
+    links_[structure_.linkage.ground] = models::at_rest({0, 0, {1, 0}});
     for (const DrivenLink& link : structure_.driven) {
       const ElementaryJoint& joint = structure_.linkage.joints[link.joint];
-      const Series& motion = drivers_[link.driver];
-      const Series moved = joint.first == link.from ? motion : -motion;
+      const models::Series& motion = drivers_[link.driver];
+      const models::Series moved = joint.first == link.from ? motion : -motion;
       // About the joint's place on the placed link, from where the moved link stands.
-      const Pose<Series> base =
-          composed(links_[link.from], at_rest(values_.frame(joint.on(link.from)).pose));
-      const Pose<Series> step = joint.prismatic ? Pose<Series>{moved, 0, {1, 0}}
-                                                : Pose<Series>{0, 0, turning({1, 0}, moved)};
+      const Pose<models::Series> base =
+          composed(links_[link.from], models::at_rest(values_.frame(joint.on(link.from)).pose));
+      const Pose<models::Series> step = joint.prismatic
+                                            ? Pose<models::Series>{moved, 0, {1, 0}}
+                                            : Pose<models::Series>{0, 0, turning({1, 0}, moved)};
       links_[link.to] =
           composed(composed(base, step), seen_from(base, placed_.links[link.to].pose));
     }
   }
 
   /// A pose in a frame that moves, at t = 0.
-  static Pose<Series> seen_from(const Pose<Series>& frame, const Pose<double>& pose) {
+  static Pose<models::Series> seen_from(const Pose<models::Series>& frame,
+                                        const Pose<double>& pose) {
     const Direction<double> back{frame.direction.cos.value(), -frame.direction.sin.value()};
     const double x = pose.x - frame.x.value();
     const double y = pose.y - frame.y.value();
-    return at_rest(
+    return models::at_rest(
         {back.cos * x - back.sin * y, back.sin * x + back.cos * y, turned(pose.direction, back)});
   }
 
@@ -68,18 +70,19 @@ class BranchWalk {
     }
     const GroupIndex group(depth);
     const Values::GroupNumbers& numbers = values_.numbers_of(group);
-    const FlatSeries u = inputs(numbers);
+    const models::FlatSeries u = inputs(numbers);
     const PlacedGroup& here = placed_.groups[group];
     // A group behind a singular one stands as firmly as that does: it was settled to rounding.
     const double displaced = std::isfinite(here.displaced) ? here.displaced : 0;
     for (const GroupBranch& branch :
          branches_through({*structure_.groups[group].model, numbers.d, u, here.q, displaced})) {
       for (std::size_t link = 0; link < numbers.links.size(); ++link) {
-        links_[numbers.links[link]] = composed(branch.poses[link], at_rest(numbers.own[link].pose));
+        links_[numbers.links[link]] =
+            composed(branch.poses[link], models::at_rest(numbers.own[link].pose));
       }
       const std::size_t before = slides_.size();
-      for (const MeasuredSlide& slide : numbers.slides) {
-        const Series& moved = branch.unknowns[static_cast<std::size_t>(slide.unknown)];
+      for (const values::MeasuredSlide& slide : numbers.slides) {
+        const models::Series& moved = branch.unknowns[static_cast<std::size_t>(slide.unknown)];
         slides_.push_back(
             {slide.joint, slide.sense * moved.rate(), slide.sense * moved.second_rate()});
       }
@@ -88,12 +91,12 @@ class BranchWalk {
     }
   }
 
-  [[nodiscard]] FlatSeries inputs(const Values::GroupNumbers& numbers) const {
-    FlatSeries u;
+  [[nodiscard]] models::FlatSeries inputs(const Values::GroupNumbers& numbers) const {
+    models::FlatSeries u;
     auto* to = u.data();
-    for (const HeldJoint& joint : numbers.held) {
-      const Pose<Series> place =
-          composed(links_[joint.base], at_rest(values_.frame(joint.feature).pose));
+    for (const values::HeldJoint& joint : numbers.held) {
+      const Pose<models::Series> place =
+          composed(links_[joint.base], models::at_rest(values_.frame(joint.feature).pose));
       *to++ = place.x;
       *to++ = place.y;
       if (joint.prismatic) {
@@ -109,15 +112,15 @@ class BranchWalk {
     result.rates_known = true;
     const Mechanism& mechanism = values_.plan().mechanism;
     for (const LinkIndex link : mechanism.links().keys()) {
-      const Pose<Series>& pose = links_[link];
+      const Pose<models::Series>& pose = links_[link];
       result.links[link].velocity << pose.x.rate(), pose.y.rate(), turning_rate(pose.direction);
       result.links[link].acceleration << pose.x.second_rate(), pose.y.second_rate(),
           second_turning_rate(pose.direction);
     }
     for (const OutputIndex output : mechanism.outputs().keys()) {
       const FeatureIndex point = mechanism.outputs()[output].point;
-      const Pose<Series> place =
-          composed(links_[mechanism.features()[point].link], at_rest(values_.frame(point).pose));
+      const Pose<models::Series> place = composed(links_[mechanism.features()[point].link],
+                                                  models::at_rest(values_.frame(point).pose));
       result.outputs[output].velocity << place.x.rate(), place.y.rate();
       result.outputs[output].acceleration << place.x.second_rate(), place.y.second_rate();
     }
@@ -141,7 +144,7 @@ class BranchWalk {
   const Structure& structure_;
   const PlacedLinks& placed_;
   const Configuration& configuration_;
-  Table<LinkIndex, Pose<Series>> links_;
+  Table<LinkIndex, Pose<models::Series>> links_;
   std::vector<MovingSlide> slides_;
   std::vector<Configuration> found_;
 };
@@ -198,7 +201,7 @@ void forget_accelerations(const PlanData& plan, Configuration& configuration) {
 DriverMotions in_time(const Values& values) {
   DriverMotions motions;
   for (const Driver& driver : values.plan().mechanism.drivers()) {
-    Series motion;
+    models::Series motion;
     motion.c[1] = values.number(driver.velocity).value();
     motion.c[2] = values.number(driver.acceleration).value() / 2;
     motions.add(motion);
@@ -212,7 +215,7 @@ DriverMotions along_parameter(const Values& values, Eigen::Index column) {
   DriverMotions motions;
   for (const Driver& driver : values.plan().mechanism.drivers()) {
     const Dual& position = values.number(driver.position);
-    Series motion;
+    models::Series motion;
     motion.c[1] = position.derivatives().size() > 0 ? position.derivatives()(column) : 0;
     motions.add(motion);
   }
@@ -229,7 +232,7 @@ bool moves_drivers_alone(const Values& values, Eigen::Index column) {
     }
   }
   for (const GroupIndex group : plan.structure.groups.keys()) {
-    for (const DimensionDerivative& entry : values.numbers_of(group).nonzero_of_d) {
+    for (const values::DimensionDerivative& entry : values.numbers_of(group).nonzero_of_d) {
       if (entry.parameter == column && entry.value != 0) {
         return false;
       }
@@ -298,4 +301,4 @@ void find_branches(const Values& values, const PlacedLinks& placed, Configuratio
   configuration.branches = std::move(found);
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::solve

@@ -3,7 +3,7 @@
 
 #include "group_solver.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::solve {
 
 /// Finds the rates of a configuration whose loop closures do not determine them to first order, by
 /// following its groups order by order (`branches_through`). One motion: the configuration gets its
@@ -17,4 +17,4 @@ void find_branches(const Values& values, const PlacedLinks& placed, Configuratio
 void find_derivatives(const Values& values, const PlacedLinks& placed, ParameterIndex parameter,
                       Configuration& configuration);
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::solve

@@ -5,7 +5,7 @@
 
 #include "plan/plan_data.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::solve {
 
 namespace {
 
@@ -52,4 +52,4 @@ double closure_error(const Values& values, const Configuration& configuration, d
   return largest;
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::solve

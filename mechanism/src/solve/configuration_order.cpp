@@ -2,7 +2,7 @@
 
 #include <assur/support/configuration_order.hpp>
 
-namespace assur::mechanism {
+namespace assur::mechanism::solve {
 
 namespace {
 
@@ -42,4 +42,4 @@ void put_in_order(std::vector<Configuration>& configurations, const NamedParts& 
                         support::turning_key_size(parts.links.size()));
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::solve

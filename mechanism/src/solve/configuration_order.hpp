@@ -4,7 +4,7 @@
 #include <assur/mechanism/solution.hpp>
 #include <vector>
 
-namespace assur::mechanism {
+namespace assur::mechanism::solve {
 
 /// Orders configurations by what depends neither on where the mechanism stands, nor on its size,
 /// nor on the order in which its parts are listed: sums over all pairs of links that groups place
@@ -12,4 +12,4 @@ namespace assur::mechanism {
 /// fall back on sines, on the links' angles by name, and on displacements.
 void put_in_order(std::vector<Configuration>& configurations, const NamedParts& parts);
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::solve

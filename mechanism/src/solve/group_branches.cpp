@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
-namespace assur::mechanism {
+namespace assur::mechanism::solve {
 
 namespace {
 
 constexpr double undecided = std::numeric_limits<double>::quiet_NaN();
-constexpr auto highest = static_cast<Eigen::Index>(Series::order);
+constexpr auto highest = static_cast<Eigen::Index>(models::Series::order);
 /// A term this small a part of what it is the component of is zero but for rounding.
 constexpr double negligible = 1e-6;
 /// Rounding by `noise` moves a configuration by noise / s, s the least singular value of J to its
@@ -70,7 +70,7 @@ class BranchExpansion {
  private:
   /// J by one coefficient of the closures for each unknown, its columns scaled to one size.
   void factorise() {
-    const FlatSeries still = at_rest();
+    const models::FlatSeries still = at_rest();
     Eigen::MatrixXd jacobian(count_, count_);
     for (Eigen::Index column = 0; column < count_; ++column) {
       parts_(column, 1) = 1;
@@ -86,21 +86,22 @@ class BranchExpansion {
     free_ = scale_.cwiseProduct(factors_.matrixV().col(count_ - 1));
   }
 
-  [[nodiscard]] FlatSeries at_rest() const {
-    FlatSeries still;
+  [[nodiscard]] models::FlatSeries at_rest() const {
+    models::FlatSeries still;
     for (std::size_t place = 0; place < still.size(); ++place) {
       still[place] = group_.u[place].value();
     }
     return still;
   }
 
-  [[nodiscard]] FlatSeries unknowns() const {
-    FlatSeries moving;
+  [[nodiscard]] models::FlatSeries unknowns() const {
+    models::FlatSeries moving;
     std::size_t place = 0;
     for (Eigen::Index row = 0; row < count_; ++row) {
-      Series part = part_of(row);
+      models::Series part = part_of(row);
       if (group_.model.unknowns[static_cast<std::size_t>(row)].is_angle) {
-        const Direction<Series> direction = turning({group_.q[place], group_.q[place + 1]}, part);
+        const Direction<models::Series> direction =
+            turning({group_.q[place], group_.q[place + 1]}, part);
         moving[place++] = direction.cos;
         moving[place++] = direction.sin;
       } else {
@@ -111,8 +112,8 @@ class BranchExpansion {
     return moving;
   }
 
-  [[nodiscard]] Series part_of(Eigen::Index row) const {
-    Series part;
+  [[nodiscard]] models::Series part_of(Eigen::Index row) const {
+    models::Series part;
     for (std::size_t order = 1; order <= highest; ++order) {
       part.c[order] = parts_(row, static_cast<Eigen::Index>(order));
     }
@@ -120,8 +121,8 @@ class BranchExpansion {
   }
 
   /// The closures' coefficient of an order.
-  [[nodiscard]] Eigen::VectorXd closures(Eigen::Index order, const FlatSeries& u) const {
-    MovingGroup moving;
+  [[nodiscard]] Eigen::VectorXd closures(Eigen::Index order, const models::FlatSeries& u) const {
+    models::MovingGroup moving;
     group_.model.kernel->expand(group_.d, u, unknowns(), moving);
     Eigen::VectorXd coefficients(count_);
     for (Eigen::Index row = 0; row < count_; ++row) {
@@ -152,11 +153,11 @@ class BranchExpansion {
   /// alone, and of the unknowns.
   [[nodiscard]] double size_of(Eigen::Index order, const Eigen::VectorXd& f) const {
     double size = std::max(f.norm(), size_of_order(order));
-    const FlatSeries still = at_rest();
+    const models::FlatSeries still = at_rest();
     const Eigen::VectorXd of_unknowns = closures(order, still);
     for (std::size_t place = 0; place < still.size(); ++place) {
       if (group_.u[place].c[static_cast<std::size_t>(order)] != 0) {
-        FlatSeries one_moves = still;
+        models::FlatSeries one_moves = still;
         one_moves[place] = group_.u[place];
         size = std::max(size, (closures(order, one_moves) - of_unknowns).norm());
       }
@@ -276,7 +277,7 @@ class BranchExpansion {
     for (Eigen::Index row = 0; row < count_; ++row) {
       branch.unknowns[static_cast<std::size_t>(row)] = part_of(row);
     }
-    MovingGroup moving;
+    models::MovingGroup moving;
     group_.model.kernel->expand(group_.d, group_.u, unknowns(), moving);
     branch.poses = moving.poses;
   }
@@ -298,4 +299,4 @@ std::vector<GroupBranch> branches_through(const GroupOnTheMove& group) {
   return BranchExpansion(group).run();
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::solve

@@ -7,22 +7,22 @@
 
 #include "models/model_kernel.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::solve {
 
 /// A configuration of a group whose inputs move.
 struct GroupOnTheMove {
   const GroupModel& model;
-  const FlatVariables& d;
-  const FlatSeries& u;
-  const FlatVariables& q;
+  const models::FlatVariables& d;
+  const models::FlatSeries& u;
+  const models::FlatVariables& q;
   /// How far rounding may have moved the configuration and its neighbours, in parts of their size.
   double displaced;
 };
 
 /// One motion through a configuration: the unknowns, angles as how far they turn, and the poses.
 struct GroupBranch {
-  std::array<Series, most_unknowns> unknowns;
-  std::array<Pose<Series>, most_links> poses;
+  std::array<models::Series, models::most_unknowns> unknowns;
+  std::array<Pose<models::Series>, models::most_links> poses;
 };
 
 /// The motions q(t) with f(q(t), d, u(t)) = 0 through a configuration, order by order:
@@ -39,4 +39,4 @@ struct GroupBranch {
 /// None as well where J lacks more than one rank, and where rounding does not tell.
 [[nodiscard]] std::vector<GroupBranch> branches_through(const GroupOnTheMove& group);
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::solve

@@ -6,12 +6,12 @@
 #include "plan/plan_data.hpp"
 #include "solve/precision.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::solve {
 
 namespace {
 
 /// result += a b, for few rows and any number of columns. A zero of `a` is one by structure.
-void add_product(const SmallMatrix& a, const ParameterRows<Eigen::Dynamic>& b,
+void add_product(const models::SmallMatrix& a, const ParameterRows<Eigen::Dynamic>& b,
                  ParameterRows<Eigen::Dynamic>& result) {
   const Eigen::Index columns = b.cols();
   for (Eigen::Index row = 0; row < a.rows(); ++row) {
@@ -26,9 +26,9 @@ void add_product(const SmallMatrix& a, const ParameterRows<Eigen::Dynamic>& b,
   }
 }
 
-void add_product(const SmallMatrix& a, const std::vector<DimensionDerivative>& b,
+void add_product(const models::SmallMatrix& a, const std::vector<values::DimensionDerivative>& b,
                  ParameterRows<Eigen::Dynamic>& result) {
-  for (const DimensionDerivative& entry : b) {
+  for (const values::DimensionDerivative& entry : b) {
     for (Eigen::Index row = 0; row < a.rows(); ++row) {
       result(row, entry.parameter) += a(row, entry.dimension) * entry.value;
     }
@@ -65,7 +65,7 @@ void GroupSolver::hold(const PlacedLinks& placed) {
     ++row;
   };
   query_.displaced = 0;
-  for (const HeldJoint& joint : numbers_.held) {
+  for (const values::HeldJoint& joint : numbers_.held) {
     query_.displaced = std::max(query_.displaced, placed.displaced[joint.base]);
     const Frame& base = placed.links[joint.base];
     const Frame& feature = values_.frame(joint.feature);
@@ -89,7 +89,7 @@ void GroupSolver::hold(const PlacedLinks& placed) {
   }
 }
 
-const GroupAssemblies& GroupSolver::assemble() {
+const models::GroupAssemblies& GroupSolver::assemble() {
   model_.kernel->assemble(numbers_.d, u_, query_.displaced, found_);
   return found_;
 }
@@ -99,7 +99,7 @@ Status GroupSolver::gap(double& result) const { return model_.kernel->gap(number
 bool GroupSolver::is_compatible() const { return model_.kernel->is_compatible(numbers_.d, u_); }
 
 void GroupSolver::place(std::size_t configuration, std::size_t first_slide, PlacedLinks& placed) {
-  const FlatVariables& q = found_.configurations[configuration];
+  const models::FlatVariables& q = found_.configurations[configuration];
   model_.kernel->move(numbers_.d, u_, q, query_, motion_);
   follow();
   if (values_.second_order()) {
@@ -137,7 +137,7 @@ void GroupSolver::follow() {
 /// and b: of the quadratic form Q that the kernel computes it is (Q(a + b) - Q(a - b)) / 4. That
 /// loses what the longer of a and b has more digits than the shorter, so both are brought to one
 /// length.
-void GroupSolver::follow_twice(const FlatVariables& q) {
+void GroupSolver::follow_twice(const models::FlatVariables& q) {
   const Eigen::Index count = of_q_.first.cols();
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const Eigen::MatrixXd blank = Eigen::MatrixXd::Constant(count, count, unknown);
@@ -156,29 +156,31 @@ void GroupSolver::follow_twice(const FlatVariables& q) {
     return std::max({longest(q_a, i), longest(d_a, i), longest(u_a, i)});
   };
   const auto curvature = [&](Eigen::Index i, double a, Eigen::Index j, double b) {
-    Curvature result;
-    model_.kernel->bend(numbers_.d, u_, q, SmallVector(a * q_a.col(i) + b * q_a.col(j)),
-                        SmallVector(a * d_a.col(i) + b * d_a.col(j)),
-                        SmallVector(a * u_a.col(i) + b * u_a.col(j)), result);
+    models::Curvature result;
+    model_.kernel->bend(numbers_.d, u_, q, models::SmallVector(a * q_a.col(i) + b * q_a.col(j)),
+                        models::SmallVector(a * d_a.col(i) + b * d_a.col(j)),
+                        models::SmallVector(a * u_a.col(i) + b * u_a.col(j)), result);
     return result;
   };
   for (Eigen::Index i = 0; i < count; ++i) {
     for (Eigen::Index j = 0; j <= i; ++j) {
-      const SmallVector d_ab = numbers_.of_d.mixed(i, j);
-      const SmallVector u_ab = of_u_.mixed(i, j);
-      SmallVector q_ab = motion_.q_d * d_ab + motion_.q_u * u_ab;
-      SmallVector p_ab = motion_.p_d * d_ab + motion_.p_u * u_ab;
+      const models::SmallVector d_ab = numbers_.of_d.mixed(i, j);
+      const models::SmallVector u_ab = of_u_.mixed(i, j);
+      models::SmallVector q_ab = motion_.q_d * d_ab + motion_.q_u * u_ab;
+      models::SmallVector p_ab = motion_.p_d * d_ab + motion_.p_u * u_ab;
       const double length_i = length(i);
       const double length_j = length(j);
       if (length_i > 0 && length_j > 0) {
-        const Curvature sum = curvature(i, 1 / length_i, j, 1 / length_j);
-        const Curvature difference = curvature(i, 1 / length_i, j, -1 / length_j);
+        const models::Curvature sum = curvature(i, 1 / length_i, j, 1 / length_j);
+        const models::Curvature difference = curvature(i, 1 / length_i, j, -1 / length_j);
         const double weight = length_i * length_j / 4;
-        q_ab += motion_.inverse * SmallVector(weight * (sum.closures - difference.closures));
+        q_ab +=
+            motion_.inverse * models::SmallVector(weight * (sum.closures - difference.closures));
         p_ab += weight * (sum.poses - difference.poses);
       }
       p_ab += motion_.p_q * q_ab;
-      const auto set = [i, j](ParameterDerivatives& target, const SmallVector& column) {
+      const auto set = [i, j](values::ParameterDerivatives& target,
+                              const models::SmallVector& column) {
         for (Eigen::Index row = 0; row < column.size(); ++row) {
           Eigen::MatrixXd& matrix = target.second[static_cast<std::size_t>(row)];
           matrix(i, j) = matrix(j, i) = column(row);
@@ -205,10 +207,10 @@ void GroupSolver::place_links(PlacedLinks& placed) {
   }
 }
 
-void GroupSolver::place_slides(const FlatVariables& q, std::size_t first_slide,
+void GroupSolver::place_slides(const models::FlatVariables& q, std::size_t first_slide,
                                PlacedLinks& placed) const {
   for (std::size_t index = 0; index < numbers_.slides.size(); ++index) {
-    const MeasuredSlide& measured = numbers_.slides[index];
+    const values::MeasuredSlide& measured = numbers_.slides[index];
     const auto row = static_cast<Eigen::Index>(measured.unknown);
     std::size_t flat = 0;  // of a displacement among flat variables, where angles take two places
     for (int unknown = 0; unknown < measured.unknown; ++unknown) {
@@ -233,4 +235,4 @@ void GroupSolver::place_slides(const FlatVariables& q, std::size_t first_slide,
   }
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::solve

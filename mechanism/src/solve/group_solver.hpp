@@ -8,11 +8,11 @@
 #include "models/model_kernel.hpp"
 #include "values/group_numbers.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::solve {
 
 /// A configuration of a group, and how far rounding may have moved its neighbours.
 struct PlacedGroup {
-  FlatVariables q;
+  models::FlatVariables q;
   double displaced;
 };
 
@@ -37,7 +37,7 @@ class GroupSolver {
   /// Takes over where `placed` holds the group's external joints.
   void hold(const PlacedLinks& placed);
   /// Finds all configurations of the group where it is held.
-  [[nodiscard]] const GroupAssemblies& assemble();
+  [[nodiscard]] const models::GroupAssemblies& assemble();
   /// How far rounding may have moved what holds the group.
   [[nodiscard]] double displaced() const { return query_.displaced; }
   /// By how much the closures fail at least where it is held, if there are no configurations. Set
@@ -53,21 +53,22 @@ class GroupSolver {
 
  private:
   void follow();
-  void follow_twice(const FlatVariables& q);
+  void follow_twice(const models::FlatVariables& q);
   void place_links(PlacedLinks& placed);
-  void place_slides(const FlatVariables& q, std::size_t first_slide, PlacedLinks& placed) const;
+  void place_slides(const models::FlatVariables& q, std::size_t first_slide,
+                    PlacedLinks& placed) const;
 
   const Values& values_;
   const GroupModel& model_;
   const Values::GroupNumbers& numbers_;
-  FlatVariables u_{};
-  ParameterDerivatives of_u_;  ///< how the inputs follow the parameters
-  MotionQuery query_;
-  GroupAssemblies found_;
-  GroupMotion motion_;
-  ParameterDerivatives of_q_, of_p_;  ///< how the unknowns and the link poses follow them
-  Point point_;                       ///< room for the points that hold the group
+  models::FlatVariables u_{};
+  values::ParameterDerivatives of_u_;  ///< how the inputs follow the parameters
+  models::MotionQuery query_;
+  models::GroupAssemblies found_;
+  models::GroupMotion motion_;
+  values::ParameterDerivatives of_q_, of_p_;  ///< how the unknowns and the link poses follow them
+  Point point_;                               ///< room for the points that hold the group
   Frame line_, frame_;
 };
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::solve

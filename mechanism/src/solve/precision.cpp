@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace assur::mechanism {
+namespace assur::mechanism::solve {
 
 namespace {
 
@@ -14,8 +14,9 @@ constexpr double second_look_constant = 4;
 
 class SecondLook {
  public:
-  SecondLook(const GroupModel& model, const FlatVariables& d, const FlatVariables& u,
-             const FlatVariables& q, const GroupMotion& motion)
+  SecondLook(const GroupModel& model, const models::FlatVariables& d,
+             const models::FlatVariables& u, const models::FlatVariables& q,
+             const models::GroupMotion& motion)
       : model_(model), d_(d), u_(u), q_(q), inverse_(motion.inverse), size_(motion.size) {}
 
   /// The relative error of the derivatives where rounding leaves closures open by `held`.
@@ -24,12 +25,12 @@ class SecondLook {
     const double unclosed = 2 * held + epsilon * reach;
     double result = 0;
     for (const bool angles : {false, true}) {
-      const SmallVector moved = unclosed * loosest(angles);
+      const models::SmallVector moved = unclosed * loosest(angles);
       // The error of solving the linear equations: the right-hand sides are as long as the group
       // reaches, and what is left of them may be a turn by one, or a length of the group's size.
       result = std::max(result, epsilon * reach * largest(moved, angles) /
                                     (angles ? unclosed : unclosed * size_));
-      SmallMatrix change(inverse_.rows(), inverse_.cols());
+      models::SmallMatrix change(inverse_.rows(), inverse_.cols());
       for (Eigen::Index column = 0; column < inverse_.cols(); ++column) {
         change.col(column) = inverse_ * bent(inverse_.col(column), moved);
       }
@@ -44,8 +45,8 @@ class SecondLook {
   /// The factor by which the error of second rates exceeds that of rates. In J q'' = -H(q', q') -
   /// ... an error of q' counts 1 / s times, where s is how firmly J holds. Near a fold q'' is as
   /// large; at a crossing it is not.
-  [[nodiscard]] double second_rate_error(const SmallVector& rate,
-                                         const SmallVector& second_rate) const {
+  [[nodiscard]] double second_rate_error(const models::SmallVector& rate,
+                                         const models::SmallVector& second_rate) const {
     const double speed = norm(rate) * norm(rate) / size_;
     const double firm = std::max(norm(loosest(false)), norm(loosest(true)));
     const double size = std::max(norm(second_rate), speed);
@@ -77,12 +78,12 @@ class SecondLook {
     return result;
   }
   /// With turns as lengths.
-  [[nodiscard]] double norm(const SmallVector& of) const {
+  [[nodiscard]] double norm(const models::SmallVector& of) const {
     return std::max(largest(of, false), size_ * largest(of, true));
   }
   /// J^-1 f for closures f that fail by one each, with the signs that move angles, or lengths,
   /// most.
-  [[nodiscard]] SmallVector loosest(bool angles) const {
+  [[nodiscard]] models::SmallVector loosest(bool angles) const {
     Eigen::Index row_of_all = 0;
     double most = -1;
     for (Eigen::Index row = 0; row < inverse_.rows(); ++row) {
@@ -92,44 +93,46 @@ class SecondLook {
         row_of_all = row;
       }
     }
-    SmallVector sum = SmallVector::Zero(inverse_.rows());
+    models::SmallVector sum = models::SmallVector::Zero(inverse_.rows());
     for (Eigen::Index column = 0; column < inverse_.cols(); ++column) {
       sum += inverse_.col(column) * (inverse_(row_of_all, column) < 0 ? -1 : 1);
     }
     return sum;
   }
   /// H(x, y), up to its sign, from the quadratic form: both are brought to one length.
-  [[nodiscard]] SmallVector bent(const SmallVector& x, const SmallVector& y) const {
+  [[nodiscard]] models::SmallVector bent(const models::SmallVector& x,
+                                         const models::SmallVector& y) const {
     const double length_x = norm(x);
     const double length_y = norm(y);
     if (!(length_x > 0 && length_y > 0)) {
-      return SmallVector::Zero(inverse_.rows());
+      return models::SmallVector::Zero(inverse_.rows());
     }
     return (curvature(x / length_x + y / length_y) - curvature(x / length_x - y / length_y)) *
            (length_x * length_y / 4);
   }
-  [[nodiscard]] SmallVector curvature(const SmallVector& along) const {
+  [[nodiscard]] models::SmallVector curvature(const models::SmallVector& along) const {
     const auto none = [](std::size_t count) {
-      return SmallVector(SmallVector::Zero(static_cast<Eigen::Index>(count)));
+      return models::SmallVector(models::SmallVector::Zero(static_cast<Eigen::Index>(count)));
     };
-    Curvature result;
+    models::Curvature result;
     model_.kernel->bend(d_, u_, q_, along, none(model_.dimension_count), none(model_.input_count),
                         result);
     return result.closures;
   }
 
   const GroupModel& model_;
-  const FlatVariables& d_;
-  const FlatVariables& u_;
-  const FlatVariables& q_;
-  const SmallMatrix& inverse_;
+  const models::FlatVariables& d_;
+  const models::FlatVariables& u_;
+  const models::FlatVariables& q_;
+  const models::SmallMatrix& inverse_;
   double size_;
 };
 
 }  // namespace
 
-Precision precision_of(const GroupModel& model, const FlatVariables& d, const FlatVariables& u,
-                       const FlatVariables& q, const GroupMotion& motion) {
+Precision precision_of(const GroupModel& model, const models::FlatVariables& d,
+                       const models::FlatVariables& u, const models::FlatVariables& q,
+                       const models::GroupMotion& motion) {
   Precision result;
   const bool moves = motion.rate.allFinite();
   if (motion.standing.status == Status::ok) {
@@ -152,4 +155,4 @@ Precision precision_of(const GroupModel& model, const FlatVariables& d, const Fl
   return result;
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::solve

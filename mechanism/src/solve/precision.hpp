@@ -6,7 +6,7 @@
 
 #include "models/model_kernel.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::solve {
 
 /// How far the derivatives of a configuration can be trusted.
 struct Precision {
@@ -20,8 +20,8 @@ struct Precision {
 /// configuration by dq = J^-1 df, and that changes the derivatives J^-1 c by J^-1 H(J^-1 c, dq),
 /// with H the second derivatives of the closures. Lengths and angles are each counted in parts of
 /// their own derivatives. `motion` is that of the configuration `q` of `model`.
-[[nodiscard]] Precision precision_of(const GroupModel& model, const FlatVariables& d,
-                                     const FlatVariables& u, const FlatVariables& q,
-                                     const GroupMotion& motion);
+[[nodiscard]] Precision precision_of(const GroupModel& model, const models::FlatVariables& d,
+                                     const models::FlatVariables& u, const models::FlatVariables& q,
+                                     const models::GroupMotion& motion);
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::solve

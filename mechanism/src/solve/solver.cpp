@@ -11,7 +11,7 @@
 #include "configuration_order.hpp"
 #include "group_solver.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::solve {
 
 namespace {
 
@@ -114,7 +114,7 @@ class MechanismSolver {
       add_family(group, compatible ? model.mobility : 0, reason_of_model(group, compatible));
       return;
     }
-    const GroupAssemblies& found = solver->assemble();
+    const models::GroupAssemblies& found = solver->assemble();
     if (found.status == AssemblyStatus::not_finite) {
       throw MechanismError(
           "links", "the lengths differ by more powers of ten than double precision can hold");
@@ -189,7 +189,7 @@ class MechanismSolver {
       return rest_assembles(depth + 1, std::move(unplaced));
     }
     solver->hold(placed_);
-    const GroupAssemblies& found = solver->assemble();
+    const models::GroupAssemblies& found = solver->assemble();
     for (std::size_t index = 0; index < found.count; ++index) {
       placed_.groups[group] = {found.configurations[index], solver->displaced()};
       solver->place(index, first_slide_[group], placed_);
@@ -322,4 +322,4 @@ void solve(const std::shared_ptr<const PlanData>& plan, const Values& values, bo
   MechanismSolver(plan, values, measure_gap, result).run();
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::solve

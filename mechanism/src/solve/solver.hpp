@@ -6,11 +6,11 @@
 
 #include "plan/plan_data.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::solve {
 
 /// See `Plan::solve`. On demand a solution without configurations tells by how much the links fail
 /// to close, which takes longer than to solve.
 void solve(const std::shared_ptr<const PlanData>& plan, const Values& values, bool measure_gap,
            Solution& result);
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::solve

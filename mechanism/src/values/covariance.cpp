@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace assur::mechanism {
+namespace assur::mechanism::values {
 
 namespace {
 
@@ -104,4 +104,4 @@ Eigen::MatrixXd covariance_matrix(const Covariance& given, const Values& values,
   return result;
 }
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::values

@@ -4,7 +4,7 @@
 #include <assur/mechanism/request.hpp>
 #include <assur/mechanism/values.hpp>
 
-namespace assur::mechanism {
+namespace assur::mechanism::values {
 
 /// The covariance C of all parameters: what the matrix says of the parameters that it names, zero
 /// elsewhere. Throws MechanismError unless the matrix is symmetric (|c_ij - c_ji| <= t sqrt(c_ii
@@ -14,4 +14,4 @@ namespace assur::mechanism {
 [[nodiscard]] Eigen::MatrixXd covariance_matrix(const Covariance& given, const Values& values,
                                                 std::size_t parameter_count);
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::values

@@ -9,12 +9,26 @@
 #include "group_numbers.hpp"
 #include "plan/plan_data.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::values {
 
 namespace {
 
 const std::vector<int>& joints_of(const GroupModel& model, std::size_t link) {
   return model.group->link_joints[link];
+}
+
+/// Which of a link's joints in order a joint is.
+std::size_t slot_of(int joint, const std::vector<int>& joints) {
+  return static_cast<std::size_t>(std::find(joints.begin(), joints.end(), joint) - joints.begin());
+}
+
+/// The joint and the link that play those of the model.
+const ElementaryJoint& played_joint(const Structure& structure, const RoleAssignment& roles,
+                                    int joint) {
+  return structure.linkage.joints[roles.joints[static_cast<std::size_t>(joint)]];
+}
+LinkIndex played_link(const RoleAssignment& roles, int link) {
+  return roles.links[static_cast<std::size_t>(link)];
 }
 
 /// Lines closer to parallel than this do not define a frame by where they cross.
@@ -37,7 +51,7 @@ class NormalForms {
       std::array<LinkFeature<Dual>, 3> features;
       std::size_t count = 0;
       for (const int joint : joints_of(*group.model, link)) {
-        const ElementaryJoint& at = played(joint);
+        const ElementaryJoint& at = played_joint(structure_, roles_, joint);
         features[count++] = values.feature(at.on(roles.links[link]), at.prismatic);
       }
       features_.push_back(features);
@@ -111,14 +125,10 @@ class NormalForms {
   }
 
  private:
-  [[nodiscard]] const ElementaryJoint& played(int joint) const {
-    return structure_.linkage.joints[roles_.joints[static_cast<std::size_t>(joint)]];
-  }
-
   [[nodiscard]] std::vector<std::string> joint_names(std::size_t link) const {
     std::vector<std::string> names;
     for (const int joint : joints_of(*group_.model, link)) {
-      names.push_back(played(joint).name);
+      names.push_back(played_joint(structure_, roles_, joint).name);
     }
     return names;
   }
@@ -189,8 +199,7 @@ class NormalForms {
 
   [[nodiscard]] LinkFeature<Dual>& line_at(std::size_t link, int joint) {
     const std::vector<int>& joints = joints_of(*group_.model, link);
-    const auto slot = std::find(joints.begin(), joints.end(), joint) - joints.begin();
-    return features_[link][static_cast<std::size_t>(slot)];
+    return features_[link][slot_of(joint, joints)];
   }
 
   const FoundGroup& group_;
@@ -203,15 +212,6 @@ class NormalForms {
 };
 
 }  // namespace
-
-std::vector<DimensionValue<Dual>> GroupGeometry::dimensions() const {
-  std::vector<DimensionValue<Dual>> values;
-  for (const NormalForm<Dual>& link : links) {
-    values.insert(values.end(), link.dimensions.begin(),
-                  link.dimensions.begin() + link.dimension_count);
-  }
-  return values;
-}
 
 GroupGeometry group_geometry(const Values& values, GroupIndex index) {
   const FoundGroup& group = values.plan().structure.groups[index];
@@ -238,28 +238,8 @@ GroupGeometry group_geometry(const Values& values, GroupIndex index) {
   return geometry;
 }
 
-SlideMeasure Values::slide_measure(GroupIndex group, int model_joint) const {
-  const FoundGroup& found = plan_->structure.groups[group];
-  const GroupGeometry& geometry = groups_[group];
-  const auto slot = static_cast<std::size_t>(model_joint);
-  const ModelJoint& wanted = found.model->group->joints[slot];
-  const ElementaryJoint& at = plan_->structure.linkage.joints[geometry.roles->joints[slot]];
-  const auto shift_on = [&](int link) -> Dual {
-    if (link == base_link) {
-      return constant(0.0);
-    }
-    const auto place = static_cast<std::size_t>(link);
-    const std::vector<int>& joints = joints_of(*found.model, place);
-    const auto at_joint = std::find(joints.begin(), joints.end(), model_joint) - joints.begin();
-    return geometry.links[place].shift[static_cast<std::size_t>(at_joint)];
-  };
-  const bool same_sense =
-      at.second == geometry.roles->links[static_cast<std::size_t>(wanted.second)];
-  return {same_sense ? 1.0 : -1.0, shift_on(wanted.second) - shift_on(wanted.first)};
-}
-
-SmallVector ParameterDerivatives::mixed(Eigen::Index i, Eigen::Index j) const {
-  SmallVector column(first.rows());
+models::SmallVector ParameterDerivatives::mixed(Eigen::Index i, Eigen::Index j) const {
+  models::SmallVector column(first.rows());
   for (Eigen::Index row = 0; row < column.size(); ++row) {
     column(row) = second[static_cast<std::size_t>(row)](i, j);
   }
@@ -315,7 +295,7 @@ Values::GroupNumbers group_numbers(const Values& values, GroupIndex index) {
     numbers.own.push_back(Frame::at(inverse(link.frame)));
   }
   const auto played = [&](int joint) -> const ElementaryJoint& {
-    return structure.linkage.joints[geometry.roles->joints[static_cast<std::size_t>(joint)]];
+    return played_joint(structure, *geometry.roles, joint);
   };
   for (std::size_t unknown = 0; unknown < group.model->unknowns.size(); ++unknown) {
     const ModelUnknown& entry = group.model->unknowns[unknown];
@@ -329,13 +309,43 @@ Values::GroupNumbers group_numbers(const Values& values, GroupIndex index) {
   for (const ModelJoint& wanted : group.model->group->joints) {
     if (wanted.first == base_link) {
       const ElementaryJoint& at = played(joint);
-      const LinkIndex inner = geometry.roles->links[static_cast<std::size_t>(wanted.second)];
+      const LinkIndex inner = played_link(*geometry.roles, wanted.second);
       const LinkIndex base = at.other(inner);
       numbers.held.push_back({base, at.on(base), at.prismatic});
     }
     ++joint;
   }
   return numbers;
+}
+
+}  // namespace assur::mechanism::values
+
+namespace assur::mechanism {
+
+std::vector<DimensionValue<Dual>> GroupGeometry::dimensions() const {
+  std::vector<DimensionValue<Dual>> values;
+  for (const NormalForm<Dual>& link : links) {
+    values.insert(values.end(), link.dimensions.begin(),
+                  link.dimensions.begin() + link.dimension_count);
+  }
+  return values;
+}
+
+SlideMeasure Values::slide_measure(GroupIndex group, int model_joint) const {
+  const FoundGroup& found = plan_->structure.groups[group];
+  const GroupGeometry& geometry = groups_[group];
+  const ModelJoint& wanted = found.model->group->joints[static_cast<std::size_t>(model_joint)];
+  const ElementaryJoint& at = values::played_joint(plan_->structure, *geometry.roles, model_joint);
+  const auto shift_on = [&](int link) -> Dual {
+    if (link == base_link) {
+      return constant(0.0);
+    }
+    const auto place = static_cast<std::size_t>(link);
+    const std::vector<int>& joints = values::joints_of(*found.model, place);
+    return geometry.links[place].shift[values::slot_of(model_joint, joints)];
+  };
+  const bool same_sense = at.second == values::played_link(*geometry.roles, wanted.second);
+  return {same_sense ? 1.0 : -1.0, shift_on(wanted.second) - shift_on(wanted.first)};
 }
 
 }  // namespace assur::mechanism

@@ -3,9 +3,9 @@
 
 #include <assur/mechanism/values.hpp>
 
-namespace assur::mechanism {
+namespace assur::mechanism::values {
 
 /// The group with its links in normal form under the first assignment of roles that has one.
 [[nodiscard]] GroupGeometry group_geometry(const Values& values, GroupIndex group);
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::values

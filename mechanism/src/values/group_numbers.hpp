@@ -6,7 +6,7 @@
 
 #include "models/model_kernel.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::values {
 
 /// First and second derivatives of some quantities to the parameters.
 struct ParameterDerivatives {
@@ -14,7 +14,7 @@ struct ParameterDerivatives {
   std::vector<Eigen::MatrixXd> second;  ///< one per quantity; empty where not carried
 
   /// The second derivatives of all quantities along parameters i and j.
-  [[nodiscard]] SmallVector mixed(Eigen::Index i, Eigen::Index j) const;
+  [[nodiscard]] models::SmallVector mixed(Eigen::Index i, Eigen::Index j) const;
 };
 
 /// A slide of a group as the mechanism measures it.
@@ -38,21 +38,30 @@ struct DimensionDerivative {
   double value;
 };
 
+}  // namespace assur::mechanism::values
+
+namespace assur::mechanism {
+
 struct Values::GroupNumbers {
-  FlatVariables d;
-  ParameterDerivatives of_d;
-  std::vector<DimensionDerivative> nonzero_of_d;
+  models::FlatVariables d;
+  values::ParameterDerivatives of_d;
+  std::vector<values::DimensionDerivative> nonzero_of_d;
   std::vector<LinkIndex> links;  ///< that play the model's
   std::vector<Frame> own;        ///< their own frames, each in its normal frame
-  std::vector<MeasuredSlide> slides;
-  std::vector<HeldJoint> held;
+  std::vector<values::MeasuredSlide> slides;
+  std::vector<values::HeldJoint> held;
 
   /// Whether one of these links holds the group.
   [[nodiscard]] bool is_held_by(const Table<LinkIndex, bool>& links_in_question) const {
-    return std::any_of(held.begin(), held.end(),
-                       [&](const HeldJoint& joint) { return bool(links_in_question[joint.base]); });
+    return std::any_of(held.begin(), held.end(), [&](const values::HeldJoint& joint) {
+      return bool(links_in_question[joint.base]);
+    });
   }
 };
+
+}  // namespace assur::mechanism
+
+namespace assur::mechanism::values {
 
 /// Derivatives of lengths, and of angles in radians.
 [[nodiscard]] ParameterDerivatives derivatives_of(const std::vector<DimensionValue<Dual>>& values,
@@ -60,4 +69,4 @@ struct Values::GroupNumbers {
 
 [[nodiscard]] Values::GroupNumbers group_numbers(const Values& values, GroupIndex group);
 
-}  // namespace assur::mechanism
+}  // namespace assur::mechanism::values

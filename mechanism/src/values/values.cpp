@@ -6,7 +6,7 @@
 #include "group_numbers.hpp"
 #include "plan/plan_data.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::values {
 
 namespace {
 
@@ -22,6 +22,10 @@ LinkFeature<Dual> block_feature(const Values& values, bool is_line) {
 
 }  // namespace
 
+}  // namespace assur::mechanism::values
+
+namespace assur::mechanism {
+
 Values::Values(std::shared_ptr<const PlanData> plan,
                const std::vector<std::pair<ParameterIndex, double>>& replaced)
     : plan_(std::move(plan)), replaced_(replaced) {
@@ -36,14 +40,14 @@ Values::Values(std::shared_ptr<const PlanData> plan,
   for (const auto& [parameter, value] : replaced_) {
     expect_finite(parameter, value);
   }
-  const LinkFeature<Dual> centre = block_feature(*this, true);
+  const LinkFeature<Dual> centre = values::block_feature(*this, true);
   block_ = Frame::at({centre.x, centre.y, centre.along});
   evaluate();
 }
 
 /// Everything, in the plan's order.
 void Values::evaluate() {
-  const EvaluationOrder& order = plan_->evaluation;
+  const plan::EvaluationOrder& order = plan_->evaluation;
   for (const ParameterIndex parameter : order.parameters) {
     evaluate_parameter(parameter);
   }
@@ -95,7 +99,7 @@ void Values::set(ParameterIndex parameter, double value) {
 void Values::evaluate_dependents(ParameterIndex parameter) {
   std::shared_ptr<const Dependents>& found_before = dependents_[parameter];
   if (!found_before) {
-    found_before = std::make_shared<const Dependents>(dependents_of(parameter, *plan_));
+    found_before = std::make_shared<const Dependents>(plan::dependents_of(parameter, *plan_));
   }
   const Dependents& dependents = *found_before;
   evaluate_parameter(parameter);
@@ -180,10 +184,11 @@ Dual Values::evaluated(NumberIndex index) const {
 
 void Values::evaluate_feature(FeatureIndex index) {
   const Feature& feature = plan_->mechanism.features()[index];
-  LinkFeature<Dual> result = block_feature(*this, feature.is_line);
+  LinkFeature<Dual> result = values::block_feature(*this, feature.is_line);
   result.x = numbers_[feature.x];
   result.y = numbers_[feature.y];
-  if (std::max(std::abs(result.x.value()), std::abs(result.y.value())) > largest_coordinate) {
+  if (std::max(std::abs(result.x.value()), std::abs(result.y.value())) >
+      values::largest_coordinate) {
     throw MechanismError(
         "links." + plan_->mechanism.links()[feature.link].name + "." + feature.name,
         "a coordinate is larger than 2^400; give the lengths in another unit");
@@ -208,14 +213,15 @@ void Values::evaluate_feature(FeatureIndex index) {
 }
 
 LinkFeature<Dual> Values::feature(FeatureIndex feature, bool is_line) const {
-  return feature.exists() ? features_[feature] : block_feature(*this, is_line);
+  return feature.exists() ? features_[feature] : values::block_feature(*this, is_line);
 }
 
 void Values::evaluate_group(GroupIndex group) {
-  groups_[group] = group_geometry(*this, group);
-  group_numbers_[group] = groups_[group].roles == nullptr
-                              ? nullptr
-                              : std::make_shared<const GroupNumbers>(group_numbers(*this, group));
+  groups_[group] = values::group_geometry(*this, group);
+  group_numbers_[group] =
+      groups_[group].roles == nullptr
+          ? nullptr
+          : std::make_shared<const GroupNumbers>(values::group_numbers(*this, group));
 }
 
 /// Half-widths and the covariance.
@@ -234,7 +240,8 @@ void Values::evaluate_requests() {
     }
   }
   if (plan_->request.covariance) {
-    spread_.covariance = covariance_matrix(*plan_->request.covariance, *this, parameters.size());
+    spread_.covariance =
+        values::covariance_matrix(*plan_->request.covariance, *this, parameters.size());
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "command.hpp"
+#include "command/command.hpp"
 
 namespace assur::test::audit_format_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "command.hpp"
+#include "command/command.hpp"
 
 namespace assur::test::audit_papers_test {
 namespace {

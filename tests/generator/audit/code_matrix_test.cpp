@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "command.hpp"
+#include "command/command.hpp"
 
 namespace assur::test::code_matrix_test {
 namespace {

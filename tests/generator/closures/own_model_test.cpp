@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "command.hpp"
+#include "command/command.hpp"
 
 namespace assur::test::own_model_test {
 namespace {
@@ -49,7 +49,7 @@ const std::string typed_residuals = R"(
 #include <assur/closures/every_function.hpp>
 #include <assur/closures/gear_five_bar.hpp>
 #include <assur/closures/zhauyt_2017.hpp>
-#include "closures_driver.hpp"
+#include "generator/closures_driver.hpp"
 
 using closures_driver::Values;
 using namespace std;
@@ -128,7 +128,7 @@ TEST(OwnModel, EmittedFunctionsAreTheResidualsDerivatives) {
 const std::string solving = R"(
 #include <assur/closures/gear_five_bar.hpp>
 #include <assur/tracking.hpp>
-#include "closures_driver.hpp"
+#include "generator/closures_driver.hpp"
 
 using Model = assur::closures::GearFiveBar;
 using Real = long double;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "command.hpp"
+#include "command/command.hpp"
 
 namespace assur::test::determinism_test {
 namespace {

@@ -13,10 +13,10 @@
 #include <set>
 #include <sstream>
 
-#include "command.hpp"
-#include "exact_assembly.hpp"
+#include "command/command.hpp"
 #include "largest.hpp"
-#include "model_types.hpp"
+#include "runtime/exact_assembly.hpp"
+#include "runtime/model_types.hpp"
 
 namespace assur::test::derive_test {
 namespace {

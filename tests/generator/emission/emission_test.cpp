@@ -4,7 +4,7 @@
 #include <regex>
 #include <set>
 
-#include "command.hpp"
+#include "command/command.hpp"
 
 namespace assur::test::emission_test {
 namespace {

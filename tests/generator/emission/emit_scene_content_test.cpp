@@ -7,7 +7,7 @@
 #include <sstream>
 #include <vector>
 
-#include "command.hpp"
+#include "command/command.hpp"
 
 namespace assur::test::emit_scene_content_test {
 namespace {

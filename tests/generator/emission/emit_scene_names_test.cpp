@@ -4,7 +4,7 @@
 #include <regex>
 #include <set>
 
-#include "solver_comparison.hpp"
+#include "generator/solver_comparison.hpp"
 
 namespace assur::test::emit_scene_names_test {
 namespace {

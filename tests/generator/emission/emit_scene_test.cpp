@@ -4,8 +4,8 @@
 
 #include <numeric>
 
-#include "awkward_scene.hpp"
-#include "solver_comparison.hpp"
+#include "generator/awkward_scene.hpp"
+#include "generator/solver_comparison.hpp"
 
 namespace assur::test::emit_scene_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "command.hpp"
+#include "command/command.hpp"
 
 namespace assur::test::catalogue_test {
 namespace {

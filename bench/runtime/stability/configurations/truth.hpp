@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "families.hpp"
+#include "runtime/sturm.hpp"
 #include "speed/position_samples.hpp"
 #include "stability/measure.hpp"
-#include "sturm.hpp"
 
 namespace assur::stability {
 

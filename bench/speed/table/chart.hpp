@@ -1,0 +1,16 @@
+// Turns measured rows into the columns that speed_accuracy.gp draws.
+#pragma once
+
+#include <ostream>
+#include <vector>
+
+#include "table/row.hpp"
+
+namespace assur::speed {
+
+/// A block a task, a line a row: ns, error, failures, label, family, scalar, task, height of the
+/// label, lowest and highest error of the panel. Families and scalars are numbered as the chart's
+/// legend has them.
+void write_chart_columns(const std::vector<Task>& tasks, std::ostream& out);
+
+}  // namespace assur::speed

@@ -1,0 +1,169 @@
+#include "branch_matching.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace assur::mechanism::follow {
+
+namespace {
+
+/// Turn + defect of a match may not exceed this, against one plus the size of the point: a branch
+/// that runs to infinity is followed at the scale where it is. It bounds how wide an S of two folds
+/// on one branch can be and yet be taken for a straight piece.
+constexpr double longest_bend = 0.01;
+
+/// The cubic with the values and derivatives of `left` and `right`, at a part of the interval.
+Eigen::VectorXd cubic(const ConfigurationPoint& left, const ConfigurationPoint& right, double step,
+                      double part) {
+  const double rest = 1 - part;
+  return rest * rest * (1 + 2 * part) * left.at + part * part * (1 + 2 * rest) * right.at +
+         step * part * rest * (rest * left.slope - part * right.slope);
+}
+
+/// Distance of the origin from the segment between two points.
+double distance_to_segment(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+  const Eigen::VectorXd along = to - from;
+  const double length = along.squaredNorm();
+  const double part = length > 0 ? std::clamp(-from.dot(along) / length, 0.0, 1.0) : 0.0;
+  return (from + part * along).norm();
+}
+
+class Matcher {
+ public:
+  Matcher(const Snapshot& left, const Snapshot& right)
+      : left_(left), right_(right), step_(right.parameter - left.parameter) {}
+
+  BranchMatching run() {
+    pair_up();
+    drop_bent_pairs();
+    list_alone();
+    Table<PointIndex, double> bends(left_.count(), 0.0);
+    for (const PointIndex one : left_.points.keys()) {
+      if (!result_.to_right[one].exists()) {
+        continue;
+      }
+      bends[one] = bend(one);
+      for (const PointIndex other : left_.points.keys()) {
+        if (!(other < one) || !result_.to_right[other].exists()) {
+          continue;
+        }
+        const double limit = bends[one] + bends[other];
+        if (!is_far(one, other, limit) && !(clearance(one, other) > limit)) {
+          result_.touching.push_back({other, one});
+        }
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void pair_up() {
+    result_.to_right.assign(left_.count(), PointIndex());
+    if (left_.count() == 0 || right_.count() == 0) {
+      return;
+    }
+    // Two branches that cross half-way would have no defect either if they turned back there. The
+    // turn shows that they go straight on.
+    Eigen::MatrixXd bends(left_.count(), right_.count());
+    for (const PointIndex from : left_.points.keys()) {
+      for (const PointIndex to : right_.points.keys()) {
+        bends(from.row(), to.row()) = bend(left_.points[from], right_.points[to]);
+      }
+    }
+    for (const PointIndex from : left_.points.keys()) {
+      Eigen::Index best = 0;
+      Eigen::Index back = 0;
+      bends.row(from.row()).minCoeff(&best);
+      bends.col(best).minCoeff(&back);
+      if (back == from.row()) {
+        result_.to_right[from] = PointIndex(static_cast<std::size_t>(best));
+      }
+    }
+  }
+
+  void drop_bent_pairs() {
+    for (const PointIndex point : left_.points.keys()) {
+      PointIndex& to = result_.to_right[point];
+      if (to.exists() && !(bend(point) <= longest_bend * (1 + size_of(point)))) {
+        to = PointIndex();
+      }
+    }
+  }
+
+  void list_alone() {
+    Table<PointIndex, bool> taken(right_.count(), false);
+    for (const PointIndex point : left_.points.keys()) {
+      if (result_.to_right[point].exists()) {
+        taken[result_.to_right[point]] = true;
+      } else {
+        result_.left_alone.push_back(point);
+      }
+    }
+    for (const PointIndex point : right_.points.keys()) {
+      if (!taken[point]) {
+        result_.right_alone.push_back(point);
+      }
+    }
+  }
+
+  [[nodiscard]] const ConfigurationPoint& matched(PointIndex index) const {
+    return right_.points[result_.to_right[index]];
+  }
+  [[nodiscard]] double size_of(PointIndex index) const {
+    return std::max(left_.points[index].at.norm(), matched(index).at.norm());
+  }
+  /// How far a branch may stray from its cubic: turn + defect.
+  [[nodiscard]] double bend(PointIndex index) const {
+    return bend(left_.points[index], matched(index));
+  }
+  [[nodiscard]] double bend(const ConfigurationPoint& from, const ConfigurationPoint& to) const {
+    return std::abs(step_) * (to.slope - from.slope).norm() + defect(from, to, step_);
+  }
+
+  /// Whether the cubics of two matches stay so far apart that nothing has to be sampled: both ends
+  /// are, and between them a difference D of cubics with slopes s strays from its first value by at
+  /// most |D1 - D0| + 4/27 h (|s0| + |s1|).
+  [[nodiscard]] bool is_far(PointIndex one, PointIndex other, double limit) const {
+    const ConfigurationPoint& from = left_.points[one];
+    const ConfigurationPoint& other_from = left_.points[other];
+    const ConfigurationPoint& to = matched(one);
+    const ConfigurationPoint& other_to = matched(other);
+    const double move = (to.at - other_to.at - from.at + other_from.at).norm();
+    const double slopes =
+        (from.slope - other_from.slope).norm() + (to.slope - other_to.slope).norm();
+    return (from.at - other_from.at).norm() - move - 4.0 / 27 * std::abs(step_) * slopes > limit;
+  }
+
+  /// Least distance between the cubics of two matches, each difference taken as straight between
+  /// quarters of the interval.
+  [[nodiscard]] double clearance(PointIndex one, PointIndex other) const {
+    constexpr int parts = 4;
+    const auto apart = [&](int part) -> Eigen::VectorXd {
+      const double place = static_cast<double>(part) / parts;
+      return cubic(left_.points[one], matched(one), step_, place) -
+             cubic(left_.points[other], matched(other), step_, place);
+    };
+    double least = std::numeric_limits<double>::infinity();
+    for (int part = 0; part < parts; ++part) {
+      least = std::min(least, distance_to_segment(apart(part), apart(part + 1)));
+    }
+    return least;
+  }
+
+  const Snapshot& left_;
+  const Snapshot& right_;
+  double step_;
+  BranchMatching result_;
+};
+
+}  // namespace
+
+double defect(const ConfigurationPoint& left, const ConfigurationPoint& right, double step) {
+  return (right.at - left.at - step / 2 * (left.slope + right.slope)).norm();
+}
+
+BranchMatching match(const Snapshot& left, const Snapshot& right) {
+  return Matcher(left, right).run();
+}
+
+}  // namespace assur::mechanism::follow

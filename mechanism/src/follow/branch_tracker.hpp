@@ -1,0 +1,54 @@
+// Turns successive sets of configurations into numbered branches and the events between them.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "singular_event.hpp"
+
+namespace assur::mechanism::follow {
+
+/// An event with the numbers of its branches.
+struct BranchEvent {
+  EventKind kind;
+  double parameter;
+  std::vector<int> ended;  ///< of a crossing or a degenerate set: the branches that go through
+  std::vector<int> begun;
+  int through;  ///< 0 if none
+  Configuration configuration;
+};
+
+/// Numbers branches from 1 as they appear.
+class BranchTracker {
+ public:
+  explicit BranchTracker(SnapshotSolver& solver) : solver_(solver) {}
+
+  /// The first set, or the first after a gap: every configuration begins a branch.
+  void begin(const SnapshotPointer& set);
+  /// From the current set to one further on, which must be separable; halves the interval until
+  /// all is clear.
+  void advance(const SnapshotPointer& set);
+  /// All branches end without a further set. Returns their numbers.
+  std::vector<int> stop();
+
+  [[nodiscard]] bool running() const { return current_ != nullptr; }
+  [[nodiscard]] const SnapshotPointer& current() const { return current_; }
+  /// The numbers of the current set's configurations.
+  [[nodiscard]] const Table<PointIndex, int>& branches() const { return branches_; }
+  /// Hands out the events since the last call.
+  [[nodiscard]] std::vector<BranchEvent> take_events();
+
+ private:
+  void adopt(const SnapshotPointer& set, const Table<PointIndex, PointIndex>& to_right,
+             std::vector<SingularEvent> events);
+  [[nodiscard]] SnapshotPointer between(const SnapshotPointer& set) const;
+  void give_up(const SnapshotPointer& set, const BranchMatching& matching);
+
+  SnapshotSolver& solver_;
+  SnapshotPointer current_;
+  Table<PointIndex, int> branches_;
+  std::vector<BranchEvent> events_;
+  int last_number_ = 0;
+};
+
+}  // namespace assur::mechanism::follow

@@ -1,0 +1,345 @@
+#include "singular_event.hpp"
+
+#include <algorithm>
+#include <assur/numeric/order.hpp>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <tuple>
+
+namespace assur::mechanism::follow {
+
+namespace {
+
+using Events = std::vector<SingularEvent>;
+
+/// A crossing and a gap d between two branches differ by d^2 / separation over an interval. What
+/// is below this product is a change of the lengths by rounding.
+constexpr double crossing_limit = 5e-13;
+/// A third branch within a fold: the pair must be as close, and the third as near to its middle.
+constexpr double through_separation = 2e-3;
+constexpr double through_offset = 0.02;
+/// Sizes from which on a branch may be on its way to infinity.
+constexpr double far_away = 50;
+
+/// The side of an interval where the configurations in question exist, and its other end.
+struct Side {
+  SnapshotPointer near;
+  double end;
+  bool is_left;
+
+  [[nodiscard]] double reach() const { return end - near->parameter; }
+  /// Whether an estimate lies within the interval. It may overshoot a little; the located value
+  /// may not.
+  [[nodiscard]] bool reaches(double distance, double slack) const {
+    const double part = distance / reach();
+    return part > 0 && part < 1 + slack;
+  }
+};
+
+class Explanation {
+ public:
+  Explanation(SnapshotSolver& solver, BranchMatching& matching)
+      : solver_(solver), matching_(matching) {}
+
+  [[nodiscard]] std::optional<Events> run(const SnapshotPointer& left,
+                                          const SnapshotPointer& right) {
+    if (!explain_crossings(left, right) ||
+        !explain_alone({left, right->parameter, true}, matching_.left_alone) ||
+        !explain_alone({right, left->parameter, false}, matching_.right_alone)) {
+      return std::nullopt;
+    }
+    put_in_order(right->parameter < left->parameter ? -1 : 1);
+    return std::move(events_);
+  }
+
+  /// Folds of pairs among `alone`; false if one of these is in no fold of the interval.
+  [[nodiscard]] bool explain_alone(const Side& side, std::vector<PointIndex> alone) {
+    alone.erase(std::remove_if(alone.begin(), alone.end(),
+                               [&](PointIndex index) { return explain_escape(side, index); }),
+                alone.end());
+    const std::vector<PointIndex> all = alone;
+    while (alone.size() > 1) {
+      const auto [one, other] = meeting(side, alone);
+      if (!explain_fold({side.near, one, other}, side, all)) {
+        return false;
+      }
+      alone.erase(std::remove_if(alone.begin(), alone.end(),
+                                 [&, one = one, other = other](PointIndex index) {
+                                   return index == one || index == other;
+                                 }),
+                  alone.end());
+    }
+    return alone.empty();
+  }
+
+  /// False if the pair does not meet within the interval, away from all others but those among
+  /// `alone` that meet where it does.
+  [[nodiscard]] bool explain_fold(const ConfigurationPair& pair, const Side& side,
+                                  const std::vector<PointIndex>& alone) {
+    constexpr double slack = 0.1;
+    const double distance = pair.distance_to_fold();
+    if (!side.reaches(distance, slack)) {
+      return false;
+    }
+    PointIndex through;
+    if (!is_apart_from_others(pair, distance, alone, through)) {
+      return false;
+    }
+    const auto found = locate_fold(solver_, pair, through.exists());
+    if (!found) {
+      return false;
+    }
+    // Within rounding the end itself may be the fold.
+    const double rounding = 1e-13 * std::max(std::abs(side.end), std::abs(side.near->parameter));
+    const double beyond =
+        std::abs(found->parameter - side.near->parameter) - std::abs(side.reach());
+    if (!side.reaches(found->parameter - side.near->parameter, slack) || beyond > rounding) {
+      return false;
+    }
+    SingularEvent event{side.is_left ? EventKind::fold : EventKind::birth,
+                        beyond > 0 ? side.end : found->parameter,
+                        {},
+                        {},
+                        side.is_left || !through.exists() ? through : on_left(through),
+                        found->configuration};
+    (side.is_left ? event.left : event.right) = {pair.one, pair.other};
+    events_.push_back(std::move(event));
+    return true;
+  }
+
+  [[nodiscard]] Events& events() { return events_; }
+
+ private:
+  /// Two branches shortly before they meet move towards each other, and their middle hardly moves.
+  [[nodiscard]] static bool head_on(const ConfigurationPair& pair) {
+    const Eigen::VectorXd& one = pair.first().slope;
+    const Eigen::VectorXd& other = pair.second().slope;
+    return (one + other).norm() < 0.05 * (one.norm() + other.norm());
+  }
+
+  /// The pair that is to meet next: the closest of those that run head-on, or else the closest.
+  /// Where several pairs meet in one configuration, the closest belong to different ones.
+  static std::pair<PointIndex, PointIndex> meeting(const Side& side,
+                                                   const std::vector<PointIndex>& among) {
+    std::pair<PointIndex, PointIndex> best{among[0], among[1]};
+    double least = std::numeric_limits<double>::infinity();
+    bool best_is_head_on = false;
+    for (const PointIndex one : among) {
+      for (const PointIndex other : among) {
+        if (!(one < other)) {
+          continue;
+        }
+        const ConfigurationPair pair{side.near, one, other};
+        const bool is_head_on = head_on(pair) && side.reaches(pair.distance_to_fold(), 0.1);
+        const double distance = pair.separation();
+        if (is_head_on == best_is_head_on ? distance < least : is_head_on) {
+          least = distance;
+          best = {one, other};
+          best_is_head_on = is_head_on;
+        }
+      }
+    }
+    return best;
+  }
+
+  /// Whether a branch meets another one of `alone` in the middle of the pair.
+  [[nodiscard]] static bool meets_there(PointIndex point, const ConfigurationPair& pair,
+                                        const std::vector<PointIndex>& alone) {
+    const auto is_alone = [&](PointIndex index) {
+      return std::find(alone.begin(), alone.end(), index) != alone.end();
+    };
+    return is_alone(point) && std::any_of(alone.begin(), alone.end(), [&](PointIndex other) {
+             const ConfigurationPair there{pair.set, point, other};
+             const Eigen::VectorXd offset =
+                 (there.first().at + there.second().at - pair.first().at - pair.second().at) / 2;
+             return other != point && head_on(there) && offset.norm() < 0.1 * there.separation();
+           });
+  }
+
+  [[nodiscard]] PointIndex on_left(PointIndex right) const {
+    for (const PointIndex left : matching_.to_right.keys()) {
+      if (matching_.to_right[left] == right) {
+        return left;
+      }
+    }
+    return {};
+  }
+
+  /// No other configuration is near the pair or where it will meet, but perhaps one right between.
+  [[nodiscard]] static bool is_apart_from_others(const ConfigurationPair& pair, double distance,
+                                                 const std::vector<PointIndex>& alone,
+                                                 PointIndex& through) {
+    const double separation = pair.separation();
+    const Eigen::VectorXd middle = (pair.first().at + pair.second().at) / 2;
+    const Eigen::VectorXd middle_slope = (pair.first().slope + pair.second().slope) / 2;
+    for (const PointIndex other : pair.set->points.keys()) {
+      if (other == pair.one || other == pair.other) {
+        continue;
+      }
+      const ConfigurationPoint& point = pair.set->points[other];
+      const Eigen::VectorXd offset = point.at - middle;
+      const Eigen::VectorXd later = offset + distance * (point.slope - middle_slope);
+      if ((offset.norm() > 2 * separation && later.norm() > separation) ||
+          (head_on(pair) && meets_there(other, pair, alone))) {
+        continue;
+      }
+      if (through.exists() || separation > through_separation ||
+          offset.norm() > through_offset * separation) {
+        return false;
+      }
+      through = other;
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool explain_escape(const Side& side, PointIndex index) {
+    constexpr double slack = 0.1;
+    const ConfigurationPoint& point = side.near->points[index];
+    if (point.at.norm() < far_away || !side.reaches(distance_to_escape(point), slack)) {
+      return false;
+    }
+    const auto found = locate_escape(solver_, side.near, index);
+    if (!found || !side.reaches(found->parameter - side.near->parameter, 0)) {
+      return false;
+    }
+    SingularEvent event{side.is_left ? EventKind::escape : EventKind::arrival,
+                        found->parameter,
+                        {},
+                        {},
+                        PointIndex(),
+                        found->configuration};
+    (side.is_left ? event.left : event.right) = {index};
+    events_.push_back(std::move(event));
+    return true;
+  }
+
+  /// Crossings; other bundles of branches may be folds and births at one place.
+  [[nodiscard]] bool explain_crossings(const SnapshotPointer& left, const SnapshotPointer& right) {
+    for (const std::vector<PointIndex>& bundle : bundles(left->count())) {
+      if (!is_crossing(bundle, left, right)) {
+        for (const PointIndex index : bundle) {
+          PointIndex& to = matching_.to_right[index];
+          matching_.left_alone.push_back(index);
+          matching_.right_alone.push_back(to);
+          to = PointIndex();
+        }
+        continue;
+      }
+      const auto [before, after] = pairs(left, right, bundle[0], bundle[1]);
+      const auto found = locate_crossing(solver_, before, after);
+      if (!found ||
+          (found->parameter - left->parameter) * (found->parameter - right->parameter) > 0) {
+        return false;
+      }
+      events_.push_back(
+          {EventKind::crossing, found->parameter, bundle, {}, PointIndex(), found->configuration});
+    }
+    matching_.touching.clear();
+    return true;
+  }
+
+  /// Two matched configurations on both sides.
+  [[nodiscard]] std::pair<ConfigurationPair, ConfigurationPair> pairs(const SnapshotPointer& left,
+                                                                      const SnapshotPointer& right,
+                                                                      PointIndex one,
+                                                                      PointIndex other) const {
+    return {{left, one, other}, {right, matching_.to_right[one], matching_.to_right[other]}};
+  }
+
+  [[nodiscard]] bool is_crossing(const std::vector<PointIndex>& bundle, const SnapshotPointer& left,
+                                 const SnapshotPointer& right) const {
+    for (const PointIndex one : bundle) {
+      for (const PointIndex other : bundle) {
+        const auto [before, after] = pairs(left, right, one, other);
+        if (one < other && !is_crossing(before, after)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /// By parameter; what differs by rounding alone, folds first, and then as the sets are listed.
+  void put_in_order(double sense) {
+    const double rounding = 1e-10 * std::abs(solver_.to() - solver_.from());
+    const auto before = [=](const SingularEvent& one, const SingularEvent& other) {
+      const double difference = one.parameter - other.parameter;
+      if (std::abs(difference) > rounding) {
+        return sense * difference < 0;
+      }
+      return one.kind != other.kind
+                 ? one.kind < other.kind
+                 : std::tie(one.left, one.right) < std::tie(other.left, other.right);
+    };
+    // What is equal but for rounding is no order that a faster sort could rely on.
+    numeric::insertion_sort(
+        events_.size(),
+        [&](std::size_t one, std::size_t other) { return before(events_[one], events_[other]); },
+        [&](std::size_t one, std::size_t other) { std::swap(events_[one], events_[other]); });
+  }
+
+  /// The branches that touch one another, directly or through others; two or more each.
+  [[nodiscard]] std::vector<std::vector<PointIndex>> bundles(std::size_t count) const {
+    Table<PointIndex, PointIndex> leader(count);
+    for (const PointIndex point : leader.keys()) {
+      leader[point] = point;
+    }
+    for (const TouchingPair& pair : matching_.touching) {
+      const PointIndex from = leader[pair.one];
+      const PointIndex to = leader[pair.other];
+      std::replace(leader.begin(), leader.end(), std::max(from, to), std::min(from, to));
+    }
+    Table<PointIndex, std::vector<PointIndex>> lists(count);
+    for (const PointIndex point : leader.keys()) {
+      lists[leader[point]].push_back(point);
+    }
+    std::vector<std::vector<PointIndex>> bundles;
+    std::copy_if(lists.begin(), lists.end(), std::back_inserter(bundles),
+                 [](const auto& list) { return list.size() > 1; });
+    return bundles;
+  }
+
+  /// Both branches go straight through to within rounding, and their difference turns round.
+  [[nodiscard]] static bool is_crossing(const ConfigurationPair& before,
+                                        const ConfigurationPair& after) {
+    const double step = after.set->parameter - before.set->parameter;
+    const double separation = std::max(before.separation(), after.separation());
+    const double miss = std::max(defect(before.first(), after.first(), step),
+                                 defect(before.second(), after.second(), step));
+    const double turn =
+        std::abs(step) * std::max((after.first().slope - before.first().slope).norm(),
+                                  (after.second().slope - before.second().slope).norm());
+    const double change = (after.apart() - before.apart()).norm();
+    return miss * separation < crossing_limit && turn < 0.1 * separation &&
+           change > 0.9 * (before.separation() + after.separation());
+  }
+
+  SnapshotSolver& solver_;
+  BranchMatching& matching_;
+  Events events_;
+};
+
+}  // namespace
+
+std::optional<Events> explain(SnapshotSolver& solver, const SnapshotPointer& left,
+                              const SnapshotPointer& right, BranchMatching& matching) {
+  return Explanation(solver, matching).run(left, right);
+}
+
+Events folds_at_end(SnapshotSolver& solver, const SnapshotPointer& near, double end) {
+  const double sense = solver.to() < solver.from() ? -1 : 1;
+  const Side side{near, end, sense * (end - near->parameter) > 0};
+  BranchMatching nothing;
+  Explanation explanation(solver, nothing);
+  for (const PointIndex one : near->points.keys()) {
+    for (const PointIndex other : near->points.keys()) {
+      if (other < one) {
+        (void)explanation.explain_fold({near, other, one}, side, {});
+      }
+    }
+  }
+  return std::move(explanation.events());
+}
+
+}  // namespace assur::mechanism::follow

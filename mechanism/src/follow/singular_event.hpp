@@ -1,0 +1,44 @@
+// Turns an interval in which branches do not simply go on into the singular events that explain it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "branch_matching.hpp"
+#include "event_location.hpp"
+
+namespace assur::mechanism::follow {
+
+enum class EventKind : unsigned char {
+  fold,        ///< two configurations meet, and beyond there is neither
+  birth,       ///< a fold seen from its other side
+  crossing,    ///< two branches pass through one another
+  escape,      ///< a displacement grows beyond all bounds
+  arrival,     ///< an escape seen from its other side
+  degenerate,  ///< infinitely many configurations, or a verdict that there are none
+  unresolved   ///< closer together than double precision tells
+};
+
+struct SingularEvent {
+  EventKind kind;
+  double parameter;
+  std::vector<PointIndex> left;   ///< configurations of the left set that it befalls
+  std::vector<PointIndex> right;  ///< configurations of the right set that begin there
+  PointIndex through;             ///< of the left set: passes through a fold or birth; or none
+  Configuration configuration;
+};
+
+/// The events between two sets, in the order of the sweep; nothing if the interval is too long for
+/// each to be told and located by itself. Matches that turn out to be a fold and a birth at one
+/// place are dissolved.
+[[nodiscard]] std::optional<std::vector<SingularEvent>> explain(SnapshotSolver& solver,
+                                                                const SnapshotPointer& left,
+                                                                const SnapshotPointer& right,
+                                                                BranchMatching& matching);
+
+/// The folds and births that lie where the sweep's range ends: `near` is a set inside, `end` the
+/// parameter value, which has no set of its own that could be matched.
+[[nodiscard]] std::vector<SingularEvent> folds_at_end(SnapshotSolver& solver,
+                                                      const SnapshotPointer& near, double end);
+
+}  // namespace assur::mechanism::follow

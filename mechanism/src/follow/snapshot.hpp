@@ -1,0 +1,78 @@
+// Turns one value of the swept parameter into every configuration, as points of one space.
+#pragma once
+
+#include <assur/mechanism/plan.hpp>
+#include <memory>
+#include <vector>
+
+namespace assur::mechanism::follow {
+
+/// One configuration as a point: (x / L, y / L, cos theta, sin theta) of every link, with L a
+/// length of the mechanism, and the derivative of that with respect to the swept parameter.
+struct ConfigurationPoint {
+  Eigen::VectorXd at;
+  Eigen::VectorXd slope;
+};
+/// A configuration of one set, by its place there.
+using PointIndex = Index<ConfigurationPoint>;
+
+/// Every configuration at one value of the swept parameter.
+struct Snapshot {
+  double parameter;
+  Spread spread;
+  Solution solution;
+  Table<PointIndex, ConfigurationPoint> points;  ///< in the order of the solution's configurations
+  /// Every configuration is known, regular and apart from all others, so that each can be followed.
+  bool separable = true;
+
+  [[nodiscard]] std::size_t count() const { return points.size(); }
+  [[nodiscard]] const Configuration& configuration(PointIndex point) const {
+    return solution.configurations[point.place()];
+  }
+};
+using SnapshotPointer = std::shared_ptr<const Snapshot>;
+
+/// Solves a mechanism anywhere within its sweep, with one set of values that it moves.
+class SnapshotSolver {
+ public:
+  /// The plan's request must have a sweep, and the plan must outlive the solver. All parameters but
+  /// the swept one are as in `values`.
+  SnapshotSolver(const Plan& plan, const Values& values);
+
+  /// At a step of the sweep. Throws MechanismError where it cannot be solved in doubles.
+  [[nodiscard]] SnapshotPointer at_step(double parameter);
+  /// Anywhere: what `at_step` throws is the reason of a degenerate solution.
+  [[nodiscard]] SnapshotPointer at(double parameter);
+  /// The mechanism's values there. They change with the next call.
+  [[nodiscard]] const Values& values_at(double parameter);
+
+  [[nodiscard]] const Plan& plan() const { return plan_; }
+  [[nodiscard]] const Sweep& sweep() const { return *plan_.request().sweep; }
+  [[nodiscard]] double from() const { return from_; }
+  [[nodiscard]] double to() const { return to_; }
+  /// A length of the mechanism, the unit of the points.
+  [[nodiscard]] double length() const { return length_; }
+  /// Whether a value lies between the sweep's ends.
+  [[nodiscard]] bool covers(double parameter) const {
+    return (parameter - from_) * (parameter - to_) <= 0;
+  }
+
+ private:
+  /// With its configurations' points, and whether these can be told apart.
+  [[nodiscard]] SnapshotPointer completed(Snapshot snapshot) const;
+  [[nodiscard]] ConfigurationPoint point_of_space(const Configuration& configuration) const;
+
+  using Spares = std::vector<Solution>;
+
+  const Plan& plan_;
+  Values values_;
+  /// Solutions of snapshots that are gone, for the memory that they hold. Snapshots may outlive the
+  /// solver.
+  std::shared_ptr<Spares> spares_ = std::make_shared<Spares>();
+  Eigen::Index column_;  ///< of the derivatives to the swept parameter
+  double from_ = 0;
+  double to_ = 0;
+  double length_ = 1;
+};
+
+}  // namespace assur::mechanism::follow

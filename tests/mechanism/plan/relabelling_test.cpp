@@ -1,0 +1,83 @@
+// Law, over all 64 kinds: a scene gives the same configurations in the same order however its links
+// and joints are listed, and the one from which it was made is among them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <assur/tetrad/models.hpp>
+#include <numeric>
+
+#include "largest.hpp"
+#include "mechanism/kind_scene.hpp"
+#include "mechanism/solved.hpp"
+
+namespace assur::test::relabelling_test {
+namespace {
+
+/// Angles of the links by name, per configuration.
+std::vector<std::map<std::string, double>> angles(const std::string& text) {
+  const Solved solved(mechanism::parse_scene(text, "scene"));
+  std::vector<std::map<std::string, double>> result;
+  for (const Configuration& configuration : solved.configurations()) {
+    result.emplace_back();
+    for (const mechanism::LinkIndex link : configuration.links.keys()) {
+      result.back()[solved.plan.mechanism().links()[link].name] =
+          angle_of(configuration.links[link].pose.direction);
+    }
+  }
+  return result;
+}
+
+double apart(double one, double other) {
+  return std::abs(std::remainder(one - other, 2 * std::acos(-1.0)));
+}
+
+template <typename Model>
+void check_kinds(int& groups) {
+  if constexpr (Model::rigid) {
+    for (const auto& roles : Model::kinds) {
+      for (unsigned sample = 0; sample < 3; ++sample) {
+        const unsigned seed = 300 * static_cast<unsigned>(Model::number) + sample;
+        SCOPED_TRACE(std::string(roles.kind) + ", seed " + std::to_string(seed));
+        const KindInSpace<Model> space(roles, seed);
+        std::vector<std::size_t> links(4);
+        std::vector<std::size_t> joints(6);
+        std::iota(links.begin(), links.end(), std::size_t{0});
+        std::iota(joints.begin(), joints.end(), std::size_t{0});
+        const auto reference = angles(scene_text(space, links, joints));
+        const bool made_is_found =
+            std::any_of(reference.begin(), reference.end(), [&](const auto& configuration) {
+              double worst = 0;
+              for (std::size_t link = 0; link < 4; ++link) {
+                worst = largest(worst, apart(configuration.at("L" + std::to_string(link)),
+                                             static_cast<double>(space.bodies.poses[link].theta)));
+              }
+              return worst < 1e-6;
+            });
+        EXPECT_TRUE(made_is_found);
+        std::mt19937 engine(seed);
+        for (int relabelling = 0; relabelling < 4; ++relabelling) {
+          std::shuffle(links.begin(), links.end(), engine);
+          std::shuffle(joints.begin(), joints.end(), engine);
+          const auto relabelled = angles(scene_text(space, links, joints));
+          ASSERT_EQ(relabelled.size(), reference.size());
+          for (std::size_t index = 0; index < reference.size(); ++index) {
+            for (const auto& [link, angle] : reference[index]) {
+              EXPECT_LT(apart(angle, relabelled[index].at(link)), 1e-8);
+            }
+          }
+        }
+        ++groups;
+      }
+    }
+  }
+}
+
+TEST(Relabelling, KeepsConfigurationsAndTheirOrder) {
+  int groups = 0;
+  std::apply([&](auto... model) { (check_kinds<decltype(model)>(groups), ...); }, tetrad::Models());
+  std::cout << groups << " groups, each in five listings\n";
+  EXPECT_GT(groups, 100);
+}
+
+}  // namespace
+}  // namespace assur::test::relabelling_test

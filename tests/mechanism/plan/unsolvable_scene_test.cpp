@@ -1,0 +1,147 @@
+// Law: a scene that is no chain of driven links and known groups is refused by one line that names
+// its links or joints.
+#include <gtest/gtest.h>
+
+#include "mechanism/bars.hpp"
+
+namespace assur::test::unsolvable_scene_test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string message_of(const Json& json) {
+  try {
+    (void)solved(json);
+  } catch (const mechanism::InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// A dyad of the crank and a second crank-rocker that is all right and must not be blamed.
+TEST(Imbalance, NamesTheLinksAndJointsThatAreHeldTooOften) {
+  Bars bars;
+  bars.four_bar().bar("strut", "coupler.E", "ground.A");
+  bars.point("ground", "H", 1, -2).bar("left", "crank.B", "").bar("right", "ground.H", "");
+  bars.join("T", {"left.Q", "right.Q"});
+  EXPECT_EQ(message_of(bars.json()),
+            "scene: joints: over-constrained by 1: the joints B, C, D, strut_P, strut_Q hold the "
+            "links coupler, rocker, strut more often than they can move; take a joint or a driver "
+            "away");
+}
+
+TEST(Imbalance, NamesTheLinksThatKeepAFreedom) {
+  Bars bars;
+  bars.four_bar().bar("left", "coupler.E", "").bar("right", "left.Q", "");
+  EXPECT_EQ(message_of(bars.json()),
+            "scene: links: under-constrained by 2: the links left, right keep a freedom; drive one "
+            "of their joints, or add a joint");
+  Bars undriven;
+  undriven.four_bar().json().erase("drivers");
+  EXPECT_EQ(
+      message_of(undriven.json()),
+      "scene: links: under-constrained by 1: the links crank, coupler, rocker keep a freedom; "
+      "drive one of their joints, or add a joint");
+}
+
+/// As many freedoms as constraints, and no structure all the same.
+TEST(Imbalance, NamesBothAtOnce) {
+  Bars bars;
+  bars.four_bar().bar("strut", "coupler.E", "ground.A").bar("loose", "crank.B", "");
+  EXPECT_EQ(message_of(bars.json()),
+            "scene: joints: over-constrained by 1: the joints B, C, D, strut_P, strut_Q hold the "
+            "links coupler, rocker, strut more often than they can move; take a joint or a driver "
+            "away; elsewhere under-constrained by 1: the links loose keep a freedom; drive one of "
+            "their joints, or add a joint");
+}
+
+TEST(Imbalance, OfDriversNamesTheJointBetweenPlacedLinks) {
+  Bars bars;
+  bars.four_bar().point("other", "A", 0, 0).point("other", "B", 1, 0).point("ground", "F", 0, 1);
+  bars.join("F", {"ground.F", "other.A"}).join("G", {"other.B", "crank.B"});
+  bars.json()["drivers"]["F"]["position"] = 0.1;
+  EXPECT_EQ(
+      message_of(bars.json()),
+      "scene: joints: over-constrained by 2: the joints G join links that are placed already; "
+      "take a joint or a driver away");
+}
+
+TEST(Drivers, BetweenPlacedLinksAreNamed) {
+  Bars bars;
+  bars.four_bar().point("ground", "F", 0, 1).point("crank", "F", 0, 1);
+  bars.join("F", {"ground.F", "crank.F"}).json()["drivers"]["F"]["position"] = 0;
+  EXPECT_EQ(message_of(bars.json()),
+            "scene: drivers.F: the driven joint joins the links ground, crank, which are placed "
+            "already; take this driver or another one away");
+}
+
+const std::string between_moving_links =
+    ", and neither is the ground or a driven link; drive a joint at the ground or at a driven "
+    "link, or make the two one link that has the driven position as a parameter";
+
+TEST(Drivers, OfAnAngleBetweenMovingLinksAreNamed) {
+  Bars bars;
+  bars.four_bar().json()["drivers"]["C"]["position"] = 0;
+  EXPECT_EQ(
+      message_of(bars.json()),
+      "scene: drivers.C: the driven joint joins the links coupler, rocker" + between_moving_links);
+}
+
+/// A boom on a cylinder, which drives it in place of the crank.
+TEST(Drivers, OfACylinderBetweenMovingLinksAreNamed) {
+  const Json axis = {{"through", {0, 0}}, {"along", {1, 0}}};
+  Bars bars;
+  bars.point("ground", "G", 3, 0).bar("boom", "ground.G", "");
+  bars.point("tube", "P", 0, 0).point("rod", "Q", 0, 0);
+  bars.join("P", {"crank.B", "tube.P"}).join("Q", {"boom.Q", "rod.Q"});
+  Json& scene = bars.json();
+  scene["links"]["tube"]["axis"] = scene["links"]["rod"]["axis"] = axis;
+  scene["joints"]["stroke"] = {{"type", "prismatic"}, {"between", {"tube.axis", "rod.axis"}}};
+  scene["drivers"]["stroke"] = {{"position", 2.5}, {"velocity", 0.1}};
+  EXPECT_EQ(message_of(scene), "scene: drivers.stroke: the driven joint joins the links tube, rod" +
+                                   between_moving_links);
+  // The mend that the line names.
+  scene["links"].erase("tube");
+  scene["links"]["rod"] = {{"P", {0, 0}}, {"Q", {"stroke", 0}}};
+  scene["parameters"]["stroke"] = 2.5;
+  scene["joints"].erase("stroke");
+  scene["drivers"].erase("stroke");
+  bars.join("P", {"crank.B", "rod.P"});
+  EXPECT_EQ(solved(scene).configurations().size(), 2U);
+}
+
+/// Six links of class four: a contour of four links, two of them on bars to the ground.
+TEST(UnknownGroup, OfClassFourIsNamed) {
+  Bars bars;
+  for (const char* link : {"one", "two", "three", "four"}) {
+    bars.point(link, "P", 0, 0).point(link, "Q", 2, 0).point(link, "R", 1, 1);
+  }
+  bars.point("ground", "F", 3, 3).point("ground", "G", 3, -3);
+  bars.join("12", {"one.Q", "two.P"}).join("23", {"two.Q", "three.P"});
+  bars.join("34", {"three.Q", "four.P"}).join("41", {"four.Q", "one.P"});
+  bars.bar("five", "one.R", "crank.B").bar("six", "two.R", "ground.F");
+  bars.join("G", {"ground.G", "three.R"});
+  EXPECT_EQ(message_of(bars.json()),
+            "scene: links: the links one, two, three, four, five, six can only be solved together, "
+            "as a group of class 4 with 6 links, which is not known here (known: dyad, triad, "
+            "tetrad)");
+}
+
+TEST(UnknownGroup, OfClassFiveIsNamed) {
+  Bars bars;
+  for (const char* link : {"one", "two", "three", "four", "five"}) {
+    bars.point(link, "P", 0, 0).point(link, "Q", 2, 0).point(link, "R", 1, 1);
+  }
+  bars.point("ground", "F", 3, 3).point("ground", "G", 3, -3);
+  bars.join("12", {"one.Q", "two.P"}).join("23", {"two.Q", "three.P"});
+  bars.join("34", {"three.Q", "four.P"}).join("45", {"four.Q", "five.P"});
+  bars.join("51", {"five.Q", "one.P"}).bar("six", "two.R", "crank.B");
+  bars.join("F", {"ground.F", "one.R"}).join("G", {"ground.G", "four.R"});
+  EXPECT_EQ(message_of(bars.json()),
+            "scene: links: the links one, two, three, four, five, six can only be solved together, "
+            "as a group of class 5 with 6 links, which is not known here (known: dyad, triad, "
+            "tetrad)");
+}
+
+}  // namespace
+}  // namespace assur::test::unsolvable_scene_test

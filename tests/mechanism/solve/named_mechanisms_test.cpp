@@ -1,0 +1,172 @@
+// Law: mechanisms that everybody knows are answered as everybody knows, where they are in special
+// position.
+#include <gtest/gtest.h>
+
+#include <assur/mechanism/report.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "mechanism/solved.hpp"
+#include "mechanism/sweep_runs.hpp"
+
+namespace assur::test::named_mechanisms_test {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A four-bar whose crank turns at unit rate.
+Json four_bar(double crank, double coupler, double rocker, double ground, const std::string& phi) {
+  return {{"parameters", {{"phi", phi}}},
+          {"links",
+           {{"ground", {{"A", {0, 0}}, {"D", {ground, 0}}}},
+            {"crank", {{"A", {0, 0}}, {"B", {crank, 0}}}},
+            {"coupler", {{"B", {0, 0}}, {"C", {coupler, 0}}}},
+            {"rocker", {{"D", {0, 0}}, {"C", {rocker, 0}}}}}},
+          {"joints",
+           {{"A", {{"type", "revolute"}, {"between", {"ground.A", "crank.A"}}}},
+            {"B", {{"type", "revolute"}, {"between", {"crank.B", "coupler.B"}}}},
+            {"C", {{"type", "revolute"}, {"between", {"coupler.C", "rocker.C"}}}},
+            {"D", {{"type", "revolute"}, {"between", {"ground.D", "rocker.D"}}}}}},
+          {"drivers", {{"A", {{"position", "phi"}, {"velocity", 1}}}}}};
+}
+
+TEST(NamedMechanisms, AFlatParallelogramHasNoRates) {
+  const mechanism::Plan plan(mechanism::parse_scene(four_bar(2, 3, 2, 3, "0").dump(), "scene"));
+  const mechanism::Values values = plan.values();
+  const mechanism::Solution solution = plan.solve(values);
+  ASSERT_EQ(solution.configurations.size(), 1U);
+  EXPECT_EQ(solution.configurations[0].regularity, Status::near_singular);
+  const Json links = Json::parse(
+      mechanism::report_json({plan, values, solution, "", 0}))["configurations"][0]["links"];
+  EXPECT_EQ(links["crank"]["velocity"], Json({0, 0, 1}));
+  EXPECT_EQ(links["rocker"]["velocity"], Json({nullptr, nullptr, nullptr}));
+}
+
+TEST(NamedMechanisms, AKiteFoldedOnItselfTurnsFreely) {
+  const Solved kite(mechanism::parse_scene(four_bar(2, 3, 3, 2, "0").dump(), "scene"));
+  EXPECT_EQ(kite.solution.status, mechanism::SolutionStatus::degenerate);
+  EXPECT_EQ(kite.solution.mobility, 1);
+  ASSERT_EQ(kite.solution.families.size(), 1U);
+}
+
+TEST(NamedMechanisms, ThreeEqualParallelCranksMoveBesideTwoAssembliesThatStand) {
+  Json scene = {{"links",
+                 {{"ground", {{"A", {0, 0}}, {"B", {2, 0}}, {"C", {4, 1}}}},
+                  {"platform", {{"a", {0, 0}}, {"b", {2, 0}}, {"c", {4, 1}}}}}},
+                {"joints", Json::object()}};
+  for (const std::string name : {"A", "B", "C"}) {
+    const std::string crank = "crank_" + name;
+    const std::string on_platform(1, static_cast<char>(name[0] - 'A' + 'a'));
+    scene["links"][crank] = {{"x", {0, 0}}, {"y", {2, 0}}};
+    scene["joints"][name] = {{"type", "revolute"}, {"between", {"ground." + name, crank + ".x"}}};
+    scene["joints"][on_platform] = {{"type", "revolute"},
+                                    {"between", {crank + ".y", "platform." + on_platform}}};
+  }
+  const Solved cranks(mechanism::parse_scene(scene.dump(), "scene"));
+  EXPECT_EQ(cranks.solution.status, mechanism::SolutionStatus::ok);
+  ASSERT_EQ(cranks.solution.families.size(), 1U);
+  EXPECT_EQ(cranks.solution.families[0].mobility, 1);
+  ASSERT_EQ(cranks.configurations().size(), 2U);
+  for (const mechanism::Configuration& configuration : cranks.configurations()) {
+    EXPECT_EQ(configuration.regularity, Status::ok);
+  }
+}
+
+/// Parallelogram, antiparallelogram and rhombus pass through their change points, on a step and
+/// beside it, and in either order of listing.
+TEST(NamedMechanisms, ChangePointsAreCrossings) {
+  struct Case {
+    double crank, coupler;
+    double from, to;
+    int crossings;
+  };
+  for (const Case& at : {Case{2, 3, -1, 1, 1}, Case{2, 2, 2, 4, 1}, Case{3, 2, -1, 7, 3}}) {
+    for (const int count : {5, 9, 12, 33}) {
+      SCOPED_TRACE(count);
+      Json scene = four_bar(at.crank, at.coupler, at.crank, at.coupler, "0");
+      scene["sweep"] = {{"parameter", "phi"}, {"from", at.from}, {"to", at.to}, {"count", count}};
+      const SweepKept kept = run_sweep(mechanism::parse_scene(scene.dump(), "scene"));
+      EXPECT_EQ(kept.count_of("crossing"), at.crossings);
+      EXPECT_EQ(static_cast<int>(kept.events.size()), at.crossings);
+    }
+  }
+}
+
+/// The mechanism's size tells what is close to a change point, not the length of the sweep.
+TEST(NamedMechanisms, ChangePointsAreCrossingsOfShortSweepsToo) {
+  struct Case {
+    double crank, coupler, rocker, ground;
+    double at;
+  };
+  const double half_turn = 3.141592653589793;
+  for (const Case& bars : {Case{2, 4, 2, 4, 0}, Case{2, 4, 2, 4, half_turn},
+                           Case{3, 3, 3, 3, half_turn}, Case{4, 4, 2, 2, 0}}) {
+    for (const double half : {1e-1, 1e-2, 4e-3, 1e-3, 1e-4, 1e-5}) {
+      for (const double before : {half, 0.63 * half}) {
+        for (const int count : {2, 3, 4, 5, 8, 9}) {
+          SCOPED_TRACE(testing::Message() << bars.coupler << " " << bars.at << " " << half << " "
+                                          << before << " " << count);
+          Json scene = four_bar(bars.crank, bars.coupler, bars.rocker, bars.ground, "0");
+          scene["sweep"] = {{"parameter", "phi"},
+                            {"from", bars.at - before},
+                            {"to", bars.at + half},
+                            {"count", count}};
+          const SweepKept kept = run_sweep(mechanism::parse_scene(scene.dump(), "scene"));
+          EXPECT_EQ(kept.count_of("crossing"), 1);
+          EXPECT_EQ(kept.events.size(), 1U);
+        }
+      }
+    }
+  }
+}
+
+/// Each of several parallelograms in a row may fold over at their common change point. Each loses
+/// as many digits again as the one before it, so in short sweeps only two of them can be followed.
+TEST(NamedMechanisms, ChangePointsOfParallelogramsInARowAreCrossings) {
+  for (const double half : {1.0, 0.1, 0.01}) {
+    for (const int parallelograms : {1, 2, 3}) {
+      if (parallelograms == 3 && half < 1) {
+        continue;
+      }
+      SCOPED_TRACE(testing::Message() << parallelograms << " parallelograms, " << half);
+      Json scene = {
+          {"parameters", {{"phi", 0}}},
+          {"links", {{"ground", {{"A", {0, 0}}}}, {"crank", {{"A", {0, 0}}, {"N", {6, 0}}}}}},
+          {"joints", {{"A", {{"type", "revolute"}, {"between", {"ground.A", "crank.A"}}}}}},
+          {"drivers", {{"A", {{"position", "phi"}}}}},
+          {"want", {"position"}}};
+      std::string before = "crank";
+      int place = 0;
+      for (int index = 0; index < parallelograms; ++index) {
+        const std::string number = std::to_string(index);
+        const int length = 11 - 2 * index;
+        place += length;
+        const std::string coupler = "coupler" + number;
+        const std::string rocker = "rocker" + number;
+        scene["links"]["ground"]["D" + number] = {place, 0};
+        scene["links"][coupler] = {{"B", {0, 0}}, {"C", {length, 0}}};
+        scene["links"][rocker] = {{"D", {0, 0}}, {"C", {6, 0}}, {"N", {6, 0}}};
+        const auto joined = [](const std::string& one, const std::string& other) {
+          return Json{{"type", "revolute"}, {"between", {one, other}}};
+        };
+        scene["joints"]["B" + number] = joined(before + ".N", coupler + ".B");
+        scene["joints"]["C" + number] = joined(coupler + ".C", rocker + ".C");
+        scene["joints"]["D" + number] = joined("ground.D" + number, rocker + ".D");
+        before = rocker;
+      }
+      const double half_turn = 3.141592653589793;
+      scene["sweep"] = {{"parameter", "phi"},
+                        {"from", half_turn - half},
+                        {"to", half_turn + 0.8 * half},
+                        {"count", 20}};
+      const SweepKept kept = run_sweep(mechanism::parse_scene(scene.dump(), "scene"));
+      ASSERT_EQ(kept.events.size(), 1U);
+      EXPECT_EQ(kept.events[0].kind(), "crossing");
+      EXPECT_EQ(std::count(kept.events[0].text.begin(), kept.events[0].text.end(), ' '),
+                1 << parallelograms);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace assur::test::named_mechanisms_test

@@ -1,0 +1,57 @@
+// Makes a scene whose names are no identifiers of C++, for the tests of emitted solvers.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "generator/solve_readings.hpp"
+
+namespace assur::test {
+
+inline nlohmann::ordered_json renamed_keys(const nlohmann::ordered_json& object,
+                                           const std::map<std::string, std::string>& names) {
+  nlohmann::ordered_json result = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : object.items()) {
+    const auto found = names.find(name);
+    result[found == names.end() ? name : found->second] = value;
+  }
+  return result;
+}
+
+inline void rename_link(nlohmann::ordered_json& reference,
+                        const std::map<std::string, std::string>& links) {
+  const std::string text = reference;
+  const std::size_t dot = text.find('.');
+  const auto found = links.find(text.substr(0, dot));
+  if (found != links.end()) {
+    reference = found->second + text.substr(dot);
+  }
+}
+
+/// The quick return with names that are no identifiers, are keywords, are words of the solver, or
+/// become equal.
+inline nlohmann::ordered_json awkward_scene() {
+  const std::map<std::string, std::string> links = {
+      {"crank", "class"}, {"rocker", "1-2"}, {"link", "1 2"}, {"ram", "slide_S"}};
+  const std::map<std::string, std::string> joints = {
+      {"A", "1-2"}, {"B", "class"}, {"C", ""}, {"D", "\"D\\"}};
+  nlohmann::ordered_json scene =
+      scene_json(std::filesystem::path(ASSUR_EXAMPLES) / "shaper_quick_return.json");
+  for (auto& [name, joint] : scene["joints"].items()) {
+    for (nlohmann::ordered_json& reference : joint["between"]) {
+      rename_link(reference, links);
+    }
+  }
+  for (auto& [name, reference] : scene["outputs"].items()) {
+    rename_link(reference, links);
+  }
+  scene["name"] = "a <b> & \"c\" {{file}} \\";
+  scene["links"] = renamed_keys(scene["links"], links);
+  scene["joints"] = renamed_keys(scene["joints"], joints);
+  scene["drivers"] = renamed_keys(scene["drivers"], joints);
+  scene["outputs"] = renamed_keys(scene["outputs"], {{"tool", "\u00e9\n"}, {"C", "__Drivers"}});
+  return scene;
+}
+
+}  // namespace assur::test

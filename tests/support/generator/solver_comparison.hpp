@@ -1,0 +1,160 @@
+// Turns scenes into a program of their emitted solvers, and compares what it prints with what
+// `assur solve` says.
+#pragma once
+
+#include "generator/solve_readings.hpp"
+
+namespace assur::test {
+
+/// Relative to the largest number of its sort in the configuration.
+inline constexpr double agreement = 1e-12;
+
+inline const std::string warnings_as_errors = " -Wall -Wextra -Wconversion -Wshadow -Werror ";
+
+/// Emits the solver below a directory.
+inline void emit_solver(const EmittedScene& scene, const TemporaryDirectory& directory) {
+  const CommandResult emitted =
+      run_assur("emit --scene '" + scene.file.string() + "' --output " + directory.path().string());
+  ASSERT_EQ(emitted.status, 0) << emitted.messages;
+}
+
+/// Runs a compiler over a file of C++17 that includes solvers from the directory. What a solver
+/// leaves unset is not a number.
+inline void compile(const std::string& compiler, const std::string& options,
+                    const std::filesystem::path& source, const TemporaryDirectory& directory) {
+  const std::string root = directory.path().string();
+  const std::string line = compiler + " -std=c++17 -DEIGEN_INITIALIZE_MATRICES_BY_NAN" +
+                           warnings_as_errors + options + " -I" + root +
+                           " -I" ASSUR_RUNTIME " -isystem " ASSUR_EIGEN " " + source.string() +
+                           " 2> " + root + "/errors";
+  ASSERT_EQ(std::system(line.c_str()), 0)
+      << compiler << ": " << read_file(directory.path() / "errors").substr(0, 4000);
+}
+
+/// Has clang++, if there is one, read a file as well.
+inline void check_by_clang(const std::filesystem::path& source,
+                           const TemporaryDirectory& directory) {
+  if (const std::string clang = ASSUR_CLANG; !clang.empty()) {
+    compile(clang, "-fsyntax-only", source, directory);
+  }
+}
+
+/// The entry of a parameter; infinity where it is not modelled.
+inline constexpr const char* program_head = R"(#include <cstdio>
+#include <cstring>
+#include <limits>
+template <typename Solver, typename Matrix>
+double sensitivity(const Matrix& matrix, const char* parameter, int row) {
+  for (int column = 0; column < Solver::parameter_count; ++column) {
+    if (std::strcmp(Solver::parameters[static_cast<std::size_t>(column)], parameter) == 0) {
+      return matrix(row, column);
+    }
+  }
+  return std::numeric_limits<double>::infinity();
+}
+)";
+
+/// Prints, for each step, the number of configurations and then every reading of each.
+inline std::string printing_function(const EmittedScene& scene, const SolveReadings& expected,
+                                     const std::string& name) {
+  std::ostringstream code;
+  code.precision(17);
+  code << "template <typename S>\nvoid " << name
+       << "_state(const typename S::template State<double>& s) {\n";
+  const auto listed = std::find_if(expected.begin(), expected.end(),
+                                   [](const auto& step) { return !step.empty(); });
+  if (listed != expected.end()) {
+    for (const Reading& reading : listed->front()) {
+      code << "  std::printf(\"%.17g\\n\", " << reading.code << ");\n";
+    }
+  }
+  code << "  (void)s;\n}\nvoid " << name << "() {\n  using S = assur::scenes::" << scene.solver
+       << ";\n  std::array<S::State<double>, S::max_configurations> states;\n";
+  const auto drivers = scene_json(scene.file).value("drivers", nlohmann::ordered_json::object());
+  for (const double step : driver_steps) {
+    code << "  {\n    S::Drivers<double> drivers;\n";
+    for (const auto& [joint, driver] : drivers.items()) {
+      code << "    drivers." << scene.member(joint) << ".position += " << step << ";\n";
+    }
+    code << "    const S::Solution found = S::solve(drivers, states);\n"
+         << "    std::printf(\"%d\\n\", found.count);\n"
+         << "    for (int i = 0; i < found.count; ++i) {\n      " << name
+         << "_state<S>(states[static_cast<std::size_t>(i)]);\n    }\n  }\n";
+  }
+  code << "}\n";
+  return code.str();
+}
+
+/// Reads what the program printed of a scene and gives the number of comparisons.
+inline int compare_printed(std::istream& printed, const EmittedScene& scene,
+                           const SolveReadings& expected) {
+  double largest = 0;
+  int compared = 0;
+  for (std::size_t step = 0; step < expected.size(); ++step) {
+    std::size_t count = 0;
+    printed >> count;
+    EXPECT_EQ(count, expected[step].size()) << scene.solver << " at step " << driver_steps[step];
+    if (count != expected[step].size()) {
+      return 0;
+    }
+    for (const std::vector<Reading>& configuration : expected[step]) {
+      std::map<std::string, double> sizes;
+      for (const Reading& reading : configuration) {
+        double& size = sizes[reading.sort];
+        size = std::max(size, std::abs(reading.value));
+      }
+      for (const Reading& reading : configuration) {
+        std::string text;
+        printed >> text;
+        const double value = std::strtod(text.c_str(), nullptr);
+        if (std::isinf(value) && reading.sort.starts_with("sensitivity")) {
+          continue;  // the scene has tolerances, and this parameter has none
+        }
+        const double size = sizes[reading.sort];
+        const double error = std::abs(value - reading.value) / (size > 0 ? size : 1);
+        EXPECT_LE(error, agreement) << scene.solver << " at step " << driver_steps[step] << ": "
+                                    << reading.code << " " << value << " " << reading.value;
+        largest = std::max(largest, error);
+        ++compared;
+      }
+    }
+  }
+  std::printf("%s: largest relative difference %.1e over %d numbers\n", scene.solver.c_str(),
+              largest, compared);
+  return compared;
+}
+
+/// Expects that every number of every scene agrees, and gives how many of each were compared.
+inline std::vector<int> compare_with_solve(const std::vector<EmittedScene>& scenes) {
+  const TemporaryDirectory directory;
+  const std::string root = directory.path().string();
+  std::string includes;
+  std::string functions;
+  std::string calls;
+  std::vector<SolveReadings> expected;
+  for (const EmittedScene& scene : scenes) {
+    emit_solver(scene, directory);
+    expected.push_back(solve_readings(scene));
+    const std::string name = "print_" + std::to_string(expected.size());
+    includes += "#include <assur/scenes/" + scene.header + ".hpp>\n";
+    functions += printing_function(scene, expected.back(), name);
+    calls += "  " + name + "();\n";
+  }
+  const auto source = directory.write(
+      "driver.cpp", includes + program_head + functions + "int main() {\n" + calls + "}\n");
+  check_by_clang(directory.write("headers.cpp", includes), directory);
+  compile(ASSUR_COMPILER, "-O0 -o " + root + "/driver", source, directory);
+  if (testing::Test::HasFailure() ||
+      std::system((root + "/driver > " + root + "/printed").c_str()) != 0) {
+    ADD_FAILURE() << "no program to compare";
+    return std::vector<int>(scenes.size());
+  }
+  std::istringstream printed(read_file(directory.path() / "printed"));
+  std::vector<int> compared;
+  for (std::size_t index = 0; index < scenes.size(); ++index) {
+    compared.push_back(compare_printed(printed, scenes[index], expected[index]));
+  }
+  return compared;
+}
+
+}  // namespace assur::test

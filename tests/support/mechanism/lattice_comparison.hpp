@@ -1,0 +1,292 @@
+// Turns the library's answer to a scene on a lattice into what it lost, invented and misjudged.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "mechanism/lattice_scene.hpp"
+#include "mechanism/lattice_truth.hpp"
+#include "mechanism/solved.hpp"
+
+namespace assur::test {
+
+/// A listed configuration and what can be said of it without the library.
+struct ListedConfiguration {
+  std::vector<Eigen::Isometry2d> poses;  ///< of the group's links, in the order of the scene
+  bool regular = false;                  ///< as the library says
+  double residual = 0;                   ///< the largest miss of a joint
+  double smallest = 0;                   ///< singular value of the joints' velocity equations
+};
+
+/// What the library says of a scene. Where its answers change, `lattice_answer` is to be adapted.
+struct LatticeAnswer {
+  bool has_family = false;
+  int mobility = 0;
+  std::vector<ListedConfiguration> configurations;
+};
+
+/// What is wrong with an answer.
+struct LatticeFaults {
+  int lost = 0;             ///< isolated configurations that are not listed
+  int hidden = 0;           ///< likewise, where nothing is listed because there is a family, too
+  int invented = 0;         ///< listed ones that are none, do not close or are listed twice
+  int open = 0;             ///< of the invented the ones that do not close
+  int twice = 0;            ///< of the invented the ones that are listed before
+  int called_regular = 0;   ///< that are singular in truth
+  int called_singular = 0;  ///< that are regular in truth and well conditioned
+  int no_family = 0;        ///< there is a family and the answer does not say so
+  int false_family = 0;     ///< the answer tells of a family and there is none
+  int wrong_mobility = 0;
+  int renumbered = 0;  ///< another listing is answered otherwise
+  int exchanged = 0;   ///< likewise, where the two links of joints change places
+  int refused = 0;     ///< the library throws
+  int tolerated = 0;   ///< called near singular, regular in truth, badly conditioned: no fault
+
+  [[nodiscard]] int verdicts() const {
+    return called_regular + called_singular + no_family + false_family;
+  }
+  [[nodiscard]] bool any() const {
+    return serious() || wrong_mobility + renumbered + exchanged != 0;
+  }
+  /// Configurations or verdicts are wrong, not only a number of freedoms or an order.
+  [[nodiscard]] bool serious() const {
+    return lost + hidden + invented + verdicts() + refused != 0;
+  }
+  void add(const LatticeFaults& other) {
+    lost += other.lost;
+    hidden += other.hidden;
+    invented += other.invented;
+    open += other.open;
+    twice += other.twice;
+    called_regular += other.called_regular;
+    called_singular += other.called_singular;
+    no_family += other.no_family;
+    false_family += other.false_family;
+    wrong_mobility += other.wrong_mobility;
+    renumbered += other.renumbered;
+    exchanged += other.exchanged;
+    refused += other.refused;
+    tolerated += other.tolerated;
+  }
+};
+
+inline std::ostream& operator<<(std::ostream& out, const LatticeFaults& faults) {
+  const char* separator = "";
+  const auto say = [&](int number, const char* what) {
+    if (number != 0) {
+      out << separator << number << ' ' << what;
+      separator = ", ";
+    }
+  };
+  say(faults.lost, "lost");
+  say(faults.hidden, "hidden behind a family");
+  say(faults.invented, "invented");
+  say(faults.open, "of them open");
+  say(faults.twice, "of them listed twice");
+  say(faults.called_regular, "singular called regular");
+  say(faults.called_singular, "regular called near singular");
+  say(faults.no_family, "family not told");
+  say(faults.false_family, "family invented");
+  say(faults.wrong_mobility, "wrong mobility");
+  say(faults.renumbered, "answered otherwise in another listing");
+  say(faults.exchanged, "answered otherwise with the links of joints exchanged");
+  say(faults.refused, "refused");
+  say(faults.tolerated, "badly conditioned and called near singular");
+  return out;
+}
+
+/// A joint's feature on one of its links, placed.
+struct PlacedFeature {
+  Eigen::Vector2d point;
+  Eigen::Vector2d along;
+};
+
+inline PlacedFeature placed_feature(const LatticeScene& scene, const LatticeJoint& joint, int link,
+                                    const std::vector<Eigen::Isometry2d>& poses) {
+  const std::size_t side = joint.first == link ? 0 : 1;
+  const int step = joint.prismatic ? joint.steps[side] : 0;
+  Eigen::Vector2d point(joint.at.x + step * joint.along.x, joint.at.y + step * joint.along.y);
+  Eigen::Vector2d along = Eigen::Vector2d(joint.along.x, joint.along.y).normalized();
+  if (link == base_link) {
+    return {point, along};
+  }
+  const auto index = static_cast<std::size_t>(link);
+  const LatticeFrame& frame = scene.frames()[index];
+  Eigen::Matrix2d turn;
+  turn << frame.c, -frame.s, frame.s, frame.c;
+  turn /= frame.size;
+  point = turn.transpose() * (point - Eigen::Vector2d(frame.origin.x, frame.origin.y));
+  along = turn.transpose() * along;
+  return {poses[index] * point, poses[index].linear() * along};
+}
+
+/// How far the joints are from closed, and how that follows from the links' velocities. A link
+/// moves by the velocity of what is at the origin of the ground, and by its rate of turning.
+struct ClosureEquations {
+  Eigen::VectorXd miss;
+  Eigen::MatrixXd jacobian;
+};
+
+inline ClosureEquations closure_equations(const LatticeScene& scene,
+                                          const std::vector<Eigen::Isometry2d>& poses) {
+  const auto cross = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+  };
+  const auto size = static_cast<Eigen::Index>(2 * scene.joints().size());
+  ClosureEquations result{Eigen::VectorXd::Zero(size), Eigen::MatrixXd::Zero(size, size)};
+  Eigen::Index row = 0;
+  for (const LatticeJoint& joint : scene.joints()) {
+    const PlacedFeature first = placed_feature(scene, joint, joint.first, poses);
+    const PlacedFeature second = placed_feature(scene, joint, joint.second, poses);
+    const Eigen::Vector2d apart = second.point - first.point;
+    // The angle between the senses of two slides, as their sense matters.
+    const double turned =
+        std::atan2(cross(first.along, second.along), first.along.dot(second.along));
+    result.miss.segment<2>(row) =
+        joint.prismatic ? Eigen::Vector2d(cross(first.along, apart), turned) : apart;
+    for (const int link : {joint.first, joint.second}) {
+      if (link == base_link) {
+        continue;
+      }
+      const double sense = link == joint.first ? -1 : 1;
+      const Eigen::Index column = 3 * link;
+      if (joint.prismatic) {
+        const Eigen::Vector2d normal(-first.along.y(), first.along.x());
+        result.jacobian.block<1, 2>(row, column) = sense * normal.transpose();
+        result.jacobian(row, column + 2) = sense * cross(second.point, normal);
+        result.jacobian(row + 1, column + 2) = sense;
+      } else {
+        const Eigen::Vector2d at = link == joint.first ? first.point : second.point;
+        result.jacobian.block<2, 2>(row, column) = sense * Eigen::Matrix2d::Identity();
+        result.jacobian.block<2, 1>(row, column + 2) = sense * Eigen::Vector2d(-at.y(), at.x());
+      }
+    }
+    row += 2;
+  }
+  return result;
+}
+
+/// The residual and the smallest singular value of a configuration.
+inline void examine(const LatticeScene& scene, ListedConfiguration& configuration) {
+  const ClosureEquations equations = closure_equations(scene, configuration.poses);
+  configuration.residual = equations.miss.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+  for (const Eigen::Isometry2d& pose : configuration.poses) {
+    // A direction of no length closes what it should not; what is far away closes by rounding.
+    const double miss = std::max(std::abs(pose.linear().determinant() - 1),
+                                 1e-16 * pose.translation().cwiseAbs().maxCoeff());
+    configuration.residual = !(miss <= configuration.residual) ? miss : configuration.residual;
+  }
+  // A square matrix needs no preconditioner, which takes seconds to compile.
+  const Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> values(equations.jacobian);
+  configuration.smallest = values.singularValues().tail<1>()(0);
+}
+
+/// Solves a scene as a listing has it.
+inline LatticeAnswer lattice_answer(const LatticeScene& scene, const std::string& text) {
+  const Solved solved(mechanism::parse_scene(text, "scene"));
+  LatticeAnswer answer;
+  answer.has_family = !solved.solution.families.empty();
+  for (const mechanism::Family& family : solved.solution.families) {
+    answer.mobility = std::max(answer.mobility, family.mobility);
+  }
+  for (const Configuration& found : solved.configurations()) {
+    ListedConfiguration listed;
+    listed.regular = found.regularity == Status::ok;
+    for (const std::string& link : scene.links()) {
+      const auto& pose = found.link(link).pose;
+      Eigen::Isometry2d& at = listed.poses.emplace_back(Eigen::Isometry2d::Identity());
+      at.linear() << pose.direction.cos, -pose.direction.sin, pose.direction.sin,
+          pose.direction.cos;
+      at.translation() << pose.x, pose.y;
+    }
+    examine(scene, listed);
+    answer.configurations.push_back(listed);
+  }
+  return answer;
+}
+
+/// The largest difference of a coordinate of a link.
+inline double difference(const ListedConfiguration& one, const ListedConfiguration& other) {
+  double largest = 0;
+  for (std::size_t link = 0; link < one.poses.size(); ++link) {
+    const double apart =
+        (one.poses[link].matrix() - other.poses[link].matrix()).cwiseAbs().maxCoeff();
+    largest = std::isfinite(apart) ? std::max(largest, apart) : apart;
+  }
+  return largest;
+}
+
+/// Configurations less than this apart are one: on the lattice, others are further apart, and one
+/// of multiplicity four is known to 1e-3 only.
+inline constexpr double same_configuration = 5e-3;
+/// Lengths are up to ten.
+inline constexpr double closes = 1e-12;
+/// A worse Jacobian may be called near singular wherever it is regular.
+inline constexpr double well_conditioned = 1e-6;
+
+inline LatticeFaults lattice_faults(const LatticeTruth& truth, const LatticeAnswer& answer) {
+  LatticeFaults faults;
+  std::vector<const ListedConfiguration*> good;
+  for (const ListedConfiguration& listed : answer.configurations) {
+    if (!(listed.residual <= closes)) {
+      ++faults.open;
+    } else if (std::any_of(good.begin(), good.end(), [&](const ListedConfiguration* before) {
+                 return difference(*before, listed) < same_configuration;
+               })) {
+      ++faults.twice;
+    } else {
+      good.push_back(&listed);
+    }
+  }
+  // The worst conditioned last. Where there is a family, those that are singular beyond the
+  // isolated ones that are so stand on it.
+  std::sort(good.begin(), good.end(),
+            [](const auto* a, const auto* b) { return a->smallest > b->smallest; });
+  const auto conditioned = std::count_if(
+      good.begin(), good.end(), [](const auto* at) { return at->smallest >= well_conditioned; });
+  if (truth.mobility > 0) {
+    good.resize(std::min(good.size(), static_cast<std::size_t>(conditioned + truth.singular)));
+  }
+  const int listed = static_cast<int>(good.size());
+  const bool only_family = answer.has_family && answer.configurations.empty();
+  (only_family && truth.mobility > 0 ? faults.hidden : faults.lost) =
+      std::max(0, truth.isolated - listed);
+  faults.invented =
+      static_cast<int>(answer.configurations.size()) - std::min(listed, truth.isolated);
+  faults.no_family = truth.mobility > 0 && !answer.has_family ? 1 : 0;
+  faults.false_family = truth.mobility == 0 && answer.has_family ? 1 : 0;
+  faults.wrong_mobility =
+      truth.mobility > 0 && answer.has_family && answer.mobility != truth.mobility ? 1 : 0;
+  if (listed == truth.isolated) {
+    // As many as are regular in truth are: those that are conditioned best.
+    for (int index = 0; index < listed; ++index) {
+      const ListedConfiguration& at = *good[static_cast<std::size_t>(index)];
+      if (index >= truth.regular()) {
+        faults.called_regular += at.regular ? 1 : 0;
+      } else if (!at.regular) {
+        ++(at.smallest < well_conditioned ? faults.tolerated : faults.called_singular);
+      }
+    }
+  }
+  return faults;
+}
+
+/// Whether two listings of a scene are answered alike, configuration by configuration.
+inline bool same_answer(const LatticeAnswer& one, const LatticeAnswer& other) {
+  bool same = one.has_family == other.has_family && one.mobility == other.mobility &&
+              one.configurations.size() == other.configurations.size();
+  for (std::size_t index = 0; same && index < one.configurations.size(); ++index) {
+    const ListedConfiguration& a = one.configurations[index];
+    const ListedConfiguration& b = other.configurations[index];
+    same = a.regular == b.regular && difference(a, b) < same_configuration;
+  }
+  return same;
+}
+
+}  // namespace assur::test

@@ -1,0 +1,239 @@
+// Turns a mechanism into rigid bodies with constraints, and these into poses, velocities and
+// accelerations. It knows nothing of Assur groups, loops or trees: the independent truth for
+// mechanisms.
+#pragma once
+
+#include <Eigen/Dense>
+#include <assur/mechanism/values.hpp>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "runtime/taylor.hpp"
+
+namespace assur::test {
+
+using Real = long double;
+using RealVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// The links of a mechanism at given parameter values. Coordinates are x, y, theta of every link
+/// but the ground, in the mechanism's order; there are as many constraints.
+class RigidScene {
+ public:
+  using Jet = Taylor<Real>;  ///< a quantity on the move; the first and second rates are used
+
+  RigidScene(const mechanism::Mechanism& mechanism, const mechanism::Values& values)
+      : mechanism_(mechanism) {
+    const auto number = [&](mechanism::NumberIndex index) -> Real {
+      return values.value_of(index);
+    };
+    for (const mechanism::Link& link : mechanism.links()) {
+      body_of_.add(link.name == "ground" ? -1 : static_cast<int>(bodies_++));
+    }
+    for (const mechanism::Feature& feature : mechanism.features()) {
+      Feature local{number(feature.x), number(feature.y), 0};
+      if (feature.is_line) {
+        local.angle = std::atan2(number(feature.along_y), number(feature.along_x));
+      }
+      reach_ += std::hypot(local.x, local.y);
+      features_.add(local);
+    }
+    for (const mechanism::Driver& driver : mechanism.drivers()) {
+      laws_.push_back({driver.joint, number(driver.position), number(driver.velocity),
+                       number(driver.acceleration)});
+    }
+  }
+
+  [[nodiscard]] Eigen::Index size() const { return 3 * bodies_; }
+  /// Sum of the distances of all features from their links' origins.
+  [[nodiscard]] Real reach() const { return reach_; }
+  /// The first coordinate of a link, or -1 for the ground.
+  [[nodiscard]] Eigen::Index coordinate(mechanism::LinkIndex link) const {
+    return 3L * body_of_[link];
+  }
+
+  /// Constraints and their rates at t = 0 along q + v t + a t^2 / 2: coincident points, points on
+  /// lines, lines on lines of the same sense, and the laws of the drivers.
+  [[nodiscard]] std::vector<Jet> constraints(const RealVector& q, const RealVector& v,
+                                             const RealVector& a) const {
+    const std::vector<Pose> poses = moving_poses(q, v, a);
+    std::vector<Jet> result;
+    for (const mechanism::Joint& joint : mechanism_.joints()) {
+      if (joint.type == mechanism::JointType::revolute) {
+        const Place hub = place(poses, joint.between[0]);
+        for (std::size_t part = 1; part < joint.between.size(); ++part) {
+          const Place other = place(poses, joint.between[part]);
+          result.push_back(other.x - hub.x);
+          result.push_back(other.y - hub.y);
+        }
+        continue;
+      }
+      const auto [line, other] = line_first(poses, joint);
+      result.push_back(line.cos * (other.y - line.y) - line.sin * (other.x - line.x));
+      if (joint.type == mechanism::JointType::prismatic) {
+        result.push_back(wrapped(other.angle - line.angle));
+      }
+    }
+    for (const Law& law : laws_) {
+      const mechanism::Joint& joint = mechanism_.joints()[law.joint];
+      const Jet wanted{law.position, law.velocity, law.acceleration / 2, 0};
+      if (joint.type == mechanism::JointType::revolute) {
+        const Jet turned = pose_of_owner(poses, joint.between[1]).theta -
+                           pose_of_owner(poses, joint.between[0]).theta;
+        result.push_back(wrapped(turned - wanted));
+      } else {
+        result.push_back(displacement(poses, joint) - wanted);
+      }
+    }
+    return result;
+  }
+
+  /// Newton's method, its steps held below a turn of one radian and the mechanism's own size; true
+  /// when it has come to rest with every constraint at rounding.
+  bool assemble(RealVector& q, int iterations = 60) const {
+    for (int iteration = 0; iteration < iterations; ++iteration) {
+      const RealVector f = values_of(q);
+      const Eigen::FullPivLU<RealMatrix> lu(jacobian(q));
+      RealVector change = lu.solve(-f);
+      Real excess = 1;
+      for (Eigen::Index index = 0; index < change.size(); ++index) {
+        const Real limit = index % 3 == 2 ? 1 : reach_;
+        excess = std::max(excess, std::abs(change(index)) / limit);
+      }
+      if (!change.allFinite()) {
+        return false;
+      }
+      q += change / excess;
+      if (change.cwiseAbs().maxCoeff() < 1e-16L * reach_) {
+        return values_of(q).cwiseAbs().maxCoeff() < 1e-15L * reach_;
+      }
+    }
+    return false;
+  }
+
+  [[nodiscard]] RealVector values_of(const RealVector& q) const {
+    return part_of(constraints(q, still(), still()), 0);
+  }
+  /// What the constraints' first rates demand: J v = -(rates at v = 0).
+  [[nodiscard]] RealVector velocity(const RealVector& q) const {
+    return jacobian(q).fullPivLu().solve(-part_of(constraints(q, still(), still()), 1));
+  }
+  [[nodiscard]] RealVector acceleration(const RealVector& q, const RealVector& v) const {
+    return jacobian(q).fullPivLu().solve(-part_of(constraints(q, v, still()), 2));
+  }
+
+  /// Coordinates of a point of a link on the move.
+  [[nodiscard]] std::pair<Jet, Jet> point(mechanism::FeatureIndex feature, const RealVector& q,
+                                          const RealVector& v, const RealVector& a) const {
+    const Place at = place(moving_poses(q, v, a), feature);
+    return {at.x, at.y};
+  }
+  /// Displacement of a prismatic or pin-in-slot joint on the move.
+  [[nodiscard]] Jet displacement(const mechanism::Joint& joint, const RealVector& q,
+                                 const RealVector& v, const RealVector& a) const {
+    return displacement(moving_poses(q, v, a), joint);
+  }
+
+  /// Anywhere within the mechanism's reach, at any angle.
+  [[nodiscard]] RealVector scattered(std::mt19937& engine) const {
+    std::uniform_real_distribution<double> part(-1, 1);
+    RealVector q(size());
+    for (Eigen::Index index = 0; index < q.size(); ++index) {
+      q(index) = part(engine) * (index % 3 == 2 ? std::acos(-1.0L) : reach_ / 4);
+    }
+    return q;
+  }
+
+ private:
+  struct Feature {
+    Real x, y, angle;
+  };
+  struct Law {
+    mechanism::JointIndex joint;
+    Real position, velocity, acceleration;
+  };
+  struct Pose {
+    Jet x, y, theta, cos, sin;
+  };
+  struct Place {
+    Jet x, y, angle, cos, sin;
+  };
+
+  [[nodiscard]] RealVector still() const { return RealVector::Zero(size()); }
+  /// A difference of angles, brought to where its value is least.
+  static Jet wrapped(Jet angle) {
+    angle.c0 = std::remainder(angle.c0, 2 * std::acos(-1.0L));
+    return angle;
+  }
+  /// The n-th derivative of every constraint.
+  static RealVector part_of(const std::vector<Jet>& jets, int n) {
+    RealVector part(static_cast<Eigen::Index>(jets.size()));
+    for (std::size_t index = 0; index < jets.size(); ++index) {
+      const Jet& jet = jets[index];
+      part(static_cast<Eigen::Index>(index)) = n == 0 ? jet.c0 : n == 1 ? jet.c1 : 2 * jet.c2;
+    }
+    return part;
+  }
+  /// A column is the rate of the constraints along its coordinate, less that of the drivers.
+  [[nodiscard]] RealMatrix jacobian(const RealVector& q) const {
+    const RealVector resting = part_of(constraints(q, still(), still()), 1);
+    RealMatrix result(resting.size(), size());
+    for (Eigen::Index column = 0; column < size(); ++column) {
+      result.col(column) =
+          part_of(constraints(q, RealVector::Unit(size(), column), still()), 1) - resting;
+    }
+    return result;
+  }
+
+  [[nodiscard]] std::vector<Pose> moving_poses(const RealVector& q, const RealVector& v,
+                                               const RealVector& a) const {
+    std::vector<Pose> poses;
+    for (Eigen::Index body = 0; body < bodies_; ++body) {
+      const auto jet = [&](Eigen::Index axis) -> Jet {
+        const Eigen::Index index = 3 * body + axis;
+        return moving<Real>(q(index), v(index), a(index), 0);
+      };
+      const Jet theta = jet(2);
+      const Direction<Real> angle{std::cos(theta.c0), std::sin(theta.c0)};
+      const Direction<Jet> turn = moving<Real>(angle, theta.c1, 2 * theta.c2, 0);
+      poses.push_back({jet(0), jet(1), theta, turn.cos, turn.sin});
+    }
+    return poses;
+  }
+  [[nodiscard]] Pose pose_of_owner(const std::vector<Pose>& poses,
+                                   mechanism::FeatureIndex feature) const {
+    const int body = body_of_[mechanism_.features()[feature].link];
+    return body < 0 ? Pose{0, 0, 0, 1, 0} : poses[static_cast<std::size_t>(body)];
+  }
+  [[nodiscard]] Place place(const std::vector<Pose>& poses, mechanism::FeatureIndex feature) const {
+    const Feature& local = features_[feature];
+    const Pose at = pose_of_owner(poses, feature);
+    const auto fixed = [](Real value) -> Jet { return {value, 0, 0, 0}; };
+    const Jet c = fixed(std::cos(local.angle));
+    const Jet s = fixed(std::sin(local.angle));
+    return {at.x + at.cos * fixed(local.x) - at.sin * fixed(local.y),
+            at.y + at.sin * fixed(local.x) + at.cos * fixed(local.y), at.theta + fixed(local.angle),
+            at.cos * c - at.sin * s, at.sin * c + at.cos * s};
+  }
+  /// The two features of a sliding joint; of a point and a line the line first.
+  [[nodiscard]] std::pair<Place, Place> line_first(const std::vector<Pose>& poses,
+                                                   const mechanism::Joint& joint) const {
+    const std::size_t line = mechanism_.features()[joint.between[0]].is_line ? 0 : 1;
+    return {place(poses, joint.between[line]), place(poses, joint.between[1 - line])};
+  }
+  [[nodiscard]] Jet displacement(const std::vector<Pose>& poses,
+                                 const mechanism::Joint& joint) const {
+    const auto [line, other] = line_first(poses, joint);
+    return line.cos * (other.x - line.x) + line.sin * (other.y - line.y);
+  }
+
+  const mechanism::Mechanism& mechanism_;
+  Eigen::Index bodies_ = 0;
+  mechanism::Table<mechanism::LinkIndex, int> body_of_;
+  mechanism::Table<mechanism::FeatureIndex, Feature> features_;
+  std::vector<Law> laws_;
+  Real reach_ = 0;
+};
+
+}  // namespace assur::test
