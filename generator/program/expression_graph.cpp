@@ -37,8 +37,16 @@ SymbolRank most_frequent_factor(const Polynomial& polynomial) {
   return best;
 }
 
+/// Multiplications by the coefficients of a sum of monomials.
+std::ptrdiff_t scalings(const Polynomial& polynomial, const GiNaC::numeric& divisor) {
+  return std::count_if(polynomial.begin(), polynomial.end(), [&](const auto& term) {
+    return !term.first.empty() && GiNaC::abs(term.second) != divisor;
+  });
+}
+
 /// The positive rational number by which all coefficients can be divided to coprime integers; one
-/// where these would be large, as they are for decimal fractions that have nothing in common.
+/// where these would be large, as they are for decimal fractions that have nothing in common, or
+/// where to multiply by it afterwards costs more than it saves.
 GiNaC::numeric content_of(const Polynomial& polynomial) {
   constexpr int large = 20;
   GiNaC::numeric numerators = 0;
@@ -54,7 +62,8 @@ GiNaC::numeric content_of(const Polynomial& polynomial) {
   const bool in_common = std::all_of(polynomial.begin(), polynomial.end(), [&](const auto& term) {
     return GiNaC::abs(term.second / content) < large;
   });
-  return in_common ? content : GiNaC::numeric(1);
+  const bool saves = scalings(polynomial, content) + 1 < scalings(polynomial, 1);
+  return in_common && saves ? content : GiNaC::numeric(1);
 }
 
 template <typename Pair>
@@ -387,6 +396,10 @@ void ExpressionGraph::share_pairs(std::vector<ScaledNode>& roots) {
   }
 }
 
+bool ExpressionGraph::is_scaled(const ScaledNode& value) const {
+  return GiNaC::abs(value.coefficient) != 1 && nodes_[value.node].operation != Operation::constant;
+}
+
 OperationCount ExpressionGraph::cost(NodeIndex index) const {
   const Node& at = nodes_[index];
   OperationCount count;
@@ -395,10 +408,7 @@ OperationCount ExpressionGraph::cost(NodeIndex index) const {
   } else if (at.operation == Operation::sum) {
     count.additions = at.terms.size() - 1;
     for (const ScaledNode& term : at.terms) {
-      const GiNaC::numeric size = GiNaC::abs(term.coefficient);
-      if (size != 1 && nodes_[term.node].operation != Operation::constant) {
-        ++count.multiplications;
-      }
+      count.multiplications += is_scaled(term) ? 1 : 0;
     }
   }
   return count;

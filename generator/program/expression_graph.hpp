@@ -11,8 +11,9 @@
 
 namespace assur::generator::program {
 
-/// Additions (subtractions among them), multiplications, divisions and
-/// square roots; changes of sign are free.
+/// Additions (subtractions among them), multiplications, divisions and square roots. A change of
+/// sign is free, and so is what a compiler folds: numbers among themselves. To multiply by a number
+/// is a multiplication, by a power of two as well.
 struct OperationCount {
   std::size_t multiplications = 0;
   std::size_t additions = 0;
@@ -56,6 +57,8 @@ class ExpressionGraph {
 
   [[nodiscard]] const NodeTable<Node>& nodes() const { return nodes_; }
   [[nodiscard]] const SymbolOrder& order() const { return *order_; }
+  /// Whether a coefficient costs a multiplication.
+  [[nodiscard]] bool is_scaled(const ScaledNode& value) const;
   /// Operations that one node costs once its children are known.
   [[nodiscard]] OperationCount cost(NodeIndex index) const;
   /// How often each node is used by the nodes that the roots reach, and by the roots.

@@ -112,38 +112,35 @@ void Program::schedule(NodeIndex node) {
 
 OperationCount Program::count() const {
   OperationCount total;
-  const auto is_constant = [&](NodeIndex node) {
-    return graph_.nodes()[node].operation == Operation::constant;
-  };
-  // Inside a step, nodes without a name are computed in place.
-  const std::function<void(NodeIndex)> inner = [&](NodeIndex node) {
+  // What has a name is computed in the step of that name, all else in place.
+  const std::function<void(NodeIndex)> in_place = [&](NodeIndex node) {
     total += graph_.cost(node);
     const ExpressionGraph::Node& content = graph_.nodes()[node];
     for (const NodeIndex factor : content.factors) {
       if (name_of(factor).empty()) {
-        inner(factor);
+        in_place(factor);
       }
     }
     for (const ScaledNode& term : content.terms) {
       if (name_of(term.node).empty()) {
-        inner(term.node);
+        in_place(term.node);
       }
+    }
+  };
+  const auto add = [&](const ScaledNode& value, bool computed) {
+    total.multiplications += graph_.is_scaled(value) ? 1 : 0;
+    if (computed) {
+      in_place(value.node);
     }
   };
   for (const Step& step : steps_) {
     total.divisions += step.form == equations::NamedQuantity::Form::reciprocal ? 1 : 0;
     total.square_roots += step.form == equations::NamedQuantity::Form::square_root ? 1 : 0;
-    if (name_of(step.value.node).empty() || name_of(step.value.node) == step.name) {
-      inner(step.value.node);
-    }
+    const std::string& name = name_of(step.value.node);
+    add(step.value, name.empty() || name == step.name);
   }
   for (const Assignment& assignment : assignments_) {
-    if (name_of(assignment.value.node).empty()) {
-      inner(assignment.value.node);
-    }
-    if (GiNaC::abs(assignment.value.coefficient) != 1 && !is_constant(assignment.value.node)) {
-      ++total.multiplications;
-    }
+    add(assignment.value, name_of(assignment.value.node).empty());
   }
   return total;
 }

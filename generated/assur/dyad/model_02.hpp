@@ -46,7 +46,7 @@ namespace assur::dyad {
 ///   velocity:                     14, 9, 1
 ///   motion:                       28, 21, 1
 ///   sensitivities_and_motion:     37, 24, 1
-///   position_polynomial:          6, 4, 0
+///   position_polynomial:          7, 4, 0
 ///   complete:                     5, 5, 0
 struct Model02 {
   static constexpr const char* group = "dyad";

@@ -46,7 +46,7 @@ namespace assur::dyad {
 ///   velocity:                     6, 6, 1
 ///   motion:                       16, 14, 1
 ///   sensitivities_and_motion:     20, 15, 1
-///   position_polynomial:          2, 3, 0
+///   position_polynomial:          3, 3, 0
 ///   complete:                     2, 3, 0
 struct Model03 {
   static constexpr const char* group = "dyad";

@@ -46,7 +46,7 @@ namespace assur::dyad {
 ///   velocity:                     12, 10, 1
 ///   motion:                       26, 22, 1
 ///   sensitivities_and_motion:     39, 27, 1
-///   position_polynomial:          3, 4, 0
+///   position_polynomial:          5, 4, 0
 ///   complete:                     4, 5, 0
 struct Model04 {
   static constexpr const char* group = "dyad";

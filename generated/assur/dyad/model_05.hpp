@@ -46,7 +46,7 @@ namespace assur::dyad {
 ///   velocity:                     18, 13, 1
 ///   motion:                       36, 29, 1
 ///   sensitivities_and_motion:     49, 33, 1
-///   position_polynomial:          7, 7, 0
+///   position_polynomial:          9, 7, 0
 ///   complete:                     6, 7, 0
 struct Model05 {
   static constexpr const char* group = "dyad";

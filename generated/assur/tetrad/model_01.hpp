@@ -56,7 +56,7 @@ namespace assur::tetrad {
 ///   velocity:                     56, 25, 1
 ///   motion:                       90, 47, 1
 ///   sensitivities_and_motion:     142, 63, 1
-///   position_polynomial:          102, 77, 0
+///   position_polynomial:          111, 77, 0
 ///   second_equations:             34, 24, 0
 ///   complete:                     16, 14, 2
 struct Model01 {
@@ -1288,9 +1288,9 @@ struct Model01 {
     const Scalar U_0_im = C2_0_re * P1_0_im - t04 - C1_0_re * P2_0_im - t05;
     const Scalar U_1_re = t06 + t07;
     const Scalar U_1_im = t09 - t08;
-    const Scalar V_m1_re = -Scalar(1) / Scalar(2) * (P1_m1_re * P2_0_im + P2_m1_im * P1_0_re
+    const Scalar V_m1_re = -Scalar(0.5) * (P1_m1_re * P2_0_im + P2_m1_im * P1_0_re
         - P2_m1_re * P1_0_im);
-    const Scalar V_m1_im = -Scalar(1) / Scalar(2) * (P1_m1_re * P2_0_re - P2_m1_re * P1_0_re
+    const Scalar V_m1_im = -Scalar(0.5) * (P1_m1_re * P2_0_re - P2_m1_re * P1_0_re
         - P2_m1_im * P1_0_im);
     const Scalar V_0_re = P1_0_im * P2_0_re - P1_m1_re * P2_m1_im - P1_0_re * P2_0_im;
     const Scalar t10 = V_m1_re * V_m1_re;

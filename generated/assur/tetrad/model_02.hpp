@@ -56,7 +56,7 @@ namespace assur::tetrad {
 ///   velocity:                     46, 24, 1
 ///   motion:                       78, 46, 1
 ///   sensitivities_and_motion:     122, 61, 1
-///   position_polynomial:          82, 63, 0
+///   position_polynomial:          90, 63, 0
 ///   second_equations:             29, 20, 0
 ///   complete:                     14, 13, 1
 struct Model02 {
@@ -1303,8 +1303,8 @@ struct Model02 {
     const Scalar U_0_im = -t03 - P2_0_im * C1_0_re - t04;
     const Scalar U_1_re = t05 - t06;
     const Scalar U_1_im = -t07 - t08;
-    const Scalar V_m1_re = Scalar(1) / Scalar(2) * P1_m1_im * P2_0_re;
-    const Scalar V_m1_im = -Scalar(1) / Scalar(2) * P1_m1_im * P2_0_im;
+    const Scalar V_m1_re = Scalar(0.5) * P1_m1_im * P2_0_re;
+    const Scalar V_m1_im = -Scalar(0.5) * P1_m1_im * P2_0_im;
     const Scalar V_0_re = P2_m1_re * P1_m1_im;
     const Scalar t09 = V_m1_re * V_m1_re;
     const Scalar t10 = V_m1_im * V_m1_im;

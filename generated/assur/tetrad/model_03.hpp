@@ -56,7 +56,7 @@ namespace assur::tetrad {
 ///   velocity:                     32, 21, 1
 ///   motion:                       62, 43, 1
 ///   sensitivities_and_motion:     96, 57, 1
-///   position_polynomial:          65, 54, 0
+///   position_polynomial:          75, 54, 0
 ///   second_equations:             16, 12, 0
 ///   complete:                     12, 12, 0
 struct Model03 {
@@ -1268,8 +1268,8 @@ struct Model03 {
     const Scalar U_0_im = -t03 - t04 - P2_0_im * C1_0_re;
     const Scalar U_1_re = t05 - t06;
     const Scalar U_1_im = -t07 - t08;
-    const Scalar V_m1_re = -Scalar(1) / Scalar(2) * (P2_0_im * P1_m1_re - P2_0_re * P1_m1_im);
-    const Scalar V_m1_im = -Scalar(1) / Scalar(2) * (P2_0_re * P1_m1_re + P2_0_im * P1_m1_im);
+    const Scalar V_m1_re = -Scalar(0.5) * (P2_0_im * P1_m1_re - P2_0_re * P1_m1_im);
+    const Scalar V_m1_im = -Scalar(0.5) * (P2_0_re * P1_m1_re + P2_0_im * P1_m1_im);
     const Scalar V_0_re = P2_m1_re * P1_m1_im - P2_m1_im * P1_m1_re;
     const Scalar t09 = V_m1_re * V_m1_re;
     const Scalar t10 = V_m1_im * V_m1_im;

@@ -56,7 +56,7 @@ namespace assur::tetrad {
 ///   velocity:                     38, 23, 1
 ///   motion:                       68, 45, 1
 ///   sensitivities_and_motion:     102, 59, 1
-///   position_polynomial:          37, 29, 0
+///   position_polynomial:          42, 29, 0
 ///   second_equations:             24, 14, 0
 ///   complete:                     14, 12, 0
 struct Model05 {

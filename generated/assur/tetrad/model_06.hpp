@@ -50,7 +50,7 @@ namespace assur::tetrad {
 ///   velocity:                     33, 23, 1
 ///   motion:                       57, 41, 1
 ///   sensitivities_and_motion:     95, 55, 1
-///   position_polynomial:          12, 9, 0
+///   position_polynomial:          13, 9, 0
 ///   complete:                     15, 13, 1
 struct Model06 {
   static constexpr const char* group = "tetrad";

@@ -56,7 +56,7 @@ namespace assur::tetrad {
 ///   velocity:                     62, 33, 1
 ///   motion:                       105, 63, 1
 ///   sensitivities_and_motion:     171, 89, 1
-///   position_polynomial:          89, 71, 0
+///   position_polynomial:          91, 71, 0
 ///   second_equations:             50, 39, 0
 ///   complete:                     18, 18, 2
 struct Model08 {

@@ -56,7 +56,7 @@ namespace assur::tetrad {
 ///   velocity:                     52, 32, 1
 ///   motion:                       93, 62, 1
 ///   sensitivities_and_motion:     150, 87, 1
-///   position_polynomial:          81, 60, 0
+///   position_polynomial:          83, 60, 0
 ///   second_equations:             44, 36, 0
 ///   complete:                     16, 17, 1
 struct Model09 {
@@ -1442,7 +1442,7 @@ struct Model09 {
     const Scalar t19 = u.phi_B.sin * c_m1_im;
     const Scalar t20 = u.phi_B.sin * (t19 + t11);
     const Scalar t21 = t13 - t14;
-    const Scalar t22 = t16 + Scalar(1) / Scalar(2) * t17;
+    const Scalar t22 = t16 + Scalar(0.5) * t17;
     T.cosine[0] = f_0_re * f_0_re + Scalar(2) * t08 + Scalar(2) * t10;
     T.cosine[1] = Scalar(2) * (Scalar(2) * f_0_re * f_m1_re + u.phi_B.cos * t12
         - u.phi_B.sin * (Scalar(2) * t13 - t14 - t15 - Scalar(3) * t18));

@@ -56,7 +56,7 @@ namespace assur::tetrad {
 ///   velocity:                     44, 31, 1
 ///   motion:                       83, 61, 1
 ///   sensitivities_and_motion:     129, 85, 1
-///   position_polynomial:          31, 24, 0
+///   position_polynomial:          33, 24, 0
 ///   second_equations:             26, 21, 0
 ///   complete:                     16, 16, 0
 struct Model10 {

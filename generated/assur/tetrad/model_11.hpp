@@ -56,7 +56,7 @@ namespace assur::tetrad {
 ///   velocity:                     74, 42, 1
 ///   motion:                       126, 80, 1
 ///   sensitivities_and_motion:     206, 116, 1
-///   position_polynomial:          77, 63, 0
+///   position_polynomial:          82, 63, 0
 ///   second_equations:             69, 55, 0
 ///   complete:                     20, 22, 2
 struct Model11 {

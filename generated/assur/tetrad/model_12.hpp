@@ -51,7 +51,7 @@ namespace assur::tetrad {
 ///   velocity:                     48, 33, 1
 ///   motion:                       87, 63, 1
 ///   sensitivities_and_motion:     136, 88, 1
-///   position_polynomial:          31, 21, 0
+///   position_polynomial:          34, 21, 0
 ///   second_equations:             20, 18, 0
 ///   complete:                     16, 16, 0
 struct Model12 {

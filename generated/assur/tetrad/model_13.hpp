@@ -51,7 +51,7 @@ namespace assur::tetrad {
 ///   velocity:                     58, 34, 1
 ///   motion:                       99, 64, 1
 ///   sensitivities_and_motion:     158, 90, 1
-///   position_polynomial:          63, 39, 0
+///   position_polynomial:          66, 39, 0
 ///   second_equations:             39, 28, 0
 ///   complete:                     22, 19, 1
 struct Model13 {

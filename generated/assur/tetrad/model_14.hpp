@@ -51,7 +51,7 @@ namespace assur::tetrad {
 ///   velocity:                     61, 38, 1
 ///   motion:                       94, 63, 1
 ///   sensitivities_and_motion:     152, 88, 1
-///   position_polynomial:          29, 21, 0
+///   position_polynomial:          30, 21, 0
 ///   complete:                     27, 22, 2
 struct Model14 {
   static constexpr const char* group = "tetrad";

@@ -51,7 +51,7 @@ namespace assur::tetrad {
 ///   velocity:                     57, 39, 1
 ///   motion:                       88, 64, 1
 ///   sensitivities_and_motion:     131, 87, 1
-///   position_polynomial:          20, 15, 0
+///   position_polynomial:          22, 15, 0
 ///   complete:                     23, 17, 1
 struct Model15 {
   static constexpr const char* group = "tetrad";

@@ -51,7 +51,7 @@ namespace assur::tetrad {
 ///   velocity:                     70, 43, 1
 ///   motion:                       120, 81, 1
 ///   sensitivities_and_motion:     192, 117, 1
-///   position_polynomial:          53, 42, 0
+///   position_polynomial:          59, 42, 0
 ///   second_equations:             52, 42, 0
 ///   complete:                     20, 21, 1
 struct Model16 {

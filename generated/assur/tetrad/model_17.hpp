@@ -51,7 +51,7 @@ namespace assur::tetrad {
 ///   velocity:                     66, 44, 1
 ///   motion:                       114, 82, 1
 ///   sensitivities_and_motion:     178, 118, 1
-///   position_polynomial:          28, 24, 0
+///   position_polynomial:          34, 24, 0
 ///   second_equations:             28, 24, 0
 ///   complete:                     20, 20, 0
 struct Model17 {

@@ -51,7 +51,7 @@ namespace assur::tetrad {
 ///   velocity:                     50, 32, 1
 ///   motion:                       89, 62, 1
 ///   sensitivities_and_motion:     139, 83, 1
-///   position_polynomial:          30, 18, 0
+///   position_polynomial:          34, 18, 0
 ///   second_equations:             26, 19, 0
 ///   complete:                     22, 18, 0
 struct Model19 {

@@ -51,7 +51,7 @@ namespace assur::tetrad {
 ///   velocity:                     49, 34, 1
 ///   motion:                       80, 59, 1
 ///   sensitivities_and_motion:     131, 81, 1
-///   position_polynomial:          14, 13, 0
+///   position_polynomial:          16, 13, 0
 ///   complete:                     25, 18, 1
 struct Model20 {
   static constexpr const char* group = "tetrad";

@@ -51,7 +51,7 @@ namespace assur::tetrad {
 ///   velocity:                     62, 41, 1
 ///   motion:                       110, 79, 1
 ///   sensitivities_and_motion:     172, 110, 1
-///   position_polynomial:          30, 24, 0
+///   position_polynomial:          36, 24, 0
 ///   second_equations:             30, 24, 0
 ///   complete:                     20, 20, 0
 struct Model22 {

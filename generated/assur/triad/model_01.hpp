@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     54, 25, 1
 ///   motion:                       88, 49, 1
 ///   sensitivities_and_motion:     167, 92, 1
-///   position_polynomial:          102, 81, 0
+///   position_polynomial:          111, 81, 0
 ///   second_equations:             40, 31, 0
 ///   complete:                     12, 14, 2
 struct Model01 {
@@ -1170,9 +1170,9 @@ struct Model01 {
     const Scalar U_0_im = C2_0_re * P1_0_im - t06 - C1_0_re * P2_0_im - t07;
     const Scalar U_1_re = t08 + t09;
     const Scalar U_1_im = t11 - t10;
-    const Scalar V_m1_re = -Scalar(1) / Scalar(2) * (P1_m1_re * P2_0_im + P2_m1_im * P1_0_re
+    const Scalar V_m1_re = -Scalar(0.5) * (P1_m1_re * P2_0_im + P2_m1_im * P1_0_re
         - P2_m1_re * P1_0_im);
-    const Scalar V_m1_im = -Scalar(1) / Scalar(2) * (P1_m1_re * P2_0_re - P2_m1_re * P1_0_re
+    const Scalar V_m1_im = -Scalar(0.5) * (P1_m1_re * P2_0_re - P2_m1_re * P1_0_re
         - P2_m1_im * P1_0_im);
     const Scalar V_0_re = P1_0_im * P2_0_re - P1_m1_re * P2_m1_im - P1_0_re * P2_0_im;
     const Scalar t12 = V_m1_re * V_m1_re;

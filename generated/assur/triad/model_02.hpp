@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     44, 26, 1
 ///   motion:                       80, 50, 1
 ///   sensitivities_and_motion:     151, 91, 1
-///   position_polynomial:          75, 64, 0
+///   position_polynomial:          76, 64, 0
 ///   second_equations:             35, 34, 0
 ///   complete:                     12, 17, 2
 struct Model02 {

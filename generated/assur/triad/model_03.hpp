@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     62, 33, 1
 ///   motion:                       105, 65, 1
 ///   sensitivities_and_motion:     198, 114, 1
-///   position_polynomial:          93, 74, 0
+///   position_polynomial:          95, 74, 0
 ///   second_equations:             49, 39, 0
 ///   complete:                     14, 16, 2
 struct Model03 {

@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     68, 39, 1
 ///   motion:                       110, 69, 1
 ///   sensitivities_and_motion:     213, 127, 1
-///   position_polynomial:          59, 48, 0
+///   position_polynomial:          64, 48, 0
 ///   second_equations:             47, 40, 0
 ///   complete:                     20, 22, 2
 struct Model04 {

@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     40, 27, 1
 ///   motion:                       74, 51, 1
 ///   sensitivities_and_motion:     140, 92, 1
-///   position_polynomial:          44, 30, 0
+///   position_polynomial:          46, 30, 0
 ///   second_equations:             21, 22, 0
 ///   complete:                     12, 16, 1
 struct Model05 {

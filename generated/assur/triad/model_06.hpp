@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     52, 32, 1
 ///   motion:                       93, 64, 1
 ///   sensitivities_and_motion:     177, 112, 1
-///   position_polynomial:          73, 53, 0
+///   position_polynomial:          75, 53, 0
 ///   second_equations:             33, 28, 0
 ///   complete:                     12, 15, 1
 struct Model06 {
@@ -1257,7 +1257,7 @@ struct Model06 {
     const Scalar t16 = u.phi_B.sin * c_m1_im;
     const Scalar t17 = u.phi_B.sin * (t16 - t08);
     const Scalar t18 = t10 + t11;
-    const Scalar t19 = t13 - Scalar(1) / Scalar(2) * t14;
+    const Scalar t19 = t13 - Scalar(0.5) * t14;
     T.cosine[0] = f_0_re * f_0_re + Scalar(2) * t05 + Scalar(2) * t07;
     T.cosine[1] = Scalar(2) * (Scalar(2) * f_0_re * f_m1_re + u.phi_B.cos * t09
         - u.phi_B.sin * (Scalar(2) * t10 + t11 + t12 - Scalar(3) * t15));

@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     64, 40, 1
 ///   motion:                       104, 70, 1
 ///   sensitivities_and_motion:     198, 129, 1
-///   position_polynomial:          40, 31, 0
+///   position_polynomial:          46, 31, 0
 ///   second_equations:             29, 26, 0
 ///   complete:                     20, 21, 1
 struct Model07 {

@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     60, 35, 1
 ///   motion:                       105, 71, 1
 ///   sensitivities_and_motion:     202, 125, 1
-///   position_polynomial:          62, 40, 0
+///   position_polynomial:          65, 40, 0
 ///   second_equations:             35, 29, 0
 ///   complete:                     14, 17, 1
 struct Model08 {

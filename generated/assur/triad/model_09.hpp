@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     66, 41, 1
 ///   motion:                       110, 75, 1
 ///   sensitivities_and_motion:     217, 138, 1
-///   position_polynomial:          51, 39, 0
+///   position_polynomial:          57, 39, 0
 ///   second_equations:             44, 36, 0
 ///   complete:                     20, 23, 1
 struct Model09 {

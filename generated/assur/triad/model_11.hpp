@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     36, 28, 1
 ///   motion:                       68, 52, 1
 ///   sensitivities_and_motion:     134, 94, 1
-///   position_polynomial:          18, 16, 0
+///   position_polynomial:          22, 16, 0
 ///   second_equations:             16, 17, 0
 ///   complete:                     12, 16, 0
 struct Model11 {

@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     44, 31, 1
 ///   motion:                       83, 63, 1
 ///   sensitivities_and_motion:     157, 110, 1
-///   position_polynomial:          27, 23, 0
+///   position_polynomial:          29, 23, 0
 ///   second_equations:             22, 20, 0
 ///   complete:                     12, 14, 0
 struct Model12 {

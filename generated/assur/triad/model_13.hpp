@@ -52,7 +52,7 @@ namespace assur::triad {
 ///   velocity:                     56, 38, 1
 ///   motion:                       94, 68, 1
 ///   sensitivities_and_motion:     178, 126, 1
-///   position_polynomial:          28, 23, 0
+///   position_polynomial:          34, 23, 0
 ///   second_equations:             24, 21, 0
 ///   complete:                     20, 20, 0
 struct Model13 {

@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     50, 34, 1
 ///   motion:                       93, 70, 1
 ///   sensitivities_and_motion:     180, 123, 1
-///   position_polynomial:          25, 20, 0
+///   position_polynomial:          28, 20, 0
 ///   second_equations:             18, 19, 0
 ///   complete:                     12, 16, 0
 struct Model14 {

@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     62, 42, 1
 ///   motion:                       104, 76, 1
 ///   sensitivities_and_motion:     202, 140, 1
-///   position_polynomial:          27, 24, 0
+///   position_polynomial:          33, 24, 0
 ///   second_equations:             30, 26, 0
 ///   complete:                     20, 22, 0
 struct Model15 {

@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     58, 37, 1
 ///   motion:                       105, 77, 1
 ///   sensitivities_and_motion:     205, 136, 1
-///   position_polynomial:          27, 21, 0
+///   position_polynomial:          31, 21, 0
 ///   second_equations:             20, 20, 0
 ///   complete:                     14, 18, 0
 struct Model17 {

@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     64, 43, 1
 ///   motion:                       110, 81, 1
 ///   sensitivities_and_motion:     219, 149, 1
-///   position_polynomial:          31, 27, 0
+///   position_polynomial:          37, 27, 0
 ///   second_equations:             36, 30, 0
 ///   complete:                     20, 24, 0
 struct Model18 {

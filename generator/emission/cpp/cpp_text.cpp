@@ -58,24 +58,25 @@ class CppText {
     return program_.graph().nodes()[node];
   }
 
-  /// A small whole number or its half, third ... as it is, any other by the double nearest to it
-  /// and, where that is not all of it, the double nearest to what is left: so that the number is as
-  /// exact in double-double arithmetic as the operations are.
+  /// A small whole number and what a double holds as they are, a third and the like as a quotient;
+  /// any other by the double nearest to it and the double nearest to what is left: so that the
+  /// number is as exact in double-double arithmetic as the operations are.
   static std::string literal(const GiNaC::numeric& number) {
-    if (number.numer() < small && number.denom() < 10) {
-      std::ostringstream text;
-      text << "Scalar(" << number.numer() << ")";
-      if (!number.is_integer()) {
-        text << " / Scalar(" << number.denom() << ")";
-      }
-      return text.str();
+    if (number.is_integer() && number < small) {
+      return "Scalar(" + whole(number) + ")";
     }
     const double high = number.to_double();
     const GiNaC::numeric rest = number - exact(high);
-    return rest.is_zero()
-               ? "Scalar(" + round_trip(high) + ")"
-               : "constant<Scalar>(" + round_trip(high) + ", " + round_trip(rest.to_double()) + ")";
+    if (rest.is_zero()) {
+      return "Scalar(" + round_trip(high) + ")";
+    }
+    if (number.numer() < small && number.denom() < 10) {
+      return "Scalar(" + whole(number.numer()) + ") / Scalar(" + whole(number.denom()) + ")";
+    }
+    return "constant<Scalar>(" + round_trip(high) + ", " + round_trip(rest.to_double()) + ")";
   }
+
+  static std::string whole(const GiNaC::numeric& number) { return std::to_string(number.to_int()); }
 
   [[nodiscard]] std::string operand(program::NodeIndex node, bool inside_product) const {
     if (!program_.name_of(node).empty()) {
@@ -160,7 +161,8 @@ GiNaC::numeric exact(double value) {
 
 std::string round_trip(double value) {
   std::array<char, 32> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+  const double unsigned_zero = value + 0.0;  // -0.0 + 0.0 is 0.0, any other number stays itself
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), unsigned_zero);
   std::string digits(text.data(), end);
   return digits.find_first_of(".e") == std::string::npos ? digits + ".0" : digits;
 }

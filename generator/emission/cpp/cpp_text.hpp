@@ -12,7 +12,7 @@ namespace assur::generator::emission::cpp {
 /// How a symbol that a program reads is spelled in C++: `q.theta_BCG.cos`.
 using Spelling = std::function<std::string(const std::string& symbol)>;
 
-/// The shortest decimal number that reads back as the same double.
+/// The shortest decimal number that reads back as the same double; zero has no sign.
 [[nodiscard]] std::string round_trip(double value);
 
 /// The rational number that a double is.
