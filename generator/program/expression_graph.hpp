@@ -30,7 +30,7 @@ using NodeTable = text::Table<NodeIndex, Item>;
 
 /// A node of the graph, or its negative, or any multiple.
 struct ScaledNode {
-  GiNaC::numeric coefficient;
+  Coefficient coefficient;
   NodeIndex node;
 };
 
@@ -59,6 +59,8 @@ class ExpressionGraph {
   [[nodiscard]] const SymbolOrder& order() const { return *order_; }
   /// Whether a coefficient costs a multiplication.
   [[nodiscard]] bool is_scaled(const ScaledNode& value) const;
+  /// What a node measures.
+  [[nodiscard]] Measure measure(NodeIndex index) const;
   /// Operations that one node costs once its children are known.
   [[nodiscard]] OperationCount cost(NodeIndex index) const;
   /// How often each node is used by the nodes that the roots reach, and by the roots.

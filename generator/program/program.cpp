@@ -110,37 +110,57 @@ void Program::schedule(NodeIndex node) {
   }
 }
 
-OperationCount Program::count() const {
-  OperationCount total;
-  // What has a name is computed in the step of that name, all else in place.
-  const std::function<void(NodeIndex)> in_place = [&](NodeIndex node) {
-    total += graph_.cost(node);
-    const ExpressionGraph::Node& content = graph_.nodes()[node];
-    for (const NodeIndex factor : content.factors) {
-      if (name_of(factor).empty()) {
-        in_place(factor);
-      }
-    }
-    for (const ScaledNode& term : content.terms) {
-      if (name_of(term.node).empty()) {
-        in_place(term.node);
-      }
+std::vector<ScaledNode> Program::values() const {
+  std::vector<ScaledNode> list;
+  for (const Step& step : steps_) {
+    list.push_back(step.value);
+  }
+  for (const Assignment& assignment : assignments_) {
+    list.push_back(assignment.value);
+  }
+  return list;
+}
+
+std::vector<NodeIndex> Program::computed() const {
+  std::vector<NodeIndex> list;
+  std::function<void(NodeIndex)> compute;
+  const auto use = [&](NodeIndex node) {
+    if (name_of(node).empty()) {
+      compute(node);
     }
   };
-  const auto add = [&](const ScaledNode& value, bool computed) {
-    total.multiplications += graph_.is_scaled(value) ? 1 : 0;
-    if (computed) {
-      in_place(value.node);
+  compute = [&](NodeIndex node) {
+    list.push_back(node);
+    const ExpressionGraph::Node& content = graph_.nodes()[node];
+    std::for_each(content.factors.begin(), content.factors.end(), use);
+    for (const ScaledNode& term : content.terms) {
+      use(term.node);
     }
   };
   for (const Step& step : steps_) {
-    total.divisions += step.form == equations::NamedQuantity::Form::reciprocal ? 1 : 0;
-    total.square_roots += step.form == equations::NamedQuantity::Form::square_root ? 1 : 0;
-    const std::string& name = name_of(step.value.node);
-    add(step.value, name.empty() || name == step.name);
+    if (name_of(step.value.node) == step.name) {
+      compute(step.value.node);
+    } else {
+      use(step.value.node);
+    }
   }
   for (const Assignment& assignment : assignments_) {
-    add(assignment.value, name_of(assignment.value.node).empty());
+    use(assignment.value.node);
+  }
+  return list;
+}
+
+OperationCount Program::count() const {
+  OperationCount total;
+  for (const NodeIndex node : computed()) {
+    total += graph_.cost(node);
+  }
+  for (const ScaledNode& value : values()) {
+    total.multiplications += graph_.is_scaled(value) ? 1 : 0;
+  }
+  for (const Step& step : steps_) {
+    total.divisions += step.form == equations::NamedQuantity::Form::reciprocal ? 1 : 0;
+    total.square_roots += step.form == equations::NamedQuantity::Form::square_root ? 1 : 0;
   }
   return total;
 }

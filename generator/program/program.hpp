@@ -42,6 +42,10 @@ class Program {
   [[nodiscard]] const ExpressionGraph& graph() const { return graph_; }
   /// The name under which a node is known once its step is done; empty if it has none.
   [[nodiscard]] const std::string& name_of(NodeIndex node) const { return names_[node]; }
+  /// The values of all steps, then of all assignments.
+  [[nodiscard]] std::vector<ScaledNode> values() const;
+  /// The nodes that are computed, each as often as it is: where it gets its name, or in place.
+  [[nodiscard]] std::vector<NodeIndex> computed() const;
   [[nodiscard]] OperationCount count() const;
   /// Names of the symbols that the program reads, i.e. that no step computes, in order of rank.
   [[nodiscard]] std::vector<std::string> reads() const;
