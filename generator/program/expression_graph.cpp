@@ -247,17 +247,17 @@ NodeTable<int> ExpressionGraph::uses(const std::vector<ScaledNode>& roots) const
 }
 
 void ExpressionGraph::rebuild(std::vector<ScaledNode>& roots,
-                              const std::map<NodeIndex, Node>& rewritten) {
+                              const std::map<NodeIndex, Node>& rewritten,
+                              const std::map<NodeIndex, SymbolOfNode>& symbols) {
   // What a node became: itself, another node, or a multiple of one.
   std::map<NodeIndex, ScaledNode> image;
-  const std::function<ScaledNode(NodeIndex)> moved = [&](NodeIndex index) -> ScaledNode {
-    const auto known = image.find(index);
-    if (known != image.end()) {
-      return known->second;
-    }
+  for (const auto& [node, symbol] : symbols) {
+    image.emplace(node, symbol.value);
+  }
+  std::function<ScaledNode(NodeIndex)> moved;
+  const auto remade = [&](NodeIndex index) -> ScaledNode {
     const auto found = rewritten.find(index);
     const Node content = found == rewritten.end() ? nodes_[index] : found->second;
-    ScaledNode result{1, index};
     if (content.operation == Operation::product) {
       std::vector<NodeIndex> factors;
       Coefficient coefficient = 1;
@@ -266,23 +266,39 @@ void ExpressionGraph::rebuild(std::vector<ScaledNode>& roots,
         factors.push_back(part.node);
         coefficient *= part.coefficient;
       }
-      result = make_product(std::move(factors));
+      ScaledNode result = make_product(std::move(factors));
       result.coefficient *= coefficient;
-    } else if (content.operation == Operation::sum) {
+      return result;
+    }
+    if (content.operation == Operation::sum) {
       std::vector<ScaledNode> terms;
       for (const ScaledNode& term : content.terms) {
         const ScaledNode part = moved(term.node);
         terms.push_back({term.coefficient * part.coefficient, part.node});
       }
-      result = make_sum(std::move(terms));
+      return make_sum(std::move(terms));
     }
-    image.emplace(index, result);
-    return result;
+    return {1, index};
   };
-  for (ScaledNode& root : roots) {
-    const ScaledNode part = moved(root.node);
-    root = {root.coefficient * part.coefficient, part.node};
+  moved = [&](NodeIndex index) -> ScaledNode {
+    const auto known = image.find(index);
+    return known != image.end() ? known->second : image.emplace(index, remade(index)).first->second;
+  };
+  for (std::size_t place = 0; place < roots.size(); ++place) {
+    const auto symbol = symbols.find(roots[place].node);
+    const bool defines = symbol != symbols.end() && symbol->second.definition == place;
+    const ScaledNode part = defines ? remade(roots[place].node) : moved(roots[place].node);
+    roots[place] = {roots[place].coefficient * part.coefficient, part.node};
   }
+}
+
+bool ExpressionGraph::put_symbols(std::vector<ScaledNode>& roots,
+                                  const std::map<NodeIndex, SymbolOfNode>& symbols) {
+  const std::vector<ScaledNode> before = roots;
+  rebuild(roots, {}, symbols);
+  return !std::equal(
+      before.begin(), before.end(), roots.begin(),
+      [](const ScaledNode& left, const ScaledNode& right) { return left.node == right.node; });
 }
 
 bool ExpressionGraph::share_factor_pair(std::vector<ScaledNode>& roots) {

@@ -55,6 +55,16 @@ class ExpressionGraph {
   /// most frequent first. `roots` are the results that must remain.
   void share_pairs(std::vector<ScaledNode>& roots);
 
+  /// Puts symbols in place of nodes wherever these are used: for each node the multiple of a symbol
+  /// that it is, and the root that defines the symbol by it and stays. Returns false if no root
+  /// changes.
+  struct SymbolOfNode {
+    ScaledNode value;
+    std::size_t definition;
+  };
+  bool put_symbols(std::vector<ScaledNode>& roots,
+                   const std::map<NodeIndex, SymbolOfNode>& symbols);
+
   [[nodiscard]] const NodeTable<Node>& nodes() const { return nodes_; }
   [[nodiscard]] const SymbolOrder& order() const { return *order_; }
   /// Whether a coefficient costs a multiplication.
@@ -79,8 +89,10 @@ class ExpressionGraph {
   bool share_factor_pair(std::vector<ScaledNode>& roots);
   bool share_term_pair(std::vector<ScaledNode>& roots);
   [[nodiscard]] NodeTable<bool> reachable(const std::vector<ScaledNode>& roots) const;
-  /// Rebuilds what the roots reach after `rewrite` changed nodes, merging equal nodes.
-  void rebuild(std::vector<ScaledNode>& roots, const std::map<NodeIndex, Node>& rewritten);
+  /// Rebuilds what the roots reach after nodes were rewritten or became symbols, merging equal
+  /// nodes.
+  void rebuild(std::vector<ScaledNode>& roots, const std::map<NodeIndex, Node>& rewritten,
+               const std::map<NodeIndex, SymbolOfNode>& symbols = {});
 
   const SymbolOrder* order_;
   NodeTable<Node> nodes_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <set>
 
 namespace assur::generator::program {
@@ -37,9 +38,10 @@ std::vector<equations::NamedQuantity> needed(
 }  // namespace
 
 Program::Program(const SymbolOrder& order, const std::vector<equations::NamedQuantity>& quantities,
-                 const std::vector<Result>& results)
+                 const std::vector<Result>& results,
+                 const std::vector<equations::NamedQuantity>& known)
     : graph_(order) {
-  const std::vector<equations::NamedQuantity> named = needed(quantities, results);
+  std::vector<equations::NamedQuantity> named = needed(quantities, results);
   std::vector<ScaledNode> roots;
   roots.reserve(named.size() + results.size());
   for (const equations::NamedQuantity& quantity : named) {
@@ -54,6 +56,10 @@ Program::Program(const SymbolOrder& order, const std::vector<equations::NamedQua
     }
   }
   graph_.share_pairs(roots);
+  // A name in place of a part can make the whole one that has a name too.
+  do {
+    add_known(known, named, roots);
+  } while (put_names(named, roots));
 
   const NodeTable<int> uses = graph_.uses(roots);
   names_.resize(uses.size());
@@ -61,9 +67,7 @@ Program::Program(const SymbolOrder& order, const std::vector<equations::NamedQua
   done_.assign(uses.size(), false);
   for (const NodeIndex node : uses.keys()) {
     const ExpressionGraph::Node& content = graph_.nodes()[node];
-    const bool computed =
-        content.operation == Operation::product || content.operation == Operation::sum;
-    shared_[node] = computed && uses[node] > 1;
+    shared_[node] = is_computed(node) && uses[node] > 1;
     if (content.operation == Operation::symbol) {
       names_[node] = order.name(content.symbol);
     }
@@ -81,6 +85,49 @@ Program::Program(const SymbolOrder& order, const std::vector<equations::NamedQua
     assignments_.push_back({targets[index], roots[named.size() + index]});
     schedule(assignments_.back().value.node);
   }
+}
+
+bool Program::is_computed(NodeIndex node) const {
+  const Operation operation = graph_.nodes()[node].operation;
+  return operation == Operation::product || operation == Operation::sum;
+}
+
+void Program::add_known(const std::vector<equations::NamedQuantity>& known,
+                        std::vector<equations::NamedQuantity>& named,
+                        std::vector<ScaledNode>& roots) {
+  const NodeTable<int> uses = graph_.uses(roots);
+  std::set<std::string> names;
+  std::set<NodeIndex> nodes;
+  for (std::size_t index = 0; index < named.size(); ++index) {
+    names.insert(named[index].symbol.get_name());
+    nodes.insert(roots[index].node);
+  }
+  for (const equations::NamedQuantity& quantity : known) {
+    const ScaledNode value = graph_.add(polynomial(quantity.definition, graph_.order()));
+    const bool is_shared = value.node.place() < uses.size() && uses[value.node] > 1;
+    if (quantity.form == equations::NamedQuantity::Form::itself && is_computed(value.node) &&
+        is_shared && !value.coefficient.scales() && !nodes.contains(value.node) &&
+        names.insert(quantity.symbol.get_name()).second) {
+      nodes.insert(value.node);
+      roots.insert(roots.begin() + std::ssize(named), value);
+      named.push_back(quantity);
+    }
+  }
+}
+
+bool Program::put_names(const std::vector<equations::NamedQuantity>& named,
+                        std::vector<ScaledNode>& roots) {
+  std::map<NodeIndex, ExpressionGraph::SymbolOfNode> symbols;
+  for (std::size_t index = 0; index < named.size(); ++index) {
+    const ScaledNode value = roots[index];
+    if (named[index].form == equations::NamedQuantity::Form::itself && is_computed(value.node) &&
+        !value.coefficient.scales()) {
+      const NodeIndex symbol = graph_.add(polynomial(named[index].symbol, graph_.order())).node;
+      symbols.try_emplace(value.node,
+                          ExpressionGraph::SymbolOfNode{{value.coefficient, symbol}, index});
+    }
+  }
+  return graph_.put_symbols(roots, symbols);
 }
 
 void Program::schedule(NodeIndex node) {

@@ -33,9 +33,11 @@ class Program {
   };
 
   /// `order` ranks every symbol, the quantities' among them. Only quantities that the results need
-  /// are computed, and results that are zero are left out.
+  /// are computed, and results that are zero are left out. What is computed for several steps gets
+  /// the name that it has among the `known` quantities of other programs, if it has one there.
   Program(const SymbolOrder& order, const std::vector<equations::NamedQuantity>& quantities,
-          const std::vector<Result>& results);
+          const std::vector<Result>& results,
+          const std::vector<equations::NamedQuantity>& known = {});
 
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
   [[nodiscard]] const std::vector<Assignment>& assignments() const { return assignments_; }
@@ -51,6 +53,13 @@ class Program {
   [[nodiscard]] std::vector<std::string> reads() const;
 
  private:
+  /// Adds what is shared and known to what is named, and its definition to the roots.
+  void add_known(const std::vector<equations::NamedQuantity>& known,
+                 std::vector<equations::NamedQuantity>& named, std::vector<ScaledNode>& roots);
+  /// Puts names in place of what they name; returns false if that changes nothing.
+  bool put_names(const std::vector<equations::NamedQuantity>& named,
+                 std::vector<ScaledNode>& roots);
+  [[nodiscard]] bool is_computed(NodeIndex node) const;
   void schedule(NodeIndex node);
 
   ExpressionGraph graph_;

@@ -68,7 +68,8 @@ Measure measure_of(const equations::NamedQuantity& quantity, const SymbolOrder& 
 }  // namespace
 
 SymbolOrder symbol_order(const equations::ImplicitEquations& equations,
-                         const equations::Vocabulary& vocabulary) {
+                         const equations::Vocabulary& vocabulary,
+                         const std::vector<equations::NamedQuantity>& known) {
   constexpr Measure length{1, 0};
   constexpr Measure direction{0, 0};
   SymbolOrder order;
@@ -92,8 +93,10 @@ SymbolOrder symbol_order(const equations::ImplicitEquations& equations,
       order.declare(variable.third_rate, {dimension, -3});
     }
   }
-  for (const equations::NamedQuantity& quantity : vocabulary.quantities()) {
-    order.declare(quantity.symbol, measure_of(quantity, order));
+  for (const auto* list : {&vocabulary.quantities(), &known}) {
+    for (const equations::NamedQuantity& quantity : *list) {
+      order.declare(quantity.symbol, measure_of(quantity, order));
+    }
   }
   return order;
 }

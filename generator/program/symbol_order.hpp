@@ -52,8 +52,10 @@ class SymbolOrder {
   GiNaC::exmap values_;  ///< the same by their symbols
 };
 
-/// Ranks the symbols of equations: unknowns, dimensions, inputs, rates, then named quantities.
+/// Ranks the symbols of equations: unknowns, dimensions, inputs, rates, then named quantities, and
+/// then those that are `known` beside them.
 [[nodiscard]] SymbolOrder symbol_order(const equations::ImplicitEquations& equations,
-                                       const equations::Vocabulary& vocabulary);
+                                       const equations::Vocabulary& vocabulary,
+                                       const std::vector<equations::NamedQuantity>& known = {});
 
 }  // namespace assur::generator::program

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <assur/text/error.hpp>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include "emission/cpp/cpp_text.hpp"
@@ -30,9 +31,18 @@ class GroupSpecialiser {
     SpecialisedGroup result;
     cpp::View::List functions;
     std::set<std::string> named;
+    const std::vector<model::NamingFunction> naming = model::solution_functions(structured_);
+    const std::vector<model::ModelFunction> positions =
+        model::position_functions(equations_, elimination_);
+    std::vector<const equations::Vocabulary*> vocabularies = {&equations_.vocabulary,
+                                                              &elimination_.vocabulary};
+    std::transform(naming.begin(), naming.end(), std::back_inserter(vocabularies),
+                   [](const model::NamingFunction& entry) { return &entry.vocabulary; });
+    const std::vector<equations::NamedQuantity> known =
+        model::known_quantities(equations_, vocabularies);
     const auto add = [&](const model::ModelFunction& function,
                          const equations::Vocabulary& vocabulary) {
-      program::SymbolOrder order = program::symbol_order(equations_, vocabulary);
+      program::SymbolOrder order = program::symbol_order(equations_, vocabulary, known);
       for (const NamedConstant& constant : constants_) {
         order.set_constant(constant.symbol, constant.value);
       }
@@ -41,7 +51,8 @@ class GroupSpecialiser {
       model::ModelFunction folded = function;
       folded.results = special.results;
       expect_positions(folded);
-      const program::Program program(order, special.quantities, special.results);
+      const program::Program program(order, special.quantities, special.results,
+                                     specialised(known, {}, order, values_).quantities);
       functions.push_back(
           model::function_view(folded, program, spelling, model::ZeroResults::assigned));
       result.operations += program.count();
@@ -57,13 +68,11 @@ class GroupSpecialiser {
         add(function, equations_.vocabulary);
       }
     }
-    for (const model::NamingFunction& naming : model::solution_functions(structured_)) {
-      if (is_wanted(naming.function.name)) {
-        add(naming.function, naming.vocabulary);
+    for (const model::NamingFunction& entry : naming) {
+      if (is_wanted(entry.function.name)) {
+        add(entry.function, entry.vocabulary);
       }
     }
-    const std::vector<model::ModelFunction> positions =
-        model::position_functions(equations_, elimination_);
     for (const model::ModelFunction& function : positions) {
       add(function, elimination_.vocabulary);
     }
