@@ -100,7 +100,9 @@ void Program::add_known(const std::vector<equations::NamedQuantity>& known,
   std::set<NodeIndex> nodes;
   for (std::size_t index = 0; index < named.size(); ++index) {
     names.insert(named[index].symbol.get_name());
-    nodes.insert(roots[index].node);
+    if (!roots[index].coefficient.scales()) {
+      nodes.insert(roots[index].node);
+    }
   }
   for (const equations::NamedQuantity& quantity : known) {
     const ScaledNode value = graph_.add(polynomial(quantity.definition, graph_.order()));
