@@ -59,7 +59,7 @@ std::string FormulaWriter::operator()(const GiNaC::ex& expression) const {
   std::vector<Term> terms;
   for (const auto& [monomial, coefficient] : program::polynomial(expression, order_)) {
     if (!coefficient.is_zero()) {
-      terms.push_back({coefficient.is_negative(), term(monomial, GiNaC::abs(coefficient))});
+      terms.push_back({coefficient.is_negative(), term(monomial, coefficient.size().value())});
     }
   }
   if (terms.empty()) {

@@ -37,24 +37,39 @@ SymbolRank most_frequent_factor(const Polynomial& polynomial) {
   return best;
 }
 
+/// Multiplications by the coefficients of a sum of monomials, all of them divided by a number.
+std::ptrdiff_t scalings(const Polynomial& polynomial, const GiNaC::numeric& divisor) {
+  return std::count_if(polynomial.begin(), polynomial.end(), [&](const auto& term) {
+    return !term.first.empty() && term.second.size().value() != divisor;
+  });
+}
+
 /// The positive rational number by which all coefficients can be divided to coprime integers; one
-/// where these would be large, as they are for decimal fractions that have nothing in common.
-GiNaC::numeric content_of(const Polynomial& polynomial) {
+/// where these would be large, as they are for decimal fractions that have nothing in common, or
+/// where to multiply by it afterwards does not cost less.
+Coefficient content_of(const Polynomial& polynomial) {
   constexpr int large = 20;
   GiNaC::numeric numerators = 0;
   GiNaC::numeric denominators = 1;
   for (const auto& [monomial, coefficient] : polynomial) {
-    numerators = GiNaC::gcd(numerators, coefficient.numer());
-    denominators = GiNaC::lcm(denominators, coefficient.denom());
+    numerators = GiNaC::gcd(numerators, coefficient.value().numer());
+    denominators = GiNaC::lcm(denominators, coefficient.value().denom());
   }
   if (numerators.is_zero()) {
     return 1;
   }
   const GiNaC::numeric content = GiNaC::abs(numerators / denominators);
   const bool in_common = std::all_of(polynomial.begin(), polynomial.end(), [&](const auto& term) {
-    return GiNaC::abs(term.second / content) < large;
+    return term.second.size().value() / content < large;
   });
-  return in_common ? content : GiNaC::numeric(1);
+  if (!in_common || scalings(polynomial, content) + 1 >= scalings(polynomial, 1)) {
+    return 1;
+  }
+  // A coefficient that is the content has its name.
+  const auto same = std::find_if(polynomial.begin(), polynomial.end(), [&](const auto& term) {
+    return term.second.size().value() == content;
+  });
+  return same == polynomial.end() ? Coefficient(content) : same->second.size();
 }
 
 template <typename Pair>
@@ -80,7 +95,7 @@ ExpressionGraph::Key ExpressionGraph::key_of(const Node& node) {
   std::string coefficients;
   for (const ScaledNode& term : node.terms) {
     terms.push_back(term.node);
-    coefficients += text(term.coefficient) + " ";
+    coefficients += text(term.coefficient.value()) + " ";
   }
   return {node.operation, node.symbol, node.factors, terms, coefficients};
 }
@@ -107,7 +122,7 @@ ScaledNode ExpressionGraph::make_product(std::vector<NodeIndex> factors) {
 ScaledNode ExpressionGraph::make_sum(std::vector<ScaledNode> terms) {
   // Equal nodes add up; the order is by age with a positive term in front, and the sign of the
   // whole goes to the user of the sum, so that a - b and b - a are one node.
-  std::map<NodeIndex, GiNaC::numeric> sums;
+  std::map<NodeIndex, Coefficient> sums;
   for (const ScaledNode& term : terms) {
     sums[term.node] += term.coefficient;
   }
@@ -133,8 +148,8 @@ ScaledNode ExpressionGraph::make_sum(std::vector<ScaledNode> terms) {
 }
 
 ScaledNode ExpressionGraph::add(const Polynomial& polynomial) {
-  const GiNaC::numeric content = content_of(polynomial);
-  if (content != 1) {
+  const Coefficient content = content_of(polynomial);
+  if (content.scales()) {
     Polynomial primitive = polynomial;
     for (auto& [monomial, coefficient] : primitive) {
       coefficient /= content;
@@ -232,42 +247,58 @@ NodeTable<int> ExpressionGraph::uses(const std::vector<ScaledNode>& roots) const
 }
 
 void ExpressionGraph::rebuild(std::vector<ScaledNode>& roots,
-                              const std::map<NodeIndex, Node>& rewritten) {
+                              const std::map<NodeIndex, Node>& rewritten,
+                              const std::map<NodeIndex, SymbolOfNode>& symbols) {
   // What a node became: itself, another node, or a multiple of one.
   std::map<NodeIndex, ScaledNode> image;
-  const std::function<ScaledNode(NodeIndex)> moved = [&](NodeIndex index) -> ScaledNode {
-    const auto known = image.find(index);
-    if (known != image.end()) {
-      return known->second;
-    }
+  for (const auto& [node, symbol] : symbols) {
+    image.emplace(node, symbol.value);
+  }
+  std::function<ScaledNode(NodeIndex)> moved;
+  const auto remade = [&](NodeIndex index) -> ScaledNode {
     const auto found = rewritten.find(index);
     const Node content = found == rewritten.end() ? nodes_[index] : found->second;
-    ScaledNode result{1, index};
     if (content.operation == Operation::product) {
       std::vector<NodeIndex> factors;
-      GiNaC::numeric coefficient = 1;
+      Coefficient coefficient = 1;
       for (const NodeIndex factor : content.factors) {
         const ScaledNode part = moved(factor);
         factors.push_back(part.node);
         coefficient *= part.coefficient;
       }
-      result = make_product(std::move(factors));
+      ScaledNode result = make_product(std::move(factors));
       result.coefficient *= coefficient;
-    } else if (content.operation == Operation::sum) {
+      return result;
+    }
+    if (content.operation == Operation::sum) {
       std::vector<ScaledNode> terms;
       for (const ScaledNode& term : content.terms) {
         const ScaledNode part = moved(term.node);
         terms.push_back({term.coefficient * part.coefficient, part.node});
       }
-      result = make_sum(std::move(terms));
+      return make_sum(std::move(terms));
     }
-    image.emplace(index, result);
-    return result;
+    return {1, index};
   };
-  for (ScaledNode& root : roots) {
-    const ScaledNode part = moved(root.node);
-    root = {root.coefficient * part.coefficient, part.node};
+  moved = [&](NodeIndex index) -> ScaledNode {
+    const auto known = image.find(index);
+    return known != image.end() ? known->second : image.emplace(index, remade(index)).first->second;
+  };
+  for (std::size_t place = 0; place < roots.size(); ++place) {
+    const auto symbol = symbols.find(roots[place].node);
+    const bool defines = symbol != symbols.end() && symbol->second.definition == place;
+    const ScaledNode part = defines ? remade(roots[place].node) : moved(roots[place].node);
+    roots[place] = {roots[place].coefficient * part.coefficient, part.node};
   }
+}
+
+bool ExpressionGraph::put_symbols(std::vector<ScaledNode>& roots,
+                                  const std::map<NodeIndex, SymbolOfNode>& symbols) {
+  const std::vector<ScaledNode> before = roots;
+  rebuild(roots, {}, symbols);
+  return !std::equal(
+      before.begin(), before.end(), roots.begin(),
+      [](const ScaledNode& left, const ScaledNode& right) { return left.node == right.node; });
 }
 
 bool ExpressionGraph::share_factor_pair(std::vector<ScaledNode>& roots) {
@@ -323,7 +354,7 @@ bool ExpressionGraph::share_term_pair(std::vector<ScaledNode>& roots) {
   using Pair = std::pair<std::pair<NodeIndex, NodeIndex>, std::string>;
   const NodeTable<bool> reached = reachable(roots);
   const auto ratio = [](const ScaledNode& first, const ScaledNode& second) {
-    return text(second.coefficient / first.coefficient);
+    return text((second.coefficient / first.coefficient).value());
   };
   std::map<Pair, int> counts;
   for (const NodeIndex index : reached.keys()) {
@@ -387,6 +418,30 @@ void ExpressionGraph::share_pairs(std::vector<ScaledNode>& roots) {
   }
 }
 
+bool ExpressionGraph::is_scaled(const ScaledNode& value) const {
+  return value.coefficient.scales() && nodes_[value.node].operation != Operation::constant;
+}
+
+Measure ExpressionGraph::measure(NodeIndex index) const {
+  const Node& at = nodes_[index];
+  Measure measure;
+  if (at.operation == Operation::symbol) {
+    return order_->measure(at.symbol);
+  }
+  for (const NodeIndex factor : at.factors) {
+    const Measure part = this->measure(factor);
+    measure.length += part.length;
+    measure.time += part.time;
+  }
+  // Terms measure the same, but for the lengths that are constants.
+  for (const ScaledNode& term : at.terms) {
+    const Measure part = this->measure(term.node);
+    const bool more = part.time != 0 || (measure.time == 0 && part.length != 0);
+    measure = more ? part : measure;
+  }
+  return measure;
+}
+
 OperationCount ExpressionGraph::cost(NodeIndex index) const {
   const Node& at = nodes_[index];
   OperationCount count;
@@ -395,10 +450,7 @@ OperationCount ExpressionGraph::cost(NodeIndex index) const {
   } else if (at.operation == Operation::sum) {
     count.additions = at.terms.size() - 1;
     for (const ScaledNode& term : at.terms) {
-      const GiNaC::numeric size = GiNaC::abs(term.coefficient);
-      if (size != 1 && nodes_[term.node].operation != Operation::constant) {
-        ++count.multiplications;
-      }
+      count.multiplications += is_scaled(term) ? 1 : 0;
     }
   }
   return count;

@@ -11,8 +11,9 @@
 
 namespace assur::generator::program {
 
-/// Additions (subtractions among them), multiplications, divisions and
-/// square roots; changes of sign are free.
+/// Additions (subtractions among them), multiplications, divisions and square roots. A change of
+/// sign is free, and so is what a compiler folds: numbers among themselves. To multiply by a number
+/// is a multiplication, by a power of two as well.
 struct OperationCount {
   std::size_t multiplications = 0;
   std::size_t additions = 0;
@@ -29,7 +30,7 @@ using NodeTable = text::Table<NodeIndex, Item>;
 
 /// A node of the graph, or its negative, or any multiple.
 struct ScaledNode {
-  GiNaC::numeric coefficient;
+  Coefficient coefficient;
   NodeIndex node;
 };
 
@@ -54,8 +55,22 @@ class ExpressionGraph {
   /// most frequent first. `roots` are the results that must remain.
   void share_pairs(std::vector<ScaledNode>& roots);
 
+  /// Puts symbols in place of nodes wherever these are used: for each node the multiple of a symbol
+  /// that it is, and the root that defines the symbol by it and stays. Returns false if no root
+  /// changes.
+  struct SymbolOfNode {
+    ScaledNode value;
+    std::size_t definition;
+  };
+  bool put_symbols(std::vector<ScaledNode>& roots,
+                   const std::map<NodeIndex, SymbolOfNode>& symbols);
+
   [[nodiscard]] const NodeTable<Node>& nodes() const { return nodes_; }
   [[nodiscard]] const SymbolOrder& order() const { return *order_; }
+  /// Whether a coefficient costs a multiplication.
+  [[nodiscard]] bool is_scaled(const ScaledNode& value) const;
+  /// What a node measures.
+  [[nodiscard]] Measure measure(NodeIndex index) const;
   /// Operations that one node costs once its children are known.
   [[nodiscard]] OperationCount cost(NodeIndex index) const;
   /// How often each node is used by the nodes that the roots reach, and by the roots.
@@ -74,8 +89,10 @@ class ExpressionGraph {
   bool share_factor_pair(std::vector<ScaledNode>& roots);
   bool share_term_pair(std::vector<ScaledNode>& roots);
   [[nodiscard]] NodeTable<bool> reachable(const std::vector<ScaledNode>& roots) const;
-  /// Rebuilds what the roots reach after `rewrite` changed nodes, merging equal nodes.
-  void rebuild(std::vector<ScaledNode>& roots, const std::map<NodeIndex, Node>& rewritten);
+  /// Rebuilds what the roots reach after nodes were rewritten or became symbols, merging equal
+  /// nodes.
+  void rebuild(std::vector<ScaledNode>& roots, const std::map<NodeIndex, Node>& rewritten,
+               const std::map<NodeIndex, SymbolOfNode>& symbols = {});
 
   const SymbolOrder* order_;
   NodeTable<Node> nodes_;

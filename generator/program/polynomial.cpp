@@ -16,11 +16,11 @@ namespace {
 }
 
 void add_term(Polynomial& sum, const GiNaC::ex& term, const SymbolOrder& order) {
-  GiNaC::numeric coefficient = 1;
+  Coefficient coefficient = 1;
   Monomial monomial;
   const auto multiply = [&](const GiNaC::ex& factor) {
-    if (GiNaC::is_a<GiNaC::numeric>(factor)) {
-      coefficient *= GiNaC::ex_to<GiNaC::numeric>(factor);
+    if (const std::optional<GiNaC::numeric> number = order.number(factor)) {
+      coefficient *= Coefficient(*number, factor);
     } else if (GiNaC::is_a<GiNaC::symbol>(factor)) {
       monomial.push_back(order.rank(GiNaC::ex_to<GiNaC::symbol>(factor)));
     } else if (GiNaC::is_a<GiNaC::power>(factor) && GiNaC::is_a<GiNaC::symbol>(factor.op(0)) &&
@@ -39,9 +39,7 @@ void add_term(Polynomial& sum, const GiNaC::ex& term, const SymbolOrder& order) 
     multiply(term);
   }
   std::sort(monomial.begin(), monomial.end());
-  if (!coefficient.is_zero()) {
-    sum[monomial] += coefficient;
-  }
+  sum[monomial] += coefficient;
 }
 
 }  // namespace
@@ -55,6 +53,19 @@ Polynomial polynomial(const GiNaC::ex& expression, const SymbolOrder& order) {
     }
   } else {
     add_term(sum, expanded, order);
+  }
+  std::erase_if(sum, [](const auto& term) { return term.second.is_zero(); });
+  return sum;
+}
+
+GiNaC::ex expression(const Polynomial& polynomial, const SymbolOrder& order) {
+  GiNaC::ex sum;
+  for (const auto& [monomial, coefficient] : polynomial) {
+    GiNaC::ex term = coefficient.origin();
+    for (const SymbolRank symbol : monomial) {
+      term *= order.symbol(symbol);
+    }
+    sum += term;
   }
   return sum;
 }

@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "program/coefficient.hpp"
 #include "program/symbol_order.hpp"
 
 namespace assur::generator::program {
@@ -12,9 +13,12 @@ namespace assur::generator::program {
 using Monomial = std::vector<SymbolRank>;
 
 /// A polynomial: coefficients by monomial, in lexicographic order of the ranks.
-using Polynomial = std::map<Monomial, GiNaC::numeric>;
+using Polynomial = std::map<Monomial, Coefficient>;
 
-/// The polynomial that an expression is; throws GeneratorError if it is none.
+/// The polynomial that an expression is in all symbols but constants; throws GeneratorError if it
+/// is none.
 [[nodiscard]] Polynomial polynomial(const GiNaC::ex& expression, const SymbolOrder& order);
+/// The expression that a polynomial is, its coefficients in the names of constants.
+[[nodiscard]] GiNaC::ex expression(const Polynomial& polynomial, const SymbolOrder& order);
 
 }  // namespace assur::generator::program

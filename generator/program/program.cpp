@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <set>
 
 namespace assur::generator::program {
@@ -37,9 +38,10 @@ std::vector<equations::NamedQuantity> needed(
 }  // namespace
 
 Program::Program(const SymbolOrder& order, const std::vector<equations::NamedQuantity>& quantities,
-                 const std::vector<Result>& results)
+                 const std::vector<Result>& results,
+                 const std::vector<equations::NamedQuantity>& known)
     : graph_(order) {
-  const std::vector<equations::NamedQuantity> named = needed(quantities, results);
+  std::vector<equations::NamedQuantity> named = needed(quantities, results);
   std::vector<ScaledNode> roots;
   roots.reserve(named.size() + results.size());
   for (const equations::NamedQuantity& quantity : named) {
@@ -54,6 +56,10 @@ Program::Program(const SymbolOrder& order, const std::vector<equations::NamedQua
     }
   }
   graph_.share_pairs(roots);
+  // A name in place of a part can make the whole one that has a name too.
+  do {
+    add_known(known, named, roots);
+  } while (put_names(named, roots));
 
   const NodeTable<int> uses = graph_.uses(roots);
   names_.resize(uses.size());
@@ -61,9 +67,7 @@ Program::Program(const SymbolOrder& order, const std::vector<equations::NamedQua
   done_.assign(uses.size(), false);
   for (const NodeIndex node : uses.keys()) {
     const ExpressionGraph::Node& content = graph_.nodes()[node];
-    const bool computed =
-        content.operation == Operation::product || content.operation == Operation::sum;
-    shared_[node] = computed && uses[node] > 1;
+    shared_[node] = is_computed(node) && uses[node] > 1;
     if (content.operation == Operation::symbol) {
       names_[node] = order.name(content.symbol);
     }
@@ -81,6 +85,51 @@ Program::Program(const SymbolOrder& order, const std::vector<equations::NamedQua
     assignments_.push_back({targets[index], roots[named.size() + index]});
     schedule(assignments_.back().value.node);
   }
+}
+
+bool Program::is_computed(NodeIndex node) const {
+  const Operation operation = graph_.nodes()[node].operation;
+  return operation == Operation::product || operation == Operation::sum;
+}
+
+void Program::add_known(const std::vector<equations::NamedQuantity>& known,
+                        std::vector<equations::NamedQuantity>& named,
+                        std::vector<ScaledNode>& roots) {
+  const NodeTable<int> uses = graph_.uses(roots);
+  std::set<std::string> names;
+  std::set<NodeIndex> nodes;
+  for (std::size_t index = 0; index < named.size(); ++index) {
+    names.insert(named[index].symbol.get_name());
+    if (!roots[index].coefficient.scales()) {
+      nodes.insert(roots[index].node);
+    }
+  }
+  for (const equations::NamedQuantity& quantity : known) {
+    const ScaledNode value = graph_.add(polynomial(quantity.definition, graph_.order()));
+    const bool is_shared = value.node.place() < uses.size() && uses[value.node] > 1;
+    if (quantity.form == equations::NamedQuantity::Form::itself && is_computed(value.node) &&
+        is_shared && !value.coefficient.scales() && !nodes.contains(value.node) &&
+        names.insert(quantity.symbol.get_name()).second) {
+      nodes.insert(value.node);
+      roots.insert(roots.begin() + std::ssize(named), value);
+      named.push_back(quantity);
+    }
+  }
+}
+
+bool Program::put_names(const std::vector<equations::NamedQuantity>& named,
+                        std::vector<ScaledNode>& roots) {
+  std::map<NodeIndex, ExpressionGraph::SymbolOfNode> symbols;
+  for (std::size_t index = 0; index < named.size(); ++index) {
+    const ScaledNode value = roots[index];
+    if (named[index].form == equations::NamedQuantity::Form::itself && is_computed(value.node) &&
+        !value.coefficient.scales()) {
+      const NodeIndex symbol = graph_.add(polynomial(named[index].symbol, graph_.order())).node;
+      symbols.try_emplace(value.node,
+                          ExpressionGraph::SymbolOfNode{{value.coefficient, symbol}, index});
+    }
+  }
+  return graph_.put_symbols(roots, symbols);
 }
 
 void Program::schedule(NodeIndex node) {
@@ -110,40 +159,57 @@ void Program::schedule(NodeIndex node) {
   }
 }
 
-OperationCount Program::count() const {
-  OperationCount total;
-  const auto is_constant = [&](NodeIndex node) {
-    return graph_.nodes()[node].operation == Operation::constant;
-  };
-  // Inside a step, nodes without a name are computed in place.
-  const std::function<void(NodeIndex)> inner = [&](NodeIndex node) {
-    total += graph_.cost(node);
-    const ExpressionGraph::Node& content = graph_.nodes()[node];
-    for (const NodeIndex factor : content.factors) {
-      if (name_of(factor).empty()) {
-        inner(factor);
-      }
+std::vector<ScaledNode> Program::values() const {
+  std::vector<ScaledNode> list;
+  for (const Step& step : steps_) {
+    list.push_back(step.value);
+  }
+  for (const Assignment& assignment : assignments_) {
+    list.push_back(assignment.value);
+  }
+  return list;
+}
+
+std::vector<NodeIndex> Program::computed() const {
+  std::vector<NodeIndex> list;
+  std::function<void(NodeIndex)> compute;
+  const auto use = [&](NodeIndex node) {
+    if (name_of(node).empty()) {
+      compute(node);
     }
+  };
+  compute = [&](NodeIndex node) {
+    list.push_back(node);
+    const ExpressionGraph::Node& content = graph_.nodes()[node];
+    std::for_each(content.factors.begin(), content.factors.end(), use);
     for (const ScaledNode& term : content.terms) {
-      if (name_of(term.node).empty()) {
-        inner(term.node);
-      }
+      use(term.node);
     }
   };
   for (const Step& step : steps_) {
-    total.divisions += step.form == equations::NamedQuantity::Form::reciprocal ? 1 : 0;
-    total.square_roots += step.form == equations::NamedQuantity::Form::square_root ? 1 : 0;
-    if (name_of(step.value.node).empty() || name_of(step.value.node) == step.name) {
-      inner(step.value.node);
+    if (name_of(step.value.node) == step.name) {
+      compute(step.value.node);
+    } else {
+      use(step.value.node);
     }
   }
   for (const Assignment& assignment : assignments_) {
-    if (name_of(assignment.value.node).empty()) {
-      inner(assignment.value.node);
-    }
-    if (GiNaC::abs(assignment.value.coefficient) != 1 && !is_constant(assignment.value.node)) {
-      ++total.multiplications;
-    }
+    use(assignment.value.node);
+  }
+  return list;
+}
+
+OperationCount Program::count() const {
+  OperationCount total;
+  for (const NodeIndex node : computed()) {
+    total += graph_.cost(node);
+  }
+  for (const ScaledNode& value : values()) {
+    total.multiplications += graph_.is_scaled(value) ? 1 : 0;
+  }
+  for (const Step& step : steps_) {
+    total.divisions += step.form == equations::NamedQuantity::Form::reciprocal ? 1 : 0;
+    total.square_roots += step.form == equations::NamedQuantity::Form::square_root ? 1 : 0;
   }
   return total;
 }

@@ -33,20 +33,33 @@ class Program {
   };
 
   /// `order` ranks every symbol, the quantities' among them. Only quantities that the results need
-  /// are computed, and results that are zero are left out.
+  /// are computed, and results that are zero are left out. What is computed for several steps gets
+  /// the name that it has among the `known` quantities of other programs, if it has one there.
   Program(const SymbolOrder& order, const std::vector<equations::NamedQuantity>& quantities,
-          const std::vector<Result>& results);
+          const std::vector<Result>& results,
+          const std::vector<equations::NamedQuantity>& known = {});
 
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
   [[nodiscard]] const std::vector<Assignment>& assignments() const { return assignments_; }
   [[nodiscard]] const ExpressionGraph& graph() const { return graph_; }
   /// The name under which a node is known once its step is done; empty if it has none.
   [[nodiscard]] const std::string& name_of(NodeIndex node) const { return names_[node]; }
+  /// The values of all steps, then of all assignments.
+  [[nodiscard]] std::vector<ScaledNode> values() const;
+  /// The nodes that are computed, each as often as it is: where it gets its name, or in place.
+  [[nodiscard]] std::vector<NodeIndex> computed() const;
   [[nodiscard]] OperationCount count() const;
   /// Names of the symbols that the program reads, i.e. that no step computes, in order of rank.
   [[nodiscard]] std::vector<std::string> reads() const;
 
  private:
+  /// Adds what is shared and known to what is named, and its definition to the roots.
+  void add_known(const std::vector<equations::NamedQuantity>& known,
+                 std::vector<equations::NamedQuantity>& named, std::vector<ScaledNode>& roots);
+  /// Puts names in place of what they name; returns false if that changes nothing.
+  bool put_names(const std::vector<equations::NamedQuantity>& named,
+                 std::vector<ScaledNode>& roots);
+  [[nodiscard]] bool is_computed(NodeIndex node) const;
   void schedule(NodeIndex node);
 
   ExpressionGraph graph_;

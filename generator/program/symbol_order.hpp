@@ -3,6 +3,7 @@
 
 #include <assur/text/index.hpp>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,23 +13,49 @@ namespace assur::generator::program {
 
 using SymbolRank = text::Index<class SymbolOrder>;
 
+/// What a quantity measures: powers of a length and of time.
+struct Measure {
+  int length = 0;
+  int time = 0;
+
+  /// Where it stands in a product: lengths, then directions and other ratios, then rates.
+  [[nodiscard]] int place() const { return time != 0 ? 2 : length != 0 ? 0 : 1; }
+};
+
 /// Ranks symbols by the order in which they were declared. GiNaC orders by addresses, which differ
 /// from run to run; nothing that is printed may depend on them.
 class SymbolOrder {
  public:
   /// Declares a symbol; a name declared twice keeps its first rank.
-  void declare(const GiNaC::symbol& symbol);
+  void declare(const GiNaC::symbol& symbol, Measure measure = {1, 0});
+  /// Makes a declared symbol a named constant: programs hold it in their coefficients.
+  void set_constant(const GiNaC::symbol& symbol, const GiNaC::numeric& value);
+
   /// The rank of a declared symbol; throws GeneratorError for any other.
   [[nodiscard]] SymbolRank rank(const GiNaC::symbol& symbol) const;
-  [[nodiscard]] const std::string& name(SymbolRank rank) const { return names_[rank]; }
+  [[nodiscard]] const GiNaC::symbol& symbol(SymbolRank rank) const { return entries_[rank].symbol; }
+  [[nodiscard]] std::string name(SymbolRank rank) const { return symbol(rank).get_name(); }
+  [[nodiscard]] const Measure& measure(SymbolRank rank) const { return entries_[rank].measure; }
+  /// The value of a constant, by its name; none for any other symbol.
+  [[nodiscard]] std::optional<GiNaC::numeric> constant(const std::string& name) const;
+  /// The number that an expression in constants alone is; none for any other expression.
+  [[nodiscard]] std::optional<GiNaC::numeric> number(const GiNaC::ex& expression) const;
 
  private:
+  struct Entry {
+    GiNaC::symbol symbol;
+    Measure measure;
+  };
   std::map<std::string, SymbolRank> ranks_;
-  text::Table<SymbolRank, std::string> names_;
+  text::Table<SymbolRank, Entry> entries_;
+  std::map<std::string, GiNaC::numeric> constants_;
+  GiNaC::exmap values_;  ///< the same by their symbols
 };
 
-/// Ranks the symbols of equations: unknowns, dimensions, inputs, rates, then named quantities.
+/// Ranks the symbols of equations: unknowns, dimensions, inputs, rates, then named quantities, and
+/// then those that are `known` beside them.
 [[nodiscard]] SymbolOrder symbol_order(const equations::ImplicitEquations& equations,
-                                       const equations::Vocabulary& vocabulary);
+                                       const equations::Vocabulary& vocabulary,
+                                       const std::vector<equations::NamedQuantity>& known = {});
 
 }  // namespace assur::generator::program

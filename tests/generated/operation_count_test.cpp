@@ -32,7 +32,7 @@ struct Counting {
   bool constant = false;
 
   Counting() = default;
-  explicit Counting(int /*number*/) noexcept : constant(true) {}
+  explicit Counting(double /*number*/) noexcept : constant(true) {}
   static Counting result(bool is_constant) noexcept {
     Counting made;
     made.constant = is_constant;

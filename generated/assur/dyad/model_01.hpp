@@ -157,9 +157,9 @@ struct Model01 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar DC_x = -q.theta_CD.cos * d.CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos;
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar BC_x = q.theta_BC.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BC.cos;
     const Scalar BC_y = d.BC * q.theta_BC.sin;
     f(0) = u.x_D + DC_x - u.x_B - BC_x;
     f(1) = u.y_D + DC_y - u.y_B - BC_y;
@@ -169,9 +169,9 @@ struct Model01 {
   template <typename Scalar>
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
-    const Scalar DC_x = -q.theta_CD.cos * d.CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos;
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar BC_x = q.theta_BC.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BC.cos;
     const Scalar BC_y = d.BC * q.theta_BC.sin;
     J(0, 0) = BC_y;
     J(0, 1) = -DC_y;
@@ -226,9 +226,9 @@ struct Model01 {
     const Scalar a_y_B = u_second_rate(1);
     const Scalar a_x_D = u_second_rate(2);
     const Scalar a_y_D = u_second_rate(3);
-    const Scalar DC_x = -q.theta_CD.cos * d.CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos;
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar BC_x = q.theta_BC.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BC.cos;
     const Scalar BC_y = d.BC * q.theta_BC.sin;
     const Scalar t01 = omega_BC * omega_BC;
     const Scalar t02 = omega_CD * omega_CD;
@@ -252,14 +252,14 @@ struct Model01 {
     const Scalar j_y_B = u_third_rate(1);
     const Scalar j_x_D = u_third_rate(2);
     const Scalar j_y_D = u_third_rate(3);
-    const Scalar DC_x = -q.theta_CD.cos * d.CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos;
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar BC_x = q.theta_BC.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BC.cos;
     const Scalar BC_y = d.BC * q.theta_BC.sin;
     const Scalar t01 = omega_BC * omega_BC;
     const Scalar t02 = omega_CD * omega_CD;
-    rhs(0) = j_x_B + omega_CD * (Scalar(3) * alpha_CD * DC_x - DC_y * t02) - j_x_D
-        - omega_BC * (Scalar(3) * alpha_BC * BC_x - BC_y * t01);
+    rhs(0) = j_x_B + omega_CD * (Scalar(3) * DC_x * alpha_CD - DC_y * t02) - j_x_D
+        - omega_BC * (Scalar(3) * BC_x * alpha_BC - BC_y * t01);
     rhs(1) = j_y_B + omega_CD * (Scalar(3) * DC_y * alpha_CD + DC_x * t02) - j_y_D
         - omega_BC * (Scalar(3) * BC_y * alpha_BC + BC_x * t01);
   }
@@ -275,21 +275,21 @@ struct Model01 {
     const Scalar omega_CD = q_rate(1);
     const Scalar v_BC = d_rate(0);
     const Scalar v_CD = d_rate(1);
-    const Scalar DC_x = -q.theta_CD.cos * d.CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos;
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar BC_x = q.theta_BC.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BC.cos;
     const Scalar BC_y = d.BC * q.theta_BC.sin;
-    rhs(0) = -omega_BC * (Scalar(2) * q.theta_BC.sin * v_BC + omega_BC * BC_x)
-        - omega_CD * (Scalar(2) * q.theta_CD.sin * v_CD - omega_CD * DC_x);
-    rhs(1) = omega_BC * (Scalar(2) * q.theta_BC.cos * v_BC - omega_BC * BC_y)
-        + omega_CD * (Scalar(2) * q.theta_CD.cos * v_CD + omega_CD * DC_y);
+    rhs(0) = -omega_BC * (Scalar(2) * q.theta_BC.sin * v_BC + BC_x * omega_BC)
+        - omega_CD * (Scalar(2) * q.theta_CD.sin * v_CD - DC_x * omega_CD);
+    rhs(1) = omega_BC * (Scalar(2) * q.theta_BC.cos * v_BC - BC_y * omega_BC)
+        + omega_CD * (Scalar(2) * q.theta_CD.cos * v_CD + DC_y * omega_CD);
   }
 
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar DC_x = -q.theta_CD.cos * d.CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos;
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
     poses[0].x = u.x_B;
     poses[0].y = u.y_B;
@@ -311,7 +311,7 @@ struct Model01 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar DC_x = -q.theta_CD.cos * d.CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos;
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
     P_q(2, 0) = Scalar(1);
     P_q(3, 1) = -DC_y;
@@ -336,13 +336,13 @@ struct Model01 {
     const Scalar v_y_B = u_rate(1);
     const Scalar v_x_D = u_rate(2);
     const Scalar v_y_D = u_rate(3);
-    const Scalar DC_x = -q.theta_CD.cos * d.CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos;
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
     v(0, 0) = v_x_B;
     v(0, 1) = v_y_B;
     v(0, 2) = omega_BC;
-    v(1, 0) = v_x_D - omega_CD * DC_y;
-    v(1, 1) = omega_CD * DC_x + v_y_D;
+    v(1, 0) = v_x_D - DC_y * omega_CD;
+    v(1, 1) = DC_x * omega_CD + v_y_D;
     v(1, 2) = omega_CD;
   }
 
@@ -359,13 +359,13 @@ struct Model01 {
     const Scalar a_y_B = u_second_rate(1);
     const Scalar a_x_D = u_second_rate(2);
     const Scalar a_y_D = u_second_rate(3);
-    const Scalar DC_x = -q.theta_CD.cos * d.CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos;
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
     const Scalar t01 = omega_CD * omega_CD;
     a(0, 0) = a_x_B;
     a(0, 1) = a_y_B;
     a(0, 2) = alpha_BC;
-    a(1, 0) = a_x_D - alpha_CD * DC_y - DC_x * t01;
+    a(1, 0) = a_x_D - DC_y * alpha_CD - DC_x * t01;
     a(1, 1) = DC_x * alpha_CD + a_y_D - DC_y * t01;
     a(1, 2) = alpha_CD;
   }
@@ -380,10 +380,10 @@ struct Model01 {
     const Scalar omega_CD = q_rate(1);
     const Scalar v_CD = d_rate(1);
     p.setZero();
-    const Scalar DC_x = -q.theta_CD.cos * d.CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos;
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    p(1, 0) = omega_CD * (Scalar(2) * q.theta_CD.sin * v_CD - omega_CD * DC_x);
-    p(1, 1) = -omega_CD * (Scalar(2) * q.theta_CD.cos * v_CD + omega_CD * DC_y);
+    p(1, 0) = omega_CD * (Scalar(2) * q.theta_CD.sin * v_CD - DC_x * omega_CD);
+    p(1, 1) = -omega_CD * (Scalar(2) * q.theta_CD.cos * v_CD + DC_y * omega_CD);
   }
 
   /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
@@ -420,10 +420,10 @@ struct Model01 {
     const Scalar inverse_CD_across_BC = -d.BC * inverse;
     const Scalar inverse_BC = -CD_across_BC * inverse;
     const Scalar BC_per_along_BC = -CD_along_BC * inverse_CD_across_BC * inverse_BC;
-    J_inverse(0, 0) = q.theta_BC.cos * BC_per_along_BC - q.theta_BC.sin * inverse_BC;
-    J_inverse(0, 1) = q.theta_BC.cos * inverse_BC + q.theta_BC.sin * BC_per_along_BC;
-    J_inverse(1, 0) = q.theta_BC.cos * inverse_CD_across_BC;
-    J_inverse(1, 1) = q.theta_BC.sin * inverse_CD_across_BC;
+    J_inverse(0, 0) = BC_per_along_BC * q.theta_BC.cos - inverse_BC * q.theta_BC.sin;
+    J_inverse(0, 1) = inverse_BC * q.theta_BC.cos + BC_per_along_BC * q.theta_BC.sin;
+    J_inverse(1, 0) = inverse_CD_across_BC * q.theta_BC.cos;
+    J_inverse(1, 1) = inverse_CD_across_BC * q.theta_BC.sin;
   }
 
   /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
@@ -442,22 +442,22 @@ struct Model01 {
     const Scalar inverse_CD_across_BC = -d.BC * inverse;
     const Scalar inverse_BC = -CD_across_BC * inverse;
     const Scalar BC_per_along_BC = -CD_along_BC * inverse_CD_across_BC * inverse_BC;
-    const Scalar t01 = q.theta_BC.cos * BC_per_along_BC - q.theta_BC.sin * inverse_BC;
-    const Scalar t02 = q.theta_BC.cos * inverse_BC + q.theta_BC.sin * BC_per_along_BC;
-    const Scalar t03 = q.theta_BC.cos * inverse_CD_across_BC;
-    const Scalar t04 = q.theta_BC.sin * inverse_CD_across_BC;
+    const Scalar BC_per_x_B = BC_per_along_BC * q.theta_BC.cos - inverse_BC * q.theta_BC.sin;
+    const Scalar CD_per_x_B = inverse_CD_across_BC * q.theta_BC.cos;
+    const Scalar BC_per_y_B = inverse_BC * q.theta_BC.cos + BC_per_along_BC * q.theta_BC.sin;
+    const Scalar CD_per_y_B = inverse_CD_across_BC * q.theta_BC.sin;
     S_d(0, 0) = BC_per_along_BC;
-    S_d(0, 1) = cos_CD_minus_BC * BC_per_along_BC + sin_CD_minus_BC * inverse_BC;
+    S_d(0, 1) = BC_per_along_BC * cos_CD_minus_BC + inverse_BC * sin_CD_minus_BC;
     S_d(1, 0) = inverse_CD_across_BC;
-    S_d(1, 1) = cos_CD_minus_BC * inverse_CD_across_BC;
-    S_u(0, 0) = t01;
-    S_u(0, 1) = t02;
-    S_u(0, 2) = -t01;
-    S_u(0, 3) = -t02;
-    S_u(1, 0) = t03;
-    S_u(1, 1) = t04;
-    S_u(1, 2) = -t03;
-    S_u(1, 3) = -t04;
+    S_d(1, 1) = inverse_CD_across_BC * cos_CD_minus_BC;
+    S_u(0, 0) = BC_per_x_B;
+    S_u(0, 1) = BC_per_y_B;
+    S_u(0, 2) = -BC_per_x_B;
+    S_u(0, 3) = -BC_per_y_B;
+    S_u(1, 0) = CD_per_x_B;
+    S_u(1, 1) = CD_per_y_B;
+    S_u(1, 2) = -CD_per_x_B;
+    S_u(1, 3) = -CD_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -484,7 +484,7 @@ struct Model01 {
     const Scalar velocity_along_BC = q.theta_BC.cos * t01 + q.theta_BC.sin * t02;
     const Scalar velocity_across_BC = q.theta_BC.cos * t02 - q.theta_BC.sin * t01;
     const Scalar omega_CD = inverse_CD_across_BC * velocity_along_BC;
-    const Scalar omega_BC = -(omega_CD * CD_along_BC - velocity_across_BC) * inverse_BC;
+    const Scalar omega_BC = -inverse_BC * (CD_along_BC * omega_CD - velocity_across_BC);
     q_rate(0) = omega_BC;
     q_rate(1) = omega_CD;
   }
@@ -518,7 +518,7 @@ struct Model01 {
     const Scalar velocity_along_BC = q.theta_BC.cos * t01 + q.theta_BC.sin * t02;
     const Scalar velocity_across_BC = q.theta_BC.cos * t02 - q.theta_BC.sin * t01;
     const Scalar omega_CD = inverse_CD_across_BC * velocity_along_BC;
-    const Scalar omega_BC = -(omega_CD * CD_along_BC - velocity_across_BC) * inverse_BC;
+    const Scalar omega_BC = -inverse_BC * (CD_along_BC * omega_CD - velocity_across_BC);
     const Scalar t03 = a_x_B - a_x_D;
     const Scalar t04 = a_y_B - a_y_D;
     const Scalar t05 = omega_CD * omega_CD;
@@ -561,40 +561,36 @@ struct Model01 {
     const Scalar inverse_CD_across_BC = -d.BC * inverse;
     const Scalar inverse_BC = -CD_across_BC * inverse;
     const Scalar BC_per_along_BC = -CD_along_BC * inverse_CD_across_BC * inverse_BC;
-    const Scalar t01 = q.theta_BC.cos * BC_per_along_BC - q.theta_BC.sin * inverse_BC;
-    const Scalar BC_per_x_B = t01;
-    const Scalar t02 = q.theta_BC.cos * inverse_CD_across_BC;
-    const Scalar CD_per_x_B = t02;
-    const Scalar t03 = q.theta_BC.cos * inverse_BC + q.theta_BC.sin * BC_per_along_BC;
-    const Scalar BC_per_y_B = t03;
-    const Scalar t04 = q.theta_BC.sin * inverse_CD_across_BC;
-    const Scalar CD_per_y_B = t04;
-    const Scalar t05 = v_x_B - v_x_D;
-    const Scalar t06 = v_y_B - v_y_D;
-    const Scalar omega_BC = t05 * BC_per_x_B + t06 * BC_per_y_B;
-    const Scalar omega_CD = t05 * CD_per_x_B + t06 * CD_per_y_B;
-    const Scalar t07 = omega_CD * omega_CD;
-    const Scalar centripetal_along_BC = CD_along_BC * t07 - d.BC * omega_BC * omega_BC;
-    const Scalar centripetal_across_BC = CD_across_BC * t07;
-    const Scalar t08 = a_x_B - a_x_D;
-    const Scalar t09 = a_y_B - a_y_D;
+    const Scalar BC_per_x_B = BC_per_along_BC * q.theta_BC.cos - inverse_BC * q.theta_BC.sin;
+    const Scalar CD_per_x_B = inverse_CD_across_BC * q.theta_BC.cos;
+    const Scalar BC_per_y_B = inverse_BC * q.theta_BC.cos + BC_per_along_BC * q.theta_BC.sin;
+    const Scalar CD_per_y_B = inverse_CD_across_BC * q.theta_BC.sin;
+    const Scalar t01 = v_x_B - v_x_D;
+    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar omega_BC = BC_per_x_B * t01 + BC_per_y_B * t02;
+    const Scalar omega_CD = CD_per_x_B * t01 + CD_per_y_B * t02;
+    const Scalar t03 = omega_CD * omega_CD;
+    const Scalar centripetal_along_BC = CD_along_BC * t03 - d.BC * omega_BC * omega_BC;
+    const Scalar centripetal_across_BC = CD_across_BC * t03;
+    const Scalar t04 = a_x_B - a_x_D;
+    const Scalar t05 = a_y_B - a_y_D;
     S_d(0, 0) = BC_per_along_BC;
-    S_d(0, 1) = cos_CD_minus_BC * BC_per_along_BC + sin_CD_minus_BC * inverse_BC;
+    S_d(0, 1) = BC_per_along_BC * cos_CD_minus_BC + inverse_BC * sin_CD_minus_BC;
     S_d(1, 0) = inverse_CD_across_BC;
-    S_d(1, 1) = cos_CD_minus_BC * inverse_CD_across_BC;
-    S_u(0, 0) = t01;
-    S_u(0, 1) = t03;
-    S_u(0, 2) = -t01;
-    S_u(0, 3) = -t03;
-    S_u(1, 0) = t02;
-    S_u(1, 1) = t04;
-    S_u(1, 2) = -t02;
-    S_u(1, 3) = -t04;
+    S_d(1, 1) = inverse_CD_across_BC * cos_CD_minus_BC;
+    S_u(0, 0) = BC_per_x_B;
+    S_u(0, 1) = BC_per_y_B;
+    S_u(0, 2) = -BC_per_x_B;
+    S_u(0, 3) = -BC_per_y_B;
+    S_u(1, 0) = CD_per_x_B;
+    S_u(1, 1) = CD_per_y_B;
+    S_u(1, 2) = -CD_per_x_B;
+    S_u(1, 3) = -CD_per_y_B;
     q_rate(0) = omega_BC;
     q_rate(1) = omega_CD;
-    q_second_rate(0) = BC_per_x_B * t08 + BC_per_y_B * t09 + inverse_BC * centripetal_across_BC
+    q_second_rate(0) = BC_per_x_B * t04 + BC_per_y_B * t05 + inverse_BC * centripetal_across_BC
         + BC_per_along_BC * centripetal_along_BC;
-    q_second_rate(1) = CD_per_x_B * t08 + CD_per_y_B * t09
+    q_second_rate(1) = CD_per_x_B * t04 + CD_per_y_B * t05
         + inverse_CD_across_BC * centripetal_along_BC;
   }
 
@@ -622,7 +618,7 @@ struct Model01 {
     const Scalar DB_y = u.y_B - u.y_D;
     const Scalar inverse_theta_BC = Scalar(1) / -d.BC;  // zero: the link that turns by theta_BC has
                                                         //     no length
-    q.theta_BC.cos = (q.theta_CD.cos * d.CD + DB_x) * inverse_theta_BC;
+    q.theta_BC.cos = (d.CD * q.theta_CD.cos + DB_x) * inverse_theta_BC;
     q.theta_BC.sin = inverse_theta_BC * (d.CD * q.theta_CD.sin + DB_y);
   }
 };

@@ -46,7 +46,7 @@ namespace assur::dyad {
 ///   velocity:                     14, 9, 1
 ///   motion:                       28, 21, 1
 ///   sensitivities_and_motion:     37, 24, 1
-///   position_polynomial:          6, 4, 0
+///   position_polynomial:          7, 4, 0
 ///   complete:                     5, 5, 0
 struct Model02 {
   static constexpr const char* group = "dyad";
@@ -159,12 +159,12 @@ struct Model02 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar DC_x = -q.theta_CD.cos * d.CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos;
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     f(0) = u.x_D + DC_x - u.x_B - slide_B_x - BC_x;
     f(1) = u.y_D + DC_y - u.y_B - slide_B_y - BC_y;
   }
@@ -173,7 +173,7 @@ struct Model02 {
   template <typename Scalar>
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
-    const Scalar DC_x = -q.theta_CD.cos * d.CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos;
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
     J(0, 0) = -DC_y;
     J(0, 1) = -u.phi_B.cos;
@@ -198,8 +198,8 @@ struct Model02 {
     F_u.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     F_u(0, 0) = -Scalar(1);
     F_u(0, 2) = slide_B_y + BC_y;
     F_u(0, 3) = Scalar(1);
@@ -220,10 +220,10 @@ struct Model02 {
     const Scalar v_y_D = u_rate(4);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     rhs(0) = v_x_B - (slide_B_y + BC_y) * omega_B - v_x_D;
-    rhs(1) = omega_B * (slide_B_x + BC_x) + v_y_B - v_y_D;
+    rhs(1) = (slide_B_x + BC_x) * omega_B + v_y_B - v_y_D;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -241,18 +241,18 @@ struct Model02 {
     const Scalar alpha_B = u_second_rate(2);
     const Scalar a_x_D = u_second_rate(3);
     const Scalar a_y_D = u_second_rate(4);
-    const Scalar DC_x = -q.theta_CD.cos * d.CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos;
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_x + BC_x;
     const Scalar t02 = slide_B_y + BC_y;
     const Scalar t03 = omega_CD * omega_CD;
     rhs(0) = a_x_B + DC_x * t03 - omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B)
         - t02 * alpha_B - a_x_D;
-    rhs(1) = t01 * alpha_B + a_y_B + DC_y * t03 - omega_B * (omega_B * t02
+    rhs(1) = t01 * alpha_B + a_y_B + DC_y * t03 - omega_B * (t02 * omega_B
         - Scalar(2) * u.phi_B.cos * v_s_B) - a_y_D;
   }
 
@@ -275,23 +275,23 @@ struct Model02 {
     const Scalar jerk_B = u_third_rate(2);
     const Scalar j_x_D = u_third_rate(3);
     const Scalar j_y_D = u_third_rate(4);
-    const Scalar DC_x = -q.theta_CD.cos * d.CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos;
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_y + BC_y;
     const Scalar t02 = u.phi_B.cos * v_s_B;
     const Scalar t03 = slide_B_x + BC_x;
     const Scalar t04 = u.phi_B.sin * v_s_B;
     const Scalar t05 = omega_CD * omega_CD;
     rhs(0) = omega_B * (omega_B * (t01 * omega_B - Scalar(3) * t02) - Scalar(3) * t03 * alpha_B
-        - Scalar(3) * u.phi_B.sin * a_s_B) + j_x_B + omega_CD * (Scalar(3) * alpha_CD * DC_x
+        - Scalar(3) * u.phi_B.sin * a_s_B) + j_x_B + omega_CD * (Scalar(3) * DC_x * alpha_CD
         - DC_y * t05) - t01 * jerk_B - j_x_D - Scalar(3) * alpha_B * t04;
     rhs(1) = t03 * jerk_B + j_y_B + Scalar(3) * t02 * alpha_B
         + omega_CD * (Scalar(3) * DC_y * alpha_CD + DC_x * t05)
-        - omega_B * (omega_B * (omega_B * t03 + Scalar(3) * t04) + Scalar(3) * t01 * alpha_B
+        - omega_B * (omega_B * (t03 * omega_B + Scalar(3) * t04) + Scalar(3) * t01 * alpha_B
         - Scalar(3) * u.phi_B.cos * a_s_B) - j_y_D;
   }
 
@@ -307,17 +307,17 @@ struct Model02 {
     const Scalar v_h_B_BC = d_rate(0);
     const Scalar v_CD = d_rate(1);
     const Scalar omega_B = u_rate(2);
-    const Scalar DC_x = -q.theta_CD.cos * d.CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos;
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     rhs(0) = -omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC) - omega_CD * (Scalar(2) * q.theta_CD.sin * v_CD
-        - omega_CD * DC_x);
-    rhs(1) = omega_CD * (Scalar(2) * q.theta_CD.cos * v_CD + omega_CD * DC_y)
-        - omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+        - DC_x * omega_CD);
+    rhs(1) = omega_CD * (Scalar(2) * q.theta_CD.cos * v_CD + DC_y * omega_CD)
+        - omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BC);
   }
 
@@ -325,12 +325,12 @@ struct Model02 {
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar DC_x = -q.theta_CD.cos * d.CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos;
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     poses[0].x = u.x_B + slide_B_x + BC_x;
     poses[0].y = u.y_B + slide_B_y + BC_y;
     poses[0].direction.cos = u.phi_B.cos;
@@ -351,12 +351,12 @@ struct Model02 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar DC_x = -q.theta_CD.cos * d.CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos;
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     P_q(0, 1) = u.phi_B.cos;
     P_q(1, 1) = u.phi_B.sin;
     P_q(3, 0) = -DC_y;
@@ -387,17 +387,17 @@ struct Model02 {
     const Scalar omega_B = u_rate(2);
     const Scalar v_x_D = u_rate(3);
     const Scalar v_y_D = u_rate(4);
-    const Scalar DC_x = -q.theta_CD.cos * d.CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos;
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     v(0, 0) = u.phi_B.cos * v_s_B + v_x_B - (slide_B_y + BC_y) * omega_B;
-    v(0, 1) = omega_B * (slide_B_x + BC_x) + u.phi_B.sin * v_s_B + v_y_B;
+    v(0, 1) = (slide_B_x + BC_x) * omega_B + u.phi_B.sin * v_s_B + v_y_B;
     v(0, 2) = omega_B;
-    v(1, 0) = v_x_D - omega_CD * DC_y;
-    v(1, 1) = omega_CD * DC_x + v_y_D;
+    v(1, 0) = v_x_D - DC_y * omega_CD;
+    v(1, 1) = DC_x * omega_CD + v_y_D;
     v(1, 2) = omega_CD;
   }
 
@@ -417,21 +417,21 @@ struct Model02 {
     const Scalar alpha_B = u_second_rate(2);
     const Scalar a_x_D = u_second_rate(3);
     const Scalar a_y_D = u_second_rate(4);
-    const Scalar DC_x = -q.theta_CD.cos * d.CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos;
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_x + BC_x;
     const Scalar t02 = slide_B_y + BC_y;
     const Scalar t03 = omega_CD * omega_CD;
     a(0, 0) = u.phi_B.cos * a_s_B + a_x_B - omega_B * (t01 * omega_B
         + Scalar(2) * u.phi_B.sin * v_s_B) - t02 * alpha_B;
-    a(0, 1) = t01 * alpha_B + u.phi_B.sin * a_s_B + a_y_B - omega_B * (omega_B * t02
+    a(0, 1) = t01 * alpha_B + u.phi_B.sin * a_s_B + a_y_B - omega_B * (t02 * omega_B
         - Scalar(2) * u.phi_B.cos * v_s_B);
     a(0, 2) = alpha_B;
-    a(1, 0) = a_x_D - alpha_CD * DC_y - DC_x * t03;
+    a(1, 0) = a_x_D - DC_y * alpha_CD - DC_x * t03;
     a(1, 1) = DC_x * alpha_CD + a_y_D - DC_y * t03;
     a(1, 2) = alpha_CD;
   }
@@ -449,18 +449,18 @@ struct Model02 {
     const Scalar v_CD = d_rate(1);
     const Scalar omega_B = u_rate(2);
     p.setZero();
-    const Scalar DC_x = -q.theta_CD.cos * d.CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos;
     const Scalar DC_y = -d.CD * q.theta_CD.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     p(0, 0) = -omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
-    p(0, 1) = -omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+    p(0, 1) = -omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BC);
-    p(1, 0) = omega_CD * (Scalar(2) * q.theta_CD.sin * v_CD - omega_CD * DC_x);
-    p(1, 1) = -omega_CD * (Scalar(2) * q.theta_CD.cos * v_CD + omega_CD * DC_y);
+    p(1, 0) = omega_CD * (Scalar(2) * q.theta_CD.sin * v_CD - DC_x * omega_CD);
+    p(1, 1) = -omega_CD * (Scalar(2) * q.theta_CD.cos * v_CD + DC_y * omega_CD);
   }
 
   /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
@@ -488,8 +488,8 @@ struct Model02 {
     const Scalar CD_across_slide_B = -d.CD * sin_CD_minus_phi_B;
     const Scalar inverse = Scalar(1) / CD_along_slide_B;  // zero: CD_along_slide_B = 0
     const Scalar s_B_per_across_slide_B = -CD_across_slide_B * inverse;
-    J_inverse(0, 0) = -u.phi_B.sin * inverse;
-    J_inverse(0, 1) = u.phi_B.cos * inverse;
+    J_inverse(0, 0) = -inverse * u.phi_B.sin;
+    J_inverse(0, 1) = inverse * u.phi_B.cos;
     J_inverse(1, 0) = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
     J_inverse(1, 1) = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
   }
@@ -505,24 +505,24 @@ struct Model02 {
     const Scalar CD_across_slide_B = -d.CD * sin_CD_minus_phi_B;
     const Scalar inverse = Scalar(1) / CD_along_slide_B;  // zero: CD_along_slide_B = 0
     const Scalar s_B_per_across_slide_B = -CD_across_slide_B * inverse;
-    const Scalar t01 = u.phi_B.sin * inverse;
-    const Scalar t02 = u.phi_B.cos * inverse;
-    const Scalar t03 = u.phi_B.cos + u.phi_B.sin * s_B_per_across_slide_B;
-    const Scalar t04 = u.phi_B.sin - u.phi_B.cos * s_B_per_across_slide_B;
+    const Scalar CD_per_x_B = -inverse * u.phi_B.sin;
+    const Scalar s_B_per_x_B = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
+    const Scalar CD_per_y_B = inverse * u.phi_B.cos;
+    const Scalar s_B_per_y_B = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
     S_d(0, 0) = -inverse;
-    S_d(0, 1) = sin_CD_minus_phi_B * inverse;
+    S_d(0, 1) = inverse * sin_CD_minus_phi_B;
     S_d(1, 0) = -s_B_per_across_slide_B;
     S_d(1, 1) = sin_CD_minus_phi_B * s_B_per_across_slide_B - cos_CD_minus_phi_B;
-    S_u(0, 0) = -t01;
-    S_u(0, 1) = t02;
+    S_u(0, 0) = CD_per_x_B;
+    S_u(0, 1) = CD_per_y_B;
     S_u(0, 2) = inverse * q.s_B;
-    S_u(0, 3) = t01;
-    S_u(0, 4) = -t02;
-    S_u(1, 0) = -t03;
-    S_u(1, 1) = -t04;
-    S_u(1, 2) = s_B_per_across_slide_B * q.s_B - d.h_B_BC;
-    S_u(1, 3) = t03;
-    S_u(1, 4) = t04;
+    S_u(0, 3) = -CD_per_x_B;
+    S_u(0, 4) = -CD_per_y_B;
+    S_u(1, 0) = s_B_per_x_B;
+    S_u(1, 1) = s_B_per_y_B;
+    S_u(1, 2) = q.s_B * s_B_per_across_slide_B - d.h_B_BC;
+    S_u(1, 3) = -s_B_per_x_B;
+    S_u(1, 4) = -s_B_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -544,9 +544,9 @@ struct Model02 {
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_B = u.phi_B.cos * t01 + u.phi_B.sin * t02
         + d.h_B_BC * omega_B;
-    const Scalar velocity_across_slide_B = u.phi_B.cos * t02 + omega_B * q.s_B - u.phi_B.sin * t01;
+    const Scalar velocity_across_slide_B = u.phi_B.cos * t02 + q.s_B * omega_B - u.phi_B.sin * t01;
     const Scalar omega_CD = inverse * velocity_across_slide_B;
-    const Scalar v_s_B = -omega_CD * CD_across_slide_B - velocity_along_slide_B;
+    const Scalar v_s_B = -CD_across_slide_B * omega_CD - velocity_along_slide_B;
     q_rate(0) = omega_CD;
     q_rate(1) = v_s_B;
   }
@@ -576,10 +576,10 @@ struct Model02 {
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar t03 = d.h_B_BC * omega_B;
     const Scalar velocity_along_slide_B = u.phi_B.cos * t01 + u.phi_B.sin * t02 + t03;
-    const Scalar t04 = omega_B * q.s_B;
+    const Scalar t04 = q.s_B * omega_B;
     const Scalar velocity_across_slide_B = u.phi_B.cos * t02 + t04 - u.phi_B.sin * t01;
     const Scalar omega_CD = inverse * velocity_across_slide_B;
-    const Scalar v_s_B = -omega_CD * CD_across_slide_B - velocity_along_slide_B;
+    const Scalar v_s_B = -CD_across_slide_B * omega_CD - velocity_along_slide_B;
     const Scalar t05 = a_x_B - a_x_D;
     const Scalar t06 = a_y_B - a_y_D;
     const Scalar t07 = omega_CD * omega_CD;
@@ -619,47 +619,41 @@ struct Model02 {
     const Scalar CD_across_slide_B = -d.CD * sin_CD_minus_phi_B;
     const Scalar inverse = Scalar(1) / CD_along_slide_B;  // zero: CD_along_slide_B = 0
     const Scalar s_B_per_across_slide_B = -CD_across_slide_B * inverse;
-    const Scalar t01 = u.phi_B.sin * inverse;
-    const Scalar CD_per_x_B = -t01;
-    const Scalar t02 = u.phi_B.cos + u.phi_B.sin * s_B_per_across_slide_B;
-    const Scalar s_B_per_x_B = -t02;
-    const Scalar t03 = u.phi_B.cos * inverse;
-    const Scalar CD_per_y_B = t03;
-    const Scalar t04 = u.phi_B.sin - u.phi_B.cos * s_B_per_across_slide_B;
-    const Scalar s_B_per_y_B = -t04;
-    const Scalar t05 = inverse * q.s_B;
-    const Scalar CD_per_phi_B = t05;
-    const Scalar t06 = s_B_per_across_slide_B * q.s_B - d.h_B_BC;
-    const Scalar s_B_per_phi_B = t06;
-    const Scalar t07 = v_x_B - v_x_D;
-    const Scalar t08 = v_y_B - v_y_D;
-    const Scalar omega_CD = t07 * CD_per_x_B + t08 * CD_per_y_B + omega_B * CD_per_phi_B;
-    const Scalar v_s_B = t07 * s_B_per_x_B + t08 * s_B_per_y_B + omega_B * s_B_per_phi_B;
-    const Scalar t09 = omega_CD * omega_CD;
-    const Scalar centripetal_along_slide_B = CD_along_slide_B * t09 - q.s_B * omega_B * omega_B;
+    const Scalar CD_per_x_B = -inverse * u.phi_B.sin;
+    const Scalar s_B_per_x_B = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
+    const Scalar CD_per_y_B = inverse * u.phi_B.cos;
+    const Scalar s_B_per_y_B = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
+    const Scalar CD_per_phi_B = inverse * q.s_B;
+    const Scalar s_B_per_phi_B = q.s_B * s_B_per_across_slide_B - d.h_B_BC;
+    const Scalar t01 = v_x_B - v_x_D;
+    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar omega_CD = CD_per_x_B * t01 + CD_per_y_B * t02 + CD_per_phi_B * omega_B;
+    const Scalar v_s_B = s_B_per_x_B * t01 + s_B_per_y_B * t02 + s_B_per_phi_B * omega_B;
+    const Scalar t03 = omega_CD * omega_CD;
+    const Scalar centripetal_along_slide_B = CD_along_slide_B * t03 - q.s_B * omega_B * omega_B;
     const Scalar centripetal_across_slide_B = omega_B * (d.h_B_BC * omega_B + Scalar(2) * v_s_B)
-        + CD_across_slide_B * t09;
-    const Scalar t10 = a_x_B - a_x_D;
-    const Scalar t11 = a_y_B - a_y_D;
+        + CD_across_slide_B * t03;
+    const Scalar t04 = a_x_B - a_x_D;
+    const Scalar t05 = a_y_B - a_y_D;
     S_d(0, 0) = -inverse;
-    S_d(0, 1) = sin_CD_minus_phi_B * inverse;
+    S_d(0, 1) = inverse * sin_CD_minus_phi_B;
     S_d(1, 0) = -s_B_per_across_slide_B;
     S_d(1, 1) = sin_CD_minus_phi_B * s_B_per_across_slide_B - cos_CD_minus_phi_B;
-    S_u(0, 0) = -t01;
-    S_u(0, 1) = t03;
-    S_u(0, 2) = t05;
-    S_u(0, 3) = t01;
-    S_u(0, 4) = -t03;
-    S_u(1, 0) = -t02;
-    S_u(1, 1) = -t04;
-    S_u(1, 2) = t06;
-    S_u(1, 3) = t02;
-    S_u(1, 4) = t04;
+    S_u(0, 0) = CD_per_x_B;
+    S_u(0, 1) = CD_per_y_B;
+    S_u(0, 2) = CD_per_phi_B;
+    S_u(0, 3) = -CD_per_x_B;
+    S_u(0, 4) = -CD_per_y_B;
+    S_u(1, 0) = s_B_per_x_B;
+    S_u(1, 1) = s_B_per_y_B;
+    S_u(1, 2) = s_B_per_phi_B;
+    S_u(1, 3) = -s_B_per_x_B;
+    S_u(1, 4) = -s_B_per_y_B;
     q_rate(0) = omega_CD;
     q_rate(1) = v_s_B;
-    q_second_rate(0) = CD_per_x_B * t10 + CD_per_y_B * t11 + CD_per_phi_B * alpha_B
+    q_second_rate(0) = CD_per_x_B * t04 + CD_per_y_B * t05 + CD_per_phi_B * alpha_B
         + inverse * centripetal_across_slide_B;
-    q_second_rate(1) = s_B_per_x_B * t10 + s_B_per_y_B * t11 + s_B_per_phi_B * alpha_B
+    q_second_rate(1) = s_B_per_x_B * t04 + s_B_per_y_B * t05 + s_B_per_phi_B * alpha_B
         + s_B_per_across_slide_B * centripetal_across_slide_B - centripetal_along_slide_B;
   }
 
@@ -672,7 +666,7 @@ struct Model02 {
     const Scalar DB_y = u.y_B - u.y_D;
     const Scalar T_m1_re = -d.CD * u.phi_B.sin;
     const Scalar T_m1_im = d.CD * u.phi_B.cos;
-    const Scalar T_0_re = -Scalar(2) * (d.h_B_BC + u.phi_B.sin * DB_x - u.phi_B.cos * DB_y);
+    const Scalar T_0_re = -Scalar(2) * (d.h_B_BC + DB_x * u.phi_B.sin - DB_y * u.phi_B.cos);
     T.cosine[0] = T_0_re;
     T.cosine[1] = Scalar(2) * T_m1_re;
     T.sine[1] = Scalar(2) * T_m1_im;
@@ -685,8 +679,8 @@ struct Model02 {
       Configuration<Scalar>& q) {
     const Scalar DB_x = u.x_B - u.x_D;
     const Scalar DB_y = u.y_B - u.y_D;
-    q.s_B = -(q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin) * d.CD
-        - u.phi_B.cos * DB_x - u.phi_B.sin * DB_y;
+    q.s_B = -d.CD * (q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin)
+        - DB_x * u.phi_B.cos - DB_y * u.phi_B.sin;
   }
 };
 

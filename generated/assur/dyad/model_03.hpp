@@ -46,7 +46,7 @@ namespace assur::dyad {
 ///   velocity:                     6, 6, 1
 ///   motion:                       16, 14, 1
 ///   sensitivities_and_motion:     20, 15, 1
-///   position_polynomial:          2, 3, 0
+///   position_polynomial:          3, 3, 0
 ///   complete:                     2, 3, 0
 struct Model03 {
   static constexpr const char* group = "dyad";
@@ -156,12 +156,12 @@ struct Model03 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar DC_x = -q.theta_BC.sin * d.h_C_CD;
+    const Scalar DC_x = -d.h_C_CD * q.theta_BC.sin;
     const Scalar DC_y = d.h_C_CD * q.theta_BC.cos;
-    const Scalar BC_x = -q.theta_BC.sin * d.h_C_BC;
-    const Scalar BC_y = q.theta_BC.cos * d.h_C_BC;
-    const Scalar slide_C_x = q.theta_BC.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BC.sin * q.s_C;
+    const Scalar BC_x = -d.h_C_BC * q.theta_BC.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_BC.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BC.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BC.sin;
     f(0) = u.x_D + DC_x - u.x_B - BC_x - slide_C_x;
     f(1) = u.y_D + DC_y - u.y_B - BC_y - slide_C_y;
   }
@@ -170,12 +170,12 @@ struct Model03 {
   template <typename Scalar>
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
-    const Scalar DC_x = -q.theta_BC.sin * d.h_C_CD;
+    const Scalar DC_x = -d.h_C_CD * q.theta_BC.sin;
     const Scalar DC_y = d.h_C_CD * q.theta_BC.cos;
-    const Scalar BC_x = -q.theta_BC.sin * d.h_C_BC;
-    const Scalar BC_y = q.theta_BC.cos * d.h_C_BC;
-    const Scalar slide_C_x = q.theta_BC.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BC.sin * q.s_C;
+    const Scalar BC_x = -d.h_C_BC * q.theta_BC.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_BC.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BC.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BC.sin;
     J(0, 0) = BC_y + slide_C_y - DC_y;
     J(0, 1) = -q.theta_BC.cos;
     J(1, 0) = DC_x - BC_x - slide_C_x;
@@ -229,15 +229,15 @@ struct Model03 {
     const Scalar a_y_B = u_second_rate(1);
     const Scalar a_x_D = u_second_rate(2);
     const Scalar a_y_D = u_second_rate(3);
-    const Scalar DC_x = -q.theta_BC.sin * d.h_C_CD;
+    const Scalar DC_x = -d.h_C_CD * q.theta_BC.sin;
     const Scalar DC_y = d.h_C_CD * q.theta_BC.cos;
-    const Scalar BC_x = -q.theta_BC.sin * d.h_C_BC;
-    const Scalar BC_y = q.theta_BC.cos * d.h_C_BC;
-    const Scalar slide_C_x = q.theta_BC.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BC.sin * q.s_C;
+    const Scalar BC_x = -d.h_C_BC * q.theta_BC.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_BC.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BC.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BC.sin;
     rhs(0) = omega_BC * ((DC_x - BC_x - slide_C_x) * omega_BC - Scalar(2) * q.theta_BC.sin * v_s_C)
         + a_x_B - a_x_D;
-    rhs(1) = omega_BC * (omega_BC * (DC_y - BC_y - slide_C_y) + Scalar(2) * q.theta_BC.cos * v_s_C)
+    rhs(1) = omega_BC * ((DC_y - BC_y - slide_C_y) * omega_BC + Scalar(2) * q.theta_BC.cos * v_s_C)
         + a_y_B - a_y_D;
   }
 
@@ -257,12 +257,12 @@ struct Model03 {
     const Scalar j_y_B = u_third_rate(1);
     const Scalar j_x_D = u_third_rate(2);
     const Scalar j_y_D = u_third_rate(3);
-    const Scalar DC_x = -q.theta_BC.sin * d.h_C_CD;
+    const Scalar DC_x = -d.h_C_CD * q.theta_BC.sin;
     const Scalar DC_y = d.h_C_CD * q.theta_BC.cos;
-    const Scalar BC_x = -q.theta_BC.sin * d.h_C_BC;
-    const Scalar BC_y = q.theta_BC.cos * d.h_C_BC;
-    const Scalar slide_C_x = q.theta_BC.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BC.sin * q.s_C;
+    const Scalar BC_x = -d.h_C_BC * q.theta_BC.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_BC.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BC.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BC.sin;
     const Scalar t01 = DC_y - BC_y - slide_C_y;
     const Scalar t02 = q.theta_BC.cos * v_s_C;
     const Scalar t03 = DC_x - BC_x - slide_C_x;
@@ -270,7 +270,7 @@ struct Model03 {
     rhs(0) = j_x_B - omega_BC * (omega_BC * (t01 * omega_BC + Scalar(3) * t02)
         + Scalar(3) * q.theta_BC.sin * a_s_C - Scalar(3) * t03 * alpha_BC) - j_x_D
         - Scalar(3) * alpha_BC * t04;
-    rhs(1) = omega_BC * (omega_BC * (omega_BC * t03 - Scalar(3) * t04) + Scalar(3) * t01 * alpha_BC
+    rhs(1) = omega_BC * (omega_BC * (t03 * omega_BC - Scalar(3) * t04) + Scalar(3) * t01 * alpha_BC
         + Scalar(3) * q.theta_BC.cos * a_s_C) + j_y_B + Scalar(3) * t02 * alpha_BC - j_y_D;
   }
 
@@ -285,16 +285,16 @@ struct Model03 {
     const Scalar v_s_C = q_rate(1);
     const Scalar v_h_C_BC = d_rate(0);
     const Scalar v_h_C_CD = d_rate(1);
-    const Scalar DC_x = -q.theta_BC.sin * d.h_C_CD;
+    const Scalar DC_x = -d.h_C_CD * q.theta_BC.sin;
     const Scalar DC_y = d.h_C_CD * q.theta_BC.cos;
-    const Scalar BC_x = -q.theta_BC.sin * d.h_C_BC;
-    const Scalar BC_y = q.theta_BC.cos * d.h_C_BC;
-    const Scalar slide_C_x = q.theta_BC.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BC.sin * q.s_C;
+    const Scalar BC_x = -d.h_C_BC * q.theta_BC.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_BC.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BC.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BC.sin;
     const Scalar t01 = v_h_C_BC - v_h_C_CD;
     rhs(0) = omega_BC * ((DC_x - BC_x - slide_C_x) * omega_BC - Scalar(2) * q.theta_BC.cos * t01
         - Scalar(2) * q.theta_BC.sin * v_s_C);
-    rhs(1) = omega_BC * (omega_BC * (DC_y - BC_y - slide_C_y) + Scalar(2) * q.theta_BC.cos * v_s_C
+    rhs(1) = omega_BC * ((DC_y - BC_y - slide_C_y) * omega_BC + Scalar(2) * q.theta_BC.cos * v_s_C
         - Scalar(2) * q.theta_BC.sin * t01);
   }
 
@@ -412,22 +412,22 @@ struct Model03 {
     const Scalar BC_across_slide_C = d.h_C_CD - d.h_C_BC;
     const Scalar inverse = Scalar(1) / -q.s_C;  // zero: s_C = 0
     const Scalar s_C_per_across_slide_C = -BC_across_slide_C * inverse;
-    const Scalar t01 = inverse * q.theta_BC.sin;
-    const Scalar t02 = inverse * q.theta_BC.cos;
-    const Scalar t03 = q.theta_BC.cos + s_C_per_across_slide_C * q.theta_BC.sin;
-    const Scalar t04 = q.theta_BC.sin - s_C_per_across_slide_C * q.theta_BC.cos;
+    const Scalar BC_per_x_B = -inverse * q.theta_BC.sin;
+    const Scalar s_C_per_x_B = -q.theta_BC.cos - s_C_per_across_slide_C * q.theta_BC.sin;
+    const Scalar BC_per_y_B = inverse * q.theta_BC.cos;
+    const Scalar s_C_per_y_B = s_C_per_across_slide_C * q.theta_BC.cos - q.theta_BC.sin;
     S_d(0, 0) = inverse;
     S_d(0, 1) = -inverse;
     S_d(1, 0) = s_C_per_across_slide_C;
     S_d(1, 1) = -s_C_per_across_slide_C;
-    S_u(0, 0) = -t01;
-    S_u(0, 1) = t02;
-    S_u(0, 2) = t01;
-    S_u(0, 3) = -t02;
-    S_u(1, 0) = -t03;
-    S_u(1, 1) = -t04;
-    S_u(1, 2) = t03;
-    S_u(1, 3) = t04;
+    S_u(0, 0) = BC_per_x_B;
+    S_u(0, 1) = BC_per_y_B;
+    S_u(0, 2) = -BC_per_x_B;
+    S_u(0, 3) = -BC_per_y_B;
+    S_u(1, 0) = s_C_per_x_B;
+    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 2) = -s_C_per_x_B;
+    S_u(1, 3) = -s_C_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -443,10 +443,10 @@ struct Model03 {
     const Scalar inverse = Scalar(1) / -q.s_C;  // zero: s_C = 0
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_C = t01 * q.theta_BC.cos + t02 * q.theta_BC.sin;
-    const Scalar velocity_across_slide_C = q.theta_BC.cos * t02 - t01 * q.theta_BC.sin;
+    const Scalar velocity_along_slide_C = q.theta_BC.cos * t01 + q.theta_BC.sin * t02;
+    const Scalar velocity_across_slide_C = q.theta_BC.cos * t02 - q.theta_BC.sin * t01;
     const Scalar omega_BC = inverse * velocity_across_slide_C;
-    const Scalar v_s_C = -omega_BC * BC_across_slide_C - velocity_along_slide_C;
+    const Scalar v_s_C = -BC_across_slide_C * omega_BC - velocity_along_slide_C;
     q_rate(0) = omega_BC;
     q_rate(1) = v_s_C;
   }
@@ -469,10 +469,10 @@ struct Model03 {
     const Scalar inverse = Scalar(1) / -q.s_C;  // zero: s_C = 0
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_C = t01 * q.theta_BC.cos + t02 * q.theta_BC.sin;
-    const Scalar velocity_across_slide_C = q.theta_BC.cos * t02 - t01 * q.theta_BC.sin;
+    const Scalar velocity_along_slide_C = q.theta_BC.cos * t01 + q.theta_BC.sin * t02;
+    const Scalar velocity_across_slide_C = q.theta_BC.cos * t02 - q.theta_BC.sin * t01;
     const Scalar omega_BC = inverse * velocity_across_slide_C;
-    const Scalar t03 = omega_BC * BC_across_slide_C;
+    const Scalar t03 = BC_across_slide_C * omega_BC;
     const Scalar v_s_C = -t03 - velocity_along_slide_C;
     const Scalar t04 = a_x_B - a_x_D;
     const Scalar t05 = a_y_B - a_y_D;
@@ -507,39 +507,35 @@ struct Model03 {
     const Scalar BC_across_slide_C = d.h_C_CD - d.h_C_BC;
     const Scalar inverse = Scalar(1) / -q.s_C;  // zero: s_C = 0
     const Scalar s_C_per_across_slide_C = -BC_across_slide_C * inverse;
-    const Scalar t01 = inverse * q.theta_BC.sin;
-    const Scalar BC_per_x_B = -t01;
-    const Scalar t02 = q.theta_BC.cos + q.theta_BC.sin * s_C_per_across_slide_C;
-    const Scalar s_C_per_x_B = -t02;
-    const Scalar t03 = inverse * q.theta_BC.cos;
-    const Scalar BC_per_y_B = t03;
-    const Scalar t04 = q.theta_BC.sin - q.theta_BC.cos * s_C_per_across_slide_C;
-    const Scalar s_C_per_y_B = -t04;
-    const Scalar t05 = v_x_B - v_x_D;
-    const Scalar t06 = v_y_B - v_y_D;
-    const Scalar omega_BC = t05 * BC_per_x_B + t06 * BC_per_y_B;
-    const Scalar v_s_C = t05 * s_C_per_x_B + t06 * s_C_per_y_B;
+    const Scalar BC_per_x_B = -inverse * q.theta_BC.sin;
+    const Scalar s_C_per_x_B = -q.theta_BC.cos - q.theta_BC.sin * s_C_per_across_slide_C;
+    const Scalar BC_per_y_B = inverse * q.theta_BC.cos;
+    const Scalar s_C_per_y_B = q.theta_BC.cos * s_C_per_across_slide_C - q.theta_BC.sin;
+    const Scalar t01 = v_x_B - v_x_D;
+    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar omega_BC = BC_per_x_B * t01 + BC_per_y_B * t02;
+    const Scalar v_s_C = s_C_per_x_B * t01 + s_C_per_y_B * t02;
     const Scalar centripetal_along_slide_C = -q.s_C * omega_BC * omega_BC;
     const Scalar centripetal_across_slide_C = omega_BC * (BC_across_slide_C * omega_BC
         + Scalar(2) * v_s_C);
-    const Scalar t07 = a_x_B - a_x_D;
-    const Scalar t08 = a_y_B - a_y_D;
+    const Scalar t03 = a_x_B - a_x_D;
+    const Scalar t04 = a_y_B - a_y_D;
     S_d(0, 0) = inverse;
     S_d(0, 1) = -inverse;
     S_d(1, 0) = s_C_per_across_slide_C;
     S_d(1, 1) = -s_C_per_across_slide_C;
-    S_u(0, 0) = -t01;
-    S_u(0, 1) = t03;
-    S_u(0, 2) = t01;
-    S_u(0, 3) = -t03;
-    S_u(1, 0) = -t02;
-    S_u(1, 1) = -t04;
-    S_u(1, 2) = t02;
-    S_u(1, 3) = t04;
+    S_u(0, 0) = BC_per_x_B;
+    S_u(0, 1) = BC_per_y_B;
+    S_u(0, 2) = -BC_per_x_B;
+    S_u(0, 3) = -BC_per_y_B;
+    S_u(1, 0) = s_C_per_x_B;
+    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 2) = -s_C_per_x_B;
+    S_u(1, 3) = -s_C_per_y_B;
     q_rate(0) = omega_BC;
     q_rate(1) = v_s_C;
-    q_second_rate(0) = BC_per_x_B * t07 + BC_per_y_B * t08 + inverse * centripetal_across_slide_C;
-    q_second_rate(1) = s_C_per_x_B * t07 + s_C_per_y_B * t08
+    q_second_rate(0) = BC_per_x_B * t03 + BC_per_y_B * t04 + inverse * centripetal_across_slide_C;
+    q_second_rate(1) = s_C_per_x_B * t03 + s_C_per_y_B * t04
         + s_C_per_across_slide_C * centripetal_across_slide_C - centripetal_along_slide_C;
   }
 
@@ -563,7 +559,7 @@ struct Model03 {
       Configuration<Scalar>& q) {
     const Scalar DB_x = u.x_B - u.x_D;
     const Scalar DB_y = u.y_B - u.y_D;
-    q.s_C = -q.theta_BC.cos * DB_x - q.theta_BC.sin * DB_y;
+    q.s_C = -DB_x * q.theta_BC.cos - DB_y * q.theta_BC.sin;
   }
 };
 

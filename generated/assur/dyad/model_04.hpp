@@ -46,7 +46,7 @@ namespace assur::dyad {
 ///   velocity:                     12, 10, 1
 ///   motion:                       26, 22, 1
 ///   sensitivities_and_motion:     39, 27, 1
-///   position_polynomial:          3, 4, 0
+///   position_polynomial:          5, 4, 0
 ///   complete:                     4, 5, 0
 struct Model04 {
   static constexpr const char* group = "dyad";
@@ -163,10 +163,10 @@ struct Model04 {
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar DC_x = -d.h_C_CD * sin_CD;
     const Scalar DC_y = d.h_C_CD * cos_CD;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar slide_C_x = cos_CD * q.s_C;
-    const Scalar slide_C_y = sin_CD * q.s_C;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
     f(0) = u.x_D + DC_x - u.x_B - slide_B_x - slide_C_x;
     f(1) = u.y_D + DC_y - u.y_B - slide_B_y - slide_C_y;
   }
@@ -191,8 +191,8 @@ struct Model04 {
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar DC_x = -d.h_C_CD * sin_CD;
     const Scalar DC_y = d.h_C_CD * cos_CD;
-    const Scalar slide_C_x = cos_CD * q.s_C;
-    const Scalar slide_C_y = sin_CD * q.s_C;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
     F_d(0, 0) = slide_C_y - DC_y;
     F_d(0, 1) = -sin_CD;
     F_d(1, 0) = DC_x - slide_C_x;
@@ -208,10 +208,10 @@ struct Model04 {
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar DC_x = -d.h_C_CD * sin_CD;
     const Scalar DC_y = d.h_C_CD * cos_CD;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar slide_C_x = cos_CD * q.s_C;
-    const Scalar slide_C_y = sin_CD * q.s_C;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
     F_u(0, 0) = -Scalar(1);
     F_u(0, 2) = slide_B_y + slide_C_y - DC_y;
     F_u(0, 3) = Scalar(1);
@@ -234,12 +234,12 @@ struct Model04 {
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar DC_x = -d.h_C_CD * sin_CD;
     const Scalar DC_y = d.h_C_CD * cos_CD;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar slide_C_x = cos_CD * q.s_C;
-    const Scalar slide_C_y = sin_CD * q.s_C;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
     rhs(0) = (DC_y - slide_B_y - slide_C_y) * omega_B + v_x_B - v_x_D;
-    rhs(1) = v_y_B - omega_B * (DC_x - slide_B_x - slide_C_x) - v_y_D;
+    rhs(1) = v_y_B - (DC_x - slide_B_x - slide_C_x) * omega_B - v_y_D;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -261,15 +261,15 @@ struct Model04 {
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar DC_x = -d.h_C_CD * sin_CD;
     const Scalar DC_y = d.h_C_CD * cos_CD;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar slide_C_x = cos_CD * q.s_C;
-    const Scalar slide_C_y = sin_CD * q.s_C;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar t01 = DC_x - slide_B_x - slide_C_x;
     const Scalar t02 = DC_y - slide_B_y - slide_C_y;
     rhs(0) = omega_B * (t01 * omega_B - Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * sin_CD * v_s_C) + t02 * alpha_B + a_x_B - a_x_D;
-    rhs(1) = omega_B * (omega_B * t02 + Scalar(2) * u.phi_B.cos * v_s_B
+    rhs(1) = omega_B * (t02 * omega_B + Scalar(2) * u.phi_B.cos * v_s_B
         + Scalar(2) * cos_CD * v_s_C) + a_y_B - t01 * alpha_B - a_y_D;
   }
 
@@ -296,10 +296,10 @@ struct Model04 {
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar DC_x = -d.h_C_CD * sin_CD;
     const Scalar DC_y = d.h_C_CD * cos_CD;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar slide_C_x = cos_CD * q.s_C;
-    const Scalar slide_C_y = sin_CD * q.s_C;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar t01 = DC_y - slide_B_y - slide_C_y;
     const Scalar t02 = u.phi_B.sin * v_s_B + sin_CD * v_s_C;
     const Scalar t03 = DC_x - slide_B_x - slide_C_x;
@@ -309,7 +309,7 @@ struct Model04 {
         + Scalar(3) * t04)) - Scalar(3) * alpha_B * t02 - j_x_D;
     rhs(1) = Scalar(3) * t04 * alpha_B + j_y_B + omega_B * (Scalar(3) * t01 * alpha_B
         + Scalar(3) * u.phi_B.cos * a_s_B + Scalar(3) * cos_CD * a_s_C - omega_B * (Scalar(3) * t02
-        - omega_B * t03)) - t03 * jerk_B - j_y_D;
+        - t03 * omega_B)) - t03 * jerk_B - j_y_D;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -328,20 +328,20 @@ struct Model04 {
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar DC_x = -d.h_C_CD * sin_CD;
     const Scalar DC_y = d.h_C_CD * cos_CD;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar slide_C_x = cos_CD * q.s_C;
-    const Scalar slide_C_y = sin_CD * q.s_C;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar t01 = DC_x - slide_C_x;
     const Scalar t02 = t01 * omega_C_BC;
     const Scalar t03 = sin_CD * v_s_C - cos_CD * v_h_C_CD;
     const Scalar t04 = DC_y - slide_C_y;
-    const Scalar t05 = omega_C_BC * t04;
+    const Scalar t05 = t04 * omega_C_BC;
     const Scalar t06 = cos_CD * v_s_C + sin_CD * v_h_C_CD;
     rhs(0) = omega_C_BC * (t02 - Scalar(2) * t03) + omega_B * (Scalar(2) * t02
-        - Scalar(2) * u.phi_B.sin * v_s_B - Scalar(2) * t03 - omega_B * (slide_B_x - t01));
+        - Scalar(2) * u.phi_B.sin * v_s_B - Scalar(2) * t03 - (slide_B_x - t01) * omega_B);
     rhs(1) = omega_C_BC * (t05 + Scalar(2) * t06) + omega_B * (Scalar(2) * t05
-        + Scalar(2) * u.phi_B.cos * v_s_B + Scalar(2) * t06 - omega_B * (slide_B_y - t04));
+        + Scalar(2) * u.phi_B.cos * v_s_B + Scalar(2) * t06 - (slide_B_y - t04) * omega_B);
   }
 
   /// Frames of the links in the fixed frame.
@@ -350,8 +350,8 @@ struct Model04 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     poses[0].x = u.x_B + slide_B_x;
     poses[0].y = u.y_B + slide_B_y;
     poses[0].direction.cos = u.phi_B.cos;
@@ -400,8 +400,8 @@ struct Model04 {
     const Scalar v_y_D = u_rate(4);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    v(0, 0) = u.phi_B.cos * v_s_B + v_x_B - omega_B * slide_B_y;
-    v(0, 1) = u.phi_B.sin * v_s_B + v_y_B + omega_B * slide_B_x;
+    v(0, 0) = u.phi_B.cos * v_s_B + v_x_B - slide_B_y * omega_B;
+    v(0, 1) = u.phi_B.sin * v_s_B + v_y_B + slide_B_x * omega_B;
     v(0, 2) = omega_B;
     v(1, 0) = v_x_D;
     v(1, 1) = v_y_D;
@@ -425,8 +425,8 @@ struct Model04 {
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     a(0, 0) = u.phi_B.cos * a_s_B + a_x_B - omega_B * (Scalar(2) * u.phi_B.sin * v_s_B
-        + omega_B * slide_B_x) - alpha_B * slide_B_y;
-    a(0, 1) = omega_B * (Scalar(2) * u.phi_B.cos * v_s_B - omega_B * slide_B_y)
+        + slide_B_x * omega_B) - slide_B_y * alpha_B;
+    a(0, 1) = omega_B * (Scalar(2) * u.phi_B.cos * v_s_B - slide_B_y * omega_B)
         + u.phi_B.sin * a_s_B + a_y_B + slide_B_x * alpha_B;
     a(0, 2) = alpha_B;
     a(1, 0) = a_x_D;
@@ -446,8 +446,8 @@ struct Model04 {
     p.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    p(0, 0) = -omega_B * (Scalar(2) * u.phi_B.sin * v_s_B + omega_B * slide_B_x);
-    p(0, 1) = omega_B * (Scalar(2) * u.phi_B.cos * v_s_B - omega_B * slide_B_y);
+    p(0, 0) = -omega_B * (Scalar(2) * u.phi_B.sin * v_s_B + slide_B_x * omega_B);
+    p(0, 1) = omega_B * (Scalar(2) * u.phi_B.cos * v_s_B - slide_B_y * omega_B);
   }
 
   /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
@@ -479,31 +479,30 @@ struct Model04 {
   static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar t01 = q.s_C * d.psi_C_BC.cos + d.psi_C_BC.sin * d.h_C_CD;
+    const Scalar t01 = q.s_C * d.psi_C_BC.cos + d.h_C_CD * d.psi_C_BC.sin;
     const Scalar phi_B_along_slide_B = -q.s_B - t01;
-    const Scalar phi_B_across_slide_B = d.psi_C_BC.cos * d.h_C_CD - q.s_C * d.psi_C_BC.sin;
+    const Scalar phi_B_across_slide_B = d.h_C_CD * d.psi_C_BC.cos - q.s_C * d.psi_C_BC.sin;
     const Scalar inverse = Scalar(1) / -d.psi_C_BC.sin;  // zero: sin(psi_C_BC) = 0
-    const Scalar t02 = d.psi_C_BC.cos * inverse;
-    const Scalar s_B_per_across_slide_B = -t02;
-    const Scalar t03 = d.psi_C_BC.sin + d.psi_C_BC.cos * s_B_per_across_slide_B;
-    const Scalar t04 = u.phi_B.cos + s_B_per_across_slide_B * u.phi_B.sin;
-    const Scalar t05 = u.phi_B.sin - s_B_per_across_slide_B * u.phi_B.cos;
-    const Scalar t06 = inverse * u.phi_B.sin;
-    const Scalar t07 = inverse * u.phi_B.cos;
-    S_d(0, 0) = q.s_C * t03 - d.h_C_CD * (d.psi_C_BC.cos - d.psi_C_BC.sin * s_B_per_across_slide_B);
-    S_d(0, 1) = -t03;
-    S_d(1, 0) = inverse * t01;
-    S_d(1, 1) = -t02;
-    S_u(0, 0) = -t04;
-    S_u(0, 1) = -t05;
-    S_u(0, 2) = -s_B_per_across_slide_B * phi_B_along_slide_B - phi_B_across_slide_B;
-    S_u(0, 3) = t04;
-    S_u(0, 4) = t05;
-    S_u(1, 0) = -t06;
-    S_u(1, 1) = t07;
-    S_u(1, 2) = -inverse * phi_B_along_slide_B;
-    S_u(1, 3) = t06;
-    S_u(1, 4) = -t07;
+    const Scalar s_B_per_across_slide_B = -d.psi_C_BC.cos * inverse;
+    const Scalar s_B_per_x_B = -u.phi_B.cos - s_B_per_across_slide_B * u.phi_B.sin;
+    const Scalar s_C_per_x_B = -inverse * u.phi_B.sin;
+    const Scalar s_B_per_y_B = s_B_per_across_slide_B * u.phi_B.cos - u.phi_B.sin;
+    const Scalar s_C_per_y_B = inverse * u.phi_B.cos;
+    const Scalar t02 = d.psi_C_BC.sin + d.psi_C_BC.cos * s_B_per_across_slide_B;
+    S_d(0, 0) = q.s_C * t02 - d.h_C_CD * (d.psi_C_BC.cos - d.psi_C_BC.sin * s_B_per_across_slide_B);
+    S_d(0, 1) = -t02;
+    S_d(1, 0) = t01 * inverse;
+    S_d(1, 1) = s_B_per_across_slide_B;
+    S_u(0, 0) = s_B_per_x_B;
+    S_u(0, 1) = s_B_per_y_B;
+    S_u(0, 2) = -phi_B_along_slide_B * s_B_per_across_slide_B - phi_B_across_slide_B;
+    S_u(0, 3) = -s_B_per_x_B;
+    S_u(0, 4) = -s_B_per_y_B;
+    S_u(1, 0) = s_C_per_x_B;
+    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 2) = -phi_B_along_slide_B * inverse;
+    S_u(1, 3) = -s_C_per_x_B;
+    S_u(1, 4) = -s_C_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -516,15 +515,15 @@ struct Model04 {
     const Scalar omega_B = u_rate(2);
     const Scalar v_x_D = u_rate(3);
     const Scalar v_y_D = u_rate(4);
-    const Scalar phi_B_along_slide_B = -q.s_B - q.s_C * d.psi_C_BC.cos - d.psi_C_BC.sin * d.h_C_CD;
-    const Scalar phi_B_across_slide_B = d.psi_C_BC.cos * d.h_C_CD - q.s_C * d.psi_C_BC.sin;
+    const Scalar phi_B_along_slide_B = -q.s_B - q.s_C * d.psi_C_BC.cos - d.h_C_CD * d.psi_C_BC.sin;
+    const Scalar phi_B_across_slide_B = d.h_C_CD * d.psi_C_BC.cos - q.s_C * d.psi_C_BC.sin;
     const Scalar inverse = Scalar(1) / -d.psi_C_BC.sin;  // zero: sin(psi_C_BC) = 0
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_B = t01 * u.phi_B.cos + t02 * u.phi_B.sin
-        + omega_B * phi_B_across_slide_B;
-    const Scalar velocity_across_slide_B = u.phi_B.cos * t02 - t01 * u.phi_B.sin
-        - omega_B * phi_B_along_slide_B;
+    const Scalar velocity_along_slide_B = u.phi_B.cos * t01 + u.phi_B.sin * t02
+        + phi_B_across_slide_B * omega_B;
+    const Scalar velocity_across_slide_B = u.phi_B.cos * t02 - u.phi_B.sin * t01
+        - phi_B_along_slide_B * omega_B;
     const Scalar v_s_C = inverse * velocity_across_slide_B;
     const Scalar v_s_B = -d.psi_C_BC.cos * v_s_C - velocity_along_slide_B;
     q_rate(0) = v_s_B;
@@ -547,15 +546,15 @@ struct Model04 {
     const Scalar a_x_D = u_second_rate(3);
     const Scalar v_y_D = u_rate(4);
     const Scalar a_y_D = u_second_rate(4);
-    const Scalar phi_B_along_slide_B = -q.s_B - q.s_C * d.psi_C_BC.cos - d.psi_C_BC.sin * d.h_C_CD;
-    const Scalar phi_B_across_slide_B = d.psi_C_BC.cos * d.h_C_CD - q.s_C * d.psi_C_BC.sin;
+    const Scalar phi_B_along_slide_B = -q.s_B - q.s_C * d.psi_C_BC.cos - d.h_C_CD * d.psi_C_BC.sin;
+    const Scalar phi_B_across_slide_B = d.h_C_CD * d.psi_C_BC.cos - q.s_C * d.psi_C_BC.sin;
     const Scalar inverse = Scalar(1) / -d.psi_C_BC.sin;  // zero: sin(psi_C_BC) = 0
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
-    const Scalar t03 = omega_B * phi_B_across_slide_B;
-    const Scalar velocity_along_slide_B = t01 * u.phi_B.cos + t02 * u.phi_B.sin + t03;
-    const Scalar t04 = omega_B * phi_B_along_slide_B;
-    const Scalar velocity_across_slide_B = u.phi_B.cos * t02 - t01 * u.phi_B.sin - t04;
+    const Scalar t03 = phi_B_across_slide_B * omega_B;
+    const Scalar velocity_along_slide_B = u.phi_B.cos * t01 + u.phi_B.sin * t02 + t03;
+    const Scalar t04 = phi_B_along_slide_B * omega_B;
+    const Scalar velocity_across_slide_B = u.phi_B.cos * t02 - u.phi_B.sin * t01 - t04;
     const Scalar v_s_C = inverse * velocity_across_slide_B;
     const Scalar t05 = d.psi_C_BC.cos * v_s_C;
     const Scalar v_s_B = -t05 - velocity_along_slide_B;
@@ -591,54 +590,48 @@ struct Model04 {
     const Scalar a_x_D = u_second_rate(3);
     const Scalar v_y_D = u_rate(4);
     const Scalar a_y_D = u_second_rate(4);
-    const Scalar t01 = q.s_C * d.psi_C_BC.cos + d.psi_C_BC.sin * d.h_C_CD;
+    const Scalar t01 = q.s_C * d.psi_C_BC.cos + d.h_C_CD * d.psi_C_BC.sin;
     const Scalar phi_B_along_slide_B = -q.s_B - t01;
-    const Scalar phi_B_across_slide_B = d.psi_C_BC.cos * d.h_C_CD - q.s_C * d.psi_C_BC.sin;
+    const Scalar phi_B_across_slide_B = d.h_C_CD * d.psi_C_BC.cos - q.s_C * d.psi_C_BC.sin;
     const Scalar inverse = Scalar(1) / -d.psi_C_BC.sin;  // zero: sin(psi_C_BC) = 0
-    const Scalar t02 = d.psi_C_BC.cos * inverse;
-    const Scalar s_B_per_across_slide_B = -t02;
-    const Scalar t03 = u.phi_B.cos + u.phi_B.sin * s_B_per_across_slide_B;
-    const Scalar s_B_per_x_B = -t03;
-    const Scalar t04 = inverse * u.phi_B.sin;
-    const Scalar s_C_per_x_B = -t04;
-    const Scalar t05 = u.phi_B.sin - u.phi_B.cos * s_B_per_across_slide_B;
-    const Scalar s_B_per_y_B = -t05;
-    const Scalar t06 = inverse * u.phi_B.cos;
-    const Scalar s_C_per_y_B = t06;
-    const Scalar t07 = s_B_per_across_slide_B * phi_B_along_slide_B + phi_B_across_slide_B;
-    const Scalar s_B_per_phi_B = -t07;
-    const Scalar t08 = inverse * phi_B_along_slide_B;
-    const Scalar s_C_per_phi_B = -t08;
-    const Scalar t09 = v_x_B - v_x_D;
-    const Scalar t10 = v_y_B - v_y_D;
-    const Scalar v_s_B = t09 * s_B_per_x_B + t10 * s_B_per_y_B + omega_B * s_B_per_phi_B;
-    const Scalar v_s_C = t09 * s_C_per_x_B + t10 * s_C_per_y_B + omega_B * s_C_per_phi_B;
+    const Scalar s_B_per_across_slide_B = -d.psi_C_BC.cos * inverse;
+    const Scalar s_B_per_x_B = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
+    const Scalar s_C_per_x_B = -inverse * u.phi_B.sin;
+    const Scalar s_B_per_y_B = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
+    const Scalar s_C_per_y_B = inverse * u.phi_B.cos;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_B * s_B_per_across_slide_B
+        - phi_B_across_slide_B;
+    const Scalar s_C_per_phi_B = -phi_B_along_slide_B * inverse;
+    const Scalar t02 = v_x_B - v_x_D;
+    const Scalar t03 = v_y_B - v_y_D;
+    const Scalar v_s_B = s_B_per_x_B * t02 + s_B_per_y_B * t03 + s_B_per_phi_B * omega_B;
+    const Scalar v_s_C = s_C_per_x_B * t02 + s_C_per_y_B * t03 + s_C_per_phi_B * omega_B;
     const Scalar centripetal_along_slide_B = -omega_B * (Scalar(2) * d.psi_C_BC.sin * v_s_C
         - phi_B_along_slide_B * omega_B);
     const Scalar centripetal_across_slide_B = omega_B * (Scalar(2) * d.psi_C_BC.cos * v_s_C
         + Scalar(2) * v_s_B + phi_B_across_slide_B * omega_B);
-    const Scalar t11 = d.psi_C_BC.sin + d.psi_C_BC.cos * s_B_per_across_slide_B;
-    const Scalar t12 = a_x_B - a_x_D;
-    const Scalar t13 = a_y_B - a_y_D;
-    S_d(0, 0) = q.s_C * t11 - d.h_C_CD * (d.psi_C_BC.cos - d.psi_C_BC.sin * s_B_per_across_slide_B);
-    S_d(0, 1) = -t11;
-    S_d(1, 0) = inverse * t01;
-    S_d(1, 1) = -t02;
-    S_u(0, 0) = -t03;
-    S_u(0, 1) = -t05;
-    S_u(0, 2) = -t07;
-    S_u(0, 3) = t03;
-    S_u(0, 4) = t05;
-    S_u(1, 0) = -t04;
-    S_u(1, 1) = t06;
-    S_u(1, 2) = -t08;
-    S_u(1, 3) = t04;
-    S_u(1, 4) = -t06;
+    const Scalar t04 = d.psi_C_BC.sin + d.psi_C_BC.cos * s_B_per_across_slide_B;
+    const Scalar t05 = a_x_B - a_x_D;
+    const Scalar t06 = a_y_B - a_y_D;
+    S_d(0, 0) = q.s_C * t04 - d.h_C_CD * (d.psi_C_BC.cos - d.psi_C_BC.sin * s_B_per_across_slide_B);
+    S_d(0, 1) = -t04;
+    S_d(1, 0) = t01 * inverse;
+    S_d(1, 1) = s_B_per_across_slide_B;
+    S_u(0, 0) = s_B_per_x_B;
+    S_u(0, 1) = s_B_per_y_B;
+    S_u(0, 2) = s_B_per_phi_B;
+    S_u(0, 3) = -s_B_per_x_B;
+    S_u(0, 4) = -s_B_per_y_B;
+    S_u(1, 0) = s_C_per_x_B;
+    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 2) = s_C_per_phi_B;
+    S_u(1, 3) = -s_C_per_x_B;
+    S_u(1, 4) = -s_C_per_y_B;
     q_rate(0) = v_s_B;
     q_rate(1) = v_s_C;
-    q_second_rate(0) = s_B_per_x_B * t12 + s_B_per_y_B * t13 + s_B_per_phi_B * alpha_B
+    q_second_rate(0) = s_B_per_x_B * t05 + s_B_per_y_B * t06 + s_B_per_phi_B * alpha_B
         + s_B_per_across_slide_B * centripetal_across_slide_B - centripetal_along_slide_B;
-    q_second_rate(1) = s_C_per_x_B * t12 + s_C_per_y_B * t13 + s_C_per_phi_B * alpha_B
+    q_second_rate(1) = s_C_per_x_B * t05 + s_C_per_y_B * t06 + s_C_per_phi_B * alpha_B
         + inverse * centripetal_across_slide_B;
   }
 
@@ -649,8 +642,8 @@ struct Model04 {
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
     const Scalar DB_x = u.x_B - u.x_D;
     const Scalar DB_y = u.y_B - u.y_D;
-    const Scalar T_0_re = -Scalar(2) * (d.psi_C_BC.cos * d.h_C_CD + u.phi_B.sin * DB_x
-        - u.phi_B.cos * DB_y);
+    const Scalar T_0_re = -Scalar(2) * (d.h_C_CD * d.psi_C_BC.cos + DB_x * u.phi_B.sin
+        - DB_y * u.phi_B.cos);
     const Scalar T_1_re = Scalar(2) * d.psi_C_BC.sin;
     T(0) = T_0_re;
     T(1) = T_1_re;
@@ -663,8 +656,8 @@ struct Model04 {
       Configuration<Scalar>& q) {
     const Scalar DB_x = u.x_B - u.x_D;
     const Scalar DB_y = u.y_B - u.y_D;
-    q.s_B = -q.s_C * d.psi_C_BC.cos - d.psi_C_BC.sin * d.h_C_CD - u.phi_B.cos * DB_x
-        - u.phi_B.sin * DB_y;
+    q.s_B = -q.s_C * d.psi_C_BC.cos - d.h_C_CD * d.psi_C_BC.sin - DB_x * u.phi_B.cos
+        - DB_y * u.phi_B.sin;
   }
 };
 

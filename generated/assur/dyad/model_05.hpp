@@ -46,7 +46,7 @@ namespace assur::dyad {
 ///   velocity:                     18, 13, 1
 ///   motion:                       36, 29, 1
 ///   sensitivities_and_motion:     49, 33, 1
-///   position_polynomial:          7, 7, 0
+///   position_polynomial:          9, 7, 0
 ///   complete:                     6, 7, 0
 struct Model05 {
   static constexpr const char* group = "dyad";
@@ -162,12 +162,12 @@ struct Model05 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = u.phi_D.sin * d.h_D_CD;
-    const Scalar DC_y = -u.phi_D.cos * d.h_D_CD;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
+    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     f(0) = u.x_D + slide_D_x + DC_x - u.x_B - slide_B_x - BC_x;
     f(1) = u.y_D + slide_D_y + DC_y - u.y_B - slide_B_y - BC_y;
   }
@@ -199,12 +199,12 @@ struct Model05 {
     F_u.setZero();
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = u.phi_D.sin * d.h_D_CD;
-    const Scalar DC_y = -u.phi_D.cos * d.h_D_CD;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
+    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     F_u(0, 0) = -Scalar(1);
     F_u(0, 2) = slide_B_y + BC_y;
     F_u(0, 3) = Scalar(1);
@@ -228,14 +228,14 @@ struct Model05 {
     const Scalar omega_D = u_rate(5);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = u.phi_D.sin * d.h_D_CD;
-    const Scalar DC_y = -u.phi_D.cos * d.h_D_CD;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
+    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     rhs(0) = (slide_D_y + DC_y) * omega_D + v_x_B - (slide_B_y + BC_y) * omega_B - v_x_D;
-    rhs(1) = omega_B * (slide_B_x + BC_x) + v_y_B - omega_D * (slide_D_x + DC_x) - v_y_D;
+    rhs(1) = (slide_B_x + BC_x) * omega_B + v_y_B - (slide_D_x + DC_x) * omega_D - v_y_D;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -257,20 +257,20 @@ struct Model05 {
     const Scalar alpha_D = u_second_rate(5);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = u.phi_D.sin * d.h_D_CD;
-    const Scalar DC_y = -u.phi_D.cos * d.h_D_CD;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
+    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_x + BC_x;
     const Scalar t02 = slide_D_x + DC_x;
     const Scalar t03 = slide_B_y + BC_y;
     const Scalar t04 = slide_D_y + DC_y;
     rhs(0) = omega_D * (t02 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D) + t04 * alpha_D + a_x_B
         - omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B) - t03 * alpha_B - a_x_D;
-    rhs(1) = omega_D * (omega_D * t04 - Scalar(2) * u.phi_D.cos * v_s_D) + t01 * alpha_B + a_y_B
-        - omega_B * (omega_B * t03 - Scalar(2) * u.phi_B.cos * v_s_B) - t02 * alpha_D - a_y_D;
+    rhs(1) = omega_D * (t04 * omega_D - Scalar(2) * u.phi_D.cos * v_s_D) + t01 * alpha_B + a_y_B
+        - omega_B * (t03 * omega_B - Scalar(2) * u.phi_B.cos * v_s_B) - t02 * alpha_D - a_y_D;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -297,12 +297,12 @@ struct Model05 {
     const Scalar jerk_D = u_third_rate(5);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = u.phi_D.sin * d.h_D_CD;
-    const Scalar DC_y = -u.phi_D.cos * d.h_D_CD;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
+    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_y + BC_y;
     const Scalar t02 = u.phi_B.cos * v_s_B;
     const Scalar t03 = slide_B_x + BC_x;
@@ -315,9 +315,9 @@ struct Model05 {
         - Scalar(3) * u.phi_B.sin * a_s_B) + t04 * jerk_D + j_x_B + Scalar(3) * alpha_D * t07
         - omega_D * (omega_D * (t04 * omega_D - Scalar(3) * t05) - Scalar(3) * t06 * alpha_D
         - Scalar(3) * u.phi_D.sin * a_s_D) - t01 * jerk_B - j_x_D - Scalar(3) * alpha_B * t08;
-    rhs(1) = omega_D * (omega_D * (omega_D * t06 + Scalar(3) * t07) + Scalar(3) * t04 * alpha_D
+    rhs(1) = omega_D * (omega_D * (t06 * omega_D + Scalar(3) * t07) + Scalar(3) * t04 * alpha_D
         - Scalar(3) * u.phi_D.cos * a_s_D) + t03 * jerk_B + j_y_B + Scalar(3) * t02 * alpha_B
-        - omega_B * (omega_B * (omega_B * t03 + Scalar(3) * t08) + Scalar(3) * t01 * alpha_B
+        - omega_B * (omega_B * (t03 * omega_B + Scalar(3) * t08) + Scalar(3) * t01 * alpha_B
         - Scalar(3) * u.phi_B.cos * a_s_B) - t06 * jerk_D - j_y_D - Scalar(3) * t05 * alpha_D;
   }
 
@@ -336,17 +336,17 @@ struct Model05 {
     const Scalar omega_D = u_rate(5);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = u.phi_D.sin * d.h_D_CD;
-    const Scalar DC_y = -u.phi_D.cos * d.h_D_CD;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
+    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     rhs(0) = omega_D * ((slide_D_x + DC_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * u.phi_D.cos * v_h_D_CD) - omega_B * ((slide_B_x + BC_x) * omega_B
         + Scalar(2) * u.phi_B.sin * v_s_B - Scalar(2) * u.phi_B.cos * v_h_B_BC);
-    rhs(1) = omega_D * (omega_D * (slide_D_y + DC_y) - Scalar(2) * u.phi_D.cos * v_s_D
-        - Scalar(2) * u.phi_D.sin * v_h_D_CD) - omega_B * (omega_B * (slide_B_y + BC_y)
+    rhs(1) = omega_D * ((slide_D_y + DC_y) * omega_D - Scalar(2) * u.phi_D.cos * v_s_D
+        - Scalar(2) * u.phi_D.sin * v_h_D_CD) - omega_B * ((slide_B_y + BC_y) * omega_B
         - Scalar(2) * u.phi_B.cos * v_s_B - Scalar(2) * u.phi_B.sin * v_h_B_BC);
   }
 
@@ -356,12 +356,12 @@ struct Model05 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = u.phi_D.sin * d.h_D_CD;
-    const Scalar DC_y = -u.phi_D.cos * d.h_D_CD;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
+    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     poses[0].x = u.x_B + slide_B_x + BC_x;
     poses[0].y = u.y_B + slide_B_y + BC_y;
     poses[0].direction.cos = u.phi_B.cos;
@@ -384,12 +384,12 @@ struct Model05 {
     P_u.setZero();
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = u.phi_D.sin * d.h_D_CD;
-    const Scalar DC_y = -u.phi_D.cos * d.h_D_CD;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
+    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     P_q(0, 0) = u.phi_B.cos;
     P_q(1, 0) = u.phi_B.sin;
     P_q(3, 1) = u.phi_D.cos;
@@ -425,17 +425,17 @@ struct Model05 {
     const Scalar omega_D = u_rate(5);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = u.phi_D.sin * d.h_D_CD;
-    const Scalar DC_y = -u.phi_D.cos * d.h_D_CD;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
+    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     v(0, 0) = u.phi_B.cos * v_s_B + v_x_B - (slide_B_y + BC_y) * omega_B;
-    v(0, 1) = omega_B * (slide_B_x + BC_x) + u.phi_B.sin * v_s_B + v_y_B;
+    v(0, 1) = (slide_B_x + BC_x) * omega_B + u.phi_B.sin * v_s_B + v_y_B;
     v(0, 2) = omega_B;
     v(1, 0) = u.phi_D.cos * v_s_D + v_x_D - (slide_D_y + DC_y) * omega_D;
-    v(1, 1) = omega_D * (slide_D_x + DC_x) + u.phi_D.sin * v_s_D + v_y_D;
+    v(1, 1) = (slide_D_x + DC_x) * omega_D + u.phi_D.sin * v_s_D + v_y_D;
     v(1, 2) = omega_D;
   }
 
@@ -459,24 +459,24 @@ struct Model05 {
     const Scalar alpha_D = u_second_rate(5);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = u.phi_D.sin * d.h_D_CD;
-    const Scalar DC_y = -u.phi_D.cos * d.h_D_CD;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
+    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_x + BC_x;
     const Scalar t02 = slide_B_y + BC_y;
     const Scalar t03 = slide_D_x + DC_x;
     const Scalar t04 = slide_D_y + DC_y;
     a(0, 0) = u.phi_B.cos * a_s_B + a_x_B - omega_B * (t01 * omega_B
         + Scalar(2) * u.phi_B.sin * v_s_B) - t02 * alpha_B;
-    a(0, 1) = t01 * alpha_B + u.phi_B.sin * a_s_B + a_y_B - omega_B * (omega_B * t02
+    a(0, 1) = t01 * alpha_B + u.phi_B.sin * a_s_B + a_y_B - omega_B * (t02 * omega_B
         - Scalar(2) * u.phi_B.cos * v_s_B);
     a(0, 2) = alpha_B;
     a(1, 0) = u.phi_D.cos * a_s_D + a_x_D - omega_D * (t03 * omega_D
         + Scalar(2) * u.phi_D.sin * v_s_D) - t04 * alpha_D;
-    a(1, 1) = t03 * alpha_D + u.phi_D.sin * a_s_D + a_y_D - omega_D * (omega_D * t04
+    a(1, 1) = t03 * alpha_D + u.phi_D.sin * a_s_D + a_y_D - omega_D * (t04 * omega_D
         - Scalar(2) * u.phi_D.cos * v_s_D);
     a(1, 2) = alpha_D;
   }
@@ -497,19 +497,19 @@ struct Model05 {
     p.setZero();
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = u.phi_D.sin * d.h_D_CD;
-    const Scalar DC_y = -u.phi_D.cos * d.h_D_CD;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
+    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     p(0, 0) = -omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
-    p(0, 1) = -omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+    p(0, 1) = -omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BC);
     p(1, 0) = -omega_D * ((slide_D_x + DC_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * u.phi_D.cos * v_h_D_CD);
-    p(1, 1) = -omega_D * (omega_D * (slide_D_y + DC_y) - Scalar(2) * u.phi_D.cos * v_s_D
+    p(1, 1) = -omega_D * ((slide_D_y + DC_y) * omega_D - Scalar(2) * u.phi_D.cos * v_s_D
         - Scalar(2) * u.phi_D.sin * v_h_D_CD);
   }
 
@@ -550,30 +550,29 @@ struct Model05 {
     const Scalar phi_D_along_slide_B = q.s_D * cos_phi_D_minus_phi_B
         + d.h_D_CD * sin_phi_D_minus_phi_B;
     const Scalar phi_D_across_slide_B = q.s_D * sin_phi_D_minus_phi_B
-        - cos_phi_D_minus_phi_B * d.h_D_CD;
+        - d.h_D_CD * cos_phi_D_minus_phi_B;
     const Scalar inverse = Scalar(1) / sin_phi_D_minus_phi_B;  // zero: sin(phi_B - phi_D) = 0
-    const Scalar t01 = cos_phi_D_minus_phi_B * inverse;
-    const Scalar s_B_per_across_slide_B = t01;
-    const Scalar t02 = u.phi_B.cos + u.phi_B.sin * s_B_per_across_slide_B;
-    const Scalar t03 = u.phi_B.sin - u.phi_B.cos * s_B_per_across_slide_B;
-    const Scalar t04 = u.phi_B.sin * inverse;
-    const Scalar t05 = u.phi_B.cos * inverse;
+    const Scalar s_B_per_across_slide_B = cos_phi_D_minus_phi_B * inverse;
+    const Scalar s_B_per_x_B = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
+    const Scalar s_D_per_x_B = -u.phi_B.sin * inverse;
+    const Scalar s_B_per_y_B = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
+    const Scalar s_D_per_y_B = u.phi_B.cos * inverse;
     S_d(0, 0) = -s_B_per_across_slide_B;
     S_d(0, 1) = sin_phi_D_minus_phi_B + cos_phi_D_minus_phi_B * s_B_per_across_slide_B;
     S_d(1, 0) = -inverse;
-    S_d(1, 1) = t01;
-    S_u(0, 0) = -t02;
-    S_u(0, 1) = -t03;
-    S_u(0, 2) = s_B_per_across_slide_B * q.s_B - d.h_B_BC;
-    S_u(0, 3) = t02;
-    S_u(0, 4) = t03;
-    S_u(0, 5) = -s_B_per_across_slide_B * phi_D_along_slide_B - phi_D_across_slide_B;
-    S_u(1, 0) = -t04;
-    S_u(1, 1) = t05;
-    S_u(1, 2) = inverse * q.s_B;
-    S_u(1, 3) = t04;
-    S_u(1, 4) = -t05;
-    S_u(1, 5) = -inverse * phi_D_along_slide_B;
+    S_d(1, 1) = s_B_per_across_slide_B;
+    S_u(0, 0) = s_B_per_x_B;
+    S_u(0, 1) = s_B_per_y_B;
+    S_u(0, 2) = q.s_B * s_B_per_across_slide_B - d.h_B_BC;
+    S_u(0, 3) = -s_B_per_x_B;
+    S_u(0, 4) = -s_B_per_y_B;
+    S_u(0, 5) = -phi_D_along_slide_B * s_B_per_across_slide_B - phi_D_across_slide_B;
+    S_u(1, 0) = s_D_per_x_B;
+    S_u(1, 1) = s_D_per_y_B;
+    S_u(1, 2) = q.s_B * inverse;
+    S_u(1, 3) = -s_D_per_x_B;
+    S_u(1, 4) = -s_D_per_y_B;
+    S_u(1, 5) = -phi_D_along_slide_B * inverse;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -592,14 +591,14 @@ struct Model05 {
     const Scalar phi_D_along_slide_B = q.s_D * cos_phi_D_minus_phi_B
         + d.h_D_CD * sin_phi_D_minus_phi_B;
     const Scalar phi_D_across_slide_B = q.s_D * sin_phi_D_minus_phi_B
-        - cos_phi_D_minus_phi_B * d.h_D_CD;
+        - d.h_D_CD * cos_phi_D_minus_phi_B;
     const Scalar inverse = Scalar(1) / sin_phi_D_minus_phi_B;  // zero: sin(phi_B - phi_D) = 0
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_B = u.phi_B.cos * t01 + u.phi_B.sin * t02 + d.h_B_BC * omega_B
-        + omega_D * phi_D_across_slide_B;
-    const Scalar velocity_across_slide_B = u.phi_B.cos * t02 + omega_B * q.s_B - u.phi_B.sin * t01
-        - omega_D * phi_D_along_slide_B;
+        + phi_D_across_slide_B * omega_D;
+    const Scalar velocity_across_slide_B = u.phi_B.cos * t02 + q.s_B * omega_B - u.phi_B.sin * t01
+        - phi_D_along_slide_B * omega_D;
     const Scalar v_s_D = inverse * velocity_across_slide_B;
     const Scalar v_s_B = cos_phi_D_minus_phi_B * v_s_D - velocity_along_slide_B;
     q_rate(0) = v_s_B;
@@ -629,15 +628,15 @@ struct Model05 {
     const Scalar phi_D_along_slide_B = q.s_D * cos_phi_D_minus_phi_B
         + d.h_D_CD * sin_phi_D_minus_phi_B;
     const Scalar phi_D_across_slide_B = q.s_D * sin_phi_D_minus_phi_B
-        - cos_phi_D_minus_phi_B * d.h_D_CD;
+        - d.h_D_CD * cos_phi_D_minus_phi_B;
     const Scalar inverse = Scalar(1) / sin_phi_D_minus_phi_B;  // zero: sin(phi_B - phi_D) = 0
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar t03 = d.h_B_BC * omega_B;
-    const Scalar t04 = omega_D * phi_D_across_slide_B;
+    const Scalar t04 = phi_D_across_slide_B * omega_D;
     const Scalar velocity_along_slide_B = u.phi_B.cos * t01 + u.phi_B.sin * t02 + t03 + t04;
-    const Scalar t05 = omega_B * q.s_B;
-    const Scalar t06 = omega_D * phi_D_along_slide_B;
+    const Scalar t05 = q.s_B * omega_B;
+    const Scalar t06 = phi_D_along_slide_B * omega_D;
     const Scalar velocity_across_slide_B = u.phi_B.cos * t02 + t05 - u.phi_B.sin * t01 - t06;
     const Scalar v_s_D = inverse * velocity_across_slide_B;
     const Scalar t07 = cos_phi_D_minus_phi_B * v_s_D;
@@ -683,60 +682,52 @@ struct Model05 {
     const Scalar phi_D_along_slide_B = q.s_D * cos_phi_D_minus_phi_B
         + d.h_D_CD * sin_phi_D_minus_phi_B;
     const Scalar phi_D_across_slide_B = q.s_D * sin_phi_D_minus_phi_B
-        - cos_phi_D_minus_phi_B * d.h_D_CD;
+        - d.h_D_CD * cos_phi_D_minus_phi_B;
     const Scalar inverse = Scalar(1) / sin_phi_D_minus_phi_B;  // zero: sin(phi_B - phi_D) = 0
-    const Scalar t01 = cos_phi_D_minus_phi_B * inverse;
-    const Scalar s_B_per_across_slide_B = t01;
-    const Scalar t02 = u.phi_B.cos + u.phi_B.sin * s_B_per_across_slide_B;
-    const Scalar s_B_per_x_B = -t02;
-    const Scalar t03 = u.phi_B.sin * inverse;
-    const Scalar s_D_per_x_B = -t03;
-    const Scalar t04 = u.phi_B.sin - u.phi_B.cos * s_B_per_across_slide_B;
-    const Scalar s_B_per_y_B = -t04;
-    const Scalar t05 = u.phi_B.cos * inverse;
-    const Scalar s_D_per_y_B = t05;
-    const Scalar t06 = s_B_per_across_slide_B * q.s_B - d.h_B_BC;
-    const Scalar s_B_per_phi_B = t06;
-    const Scalar t07 = inverse * q.s_B;
-    const Scalar s_D_per_phi_B = t07;
-    const Scalar t08 = s_B_per_across_slide_B * phi_D_along_slide_B + phi_D_across_slide_B;
-    const Scalar s_B_per_phi_D = -t08;
-    const Scalar t09 = inverse * phi_D_along_slide_B;
-    const Scalar s_D_per_phi_D = -t09;
-    const Scalar t10 = v_x_B - v_x_D;
-    const Scalar t11 = v_y_B - v_y_D;
-    const Scalar v_s_B = t10 * s_B_per_x_B + t11 * s_B_per_y_B + omega_B * s_B_per_phi_B
-        + omega_D * s_B_per_phi_D;
-    const Scalar v_s_D = t10 * s_D_per_x_B + t11 * s_D_per_y_B + omega_B * s_D_per_phi_B
-        + omega_D * s_D_per_phi_D;
+    const Scalar s_B_per_across_slide_B = cos_phi_D_minus_phi_B * inverse;
+    const Scalar s_B_per_x_B = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
+    const Scalar s_D_per_x_B = -u.phi_B.sin * inverse;
+    const Scalar s_B_per_y_B = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
+    const Scalar s_D_per_y_B = u.phi_B.cos * inverse;
+    const Scalar s_B_per_phi_B = q.s_B * s_B_per_across_slide_B - d.h_B_BC;
+    const Scalar s_D_per_phi_B = q.s_B * inverse;
+    const Scalar s_B_per_phi_D = -phi_D_along_slide_B * s_B_per_across_slide_B
+        - phi_D_across_slide_B;
+    const Scalar s_D_per_phi_D = -phi_D_along_slide_B * inverse;
+    const Scalar t01 = v_x_B - v_x_D;
+    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar v_s_B = s_B_per_x_B * t01 + s_B_per_y_B * t02 + s_B_per_phi_B * omega_B
+        + s_B_per_phi_D * omega_D;
+    const Scalar v_s_D = s_D_per_x_B * t01 + s_D_per_y_B * t02 + s_D_per_phi_B * omega_B
+        + s_D_per_phi_D * omega_D;
     const Scalar centripetal_along_slide_B = omega_D * (Scalar(2) * sin_phi_D_minus_phi_B * v_s_D
         + phi_D_along_slide_B * omega_D) - q.s_B * omega_B * omega_B;
     const Scalar centripetal_across_slide_B = omega_B * (d.h_B_BC * omega_B + Scalar(2) * v_s_B)
         - omega_D * (Scalar(2) * cos_phi_D_minus_phi_B * v_s_D - phi_D_across_slide_B * omega_D);
-    const Scalar t12 = a_x_B - a_x_D;
-    const Scalar t13 = a_y_B - a_y_D;
+    const Scalar t03 = a_x_B - a_x_D;
+    const Scalar t04 = a_y_B - a_y_D;
     S_d(0, 0) = -s_B_per_across_slide_B;
     S_d(0, 1) = sin_phi_D_minus_phi_B + cos_phi_D_minus_phi_B * s_B_per_across_slide_B;
     S_d(1, 0) = -inverse;
-    S_d(1, 1) = t01;
-    S_u(0, 0) = -t02;
-    S_u(0, 1) = -t04;
-    S_u(0, 2) = t06;
-    S_u(0, 3) = t02;
-    S_u(0, 4) = t04;
-    S_u(0, 5) = -t08;
-    S_u(1, 0) = -t03;
-    S_u(1, 1) = t05;
-    S_u(1, 2) = t07;
-    S_u(1, 3) = t03;
-    S_u(1, 4) = -t05;
-    S_u(1, 5) = -t09;
+    S_d(1, 1) = s_B_per_across_slide_B;
+    S_u(0, 0) = s_B_per_x_B;
+    S_u(0, 1) = s_B_per_y_B;
+    S_u(0, 2) = s_B_per_phi_B;
+    S_u(0, 3) = -s_B_per_x_B;
+    S_u(0, 4) = -s_B_per_y_B;
+    S_u(0, 5) = s_B_per_phi_D;
+    S_u(1, 0) = s_D_per_x_B;
+    S_u(1, 1) = s_D_per_y_B;
+    S_u(1, 2) = s_D_per_phi_B;
+    S_u(1, 3) = -s_D_per_x_B;
+    S_u(1, 4) = -s_D_per_y_B;
+    S_u(1, 5) = s_D_per_phi_D;
     q_rate(0) = v_s_B;
     q_rate(1) = v_s_D;
-    q_second_rate(0) = s_B_per_x_B * t12 + s_B_per_y_B * t13 + s_B_per_phi_B * alpha_B
+    q_second_rate(0) = s_B_per_x_B * t03 + s_B_per_y_B * t04 + s_B_per_phi_B * alpha_B
         + s_B_per_phi_D * alpha_D + s_B_per_across_slide_B * centripetal_across_slide_B
         - centripetal_along_slide_B;
-    q_second_rate(1) = s_D_per_x_B * t12 + s_D_per_y_B * t13 + s_D_per_phi_B * alpha_B
+    q_second_rate(1) = s_D_per_x_B * t03 + s_D_per_y_B * t04 + s_D_per_phi_B * alpha_B
         + s_D_per_phi_D * alpha_D + inverse * centripetal_across_slide_B;
   }
 
@@ -747,9 +738,8 @@ struct Model05 {
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
     const Scalar DB_x = u.x_B - u.x_D;
     const Scalar DB_y = u.y_B - u.y_D;
-    const Scalar T_0_re = Scalar(2) * ((u.phi_B.cos * u.phi_D.cos
-        + u.phi_B.sin * u.phi_D.sin) * d.h_D_CD + u.phi_B.cos * DB_y - d.h_B_BC
-        - u.phi_B.sin * DB_x);
+    const Scalar T_0_re = Scalar(2) * (d.h_D_CD * (u.phi_B.cos * u.phi_D.cos
+        + u.phi_B.sin * u.phi_D.sin) + DB_y * u.phi_B.cos - d.h_B_BC - DB_x * u.phi_B.sin);
     const Scalar T_1_re = -Scalar(2) * (u.phi_B.cos * u.phi_D.sin - u.phi_D.cos * u.phi_B.sin);
     T(0) = T_0_re;
     T(1) = T_1_re;
@@ -763,7 +753,7 @@ struct Model05 {
     const Scalar DB_x = u.x_B - u.x_D;
     const Scalar DB_y = u.y_B - u.y_D;
     q.s_B = (q.s_D * u.phi_D.cos + d.h_D_CD * u.phi_D.sin - DB_x) * u.phi_B.cos
-        + (q.s_D * u.phi_D.sin - u.phi_D.cos * d.h_D_CD - DB_y) * u.phi_B.sin;
+        + (q.s_D * u.phi_D.sin - d.h_D_CD * u.phi_D.cos - DB_y) * u.phi_B.sin;
   }
 };
 

@@ -148,8 +148,8 @@ struct Model06 {
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     f(0) = u.x_D + slide_D_x - u.x_B - slide_B_x - slide_C_x;
@@ -192,8 +192,8 @@ struct Model06 {
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     F_u(0, 0) = -Scalar(1);
@@ -221,12 +221,12 @@ struct Model06 {
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    rhs(0) = v_x_B + omega_D * slide_D_y - (slide_B_y + slide_C_y) * omega_B - v_x_D;
-    rhs(1) = omega_B * (slide_B_x + slide_C_x) + v_y_B - v_y_D - omega_D * slide_D_x;
+    rhs(0) = v_x_B + slide_D_y * omega_D - (slide_B_y + slide_C_y) * omega_B - v_x_D;
+    rhs(1) = (slide_B_x + slide_C_x) * omega_B + v_y_B - v_y_D - slide_D_x * omega_D;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -251,18 +251,18 @@ struct Model06 {
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar t01 = slide_B_x + slide_C_x;
     const Scalar t02 = slide_B_y + slide_C_y;
-    rhs(0) = omega_D * (Scalar(2) * u.phi_D.sin * v_s_D + omega_D * slide_D_x) + a_x_B
-        + alpha_D * slide_D_y - omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
+    rhs(0) = omega_D * (Scalar(2) * u.phi_D.sin * v_s_D + slide_D_x * omega_D) + a_x_B
+        + slide_D_y * alpha_D - omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         + Scalar(2) * sin_CD * v_s_C) - t02 * alpha_B - a_x_D;
-    rhs(1) = t01 * alpha_B + a_y_B - omega_B * (omega_B * t02 - Scalar(2) * u.phi_B.cos * v_s_B
+    rhs(1) = t01 * alpha_B + a_y_B - omega_B * (t02 * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * cos_CD * v_s_C) - omega_D * (Scalar(2) * u.phi_D.cos * v_s_D
-        - omega_D * slide_D_y) - a_y_D - slide_D_x * alpha_D;
+        - slide_D_y * omega_D) - a_y_D - slide_D_x * alpha_D;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -293,8 +293,8 @@ struct Model06 {
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar t01 = u.phi_D.cos * v_s_D;
@@ -303,16 +303,16 @@ struct Model06 {
     const Scalar t04 = u.phi_D.sin * v_s_D;
     const Scalar t05 = slide_B_x + slide_C_x;
     const Scalar t06 = u.phi_B.cos * v_s_B + cos_CD * v_s_C;
-    rhs(0) = omega_D * (omega_D * (Scalar(3) * t01 - omega_D * slide_D_y)
-        + Scalar(3) * u.phi_D.sin * a_s_D + Scalar(3) * alpha_D * slide_D_x) + j_x_B
+    rhs(0) = omega_D * (omega_D * (Scalar(3) * t01 - slide_D_y * omega_D)
+        + Scalar(3) * u.phi_D.sin * a_s_D + Scalar(3) * slide_D_x * alpha_D) + j_x_B
         + slide_D_y * jerk_D + Scalar(3) * alpha_D * t04 - Scalar(3) * alpha_B * t02 - t03 * jerk_B
         - j_x_D - omega_B * (Scalar(3) * t05 * alpha_B + Scalar(3) * u.phi_B.sin * a_s_B
         + Scalar(3) * sin_CD * a_s_C - omega_B * (t03 * omega_B - Scalar(3) * t06));
-    rhs(1) = omega_D * (omega_D * (Scalar(3) * t04 + omega_D * slide_D_x)
+    rhs(1) = omega_D * (omega_D * (Scalar(3) * t04 + slide_D_x * omega_D)
         + Scalar(3) * slide_D_y * alpha_D - Scalar(3) * u.phi_D.cos * a_s_D)
         + Scalar(3) * t06 * alpha_B + t05 * jerk_B + j_y_B - j_y_D - slide_D_x * jerk_D
         - Scalar(3) * t01 * alpha_D - omega_B * (Scalar(3) * t03 * alpha_B
-        + omega_B * (Scalar(3) * t02 + omega_B * t05) - Scalar(3) * u.phi_B.cos * a_s_B
+        + omega_B * (Scalar(3) * t02 + t05 * omega_B) - Scalar(3) * u.phi_B.cos * a_s_B
         - Scalar(3) * cos_CD * a_s_C);
   }
 
@@ -333,20 +333,20 @@ struct Model06 {
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar t01 = sin_CD * v_s_C;
     const Scalar t02 = slide_C_x * omega_C_BC;
     const Scalar t03 = cos_CD * v_s_C;
-    const Scalar t04 = omega_C_BC * slide_C_y;
-    rhs(0) = omega_D * (Scalar(2) * u.phi_D.sin * v_s_D + omega_D * slide_D_x)
+    const Scalar t04 = slide_C_y * omega_C_BC;
+    rhs(0) = omega_D * (Scalar(2) * u.phi_D.sin * v_s_D + slide_D_x * omega_D)
         - omega_B * ((slide_B_x + slide_C_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         + Scalar(2) * t01 + Scalar(2) * t02) - omega_C_BC * (Scalar(2) * t01 + t02);
-    rhs(1) = omega_C_BC * (Scalar(2) * t03 - t04) - omega_B * (omega_B * (slide_B_y + slide_C_y)
+    rhs(1) = omega_C_BC * (Scalar(2) * t03 - t04) - omega_B * ((slide_B_y + slide_C_y) * omega_B
         + Scalar(2) * t04 - Scalar(2) * u.phi_B.cos * v_s_B - Scalar(2) * t03)
-        - omega_D * (Scalar(2) * u.phi_D.cos * v_s_D - omega_D * slide_D_y);
+        - omega_D * (Scalar(2) * u.phi_D.cos * v_s_D - slide_D_y * omega_D);
   }
 
   /// Frames of the links in the fixed frame.
@@ -357,8 +357,8 @@ struct Model06 {
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     poses[0].x = u.x_B + slide_B_x;
     poses[0].y = u.y_B + slide_B_y;
     poses[0].direction.cos = u.phi_B.cos;
@@ -417,11 +417,11 @@ struct Model06 {
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    v(0, 0) = u.phi_B.cos * v_s_B + v_x_B - omega_B * slide_B_y;
-    v(0, 1) = u.phi_B.sin * v_s_B + v_y_B + omega_B * slide_B_x;
+    v(0, 0) = u.phi_B.cos * v_s_B + v_x_B - slide_B_y * omega_B;
+    v(0, 1) = u.phi_B.sin * v_s_B + v_y_B + slide_B_x * omega_B;
     v(0, 2) = omega_B;
-    v(1, 0) = u.phi_D.cos * v_s_D + v_x_D - omega_D * slide_D_y;
-    v(1, 1) = u.phi_D.sin * v_s_D + v_y_D + omega_D * slide_D_x;
+    v(1, 0) = u.phi_D.cos * v_s_D + v_x_D - slide_D_y * omega_D;
+    v(1, 1) = u.phi_D.sin * v_s_D + v_y_D + slide_D_x * omega_D;
     v(1, 2) = omega_B;
   }
 
@@ -448,13 +448,13 @@ struct Model06 {
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     a(0, 0) = u.phi_B.cos * a_s_B + a_x_B - omega_B * (Scalar(2) * u.phi_B.sin * v_s_B
-        + omega_B * slide_B_x) - alpha_B * slide_B_y;
-    a(0, 1) = omega_B * (Scalar(2) * u.phi_B.cos * v_s_B - omega_B * slide_B_y)
+        + slide_B_x * omega_B) - slide_B_y * alpha_B;
+    a(0, 1) = omega_B * (Scalar(2) * u.phi_B.cos * v_s_B - slide_B_y * omega_B)
         + u.phi_B.sin * a_s_B + a_y_B + slide_B_x * alpha_B;
     a(0, 2) = alpha_B;
     a(1, 0) = u.phi_D.cos * a_s_D + a_x_D - omega_D * (Scalar(2) * u.phi_D.sin * v_s_D
-        + omega_D * slide_D_x) - alpha_D * slide_D_y;
-    a(1, 1) = omega_D * (Scalar(2) * u.phi_D.cos * v_s_D - omega_D * slide_D_y)
+        + slide_D_x * omega_D) - slide_D_y * alpha_D;
+    a(1, 1) = omega_D * (Scalar(2) * u.phi_D.cos * v_s_D - slide_D_y * omega_D)
         + u.phi_D.sin * a_s_D + a_y_D + slide_D_x * alpha_D;
     a(1, 2) = alpha_B;
   }
@@ -475,10 +475,10 @@ struct Model06 {
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    p(0, 0) = -omega_B * (Scalar(2) * u.phi_B.sin * v_s_B + omega_B * slide_B_x);
-    p(0, 1) = omega_B * (Scalar(2) * u.phi_B.cos * v_s_B - omega_B * slide_B_y);
-    p(1, 0) = -omega_D * (Scalar(2) * u.phi_D.sin * v_s_D + omega_D * slide_D_x);
-    p(1, 1) = omega_D * (Scalar(2) * u.phi_D.cos * v_s_D - omega_D * slide_D_y);
+    p(0, 0) = -omega_B * (Scalar(2) * u.phi_B.sin * v_s_B + slide_B_x * omega_B);
+    p(0, 1) = omega_B * (Scalar(2) * u.phi_B.cos * v_s_B - slide_B_y * omega_B);
+    p(1, 0) = -omega_D * (Scalar(2) * u.phi_D.sin * v_s_D + slide_D_x * omega_D);
+    p(1, 1) = omega_D * (Scalar(2) * u.phi_D.cos * v_s_D - slide_D_y * omega_D);
   }
 
   /// (cos, sin) of each sum of angles that must vanish: assembled only at (1, 0).

@@ -56,7 +56,7 @@ namespace assur::tetrad {
 ///   velocity:                     56, 25, 1
 ///   motion:                       90, 47, 1
 ///   sensitivities_and_motion:     142, 63, 1
-///   position_polynomial:          102, 77, 0
+///   position_polynomial:          111, 77, 0
 ///   second_equations:             34, 24, 0
 ///   complete:                     16, 14, 2
 struct Model01 {
@@ -190,24 +190,24 @@ struct Model01 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar BC_x = q.theta_BCG.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos;
     const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t01 = u.x_B - u.x_E;
-    const Scalar t02 = u.y_B - u.y_E;
-    f(0) = BC_x + CD_x + t01 - ED_x;
-    f(1) = BC_y + CD_y + t02 - ED_y;
-    f(2) = BG_x + GF_x + t01 - EF_x;
-    f(3) = BG_y + GF_y + t02 - EF_y;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    f(0) = BC_x + CD_x + EB_x - ED_x;
+    f(1) = BC_y + CD_y + EB_y - ED_y;
+    f(2) = BG_x + GF_x + EB_x - EF_x;
+    f(3) = BG_y + GF_y + EB_y - EF_y;
   }
 
   /// J = df/dq.
@@ -215,18 +215,18 @@ struct Model01 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar BC_x = q.theta_BCG.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos;
     const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     J(0, 0) = -BC_y;
     J(0, 1) = ED_y;
     J(0, 2) = -CD_y;
@@ -311,18 +311,18 @@ struct Model01 {
     const Scalar a_y_B = u_second_rate(1);
     const Scalar a_x_E = u_second_rate(2);
     const Scalar a_y_E = u_second_rate(3);
-    const Scalar BC_x = q.theta_BCG.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos;
     const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     const Scalar t01 = omega_BCG * omega_BCG;
     const Scalar t02 = omega_EDF * omega_EDF;
     const Scalar t03 = omega_CD * omega_CD;
@@ -355,36 +355,36 @@ struct Model01 {
     const Scalar j_y_B = u_third_rate(1);
     const Scalar j_x_E = u_third_rate(2);
     const Scalar j_y_E = u_third_rate(3);
-    const Scalar BC_x = q.theta_BCG.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos;
     const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     const Scalar t01 = j_x_B - j_x_E;
     const Scalar t02 = omega_BCG * omega_BCG;
     const Scalar t03 = omega_EDF * omega_EDF;
     const Scalar t04 = omega_CD * omega_CD;
     const Scalar t05 = j_y_B - j_y_E;
     const Scalar t06 = omega_GF * omega_GF;
-    rhs(0) = omega_BCG * (Scalar(3) * alpha_BCG * BC_x - BC_y * t02)
-        + omega_CD * (Scalar(3) * alpha_CD * CD_x - CD_y * t04) - t01
-        - omega_EDF * (Scalar(3) * alpha_EDF * ED_x - ED_y * t03);
+    rhs(0) = omega_BCG * (Scalar(3) * BC_x * alpha_BCG - BC_y * t02)
+        + omega_CD * (Scalar(3) * CD_x * alpha_CD - CD_y * t04) - t01
+        - omega_EDF * (Scalar(3) * ED_x * alpha_EDF - ED_y * t03);
     rhs(1) = omega_BCG * (Scalar(3) * BC_y * alpha_BCG + BC_x * t02)
         + omega_CD * (Scalar(3) * CD_y * alpha_CD + CD_x * t04) - t05
         - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t03);
-    rhs(2) = omega_BCG * (Scalar(3) * alpha_BCG * BG_x - BG_y * t02)
-        + omega_GF * (Scalar(3) * alpha_GF * GF_x - GF_y * t06) - t01
-        - omega_EDF * (Scalar(3) * alpha_EDF * EF_x - EF_y * t03);
-    rhs(3) = omega_BCG * (Scalar(3) * alpha_BCG * BG_y + BG_x * t02)
+    rhs(2) = omega_BCG * (Scalar(3) * BG_x * alpha_BCG - BG_y * t02)
+        + omega_GF * (Scalar(3) * GF_x * alpha_GF - GF_y * t06) - t01
+        - omega_EDF * (Scalar(3) * EF_x * alpha_EDF - EF_y * t03);
+    rhs(3) = omega_BCG * (Scalar(3) * BG_y * alpha_BCG + BG_x * t02)
         + omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t06) - t05
-        - omega_EDF * (Scalar(3) * alpha_EDF * EF_y + EF_x * t03);
+        - omega_EDF * (Scalar(3) * EF_y * alpha_EDF + EF_x * t03);
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -406,44 +406,44 @@ struct Model01 {
     const Scalar v_y_F_EDF = d_rate(5);
     const Scalar v_CD = d_rate(6);
     const Scalar v_GF = d_rate(7);
-    const Scalar BC_x = q.theta_BCG.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos;
     const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    rhs(0) = omega_BCG * (Scalar(2) * q.theta_BCG.sin * v_BC + omega_BCG * BC_x)
-        + omega_CD * (Scalar(2) * q.theta_CD.sin * v_CD + omega_CD * CD_x)
-        - omega_EDF * (Scalar(2) * q.theta_EDF.sin * v_ED + omega_EDF * ED_x);
-    rhs(1) = omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_ED - omega_EDF * ED_y)
-        - omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_BC - omega_BCG * BC_y)
-        - omega_CD * (Scalar(2) * q.theta_CD.cos * v_CD - omega_CD * CD_y);
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
+    rhs(0) = omega_BCG * (Scalar(2) * q.theta_BCG.sin * v_BC + BC_x * omega_BCG)
+        + omega_CD * (Scalar(2) * q.theta_CD.sin * v_CD + CD_x * omega_CD)
+        - omega_EDF * (Scalar(2) * q.theta_EDF.sin * v_ED + ED_x * omega_EDF);
+    rhs(1) = omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_ED - ED_y * omega_EDF)
+        - omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_BC - BC_y * omega_BCG)
+        - omega_CD * (Scalar(2) * q.theta_CD.cos * v_CD - CD_y * omega_CD);
     rhs(2) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_y_G_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + omega_BCG * BG_x)
-        + omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + omega_GF * GF_x)
+        + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + BG_x * omega_BCG)
+        + omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + GF_x * omega_GF)
         - omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_y_F_EDF
-        + Scalar(2) * q.theta_EDF.sin * v_x_F_EDF + omega_EDF * EF_x);
+        + Scalar(2) * q.theta_EDF.sin * v_x_F_EDF + EF_x * omega_EDF);
     rhs(3) = omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_x_F_EDF
-        - Scalar(2) * q.theta_EDF.sin * v_y_F_EDF - omega_EDF * EF_y)
+        - Scalar(2) * q.theta_EDF.sin * v_y_F_EDF - EF_y * omega_EDF)
         - omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_x_G_BCG
-        - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - omega_BCG * BG_y)
-        - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - omega_GF * GF_y);
+        - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - BG_y * omega_BCG)
+        - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - GF_y * omega_GF);
   }
 
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar BC_x = q.theta_BCG.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos;
     const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     poses[0].x = u.x_B;
     poses[0].y = u.y_B;
     poses[0].direction.cos = q.theta_BCG.cos;
@@ -472,10 +472,10 @@ struct Model01 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar BC_x = q.theta_BCG.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos;
     const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     P_q(2, 0) = Scalar(1);
     P_q(5, 1) = Scalar(1);
     P_q(6, 0) = -BC_y;
@@ -513,21 +513,21 @@ struct Model01 {
     const Scalar v_y_B = u_rate(1);
     const Scalar v_x_E = u_rate(2);
     const Scalar v_y_E = u_rate(3);
-    const Scalar BC_x = q.theta_BCG.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos;
     const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     v(0, 0) = v_x_B;
     v(0, 1) = v_y_B;
     v(0, 2) = omega_BCG;
     v(1, 0) = v_x_E;
     v(1, 1) = v_y_E;
     v(1, 2) = omega_EDF;
-    v(2, 0) = v_x_B - omega_BCG * BC_y;
-    v(2, 1) = v_y_B + omega_BCG * BC_x;
+    v(2, 0) = v_x_B - BC_y * omega_BCG;
+    v(2, 1) = v_y_B + BC_x * omega_BCG;
     v(2, 2) = omega_CD;
-    v(3, 0) = v_x_B - omega_BCG * BG_y;
-    v(3, 1) = v_y_B + omega_BCG * BG_x;
+    v(3, 0) = v_x_B - BG_y * omega_BCG;
+    v(3, 1) = v_y_B + BG_x * omega_BCG;
     v(3, 2) = omega_GF;
   }
 
@@ -546,10 +546,10 @@ struct Model01 {
     const Scalar a_y_B = u_second_rate(1);
     const Scalar a_x_E = u_second_rate(2);
     const Scalar a_y_E = u_second_rate(3);
-    const Scalar BC_x = q.theta_BCG.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos;
     const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     const Scalar t01 = omega_BCG * omega_BCG;
     a(0, 0) = a_x_B;
     a(0, 1) = a_y_B;
@@ -557,11 +557,11 @@ struct Model01 {
     a(1, 0) = a_x_E;
     a(1, 1) = a_y_E;
     a(1, 2) = alpha_EDF;
-    a(2, 0) = a_x_B - alpha_BCG * BC_y - BC_x * t01;
-    a(2, 1) = a_y_B + alpha_BCG * BC_x - BC_y * t01;
+    a(2, 0) = a_x_B - BC_y * alpha_BCG - BC_x * t01;
+    a(2, 1) = a_y_B + BC_x * alpha_BCG - BC_y * t01;
     a(2, 2) = alpha_CD;
-    a(3, 0) = a_x_B - alpha_BCG * BG_y - BG_x * t01;
-    a(3, 1) = a_y_B + alpha_BCG * BG_x - BG_y * t01;
+    a(3, 0) = a_x_B - BG_y * alpha_BCG - BG_x * t01;
+    a(3, 1) = a_y_B + BG_x * alpha_BCG - BG_y * t01;
     a(3, 2) = alpha_GF;
   }
 
@@ -577,16 +577,16 @@ struct Model01 {
     const Scalar v_x_G_BCG = d_rate(1);
     const Scalar v_y_G_BCG = d_rate(2);
     p.setZero();
-    const Scalar BC_x = q.theta_BCG.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos;
     const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    p(2, 0) = -omega_BCG * (Scalar(2) * q.theta_BCG.sin * v_BC + omega_BCG * BC_x);
-    p(2, 1) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_BC - omega_BCG * BC_y);
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    p(2, 0) = -omega_BCG * (Scalar(2) * q.theta_BCG.sin * v_BC + BC_x * omega_BCG);
+    p(2, 1) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_BC - BC_y * omega_BCG);
     p(3, 0) = -omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_y_G_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + omega_BCG * BG_x);
+        + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + BG_x * omega_BCG);
     p(3, 1) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_x_G_BCG
-        - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - omega_BCG * BG_y);
+        - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - BG_y * omega_BCG);
   }
 
   /// The lines n . S = c on which the unknowns move a special point in parallel,
@@ -596,18 +596,18 @@ struct Model01 {
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
     lines.setZero();
-    const Scalar BC_x = q.theta_BCG.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos;
     const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     lines(0, 0) = -BC_y;
     lines(0, 1) = BC_x;
     lines(1, 0) = -ED_y;
@@ -640,18 +640,18 @@ struct Model01 {
     const Scalar n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
-    const Scalar BC_x = q.theta_BCG.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos;
     const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     L(0, 0) = BC_x * n_CD_BCG_y - BC_y * n_CD_BCG_x;
     L(0, 2) = n_CD_BCG_y * S_CD_x - n_CD_BCG_x * S_CD_y;
     L(1, 1) = ED_x * n_CD_EDF_y - ED_y * n_CD_EDF_x;
@@ -701,18 +701,18 @@ struct Model01 {
     const Scalar S_CD_y = S(0, 1);
     const Scalar S_GF_x = S(1, 0);
     const Scalar S_GF_y = S(1, 1);
-    const Scalar BC_x = q.theta_BCG.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos;
     const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     const Scalar t01 = omega_BCG * omega_BCG;
     const Scalar t02 = omega_CD * omega_CD;
     const Scalar t03 = omega_EDF * omega_EDF;
@@ -789,9 +789,9 @@ struct Model01 {
     const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
     const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
     const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
     const Scalar t01 = d.CD * d.GF;
     const Scalar pivot_product = determinant * t01;
@@ -802,32 +802,32 @@ struct Model01 {
     const Scalar inverse_CD = d.GF * t02;
     const Scalar BCG_per_along_CD = -EDF_across_GF * inverse_determinant;
     const Scalar EDF_per_along_CD = BCG_across_GF * inverse_determinant;
-    const Scalar GF_per_along_CD = -(BCG_along_GF * BCG_per_along_CD
-        + EDF_along_GF * EDF_per_along_CD) * inverse_GF;
-    const Scalar CD_per_along_CD = -(BCG_per_along_CD * BCG_along_CD
-        + EDF_per_along_CD * EDF_along_CD) * inverse_CD;
+    const Scalar GF_per_along_CD = -inverse_GF * (BCG_along_GF * BCG_per_along_CD
+        + EDF_along_GF * EDF_per_along_CD);
+    const Scalar CD_per_along_CD = -inverse_CD * (BCG_per_along_CD * BCG_along_CD
+        + EDF_per_along_CD * EDF_along_CD);
     const Scalar BCG_per_along_GF = EDF_across_CD * inverse_determinant;
     const Scalar EDF_per_along_GF = -BCG_across_CD * inverse_determinant;
     const Scalar GF_per_along_GF = -inverse_GF * (BCG_along_GF * BCG_per_along_GF
         + EDF_along_GF * EDF_per_along_GF);
     const Scalar CD_per_along_GF = -inverse_CD * (BCG_along_CD * BCG_per_along_GF
         + EDF_along_CD * EDF_per_along_GF);
-    J_inverse(0, 0) = q.theta_CD.cos * BCG_per_along_CD;
-    J_inverse(0, 1) = q.theta_CD.sin * BCG_per_along_CD;
-    J_inverse(0, 2) = q.theta_GF.cos * BCG_per_along_GF;
-    J_inverse(0, 3) = q.theta_GF.sin * BCG_per_along_GF;
-    J_inverse(1, 0) = q.theta_CD.cos * EDF_per_along_CD;
-    J_inverse(1, 1) = q.theta_CD.sin * EDF_per_along_CD;
-    J_inverse(1, 2) = q.theta_GF.cos * EDF_per_along_GF;
-    J_inverse(1, 3) = q.theta_GF.sin * EDF_per_along_GF;
-    J_inverse(2, 0) = q.theta_CD.cos * CD_per_along_CD - q.theta_CD.sin * inverse_CD;
-    J_inverse(2, 1) = q.theta_CD.cos * inverse_CD + q.theta_CD.sin * CD_per_along_CD;
-    J_inverse(2, 2) = q.theta_GF.cos * CD_per_along_GF;
-    J_inverse(2, 3) = q.theta_GF.sin * CD_per_along_GF;
-    J_inverse(3, 0) = q.theta_CD.cos * GF_per_along_CD;
-    J_inverse(3, 1) = q.theta_CD.sin * GF_per_along_CD;
-    J_inverse(3, 2) = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
-    J_inverse(3, 3) = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    J_inverse(0, 0) = BCG_per_along_CD * q.theta_CD.cos;
+    J_inverse(0, 1) = BCG_per_along_CD * q.theta_CD.sin;
+    J_inverse(0, 2) = BCG_per_along_GF * q.theta_GF.cos;
+    J_inverse(0, 3) = BCG_per_along_GF * q.theta_GF.sin;
+    J_inverse(1, 0) = EDF_per_along_CD * q.theta_CD.cos;
+    J_inverse(1, 1) = EDF_per_along_CD * q.theta_CD.sin;
+    J_inverse(1, 2) = EDF_per_along_GF * q.theta_GF.cos;
+    J_inverse(1, 3) = EDF_per_along_GF * q.theta_GF.sin;
+    J_inverse(2, 0) = CD_per_along_CD * q.theta_CD.cos - inverse_CD * q.theta_CD.sin;
+    J_inverse(2, 1) = inverse_CD * q.theta_CD.cos + CD_per_along_CD * q.theta_CD.sin;
+    J_inverse(2, 2) = CD_per_along_GF * q.theta_GF.cos;
+    J_inverse(2, 3) = CD_per_along_GF * q.theta_GF.sin;
+    J_inverse(3, 0) = GF_per_along_CD * q.theta_CD.cos;
+    J_inverse(3, 1) = GF_per_along_CD * q.theta_CD.sin;
+    J_inverse(3, 2) = GF_per_along_GF * q.theta_GF.cos - inverse_GF * q.theta_GF.sin;
+    J_inverse(3, 3) = inverse_GF * q.theta_GF.cos + GF_per_along_GF * q.theta_GF.sin;
   }
 
   /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
@@ -856,9 +856,9 @@ struct Model01 {
     const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
     const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
     const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
     const Scalar t01 = d.CD * d.GF;
     const Scalar pivot_product = determinant * t01;
@@ -869,76 +869,80 @@ struct Model01 {
     const Scalar inverse_CD = d.GF * t02;
     const Scalar BCG_per_along_CD = -EDF_across_GF * inverse_determinant;
     const Scalar EDF_per_along_CD = BCG_across_GF * inverse_determinant;
-    const Scalar GF_per_along_CD = -(BCG_along_GF * BCG_per_along_CD
-        + EDF_along_GF * EDF_per_along_CD) * inverse_GF;
-    const Scalar CD_per_along_CD = -(BCG_per_along_CD * BCG_along_CD
-        + EDF_per_along_CD * EDF_along_CD) * inverse_CD;
+    const Scalar GF_per_along_CD = -inverse_GF * (BCG_along_GF * BCG_per_along_CD
+        + EDF_along_GF * EDF_per_along_CD);
+    const Scalar CD_per_along_CD = -inverse_CD * (BCG_per_along_CD * BCG_along_CD
+        + EDF_per_along_CD * EDF_along_CD);
     const Scalar BCG_per_along_GF = EDF_across_CD * inverse_determinant;
     const Scalar EDF_per_along_GF = -BCG_across_CD * inverse_determinant;
     const Scalar GF_per_along_GF = -inverse_GF * (BCG_along_GF * BCG_per_along_GF
         + EDF_along_GF * EDF_per_along_GF);
     const Scalar CD_per_along_GF = -inverse_CD * (BCG_along_CD * BCG_per_along_GF
         + EDF_along_CD * EDF_per_along_GF);
-    const Scalar t03 = q.theta_CD.cos * BCG_per_along_CD + q.theta_GF.cos * BCG_per_along_GF;
-    const Scalar t04 = q.theta_CD.sin * BCG_per_along_CD + q.theta_GF.sin * BCG_per_along_GF;
-    const Scalar t05 = q.theta_CD.cos * EDF_per_along_CD + q.theta_GF.cos * EDF_per_along_GF;
-    const Scalar t06 = q.theta_CD.sin * EDF_per_along_CD + q.theta_GF.sin * EDF_per_along_GF;
-    const Scalar t07 = q.theta_CD.cos * CD_per_along_CD + q.theta_GF.cos * CD_per_along_GF
-        - q.theta_CD.sin * inverse_CD;
-    const Scalar t08 = q.theta_CD.cos * inverse_CD + q.theta_CD.sin * CD_per_along_CD
-        + q.theta_GF.sin * CD_per_along_GF;
-    const Scalar t09 = q.theta_CD.cos * GF_per_along_CD + q.theta_GF.cos * GF_per_along_GF
-        - q.theta_GF.sin * inverse_GF;
-    const Scalar t10 = q.theta_CD.sin * GF_per_along_CD + q.theta_GF.cos * inverse_GF
-        + q.theta_GF.sin * GF_per_along_GF;
-    S_d(0, 0) = -cos_BCG_minus_CD * BCG_per_along_CD;
-    S_d(0, 1) = -cos_BCG_minus_GF * BCG_per_along_GF;
-    S_d(0, 2) = sin_BCG_minus_GF * BCG_per_along_GF;
-    S_d(0, 3) = cos_EDF_minus_CD * BCG_per_along_CD;
-    S_d(0, 4) = cos_EDF_minus_GF * BCG_per_along_GF;
-    S_d(0, 5) = -sin_EDF_minus_GF * BCG_per_along_GF;
+    const Scalar BCG_per_x_B = -BCG_per_along_CD * q.theta_CD.cos
+        - BCG_per_along_GF * q.theta_GF.cos;
+    const Scalar EDF_per_x_B = -EDF_per_along_CD * q.theta_CD.cos
+        - EDF_per_along_GF * q.theta_GF.cos;
+    const Scalar CD_per_x_B = inverse_CD * q.theta_CD.sin - CD_per_along_CD * q.theta_CD.cos
+        - CD_per_along_GF * q.theta_GF.cos;
+    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_CD * q.theta_CD.cos
+        - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar BCG_per_y_B = -BCG_per_along_CD * q.theta_CD.sin
+        - BCG_per_along_GF * q.theta_GF.sin;
+    const Scalar EDF_per_y_B = -EDF_per_along_CD * q.theta_CD.sin
+        - EDF_per_along_GF * q.theta_GF.sin;
+    const Scalar CD_per_y_B = -inverse_CD * q.theta_CD.cos - CD_per_along_CD * q.theta_CD.sin
+        - CD_per_along_GF * q.theta_GF.sin;
+    const Scalar GF_per_y_B = -GF_per_along_CD * q.theta_CD.sin - inverse_GF * q.theta_GF.cos
+        - GF_per_along_GF * q.theta_GF.sin;
+    S_d(0, 0) = -BCG_per_along_CD * cos_BCG_minus_CD;
+    S_d(0, 1) = -BCG_per_along_GF * cos_BCG_minus_GF;
+    S_d(0, 2) = BCG_per_along_GF * sin_BCG_minus_GF;
+    S_d(0, 3) = BCG_per_along_CD * cos_EDF_minus_CD;
+    S_d(0, 4) = BCG_per_along_GF * cos_EDF_minus_GF;
+    S_d(0, 5) = -BCG_per_along_GF * sin_EDF_minus_GF;
     S_d(0, 6) = -BCG_per_along_CD;
     S_d(0, 7) = -BCG_per_along_GF;
-    S_d(1, 0) = -cos_BCG_minus_CD * EDF_per_along_CD;
-    S_d(1, 1) = -cos_BCG_minus_GF * EDF_per_along_GF;
-    S_d(1, 2) = sin_BCG_minus_GF * EDF_per_along_GF;
-    S_d(1, 3) = cos_EDF_minus_CD * EDF_per_along_CD;
-    S_d(1, 4) = cos_EDF_minus_GF * EDF_per_along_GF;
-    S_d(1, 5) = -sin_EDF_minus_GF * EDF_per_along_GF;
+    S_d(1, 0) = -EDF_per_along_CD * cos_BCG_minus_CD;
+    S_d(1, 1) = -EDF_per_along_GF * cos_BCG_minus_GF;
+    S_d(1, 2) = EDF_per_along_GF * sin_BCG_minus_GF;
+    S_d(1, 3) = EDF_per_along_CD * cos_EDF_minus_CD;
+    S_d(1, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
+    S_d(1, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;
     S_d(1, 6) = -EDF_per_along_CD;
     S_d(1, 7) = -EDF_per_along_GF;
-    S_d(2, 0) = -cos_BCG_minus_CD * CD_per_along_CD - sin_BCG_minus_CD * inverse_CD;
-    S_d(2, 1) = -cos_BCG_minus_GF * CD_per_along_GF;
-    S_d(2, 2) = sin_BCG_minus_GF * CD_per_along_GF;
-    S_d(2, 3) = cos_EDF_minus_CD * CD_per_along_CD + sin_EDF_minus_CD * inverse_CD;
-    S_d(2, 4) = cos_EDF_minus_GF * CD_per_along_GF;
-    S_d(2, 5) = -sin_EDF_minus_GF * CD_per_along_GF;
+    S_d(2, 0) = -CD_per_along_CD * cos_BCG_minus_CD - inverse_CD * sin_BCG_minus_CD;
+    S_d(2, 1) = -CD_per_along_GF * cos_BCG_minus_GF;
+    S_d(2, 2) = CD_per_along_GF * sin_BCG_minus_GF;
+    S_d(2, 3) = CD_per_along_CD * cos_EDF_minus_CD + inverse_CD * sin_EDF_minus_CD;
+    S_d(2, 4) = CD_per_along_GF * cos_EDF_minus_GF;
+    S_d(2, 5) = -CD_per_along_GF * sin_EDF_minus_GF;
     S_d(2, 6) = -CD_per_along_CD;
     S_d(2, 7) = -CD_per_along_GF;
-    S_d(3, 0) = -cos_BCG_minus_CD * GF_per_along_CD;
-    S_d(3, 1) = -cos_BCG_minus_GF * GF_per_along_GF - sin_BCG_minus_GF * inverse_GF;
-    S_d(3, 2) = sin_BCG_minus_GF * GF_per_along_GF - cos_BCG_minus_GF * inverse_GF;
-    S_d(3, 3) = cos_EDF_minus_CD * GF_per_along_CD;
-    S_d(3, 4) = cos_EDF_minus_GF * GF_per_along_GF + sin_EDF_minus_GF * inverse_GF;
-    S_d(3, 5) = cos_EDF_minus_GF * inverse_GF - sin_EDF_minus_GF * GF_per_along_GF;
+    S_d(3, 0) = -GF_per_along_CD * cos_BCG_minus_CD;
+    S_d(3, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
+    S_d(3, 2) = GF_per_along_GF * sin_BCG_minus_GF - inverse_GF * cos_BCG_minus_GF;
+    S_d(3, 3) = GF_per_along_CD * cos_EDF_minus_CD;
+    S_d(3, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
+    S_d(3, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
     S_d(3, 6) = -GF_per_along_CD;
     S_d(3, 7) = -GF_per_along_GF;
-    S_u(0, 0) = -t03;
-    S_u(0, 1) = -t04;
-    S_u(0, 2) = t03;
-    S_u(0, 3) = t04;
-    S_u(1, 0) = -t05;
-    S_u(1, 1) = -t06;
-    S_u(1, 2) = t05;
-    S_u(1, 3) = t06;
-    S_u(2, 0) = -t07;
-    S_u(2, 1) = -t08;
-    S_u(2, 2) = t07;
-    S_u(2, 3) = t08;
-    S_u(3, 0) = -t09;
-    S_u(3, 1) = -t10;
-    S_u(3, 2) = t09;
-    S_u(3, 3) = t10;
+    S_u(0, 0) = BCG_per_x_B;
+    S_u(0, 1) = BCG_per_y_B;
+    S_u(0, 2) = -BCG_per_x_B;
+    S_u(0, 3) = -BCG_per_y_B;
+    S_u(1, 0) = EDF_per_x_B;
+    S_u(1, 1) = EDF_per_y_B;
+    S_u(1, 2) = -EDF_per_x_B;
+    S_u(1, 3) = -EDF_per_y_B;
+    S_u(2, 0) = CD_per_x_B;
+    S_u(2, 1) = CD_per_y_B;
+    S_u(2, 2) = -CD_per_x_B;
+    S_u(2, 3) = -CD_per_y_B;
+    S_u(3, 0) = GF_per_x_B;
+    S_u(3, 1) = GF_per_y_B;
+    S_u(3, 2) = -GF_per_x_B;
+    S_u(3, 3) = -GF_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -971,9 +975,9 @@ struct Model01 {
     const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
     const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
     const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
     const Scalar t01 = d.CD * d.GF;
     const Scalar pivot_product = determinant * t01;
@@ -988,14 +992,14 @@ struct Model01 {
     const Scalar velocity_across_CD = q.theta_CD.sin * t03 - q.theta_CD.cos * t04;
     const Scalar velocity_along_GF = -q.theta_GF.cos * t03 - q.theta_GF.sin * t04;
     const Scalar velocity_across_GF = q.theta_GF.sin * t03 - q.theta_GF.cos * t04;
-    const Scalar omega_BCG = (EDF_across_CD * velocity_along_GF
-        - EDF_across_GF * velocity_along_CD) * inverse_determinant;
+    const Scalar omega_BCG = inverse_determinant * (EDF_across_CD * velocity_along_GF
+        - EDF_across_GF * velocity_along_CD);
     const Scalar omega_EDF = -inverse_determinant * (BCG_across_CD * velocity_along_GF
         - BCG_across_GF * velocity_along_CD);
-    const Scalar omega_GF = -(omega_BCG * BCG_along_GF + omega_EDF * EDF_along_GF
-        - velocity_across_GF) * inverse_GF;
-    const Scalar omega_CD = -(omega_BCG * BCG_along_CD + omega_EDF * EDF_along_CD
-        - velocity_across_CD) * inverse_CD;
+    const Scalar omega_GF = -inverse_GF * (BCG_along_GF * omega_BCG + EDF_along_GF * omega_EDF
+        - velocity_across_GF);
+    const Scalar omega_CD = -inverse_CD * (BCG_along_CD * omega_BCG + EDF_along_CD * omega_EDF
+        - velocity_across_CD);
     q_rate(0) = omega_BCG;
     q_rate(1) = omega_EDF;
     q_rate(2) = omega_CD;
@@ -1037,9 +1041,9 @@ struct Model01 {
     const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
     const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
     const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
     const Scalar t01 = d.CD * d.GF;
     const Scalar pivot_product = determinant * t01;
@@ -1054,14 +1058,14 @@ struct Model01 {
     const Scalar velocity_across_CD = q.theta_CD.sin * t03 - q.theta_CD.cos * t04;
     const Scalar velocity_along_GF = -q.theta_GF.cos * t03 - q.theta_GF.sin * t04;
     const Scalar velocity_across_GF = q.theta_GF.sin * t03 - q.theta_GF.cos * t04;
-    const Scalar omega_BCG = (EDF_across_CD * velocity_along_GF
-        - EDF_across_GF * velocity_along_CD) * inverse_determinant;
+    const Scalar omega_BCG = inverse_determinant * (EDF_across_CD * velocity_along_GF
+        - EDF_across_GF * velocity_along_CD);
     const Scalar omega_EDF = -inverse_determinant * (BCG_across_CD * velocity_along_GF
         - BCG_across_GF * velocity_along_CD);
-    const Scalar omega_GF = -(omega_BCG * BCG_along_GF + omega_EDF * EDF_along_GF
-        - velocity_across_GF) * inverse_GF;
-    const Scalar omega_CD = -(omega_BCG * BCG_along_CD + omega_EDF * EDF_along_CD
-        - velocity_across_CD) * inverse_CD;
+    const Scalar omega_GF = -inverse_GF * (BCG_along_GF * omega_BCG + EDF_along_GF * omega_EDF
+        - velocity_across_GF);
+    const Scalar omega_CD = -inverse_CD * (BCG_along_CD * omega_BCG + EDF_along_CD * omega_EDF
+        - velocity_across_CD);
     const Scalar t05 = a_x_B - a_x_E;
     const Scalar t06 = a_y_B - a_y_E;
     const Scalar t07 = omega_BCG * omega_BCG;
@@ -1129,9 +1133,9 @@ struct Model01 {
     const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
     const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
     const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
     const Scalar t01 = d.CD * d.GF;
     const Scalar pivot_product = determinant * t01;
@@ -1142,111 +1146,107 @@ struct Model01 {
     const Scalar inverse_CD = d.GF * t02;
     const Scalar BCG_per_along_CD = -EDF_across_GF * inverse_determinant;
     const Scalar EDF_per_along_CD = BCG_across_GF * inverse_determinant;
-    const Scalar GF_per_along_CD = -(BCG_along_GF * BCG_per_along_CD
-        + EDF_along_GF * EDF_per_along_CD) * inverse_GF;
-    const Scalar CD_per_along_CD = -(BCG_per_along_CD * BCG_along_CD
-        + EDF_per_along_CD * EDF_along_CD) * inverse_CD;
+    const Scalar GF_per_along_CD = -inverse_GF * (BCG_along_GF * BCG_per_along_CD
+        + EDF_along_GF * EDF_per_along_CD);
+    const Scalar CD_per_along_CD = -inverse_CD * (BCG_per_along_CD * BCG_along_CD
+        + EDF_per_along_CD * EDF_along_CD);
     const Scalar BCG_per_along_GF = EDF_across_CD * inverse_determinant;
     const Scalar EDF_per_along_GF = -BCG_across_CD * inverse_determinant;
     const Scalar GF_per_along_GF = -inverse_GF * (BCG_along_GF * BCG_per_along_GF
         + EDF_along_GF * EDF_per_along_GF);
     const Scalar CD_per_along_GF = -inverse_CD * (BCG_along_CD * BCG_per_along_GF
         + EDF_along_CD * EDF_per_along_GF);
-    const Scalar t03 = q.theta_CD.cos * BCG_per_along_CD + q.theta_GF.cos * BCG_per_along_GF;
-    const Scalar BCG_per_x_B = -t03;
-    const Scalar t04 = q.theta_CD.cos * EDF_per_along_CD + q.theta_GF.cos * EDF_per_along_GF;
-    const Scalar EDF_per_x_B = -t04;
-    const Scalar t05 = q.theta_CD.cos * CD_per_along_CD + q.theta_GF.cos * CD_per_along_GF
-        - q.theta_CD.sin * inverse_CD;
-    const Scalar CD_per_x_B = -t05;
-    const Scalar t06 = q.theta_CD.cos * GF_per_along_CD + q.theta_GF.cos * GF_per_along_GF
-        - q.theta_GF.sin * inverse_GF;
-    const Scalar GF_per_x_B = -t06;
-    const Scalar t07 = q.theta_CD.sin * BCG_per_along_CD + q.theta_GF.sin * BCG_per_along_GF;
-    const Scalar BCG_per_y_B = -t07;
-    const Scalar t08 = q.theta_CD.sin * EDF_per_along_CD + q.theta_GF.sin * EDF_per_along_GF;
-    const Scalar EDF_per_y_B = -t08;
-    const Scalar t09 = q.theta_CD.cos * inverse_CD + q.theta_CD.sin * CD_per_along_CD
-        + q.theta_GF.sin * CD_per_along_GF;
-    const Scalar CD_per_y_B = -t09;
-    const Scalar t10 = q.theta_CD.sin * GF_per_along_CD + q.theta_GF.cos * inverse_GF
-        + q.theta_GF.sin * GF_per_along_GF;
-    const Scalar GF_per_y_B = -t10;
-    const Scalar t11 = v_x_B - v_x_E;
-    const Scalar t12 = v_y_B - v_y_E;
-    const Scalar omega_BCG = t11 * BCG_per_x_B + t12 * BCG_per_y_B;
-    const Scalar omega_EDF = t11 * EDF_per_x_B + t12 * EDF_per_y_B;
-    const Scalar omega_CD = t11 * CD_per_x_B + t12 * CD_per_y_B;
-    const Scalar omega_GF = t11 * GF_per_x_B + t12 * GF_per_y_B;
-    const Scalar t13 = omega_BCG * omega_BCG;
-    const Scalar t14 = omega_EDF * omega_EDF;
-    const Scalar centripetal_along_CD = d.CD * omega_CD * omega_CD + BCG_along_CD * t13
-        + EDF_along_CD * t14;
-    const Scalar centripetal_across_CD = BCG_across_CD * t13 + EDF_across_CD * t14;
-    const Scalar centripetal_along_GF = d.GF * omega_GF * omega_GF + BCG_along_GF * t13
-        + EDF_along_GF * t14;
-    const Scalar centripetal_across_GF = BCG_across_GF * t13 + EDF_across_GF * t14;
-    const Scalar t15 = a_x_B - a_x_E;
-    const Scalar t16 = a_y_B - a_y_E;
-    S_d(0, 0) = -cos_BCG_minus_CD * BCG_per_along_CD;
-    S_d(0, 1) = -cos_BCG_minus_GF * BCG_per_along_GF;
-    S_d(0, 2) = sin_BCG_minus_GF * BCG_per_along_GF;
-    S_d(0, 3) = cos_EDF_minus_CD * BCG_per_along_CD;
-    S_d(0, 4) = cos_EDF_minus_GF * BCG_per_along_GF;
-    S_d(0, 5) = -sin_EDF_minus_GF * BCG_per_along_GF;
+    const Scalar BCG_per_x_B = -BCG_per_along_CD * q.theta_CD.cos
+        - BCG_per_along_GF * q.theta_GF.cos;
+    const Scalar EDF_per_x_B = -EDF_per_along_CD * q.theta_CD.cos
+        - EDF_per_along_GF * q.theta_GF.cos;
+    const Scalar CD_per_x_B = inverse_CD * q.theta_CD.sin - CD_per_along_CD * q.theta_CD.cos
+        - CD_per_along_GF * q.theta_GF.cos;
+    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_CD * q.theta_CD.cos
+        - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar BCG_per_y_B = -BCG_per_along_CD * q.theta_CD.sin
+        - BCG_per_along_GF * q.theta_GF.sin;
+    const Scalar EDF_per_y_B = -EDF_per_along_CD * q.theta_CD.sin
+        - EDF_per_along_GF * q.theta_GF.sin;
+    const Scalar CD_per_y_B = -inverse_CD * q.theta_CD.cos - CD_per_along_CD * q.theta_CD.sin
+        - CD_per_along_GF * q.theta_GF.sin;
+    const Scalar GF_per_y_B = -GF_per_along_CD * q.theta_CD.sin - inverse_GF * q.theta_GF.cos
+        - GF_per_along_GF * q.theta_GF.sin;
+    const Scalar t03 = v_x_B - v_x_E;
+    const Scalar t04 = v_y_B - v_y_E;
+    const Scalar omega_BCG = BCG_per_x_B * t03 + BCG_per_y_B * t04;
+    const Scalar omega_EDF = EDF_per_x_B * t03 + EDF_per_y_B * t04;
+    const Scalar omega_CD = CD_per_x_B * t03 + CD_per_y_B * t04;
+    const Scalar omega_GF = GF_per_x_B * t03 + GF_per_y_B * t04;
+    const Scalar t05 = omega_BCG * omega_BCG;
+    const Scalar t06 = omega_EDF * omega_EDF;
+    const Scalar centripetal_along_CD = d.CD * omega_CD * omega_CD + BCG_along_CD * t05
+        + EDF_along_CD * t06;
+    const Scalar centripetal_across_CD = BCG_across_CD * t05 + EDF_across_CD * t06;
+    const Scalar centripetal_along_GF = d.GF * omega_GF * omega_GF + BCG_along_GF * t05
+        + EDF_along_GF * t06;
+    const Scalar centripetal_across_GF = BCG_across_GF * t05 + EDF_across_GF * t06;
+    const Scalar t07 = a_x_B - a_x_E;
+    const Scalar t08 = a_y_B - a_y_E;
+    S_d(0, 0) = -BCG_per_along_CD * cos_BCG_minus_CD;
+    S_d(0, 1) = -BCG_per_along_GF * cos_BCG_minus_GF;
+    S_d(0, 2) = BCG_per_along_GF * sin_BCG_minus_GF;
+    S_d(0, 3) = BCG_per_along_CD * cos_EDF_minus_CD;
+    S_d(0, 4) = BCG_per_along_GF * cos_EDF_minus_GF;
+    S_d(0, 5) = -BCG_per_along_GF * sin_EDF_minus_GF;
     S_d(0, 6) = -BCG_per_along_CD;
     S_d(0, 7) = -BCG_per_along_GF;
-    S_d(1, 0) = -cos_BCG_minus_CD * EDF_per_along_CD;
-    S_d(1, 1) = -cos_BCG_minus_GF * EDF_per_along_GF;
-    S_d(1, 2) = sin_BCG_minus_GF * EDF_per_along_GF;
-    S_d(1, 3) = cos_EDF_minus_CD * EDF_per_along_CD;
-    S_d(1, 4) = cos_EDF_minus_GF * EDF_per_along_GF;
-    S_d(1, 5) = -sin_EDF_minus_GF * EDF_per_along_GF;
+    S_d(1, 0) = -EDF_per_along_CD * cos_BCG_minus_CD;
+    S_d(1, 1) = -EDF_per_along_GF * cos_BCG_minus_GF;
+    S_d(1, 2) = EDF_per_along_GF * sin_BCG_minus_GF;
+    S_d(1, 3) = EDF_per_along_CD * cos_EDF_minus_CD;
+    S_d(1, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
+    S_d(1, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;
     S_d(1, 6) = -EDF_per_along_CD;
     S_d(1, 7) = -EDF_per_along_GF;
-    S_d(2, 0) = -cos_BCG_minus_CD * CD_per_along_CD - sin_BCG_minus_CD * inverse_CD;
-    S_d(2, 1) = -cos_BCG_minus_GF * CD_per_along_GF;
-    S_d(2, 2) = sin_BCG_minus_GF * CD_per_along_GF;
-    S_d(2, 3) = cos_EDF_minus_CD * CD_per_along_CD + sin_EDF_minus_CD * inverse_CD;
-    S_d(2, 4) = cos_EDF_minus_GF * CD_per_along_GF;
-    S_d(2, 5) = -sin_EDF_minus_GF * CD_per_along_GF;
+    S_d(2, 0) = -CD_per_along_CD * cos_BCG_minus_CD - inverse_CD * sin_BCG_minus_CD;
+    S_d(2, 1) = -CD_per_along_GF * cos_BCG_minus_GF;
+    S_d(2, 2) = CD_per_along_GF * sin_BCG_minus_GF;
+    S_d(2, 3) = CD_per_along_CD * cos_EDF_minus_CD + inverse_CD * sin_EDF_minus_CD;
+    S_d(2, 4) = CD_per_along_GF * cos_EDF_minus_GF;
+    S_d(2, 5) = -CD_per_along_GF * sin_EDF_minus_GF;
     S_d(2, 6) = -CD_per_along_CD;
     S_d(2, 7) = -CD_per_along_GF;
-    S_d(3, 0) = -cos_BCG_minus_CD * GF_per_along_CD;
-    S_d(3, 1) = -cos_BCG_minus_GF * GF_per_along_GF - sin_BCG_minus_GF * inverse_GF;
-    S_d(3, 2) = sin_BCG_minus_GF * GF_per_along_GF - cos_BCG_minus_GF * inverse_GF;
-    S_d(3, 3) = cos_EDF_minus_CD * GF_per_along_CD;
-    S_d(3, 4) = cos_EDF_minus_GF * GF_per_along_GF + sin_EDF_minus_GF * inverse_GF;
-    S_d(3, 5) = cos_EDF_minus_GF * inverse_GF - sin_EDF_minus_GF * GF_per_along_GF;
+    S_d(3, 0) = -GF_per_along_CD * cos_BCG_minus_CD;
+    S_d(3, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
+    S_d(3, 2) = GF_per_along_GF * sin_BCG_minus_GF - inverse_GF * cos_BCG_minus_GF;
+    S_d(3, 3) = GF_per_along_CD * cos_EDF_minus_CD;
+    S_d(3, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
+    S_d(3, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
     S_d(3, 6) = -GF_per_along_CD;
     S_d(3, 7) = -GF_per_along_GF;
-    S_u(0, 0) = -t03;
-    S_u(0, 1) = -t07;
-    S_u(0, 2) = t03;
-    S_u(0, 3) = t07;
-    S_u(1, 0) = -t04;
-    S_u(1, 1) = -t08;
-    S_u(1, 2) = t04;
-    S_u(1, 3) = t08;
-    S_u(2, 0) = -t05;
-    S_u(2, 1) = -t09;
-    S_u(2, 2) = t05;
-    S_u(2, 3) = t09;
-    S_u(3, 0) = -t06;
-    S_u(3, 1) = -t10;
-    S_u(3, 2) = t06;
-    S_u(3, 3) = t10;
+    S_u(0, 0) = BCG_per_x_B;
+    S_u(0, 1) = BCG_per_y_B;
+    S_u(0, 2) = -BCG_per_x_B;
+    S_u(0, 3) = -BCG_per_y_B;
+    S_u(1, 0) = EDF_per_x_B;
+    S_u(1, 1) = EDF_per_y_B;
+    S_u(1, 2) = -EDF_per_x_B;
+    S_u(1, 3) = -EDF_per_y_B;
+    S_u(2, 0) = CD_per_x_B;
+    S_u(2, 1) = CD_per_y_B;
+    S_u(2, 2) = -CD_per_x_B;
+    S_u(2, 3) = -CD_per_y_B;
+    S_u(3, 0) = GF_per_x_B;
+    S_u(3, 1) = GF_per_y_B;
+    S_u(3, 2) = -GF_per_x_B;
+    S_u(3, 3) = -GF_per_y_B;
     q_rate(0) = omega_BCG;
     q_rate(1) = omega_EDF;
     q_rate(2) = omega_CD;
     q_rate(3) = omega_GF;
-    q_second_rate(0) = BCG_per_x_B * t15 + BCG_per_y_B * t16
+    q_second_rate(0) = BCG_per_x_B * t07 + BCG_per_y_B * t08
         + BCG_per_along_CD * centripetal_along_CD + BCG_per_along_GF * centripetal_along_GF;
-    q_second_rate(1) = EDF_per_x_B * t15 + EDF_per_y_B * t16
+    q_second_rate(1) = EDF_per_x_B * t07 + EDF_per_y_B * t08
         + EDF_per_along_CD * centripetal_along_CD + EDF_per_along_GF * centripetal_along_GF;
-    q_second_rate(2) = CD_per_x_B * t15 + CD_per_y_B * t16 + inverse_CD * centripetal_across_CD
+    q_second_rate(2) = CD_per_x_B * t07 + CD_per_y_B * t08 + inverse_CD * centripetal_across_CD
         + CD_per_along_CD * centripetal_along_CD + CD_per_along_GF * centripetal_along_GF;
-    q_second_rate(3) = GF_per_x_B * t15 + GF_per_y_B * t16 + inverse_GF * centripetal_across_GF
+    q_second_rate(3) = GF_per_x_B * t07 + GF_per_y_B * t08 + inverse_GF * centripetal_across_GF
         + GF_per_along_CD * centripetal_along_CD + GF_per_along_GF * centripetal_along_GF;
   }
 
@@ -1288,9 +1288,9 @@ struct Model01 {
     const Scalar U_0_im = C2_0_re * P1_0_im - t04 - C1_0_re * P2_0_im - t05;
     const Scalar U_1_re = t06 + t07;
     const Scalar U_1_im = t09 - t08;
-    const Scalar V_m1_re = -Scalar(1) / Scalar(2) * (P1_m1_re * P2_0_im + P2_m1_im * P1_0_re
+    const Scalar V_m1_re = -Scalar(0.5) * (P1_m1_re * P2_0_im + P2_m1_im * P1_0_re
         - P2_m1_re * P1_0_im);
-    const Scalar V_m1_im = -Scalar(1) / Scalar(2) * (P1_m1_re * P2_0_re - P2_m1_re * P1_0_re
+    const Scalar V_m1_im = -Scalar(0.5) * (P1_m1_re * P2_0_re - P2_m1_re * P1_0_re
         - P2_m1_im * P1_0_im);
     const Scalar V_0_re = P1_0_im * P2_0_re - P1_m1_re * P2_m1_im - P1_0_re * P2_0_im;
     const Scalar t10 = V_m1_re * V_m1_re;
@@ -1318,16 +1318,16 @@ struct Model01 {
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = q.theta_BCG.cos * EB_x + q.theta_BCG.sin * EB_y;
+    const Scalar t01 = EB_x * q.theta_BCG.cos + EB_y * q.theta_BCG.sin;
     const Scalar t02 = EB_x * EB_x + EB_y * EB_y;
-    const Scalar t03 = EB_x + q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar t04 = EB_y + q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    e(0, 0) = -Scalar(2) * (q.theta_BCG.cos * d.BC + EB_x) * d.ED;
+    const Scalar t03 = EB_x + d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar t04 = EB_y + d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    e(0, 0) = -Scalar(2) * (d.BC * q.theta_BCG.cos + EB_x) * d.ED;
     e(0, 1) = -Scalar(2) * d.ED * (d.BC * q.theta_BCG.sin + EB_y);
     e(0, 2) = d.ED * d.ED + d.BC * (d.BC + Scalar(2) * t01) + t02 - d.CD * d.CD;
     e(1, 0) = -Scalar(2) * (t03 * d.x_F_EDF + t04 * d.y_F_EDF);
     e(1, 1) = -Scalar(2) * (d.x_F_EDF * t04 - t03 * d.y_F_EDF);
-    e(1, 2) = d.y_G_BCG * (d.y_G_BCG + Scalar(2) * q.theta_BCG.cos * EB_y
+    e(1, 2) = d.y_G_BCG * (d.y_G_BCG + Scalar(2) * EB_y * q.theta_BCG.cos
         - Scalar(2) * EB_x * q.theta_BCG.sin) + d.x_F_EDF * d.x_F_EDF + d.y_F_EDF * d.y_F_EDF
         + d.x_G_BCG * (d.x_G_BCG + Scalar(2) * t01) + t02 - d.GF * d.GF;
   }
@@ -1343,12 +1343,12 @@ struct Model01 {
                                                        //     no length
     const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
                                                        //     no length
-    q.theta_CD.cos = -(q.theta_BCG.cos * d.BC + EB_x - q.theta_EDF.cos * d.ED) * inverse_theta_CD;
+    q.theta_CD.cos = -(d.BC * q.theta_BCG.cos + EB_x - d.ED * q.theta_EDF.cos) * inverse_theta_CD;
     q.theta_CD.sin = -inverse_theta_CD * (d.BC * q.theta_BCG.sin + EB_y - d.ED * q.theta_EDF.sin);
-    q.theta_GF.cos = -(EB_x + q.theta_BCG.cos * d.x_G_BCG + q.theta_EDF.sin * d.y_F_EDF
-        - q.theta_BCG.sin * d.y_G_BCG - q.theta_EDF.cos * d.x_F_EDF) * inverse_theta_GF;
-    q.theta_GF.sin = -inverse_theta_GF * (EB_y + q.theta_BCG.cos * d.y_G_BCG
-        + q.theta_BCG.sin * d.x_G_BCG - q.theta_EDF.cos * d.y_F_EDF - q.theta_EDF.sin * d.x_F_EDF);
+    q.theta_GF.cos = -(EB_x + d.x_G_BCG * q.theta_BCG.cos + d.y_F_EDF * q.theta_EDF.sin
+        - d.y_G_BCG * q.theta_BCG.sin - d.x_F_EDF * q.theta_EDF.cos) * inverse_theta_GF;
+    q.theta_GF.sin = -inverse_theta_GF * (EB_y + d.y_G_BCG * q.theta_BCG.cos
+        + d.x_G_BCG * q.theta_BCG.sin - d.y_F_EDF * q.theta_EDF.cos - d.x_F_EDF * q.theta_EDF.sin);
   }
 };
 

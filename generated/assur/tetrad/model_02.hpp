@@ -56,7 +56,7 @@ namespace assur::tetrad {
 ///   velocity:                     46, 24, 1
 ///   motion:                       78, 46, 1
 ///   sensitivities_and_motion:     122, 61, 1
-///   position_polynomial:          82, 63, 0
+///   position_polynomial:          90, 63, 0
 ///   second_equations:             29, 20, 0
 ///   complete:                     14, 13, 1
 struct Model02 {
@@ -192,26 +192,26 @@ struct Model02 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t01 = u.x_B - u.x_E;
-    const Scalar t02 = u.y_B - u.y_E;
-    f(0) = BC_x + slide_C_x + CD_x + t01 - ED_x;
-    f(1) = BC_y + slide_C_y + CD_y + t02 - ED_y;
-    f(2) = BG_x + GF_x + t01 - EF_x;
-    f(3) = BG_y + GF_y + t02 - EF_y;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    f(0) = BC_x + slide_C_x + CD_x + EB_x - ED_x;
+    f(1) = BC_y + slide_C_y + CD_y + EB_y - ED_y;
+    f(2) = BG_x + GF_x + EB_x - EF_x;
+    f(3) = BG_y + GF_y + EB_y - EF_y;
   }
 
   /// J = df/dq.
@@ -219,20 +219,20 @@ struct Model02 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     J(0, 0) = -BC_y - slide_C_y - CD_y;
     J(0, 1) = ED_y;
     J(0, 3) = q.theta_BCG.cos;
@@ -317,20 +317,20 @@ struct Model02 {
     const Scalar a_y_B = u_second_rate(1);
     const Scalar a_x_E = u_second_rate(2);
     const Scalar a_y_E = u_second_rate(3);
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     const Scalar t01 = omega_EDF * omega_EDF;
     const Scalar t02 = a_x_B - a_x_E;
     const Scalar t03 = a_y_B - a_y_E;
@@ -338,7 +338,7 @@ struct Model02 {
     const Scalar t05 = omega_GF * omega_GF;
     rhs(0) = omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C) - ED_x * t01 - t02;
-    rhs(1) = omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y)
+    rhs(1) = omega_BCG * ((BC_y + slide_C_y + CD_y) * omega_BCG
         - Scalar(2) * q.theta_BCG.cos * v_s_C) - ED_y * t01 - t03;
     rhs(2) = BG_x * t04 + GF_x * t05 - EF_x * t01 - t02;
     rhs(3) = BG_y * t04 + GF_y * t05 - EF_y * t01 - t03;
@@ -364,20 +364,20 @@ struct Model02 {
     const Scalar j_y_B = u_third_rate(1);
     const Scalar j_x_E = u_third_rate(2);
     const Scalar j_y_E = u_third_rate(3);
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     const Scalar t01 = BC_y + slide_C_y + CD_y;
     const Scalar t02 = q.theta_BCG.cos * v_s_C;
     const Scalar t03 = BC_x + slide_C_x + CD_x;
@@ -389,16 +389,16 @@ struct Model02 {
     const Scalar t09 = omega_GF * omega_GF;
     rhs(0) = Scalar(3) * alpha_BCG * t06 - omega_BCG * (omega_BCG * (t01 * omega_BCG
         - Scalar(3) * t02) - Scalar(3) * t03 * alpha_BCG - Scalar(3) * q.theta_BCG.sin * a_s_C)
-        - t04 - omega_EDF * (Scalar(3) * alpha_EDF * ED_x - ED_y * t05);
-    rhs(1) = omega_BCG * (omega_BCG * (omega_BCG * t03 + Scalar(3) * t06)
+        - t04 - omega_EDF * (Scalar(3) * ED_x * alpha_EDF - ED_y * t05);
+    rhs(1) = omega_BCG * (omega_BCG * (t03 * omega_BCG + Scalar(3) * t06)
         + Scalar(3) * t01 * alpha_BCG - Scalar(3) * q.theta_BCG.cos * a_s_C) - t07
         - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t05) - Scalar(3) * t02 * alpha_BCG;
-    rhs(2) = omega_BCG * (Scalar(3) * alpha_BCG * BG_x - BG_y * t08)
-        + omega_GF * (Scalar(3) * alpha_GF * GF_x - GF_y * t09) - t04
-        - omega_EDF * (Scalar(3) * alpha_EDF * EF_x - EF_y * t05);
-    rhs(3) = omega_BCG * (Scalar(3) * alpha_BCG * BG_y + BG_x * t08)
+    rhs(2) = omega_BCG * (Scalar(3) * BG_x * alpha_BCG - BG_y * t08)
+        + omega_GF * (Scalar(3) * GF_x * alpha_GF - GF_y * t09) - t04
+        - omega_EDF * (Scalar(3) * EF_x * alpha_EDF - EF_y * t05);
+    rhs(3) = omega_BCG * (Scalar(3) * BG_y * alpha_BCG + BG_x * t08)
         + omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t09) - t07
-        - omega_EDF * (Scalar(3) * alpha_EDF * EF_y + EF_x * t05);
+        - omega_EDF * (Scalar(3) * EF_y * alpha_EDF + EF_x * t05);
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -420,51 +420,51 @@ struct Model02 {
     const Scalar v_y_F_EDF = d_rate(5);
     const Scalar v_h_C_CD = d_rate(6);
     const Scalar v_GF = d_rate(7);
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     const Scalar t01 = v_h_C_BCG - v_h_C_CD;
     rhs(0) = omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG + Scalar(2) * q.theta_BCG.cos * t01
         + Scalar(2) * q.theta_BCG.sin * v_s_C) - omega_EDF * (Scalar(2) * q.theta_EDF.sin * v_ED
-        + omega_EDF * ED_x);
-    rhs(1) = omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y) + Scalar(2) * q.theta_BCG.sin * t01
+        + ED_x * omega_EDF);
+    rhs(1) = omega_BCG * ((BC_y + slide_C_y + CD_y) * omega_BCG + Scalar(2) * q.theta_BCG.sin * t01
         - Scalar(2) * q.theta_BCG.cos * v_s_C) + omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_ED
-        - omega_EDF * ED_y);
+        - ED_y * omega_EDF);
     rhs(2) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_y_G_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + omega_BCG * BG_x)
-        + omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + omega_GF * GF_x)
+        + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + BG_x * omega_BCG)
+        + omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + GF_x * omega_GF)
         - omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_y_F_EDF
-        + Scalar(2) * q.theta_EDF.sin * v_x_F_EDF + omega_EDF * EF_x);
+        + Scalar(2) * q.theta_EDF.sin * v_x_F_EDF + EF_x * omega_EDF);
     rhs(3) = omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_x_F_EDF
-        - Scalar(2) * q.theta_EDF.sin * v_y_F_EDF - omega_EDF * EF_y)
+        - Scalar(2) * q.theta_EDF.sin * v_y_F_EDF - EF_y * omega_EDF)
         - omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_x_G_BCG
-        - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - omega_BCG * BG_y)
-        - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - omega_GF * GF_y);
+        - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - BG_y * omega_BCG)
+        - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - GF_y * omega_GF);
   }
 
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     poses[0].x = u.x_B;
     poses[0].y = u.y_B;
     poses[0].direction.cos = q.theta_BCG.cos;
@@ -493,14 +493,14 @@ struct Model02 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     P_q(2, 0) = Scalar(1);
     P_q(5, 1) = Scalar(1);
     P_q(6, 0) = -BC_y - slide_C_y - CD_y;
@@ -542,25 +542,25 @@ struct Model02 {
     const Scalar v_y_B = u_rate(1);
     const Scalar v_x_E = u_rate(2);
     const Scalar v_y_E = u_rate(3);
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     v(0, 0) = v_x_B;
     v(0, 1) = v_y_B;
     v(0, 2) = omega_BCG;
     v(1, 0) = v_x_E;
     v(1, 1) = v_y_E;
     v(1, 2) = omega_EDF;
-    v(2, 0) = v_x_B + q.theta_BCG.cos * v_s_C - omega_BCG * (BC_y + slide_C_y + CD_y);
-    v(2, 1) = v_y_B + omega_BCG * (BC_x + slide_C_x + CD_x) + q.theta_BCG.sin * v_s_C;
+    v(2, 0) = v_x_B + q.theta_BCG.cos * v_s_C - (BC_y + slide_C_y + CD_y) * omega_BCG;
+    v(2, 1) = v_y_B + (BC_x + slide_C_x + CD_x) * omega_BCG + q.theta_BCG.sin * v_s_C;
     v(2, 2) = omega_BCG;
-    v(3, 0) = v_x_B - omega_BCG * BG_y;
-    v(3, 1) = v_y_B + omega_BCG * BG_x;
+    v(3, 0) = v_x_B - BG_y * omega_BCG;
+    v(3, 1) = v_y_B + BG_x * omega_BCG;
     v(3, 2) = omega_GF;
   }
 
@@ -580,14 +580,14 @@ struct Model02 {
     const Scalar a_y_B = u_second_rate(1);
     const Scalar a_x_E = u_second_rate(2);
     const Scalar a_y_E = u_second_rate(3);
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     const Scalar t01 = BC_x + slide_C_x + CD_x;
     const Scalar t02 = BC_y + slide_C_y + CD_y;
     const Scalar t03 = omega_BCG * omega_BCG;
@@ -598,12 +598,12 @@ struct Model02 {
     a(1, 1) = a_y_E;
     a(1, 2) = alpha_EDF;
     a(2, 0) = a_x_B + q.theta_BCG.cos * a_s_C - omega_BCG * (t01 * omega_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_s_C) - alpha_BCG * t02;
-    a(2, 1) = a_y_B + alpha_BCG * t01 + q.theta_BCG.sin * a_s_C - omega_BCG * (omega_BCG * t02
+        + Scalar(2) * q.theta_BCG.sin * v_s_C) - t02 * alpha_BCG;
+    a(2, 1) = a_y_B + t01 * alpha_BCG + q.theta_BCG.sin * a_s_C - omega_BCG * (t02 * omega_BCG
         - Scalar(2) * q.theta_BCG.cos * v_s_C);
     a(2, 2) = alpha_BCG;
-    a(3, 0) = a_x_B - alpha_BCG * BG_y - BG_x * t03;
-    a(3, 1) = a_y_B + alpha_BCG * BG_x - BG_y * t03;
+    a(3, 0) = a_x_B - BG_y * alpha_BCG - BG_x * t03;
+    a(3, 1) = a_y_B + BG_x * alpha_BCG - BG_y * t03;
     a(3, 2) = alpha_GF;
   }
 
@@ -621,23 +621,23 @@ struct Model02 {
     const Scalar v_y_G_BCG = d_rate(2);
     const Scalar v_h_C_CD = d_rate(6);
     p.setZero();
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     const Scalar t01 = v_h_C_BCG - v_h_C_CD;
     p(2, 0) = -omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG
         + Scalar(2) * q.theta_BCG.cos * t01 + Scalar(2) * q.theta_BCG.sin * v_s_C);
-    p(2, 1) = -omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y)
+    p(2, 1) = -omega_BCG * ((BC_y + slide_C_y + CD_y) * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * t01 - Scalar(2) * q.theta_BCG.cos * v_s_C);
     p(3, 0) = -omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_y_G_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + omega_BCG * BG_x);
+        + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + BG_x * omega_BCG);
     p(3, 1) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_x_G_BCG
-        - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - omega_BCG * BG_y);
+        - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - BG_y * omega_BCG);
   }
 
   /// The lines n . S = c on which the unknowns move a special point in parallel,
@@ -647,24 +647,24 @@ struct Model02 {
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
     lines.setZero();
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     lines(0, 0) = -q.theta_BCG.cos;
     lines(0, 1) = -q.theta_BCG.sin;
-    lines(0, 2) = q.theta_BCG.cos * (BC_x + slide_C_x + CD_x) + q.theta_BCG.sin * (BC_y + slide_C_y
-        + CD_y);
+    lines(0, 2) = (BC_x + slide_C_x + CD_x) * q.theta_BCG.cos + (BC_y + slide_C_y
+        + CD_y) * q.theta_BCG.sin;
     lines(1, 0) = ED_y;
     lines(1, 1) = -ED_x;
     lines(2, 0) = -BG_y;
@@ -694,23 +694,23 @@ struct Model02 {
     const Scalar n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     L(0, 0) = (BC_x + slide_C_x + CD_x + S_CD_x) * n_CD_BCG_y - (BC_y + slide_C_y + CD_y
         + S_CD_y) * n_CD_BCG_x;
-    L(0, 3) = q.theta_BCG.cos * n_CD_BCG_x + q.theta_BCG.sin * n_CD_BCG_y;
+    L(0, 3) = n_CD_BCG_x * q.theta_BCG.cos + n_CD_BCG_y * q.theta_BCG.sin;
     L(1, 0) = S_CD_x * n_CD_EDF_y - S_CD_y * n_CD_EDF_x;
     L(1, 1) = n_CD_EDF_y * ED_x - n_CD_EDF_x * ED_y;
     L(2, 0) = BG_x * n_GF_BCG_y - BG_y * n_GF_BCG_x;
@@ -758,26 +758,26 @@ struct Model02 {
     const Scalar S_CD_y = S(0, 1);
     const Scalar S_GF_x = S(1, 0);
     const Scalar S_GF_y = S(1, 1);
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     const Scalar t01 = omega_BCG * omega_BCG;
     const Scalar t02 = omega_EDF * omega_EDF;
     const Scalar t03 = omega_GF * omega_GF;
     a(0, 0) = a_x_B - omega_BCG * ((BC_x + slide_C_x + CD_x + S_CD_x) * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C);
-    a(0, 1) = a_y_B - omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y + S_CD_y)
+    a(0, 1) = a_y_B - omega_BCG * ((BC_y + slide_C_y + CD_y + S_CD_y) * omega_BCG
         - Scalar(2) * q.theta_BCG.cos * v_s_C);
     a(1, 0) = a_x_E - S_CD_x * t01 - ED_x * t02;
     a(1, 1) = a_y_E - S_CD_y * t01 - ED_y * t02;
@@ -840,9 +840,9 @@ struct Model02 {
     const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
     const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
     const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
     const Scalar pivot_product = d.GF * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
@@ -852,26 +852,26 @@ struct Model02 {
     const Scalar EDF_per_across_slide_C = BCG_across_GF * inverse_determinant;
     const Scalar s_C_per_across_slide_C = BCG_across_slide_C * BCG_per_across_slide_C
         + EDF_across_slide_C * EDF_per_across_slide_C;
-    const Scalar GF_per_across_slide_C = -(BCG_per_across_slide_C * BCG_along_GF
-        + EDF_per_across_slide_C * EDF_along_GF) * inverse_GF;
+    const Scalar GF_per_across_slide_C = -inverse_GF * (BCG_per_across_slide_C * BCG_along_GF
+        + EDF_per_across_slide_C * EDF_along_GF);
     const Scalar BCG_per_along_GF = -EDF_along_slide_C * inverse_determinant;
     const Scalar EDF_per_along_GF = q.s_C * inverse_determinant;
     const Scalar s_C_per_along_GF = BCG_across_slide_C * BCG_per_along_GF
         + EDF_across_slide_C * EDF_per_along_GF;
     const Scalar GF_per_along_GF = -inverse_GF * (BCG_along_GF * BCG_per_along_GF
         + EDF_along_GF * EDF_per_along_GF);
-    J_inverse(0, 0) = -q.theta_BCG.sin * BCG_per_across_slide_C;
-    J_inverse(0, 1) = q.theta_BCG.cos * BCG_per_across_slide_C;
-    J_inverse(0, 2) = q.theta_GF.cos * BCG_per_along_GF;
-    J_inverse(0, 3) = q.theta_GF.sin * BCG_per_along_GF;
-    J_inverse(1, 0) = -q.theta_BCG.sin * EDF_per_across_slide_C;
-    J_inverse(1, 1) = q.theta_BCG.cos * EDF_per_across_slide_C;
-    J_inverse(1, 2) = q.theta_GF.cos * EDF_per_along_GF;
-    J_inverse(1, 3) = q.theta_GF.sin * EDF_per_along_GF;
-    J_inverse(2, 0) = -q.theta_BCG.sin * GF_per_across_slide_C;
-    J_inverse(2, 1) = q.theta_BCG.cos * GF_per_across_slide_C;
-    J_inverse(2, 2) = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
-    J_inverse(2, 3) = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    J_inverse(0, 0) = -BCG_per_across_slide_C * q.theta_BCG.sin;
+    J_inverse(0, 1) = BCG_per_across_slide_C * q.theta_BCG.cos;
+    J_inverse(0, 2) = BCG_per_along_GF * q.theta_GF.cos;
+    J_inverse(0, 3) = BCG_per_along_GF * q.theta_GF.sin;
+    J_inverse(1, 0) = -EDF_per_across_slide_C * q.theta_BCG.sin;
+    J_inverse(1, 1) = EDF_per_across_slide_C * q.theta_BCG.cos;
+    J_inverse(1, 2) = EDF_per_along_GF * q.theta_GF.cos;
+    J_inverse(1, 3) = EDF_per_along_GF * q.theta_GF.sin;
+    J_inverse(2, 0) = -GF_per_across_slide_C * q.theta_BCG.sin;
+    J_inverse(2, 1) = GF_per_across_slide_C * q.theta_BCG.cos;
+    J_inverse(2, 2) = GF_per_along_GF * q.theta_GF.cos - inverse_GF * q.theta_GF.sin;
+    J_inverse(2, 3) = inverse_GF * q.theta_GF.cos + GF_per_along_GF * q.theta_GF.sin;
     J_inverse(3, 0) = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C;
     J_inverse(3, 1) = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C;
     J_inverse(3, 2) = q.theta_GF.cos * s_C_per_along_GF;
@@ -899,9 +899,9 @@ struct Model02 {
     const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
     const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
     const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
     const Scalar pivot_product = d.GF * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
@@ -911,48 +911,52 @@ struct Model02 {
     const Scalar EDF_per_across_slide_C = BCG_across_GF * inverse_determinant;
     const Scalar s_C_per_across_slide_C = BCG_across_slide_C * BCG_per_across_slide_C
         + EDF_across_slide_C * EDF_per_across_slide_C;
-    const Scalar GF_per_across_slide_C = -(BCG_per_across_slide_C * BCG_along_GF
-        + EDF_per_across_slide_C * EDF_along_GF) * inverse_GF;
+    const Scalar GF_per_across_slide_C = -inverse_GF * (BCG_per_across_slide_C * BCG_along_GF
+        + EDF_per_across_slide_C * EDF_along_GF);
     const Scalar BCG_per_along_GF = -EDF_along_slide_C * inverse_determinant;
     const Scalar EDF_per_along_GF = q.s_C * inverse_determinant;
     const Scalar s_C_per_along_GF = BCG_across_slide_C * BCG_per_along_GF
         + EDF_across_slide_C * EDF_per_along_GF;
     const Scalar GF_per_along_GF = -inverse_GF * (BCG_along_GF * BCG_per_along_GF
         + EDF_along_GF * EDF_per_along_GF);
-    const Scalar t01 = q.theta_BCG.sin * BCG_per_across_slide_C - q.theta_GF.cos * BCG_per_along_GF;
-    const Scalar t02 = q.theta_BCG.cos * BCG_per_across_slide_C + q.theta_GF.sin * BCG_per_along_GF;
-    const Scalar t03 = q.theta_BCG.sin * EDF_per_across_slide_C - q.theta_GF.cos * EDF_per_along_GF;
-    const Scalar t04 = q.theta_BCG.cos * EDF_per_across_slide_C + q.theta_GF.sin * EDF_per_along_GF;
-    const Scalar t05 = q.theta_BCG.sin * GF_per_across_slide_C + q.theta_GF.sin * inverse_GF
-        - q.theta_GF.cos * GF_per_along_GF;
-    const Scalar t06 = q.theta_BCG.cos * GF_per_across_slide_C + q.theta_GF.cos * inverse_GF
-        + q.theta_GF.sin * GF_per_along_GF;
-    const Scalar t07 = q.theta_BCG.cos + q.theta_GF.cos * s_C_per_along_GF
-        - q.theta_BCG.sin * s_C_per_across_slide_C;
-    const Scalar t08 = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C
-        + q.theta_GF.sin * s_C_per_along_GF;
+    const Scalar BCG_per_x_B = BCG_per_across_slide_C * q.theta_BCG.sin
+        - BCG_per_along_GF * q.theta_GF.cos;
+    const Scalar EDF_per_x_B = EDF_per_across_slide_C * q.theta_BCG.sin
+        - EDF_per_along_GF * q.theta_GF.cos;
+    const Scalar GF_per_x_B = GF_per_across_slide_C * q.theta_BCG.sin + inverse_GF * q.theta_GF.sin
+        - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C - q.theta_BCG.cos
+        - q.theta_GF.cos * s_C_per_along_GF;
+    const Scalar BCG_per_y_B = -BCG_per_across_slide_C * q.theta_BCG.cos
+        - BCG_per_along_GF * q.theta_GF.sin;
+    const Scalar EDF_per_y_B = -EDF_per_across_slide_C * q.theta_BCG.cos
+        - EDF_per_along_GF * q.theta_GF.sin;
+    const Scalar GF_per_y_B = -GF_per_across_slide_C * q.theta_BCG.cos - inverse_GF * q.theta_GF.cos
+        - GF_per_along_GF * q.theta_GF.sin;
+    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
+        - q.theta_GF.sin * s_C_per_along_GF;
     S_d(0, 0) = -BCG_per_across_slide_C;
-    S_d(0, 1) = -cos_BCG_minus_GF * BCG_per_along_GF;
-    S_d(0, 2) = sin_BCG_minus_GF * BCG_per_along_GF;
-    S_d(0, 3) = sin_EDF_minus_BCG * BCG_per_across_slide_C;
-    S_d(0, 4) = cos_EDF_minus_GF * BCG_per_along_GF;
-    S_d(0, 5) = -sin_EDF_minus_GF * BCG_per_along_GF;
+    S_d(0, 1) = -BCG_per_along_GF * cos_BCG_minus_GF;
+    S_d(0, 2) = BCG_per_along_GF * sin_BCG_minus_GF;
+    S_d(0, 3) = BCG_per_across_slide_C * sin_EDF_minus_BCG;
+    S_d(0, 4) = BCG_per_along_GF * cos_EDF_minus_GF;
+    S_d(0, 5) = -BCG_per_along_GF * sin_EDF_minus_GF;
     S_d(0, 6) = BCG_per_across_slide_C;
     S_d(0, 7) = -BCG_per_along_GF;
     S_d(1, 0) = -EDF_per_across_slide_C;
-    S_d(1, 1) = -cos_BCG_minus_GF * EDF_per_along_GF;
-    S_d(1, 2) = sin_BCG_minus_GF * EDF_per_along_GF;
-    S_d(1, 3) = sin_EDF_minus_BCG * EDF_per_across_slide_C;
-    S_d(1, 4) = cos_EDF_minus_GF * EDF_per_along_GF;
-    S_d(1, 5) = -sin_EDF_minus_GF * EDF_per_along_GF;
+    S_d(1, 1) = -EDF_per_along_GF * cos_BCG_minus_GF;
+    S_d(1, 2) = EDF_per_along_GF * sin_BCG_minus_GF;
+    S_d(1, 3) = EDF_per_across_slide_C * sin_EDF_minus_BCG;
+    S_d(1, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
+    S_d(1, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;
     S_d(1, 6) = EDF_per_across_slide_C;
     S_d(1, 7) = -EDF_per_along_GF;
     S_d(2, 0) = -GF_per_across_slide_C;
-    S_d(2, 1) = -cos_BCG_minus_GF * GF_per_along_GF - sin_BCG_minus_GF * inverse_GF;
-    S_d(2, 2) = sin_BCG_minus_GF * GF_per_along_GF - cos_BCG_minus_GF * inverse_GF;
-    S_d(2, 3) = sin_EDF_minus_BCG * GF_per_across_slide_C;
-    S_d(2, 4) = cos_EDF_minus_GF * GF_per_along_GF + sin_EDF_minus_GF * inverse_GF;
-    S_d(2, 5) = cos_EDF_minus_GF * inverse_GF - sin_EDF_minus_GF * GF_per_along_GF;
+    S_d(2, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
+    S_d(2, 2) = GF_per_along_GF * sin_BCG_minus_GF - inverse_GF * cos_BCG_minus_GF;
+    S_d(2, 3) = GF_per_across_slide_C * sin_EDF_minus_BCG;
+    S_d(2, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
+    S_d(2, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
     S_d(2, 6) = GF_per_across_slide_C;
     S_d(2, 7) = -GF_per_along_GF;
     S_d(3, 0) = -s_C_per_across_slide_C;
@@ -963,22 +967,22 @@ struct Model02 {
     S_d(3, 5) = -sin_EDF_minus_GF * s_C_per_along_GF;
     S_d(3, 6) = s_C_per_across_slide_C;
     S_d(3, 7) = -s_C_per_along_GF;
-    S_u(0, 0) = t01;
-    S_u(0, 1) = -t02;
-    S_u(0, 2) = -t01;
-    S_u(0, 3) = t02;
-    S_u(1, 0) = t03;
-    S_u(1, 1) = -t04;
-    S_u(1, 2) = -t03;
-    S_u(1, 3) = t04;
-    S_u(2, 0) = t05;
-    S_u(2, 1) = -t06;
-    S_u(2, 2) = -t05;
-    S_u(2, 3) = t06;
-    S_u(3, 0) = -t07;
-    S_u(3, 1) = -t08;
-    S_u(3, 2) = t07;
-    S_u(3, 3) = t08;
+    S_u(0, 0) = BCG_per_x_B;
+    S_u(0, 1) = BCG_per_y_B;
+    S_u(0, 2) = -BCG_per_x_B;
+    S_u(0, 3) = -BCG_per_y_B;
+    S_u(1, 0) = EDF_per_x_B;
+    S_u(1, 1) = EDF_per_y_B;
+    S_u(1, 2) = -EDF_per_x_B;
+    S_u(1, 3) = -EDF_per_y_B;
+    S_u(2, 0) = GF_per_x_B;
+    S_u(2, 1) = GF_per_y_B;
+    S_u(2, 2) = -GF_per_x_B;
+    S_u(2, 3) = -GF_per_y_B;
+    S_u(3, 0) = s_C_per_x_B;
+    S_u(3, 1) = s_C_per_y_B;
+    S_u(3, 2) = -s_C_per_x_B;
+    S_u(3, 3) = -s_C_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1006,9 +1010,9 @@ struct Model02 {
     const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
     const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
     const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
     const Scalar pivot_product = d.GF * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
@@ -1020,14 +1024,14 @@ struct Model02 {
     const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
     const Scalar velocity_along_GF = -q.theta_GF.cos * t01 - q.theta_GF.sin * t02;
     const Scalar velocity_across_GF = q.theta_GF.sin * t01 - q.theta_GF.cos * t02;
-    const Scalar omega_BCG = -(EDF_along_slide_C * velocity_along_GF
-        + EDF_across_GF * velocity_across_slide_C) * inverse_determinant;
+    const Scalar omega_BCG = -inverse_determinant * (EDF_along_slide_C * velocity_along_GF
+        + EDF_across_GF * velocity_across_slide_C);
     const Scalar omega_EDF = inverse_determinant * (q.s_C * velocity_along_GF
         + BCG_across_GF * velocity_across_slide_C);
-    const Scalar v_s_C = omega_BCG * BCG_across_slide_C + omega_EDF * EDF_across_slide_C
+    const Scalar v_s_C = BCG_across_slide_C * omega_BCG + EDF_across_slide_C * omega_EDF
         + velocity_along_slide_C;
-    const Scalar omega_GF = -(omega_BCG * BCG_along_GF + omega_EDF * EDF_along_GF
-        - velocity_across_GF) * inverse_GF;
+    const Scalar omega_GF = -inverse_GF * (BCG_along_GF * omega_BCG + EDF_along_GF * omega_EDF
+        - velocity_across_GF);
     q_rate(0) = omega_BCG;
     q_rate(1) = omega_EDF;
     q_rate(2) = omega_GF;
@@ -1064,9 +1068,9 @@ struct Model02 {
     const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
     const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
     const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
     const Scalar pivot_product = d.GF * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
@@ -1078,14 +1082,14 @@ struct Model02 {
     const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
     const Scalar velocity_along_GF = -q.theta_GF.cos * t01 - q.theta_GF.sin * t02;
     const Scalar velocity_across_GF = q.theta_GF.sin * t01 - q.theta_GF.cos * t02;
-    const Scalar omega_BCG = -(EDF_along_slide_C * velocity_along_GF
-        + EDF_across_GF * velocity_across_slide_C) * inverse_determinant;
+    const Scalar omega_BCG = -inverse_determinant * (EDF_along_slide_C * velocity_along_GF
+        + EDF_across_GF * velocity_across_slide_C);
     const Scalar omega_EDF = inverse_determinant * (q.s_C * velocity_along_GF
         + BCG_across_GF * velocity_across_slide_C);
-    const Scalar t03 = omega_BCG * BCG_across_slide_C;
-    const Scalar v_s_C = t03 + omega_EDF * EDF_across_slide_C + velocity_along_slide_C;
-    const Scalar omega_GF = -(omega_BCG * BCG_along_GF + omega_EDF * EDF_along_GF
-        - velocity_across_GF) * inverse_GF;
+    const Scalar t03 = BCG_across_slide_C * omega_BCG;
+    const Scalar v_s_C = t03 + EDF_across_slide_C * omega_EDF + velocity_along_slide_C;
+    const Scalar omega_GF = -inverse_GF * (BCG_along_GF * omega_BCG + EDF_along_GF * omega_EDF
+        - velocity_across_GF);
     const Scalar t04 = a_x_B - a_x_E;
     const Scalar t05 = a_y_B - a_y_E;
     const Scalar t06 = omega_EDF * omega_EDF;
@@ -1148,9 +1152,9 @@ struct Model02 {
     const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
     const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
     const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
     const Scalar pivot_product = d.GF * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
@@ -1160,72 +1164,68 @@ struct Model02 {
     const Scalar EDF_per_across_slide_C = BCG_across_GF * inverse_determinant;
     const Scalar s_C_per_across_slide_C = BCG_across_slide_C * BCG_per_across_slide_C
         + EDF_across_slide_C * EDF_per_across_slide_C;
-    const Scalar GF_per_across_slide_C = -(BCG_per_across_slide_C * BCG_along_GF
-        + EDF_per_across_slide_C * EDF_along_GF) * inverse_GF;
+    const Scalar GF_per_across_slide_C = -inverse_GF * (BCG_per_across_slide_C * BCG_along_GF
+        + EDF_per_across_slide_C * EDF_along_GF);
     const Scalar BCG_per_along_GF = -EDF_along_slide_C * inverse_determinant;
     const Scalar EDF_per_along_GF = q.s_C * inverse_determinant;
     const Scalar s_C_per_along_GF = BCG_across_slide_C * BCG_per_along_GF
         + EDF_across_slide_C * EDF_per_along_GF;
     const Scalar GF_per_along_GF = -inverse_GF * (BCG_along_GF * BCG_per_along_GF
         + EDF_along_GF * EDF_per_along_GF);
-    const Scalar t01 = q.theta_BCG.sin * BCG_per_across_slide_C - q.theta_GF.cos * BCG_per_along_GF;
-    const Scalar BCG_per_x_B = t01;
-    const Scalar t02 = q.theta_BCG.sin * EDF_per_across_slide_C - q.theta_GF.cos * EDF_per_along_GF;
-    const Scalar EDF_per_x_B = t02;
-    const Scalar t03 = q.theta_BCG.sin * GF_per_across_slide_C + q.theta_GF.sin * inverse_GF
-        - q.theta_GF.cos * GF_per_along_GF;
-    const Scalar GF_per_x_B = t03;
-    const Scalar t04 = q.theta_BCG.cos + q.theta_GF.cos * s_C_per_along_GF
-        - q.theta_BCG.sin * s_C_per_across_slide_C;
-    const Scalar s_C_per_x_B = -t04;
-    const Scalar t05 = q.theta_BCG.cos * BCG_per_across_slide_C + q.theta_GF.sin * BCG_per_along_GF;
-    const Scalar BCG_per_y_B = -t05;
-    const Scalar t06 = q.theta_BCG.cos * EDF_per_across_slide_C + q.theta_GF.sin * EDF_per_along_GF;
-    const Scalar EDF_per_y_B = -t06;
-    const Scalar t07 = q.theta_BCG.cos * GF_per_across_slide_C + q.theta_GF.cos * inverse_GF
-        + q.theta_GF.sin * GF_per_along_GF;
-    const Scalar GF_per_y_B = -t07;
-    const Scalar t08 = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C
-        + q.theta_GF.sin * s_C_per_along_GF;
-    const Scalar s_C_per_y_B = -t08;
-    const Scalar t09 = v_x_B - v_x_E;
-    const Scalar t10 = v_y_B - v_y_E;
-    const Scalar omega_BCG = t09 * BCG_per_x_B + t10 * BCG_per_y_B;
-    const Scalar omega_EDF = t09 * EDF_per_x_B + t10 * EDF_per_y_B;
-    const Scalar omega_GF = t09 * GF_per_x_B + t10 * GF_per_y_B;
-    const Scalar v_s_C = t09 * s_C_per_x_B + t10 * s_C_per_y_B;
-    const Scalar t11 = omega_EDF * omega_EDF;
-    const Scalar t12 = omega_BCG * omega_BCG;
-    const Scalar centripetal_along_slide_C = EDF_along_slide_C * t11 + q.s_C * t12;
+    const Scalar BCG_per_x_B = BCG_per_across_slide_C * q.theta_BCG.sin
+        - BCG_per_along_GF * q.theta_GF.cos;
+    const Scalar EDF_per_x_B = EDF_per_across_slide_C * q.theta_BCG.sin
+        - EDF_per_along_GF * q.theta_GF.cos;
+    const Scalar GF_per_x_B = GF_per_across_slide_C * q.theta_BCG.sin + inverse_GF * q.theta_GF.sin
+        - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C - q.theta_BCG.cos
+        - q.theta_GF.cos * s_C_per_along_GF;
+    const Scalar BCG_per_y_B = -BCG_per_across_slide_C * q.theta_BCG.cos
+        - BCG_per_along_GF * q.theta_GF.sin;
+    const Scalar EDF_per_y_B = -EDF_per_across_slide_C * q.theta_BCG.cos
+        - EDF_per_along_GF * q.theta_GF.sin;
+    const Scalar GF_per_y_B = -GF_per_across_slide_C * q.theta_BCG.cos - inverse_GF * q.theta_GF.cos
+        - GF_per_along_GF * q.theta_GF.sin;
+    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
+        - q.theta_GF.sin * s_C_per_along_GF;
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar omega_BCG = BCG_per_x_B * t01 + BCG_per_y_B * t02;
+    const Scalar omega_EDF = EDF_per_x_B * t01 + EDF_per_y_B * t02;
+    const Scalar omega_GF = GF_per_x_B * t01 + GF_per_y_B * t02;
+    const Scalar v_s_C = s_C_per_x_B * t01 + s_C_per_y_B * t02;
+    const Scalar t03 = omega_EDF * omega_EDF;
+    const Scalar t04 = omega_BCG * omega_BCG;
+    const Scalar centripetal_along_slide_C = EDF_along_slide_C * t03 + q.s_C * t04;
     const Scalar centripetal_across_slide_C = omega_BCG * (BCG_across_slide_C * omega_BCG
-        - Scalar(2) * v_s_C) + EDF_across_slide_C * t11;
-    const Scalar centripetal_along_GF = d.GF * omega_GF * omega_GF + EDF_along_GF * t11
-        + BCG_along_GF * t12;
-    const Scalar centripetal_across_GF = EDF_across_GF * t11 + BCG_across_GF * t12;
-    const Scalar t13 = a_x_B - a_x_E;
-    const Scalar t14 = a_y_B - a_y_E;
+        - Scalar(2) * v_s_C) + EDF_across_slide_C * t03;
+    const Scalar centripetal_along_GF = d.GF * omega_GF * omega_GF + EDF_along_GF * t03
+        + BCG_along_GF * t04;
+    const Scalar centripetal_across_GF = EDF_across_GF * t03 + BCG_across_GF * t04;
+    const Scalar t05 = a_x_B - a_x_E;
+    const Scalar t06 = a_y_B - a_y_E;
     S_d(0, 0) = -BCG_per_across_slide_C;
-    S_d(0, 1) = -cos_BCG_minus_GF * BCG_per_along_GF;
-    S_d(0, 2) = sin_BCG_minus_GF * BCG_per_along_GF;
-    S_d(0, 3) = sin_EDF_minus_BCG * BCG_per_across_slide_C;
-    S_d(0, 4) = cos_EDF_minus_GF * BCG_per_along_GF;
-    S_d(0, 5) = -sin_EDF_minus_GF * BCG_per_along_GF;
+    S_d(0, 1) = -BCG_per_along_GF * cos_BCG_minus_GF;
+    S_d(0, 2) = BCG_per_along_GF * sin_BCG_minus_GF;
+    S_d(0, 3) = BCG_per_across_slide_C * sin_EDF_minus_BCG;
+    S_d(0, 4) = BCG_per_along_GF * cos_EDF_minus_GF;
+    S_d(0, 5) = -BCG_per_along_GF * sin_EDF_minus_GF;
     S_d(0, 6) = BCG_per_across_slide_C;
     S_d(0, 7) = -BCG_per_along_GF;
     S_d(1, 0) = -EDF_per_across_slide_C;
-    S_d(1, 1) = -cos_BCG_minus_GF * EDF_per_along_GF;
-    S_d(1, 2) = sin_BCG_minus_GF * EDF_per_along_GF;
-    S_d(1, 3) = sin_EDF_minus_BCG * EDF_per_across_slide_C;
-    S_d(1, 4) = cos_EDF_minus_GF * EDF_per_along_GF;
-    S_d(1, 5) = -sin_EDF_minus_GF * EDF_per_along_GF;
+    S_d(1, 1) = -EDF_per_along_GF * cos_BCG_minus_GF;
+    S_d(1, 2) = EDF_per_along_GF * sin_BCG_minus_GF;
+    S_d(1, 3) = EDF_per_across_slide_C * sin_EDF_minus_BCG;
+    S_d(1, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
+    S_d(1, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;
     S_d(1, 6) = EDF_per_across_slide_C;
     S_d(1, 7) = -EDF_per_along_GF;
     S_d(2, 0) = -GF_per_across_slide_C;
-    S_d(2, 1) = -cos_BCG_minus_GF * GF_per_along_GF - sin_BCG_minus_GF * inverse_GF;
-    S_d(2, 2) = sin_BCG_minus_GF * GF_per_along_GF - cos_BCG_minus_GF * inverse_GF;
-    S_d(2, 3) = sin_EDF_minus_BCG * GF_per_across_slide_C;
-    S_d(2, 4) = cos_EDF_minus_GF * GF_per_along_GF + sin_EDF_minus_GF * inverse_GF;
-    S_d(2, 5) = cos_EDF_minus_GF * inverse_GF - sin_EDF_minus_GF * GF_per_along_GF;
+    S_d(2, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
+    S_d(2, 2) = GF_per_along_GF * sin_BCG_minus_GF - inverse_GF * cos_BCG_minus_GF;
+    S_d(2, 3) = GF_per_across_slide_C * sin_EDF_minus_BCG;
+    S_d(2, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
+    S_d(2, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
     S_d(2, 6) = GF_per_across_slide_C;
     S_d(2, 7) = -GF_per_along_GF;
     S_d(3, 0) = -s_C_per_across_slide_C;
@@ -1236,36 +1236,36 @@ struct Model02 {
     S_d(3, 5) = -sin_EDF_minus_GF * s_C_per_along_GF;
     S_d(3, 6) = s_C_per_across_slide_C;
     S_d(3, 7) = -s_C_per_along_GF;
-    S_u(0, 0) = t01;
-    S_u(0, 1) = -t05;
-    S_u(0, 2) = -t01;
-    S_u(0, 3) = t05;
-    S_u(1, 0) = t02;
-    S_u(1, 1) = -t06;
-    S_u(1, 2) = -t02;
-    S_u(1, 3) = t06;
-    S_u(2, 0) = t03;
-    S_u(2, 1) = -t07;
-    S_u(2, 2) = -t03;
-    S_u(2, 3) = t07;
-    S_u(3, 0) = -t04;
-    S_u(3, 1) = -t08;
-    S_u(3, 2) = t04;
-    S_u(3, 3) = t08;
+    S_u(0, 0) = BCG_per_x_B;
+    S_u(0, 1) = BCG_per_y_B;
+    S_u(0, 2) = -BCG_per_x_B;
+    S_u(0, 3) = -BCG_per_y_B;
+    S_u(1, 0) = EDF_per_x_B;
+    S_u(1, 1) = EDF_per_y_B;
+    S_u(1, 2) = -EDF_per_x_B;
+    S_u(1, 3) = -EDF_per_y_B;
+    S_u(2, 0) = GF_per_x_B;
+    S_u(2, 1) = GF_per_y_B;
+    S_u(2, 2) = -GF_per_x_B;
+    S_u(2, 3) = -GF_per_y_B;
+    S_u(3, 0) = s_C_per_x_B;
+    S_u(3, 1) = s_C_per_y_B;
+    S_u(3, 2) = -s_C_per_x_B;
+    S_u(3, 3) = -s_C_per_y_B;
     q_rate(0) = omega_BCG;
     q_rate(1) = omega_EDF;
     q_rate(2) = omega_GF;
     q_rate(3) = v_s_C;
-    q_second_rate(0) = BCG_per_x_B * t13 + BCG_per_y_B * t14
+    q_second_rate(0) = BCG_per_x_B * t05 + BCG_per_y_B * t06
         + BCG_per_across_slide_C * centripetal_across_slide_C
         + BCG_per_along_GF * centripetal_along_GF;
-    q_second_rate(1) = EDF_per_x_B * t13 + EDF_per_y_B * t14
+    q_second_rate(1) = EDF_per_x_B * t05 + EDF_per_y_B * t06
         + EDF_per_across_slide_C * centripetal_across_slide_C
         + EDF_per_along_GF * centripetal_along_GF;
-    q_second_rate(2) = GF_per_x_B * t13 + GF_per_y_B * t14 + inverse_GF * centripetal_across_GF
+    q_second_rate(2) = GF_per_x_B * t05 + GF_per_y_B * t06 + inverse_GF * centripetal_across_GF
         + GF_per_across_slide_C * centripetal_across_slide_C
         + GF_per_along_GF * centripetal_along_GF;
-    q_second_rate(3) = s_C_per_x_B * t13 + s_C_per_y_B * t14
+    q_second_rate(3) = s_C_per_x_B * t05 + s_C_per_y_B * t06
         + s_C_per_across_slide_C * centripetal_across_slide_C
         + s_C_per_along_GF * centripetal_along_GF + centripetal_along_slide_C;
   }
@@ -1303,8 +1303,8 @@ struct Model02 {
     const Scalar U_0_im = -t03 - P2_0_im * C1_0_re - t04;
     const Scalar U_1_re = t05 - t06;
     const Scalar U_1_im = -t07 - t08;
-    const Scalar V_m1_re = Scalar(1) / Scalar(2) * P1_m1_im * P2_0_re;
-    const Scalar V_m1_im = -Scalar(1) / Scalar(2) * P1_m1_im * P2_0_im;
+    const Scalar V_m1_re = Scalar(0.5) * P1_m1_im * P2_0_re;
+    const Scalar V_m1_im = -Scalar(0.5) * P1_m1_im * P2_0_im;
     const Scalar V_0_re = P2_m1_re * P1_m1_im;
     const Scalar t09 = V_m1_re * V_m1_re;
     const Scalar t10 = V_m1_im * V_m1_im;
@@ -1331,16 +1331,16 @@ struct Model02 {
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = q.theta_BCG.cos * EB_y - q.theta_BCG.sin * EB_x;
-    const Scalar t02 = EB_x + q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar t03 = EB_y + q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    e(0, 0) = Scalar(2) * q.theta_BCG.sin * d.ED;
+    const Scalar t01 = EB_y * q.theta_BCG.cos - EB_x * q.theta_BCG.sin;
+    const Scalar t02 = EB_x + d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar t03 = EB_y + d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    e(0, 0) = Scalar(2) * d.ED * q.theta_BCG.sin;
     e(0, 1) = -Scalar(2) * d.ED * q.theta_BCG.cos;
     e(0, 2) = Scalar(2) * (d.h_C_BCG + t01 - d.h_C_CD);
     e(1, 0) = -Scalar(2) * (t02 * d.x_F_EDF + t03 * d.y_F_EDF);
     e(1, 1) = -Scalar(2) * (d.x_F_EDF * t03 - t02 * d.y_F_EDF);
-    e(1, 2) = d.x_G_BCG * (d.x_G_BCG + Scalar(2) * q.theta_BCG.cos * EB_x
-        + Scalar(2) * q.theta_BCG.sin * EB_y) + d.x_F_EDF * d.x_F_EDF + d.y_F_EDF * d.y_F_EDF
+    e(1, 2) = d.x_G_BCG * (d.x_G_BCG + Scalar(2) * EB_x * q.theta_BCG.cos
+        + Scalar(2) * EB_y * q.theta_BCG.sin) + d.x_F_EDF * d.x_F_EDF + d.y_F_EDF * d.y_F_EDF
         + EB_x * EB_x + EB_y * EB_y + d.y_G_BCG * (d.y_G_BCG + Scalar(2) * t01) - d.GF * d.GF;
   }
 
@@ -1353,12 +1353,12 @@ struct Model02 {
     const Scalar EB_y = u.y_B - u.y_E;
     const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
                                                        //     no length
-    q.s_C = (q.theta_EDF.cos * d.ED - EB_x) * q.theta_BCG.cos + (d.ED * q.theta_EDF.sin
+    q.s_C = (d.ED * q.theta_EDF.cos - EB_x) * q.theta_BCG.cos + (d.ED * q.theta_EDF.sin
         - EB_y) * q.theta_BCG.sin;
-    q.theta_GF.cos = -(EB_x + q.theta_BCG.cos * d.x_G_BCG + q.theta_EDF.sin * d.y_F_EDF
-        - q.theta_BCG.sin * d.y_G_BCG - q.theta_EDF.cos * d.x_F_EDF) * inverse_theta_GF;
-    q.theta_GF.sin = -inverse_theta_GF * (EB_y + q.theta_BCG.cos * d.y_G_BCG
-        + q.theta_BCG.sin * d.x_G_BCG - q.theta_EDF.cos * d.y_F_EDF - q.theta_EDF.sin * d.x_F_EDF);
+    q.theta_GF.cos = -(EB_x + d.x_G_BCG * q.theta_BCG.cos + d.y_F_EDF * q.theta_EDF.sin
+        - d.y_G_BCG * q.theta_BCG.sin - d.x_F_EDF * q.theta_EDF.cos) * inverse_theta_GF;
+    q.theta_GF.sin = -inverse_theta_GF * (EB_y + d.y_G_BCG * q.theta_BCG.cos
+        + d.x_G_BCG * q.theta_BCG.sin - d.y_F_EDF * q.theta_EDF.cos - d.x_F_EDF * q.theta_EDF.sin);
   }
 };
 

@@ -56,7 +56,7 @@ namespace assur::tetrad {
 ///   velocity:                     32, 21, 1
 ///   motion:                       62, 43, 1
 ///   sensitivities_and_motion:     96, 57, 1
-///   position_polynomial:          65, 54, 0
+///   position_polynomial:          75, 54, 0
 ///   second_equations:             16, 12, 0
 ///   complete:                     12, 12, 0
 struct Model03 {
@@ -189,28 +189,28 @@ struct Model03 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = -q.theta_EDF.sin * d.h_F_GF;
-    const Scalar GF_y = q.theta_EDF.cos * d.h_F_GF;
-    const Scalar EF_x = -q.theta_EDF.sin * d.h_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.h_F_EDF;
-    const Scalar slide_F_x = q.theta_EDF.cos * q.s_F;
-    const Scalar slide_F_y = q.theta_EDF.sin * q.s_F;
-    const Scalar t01 = u.x_B - u.x_E;
-    const Scalar t02 = u.y_B - u.y_E;
-    f(0) = BC_x + slide_C_x + CD_x + t01 - ED_x;
-    f(1) = BC_y + slide_C_y + CD_y + t02 - ED_y;
-    f(2) = BG_x + GF_x + t01 - EF_x - slide_F_x;
-    f(3) = BG_y + GF_y + t02 - EF_y - slide_F_y;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
+    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
+    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    f(0) = BC_x + slide_C_x + CD_x + EB_x - ED_x;
+    f(1) = BC_y + slide_C_y + CD_y + EB_y - ED_y;
+    f(2) = BG_x + GF_x + EB_x - EF_x - slide_F_x;
+    f(3) = BG_y + GF_y + EB_y - EF_y - slide_F_y;
   }
 
   /// J = df/dq.
@@ -218,22 +218,22 @@ struct Model03 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = -q.theta_EDF.sin * d.h_F_GF;
-    const Scalar GF_y = q.theta_EDF.cos * d.h_F_GF;
-    const Scalar EF_x = -q.theta_EDF.sin * d.h_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.h_F_EDF;
-    const Scalar slide_F_x = q.theta_EDF.cos * q.s_F;
-    const Scalar slide_F_y = q.theta_EDF.sin * q.s_F;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
+    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
+    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
     J(0, 0) = -BC_y - slide_C_y - CD_y;
     J(0, 1) = ED_y;
     J(0, 2) = q.theta_BCG.cos;
@@ -318,33 +318,33 @@ struct Model03 {
     const Scalar a_y_B = u_second_rate(1);
     const Scalar a_x_E = u_second_rate(2);
     const Scalar a_y_E = u_second_rate(3);
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = -q.theta_EDF.sin * d.h_F_GF;
-    const Scalar GF_y = q.theta_EDF.cos * d.h_F_GF;
-    const Scalar EF_x = -q.theta_EDF.sin * d.h_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.h_F_EDF;
-    const Scalar slide_F_x = q.theta_EDF.cos * q.s_F;
-    const Scalar slide_F_y = q.theta_EDF.sin * q.s_F;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
+    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
+    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
     const Scalar t01 = omega_EDF * omega_EDF;
     const Scalar t02 = a_x_B - a_x_E;
     const Scalar t03 = a_y_B - a_y_E;
     const Scalar t04 = omega_BCG * omega_BCG;
     rhs(0) = omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C) - ED_x * t01 - t02;
-    rhs(1) = omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y)
+    rhs(1) = omega_BCG * ((BC_y + slide_C_y + CD_y) * omega_BCG
         - Scalar(2) * q.theta_BCG.cos * v_s_C) - ED_y * t01 - t03;
-    rhs(2) = omega_EDF * (omega_EDF * (GF_x - EF_x - slide_F_x)
+    rhs(2) = omega_EDF * ((GF_x - EF_x - slide_F_x) * omega_EDF
         - Scalar(2) * q.theta_EDF.sin * v_s_F) + BG_x * t04 - t02;
-    rhs(3) = omega_EDF * (omega_EDF * (GF_y - EF_y - slide_F_y)
+    rhs(3) = omega_EDF * ((GF_y - EF_y - slide_F_y) * omega_EDF
         + Scalar(2) * q.theta_EDF.cos * v_s_F) + BG_y * t04 - t03;
   }
 
@@ -368,22 +368,22 @@ struct Model03 {
     const Scalar j_y_B = u_third_rate(1);
     const Scalar j_x_E = u_third_rate(2);
     const Scalar j_y_E = u_third_rate(3);
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = -q.theta_EDF.sin * d.h_F_GF;
-    const Scalar GF_y = q.theta_EDF.cos * d.h_F_GF;
-    const Scalar EF_x = -q.theta_EDF.sin * d.h_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.h_F_EDF;
-    const Scalar slide_F_x = q.theta_EDF.cos * q.s_F;
-    const Scalar slide_F_y = q.theta_EDF.sin * q.s_F;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
+    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
+    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
     const Scalar t01 = BC_y + slide_C_y + CD_y;
     const Scalar t02 = q.theta_BCG.cos * v_s_C;
     const Scalar t03 = BC_x + slide_C_x + CD_x;
@@ -398,18 +398,18 @@ struct Model03 {
     const Scalar t12 = omega_BCG * omega_BCG;
     rhs(0) = Scalar(3) * alpha_BCG * t04 - omega_BCG * (omega_BCG * (t01 * omega_BCG
         - Scalar(3) * t02) - Scalar(3) * t03 * alpha_BCG - Scalar(3) * q.theta_BCG.sin * a_s_C)
-        - omega_EDF * (Scalar(3) * alpha_EDF * ED_x - ED_y * t05) - t06;
-    rhs(1) = omega_BCG * (omega_BCG * (omega_BCG * t03 + Scalar(3) * t04)
+        - omega_EDF * (Scalar(3) * ED_x * alpha_EDF - ED_y * t05) - t06;
+    rhs(1) = omega_BCG * (omega_BCG * (t03 * omega_BCG + Scalar(3) * t04)
         + Scalar(3) * t01 * alpha_BCG - Scalar(3) * q.theta_BCG.cos * a_s_C)
         - Scalar(3) * t02 * alpha_BCG - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t05)
         - t07;
-    rhs(2) = omega_BCG * (Scalar(3) * alpha_BCG * BG_x - BG_y * t12)
-        - omega_EDF * (omega_EDF * (omega_EDF * t08 + Scalar(3) * t09)
-        + Scalar(3) * q.theta_EDF.sin * a_s_F - Scalar(3) * alpha_EDF * t10)
+    rhs(2) = omega_BCG * (Scalar(3) * BG_x * alpha_BCG - BG_y * t12)
+        - omega_EDF * (omega_EDF * (t08 * omega_EDF + Scalar(3) * t09)
+        + Scalar(3) * q.theta_EDF.sin * a_s_F - Scalar(3) * t10 * alpha_EDF)
         - Scalar(3) * alpha_EDF * t11 - t06;
-    rhs(3) = omega_EDF * (omega_EDF * (omega_EDF * t10 - Scalar(3) * t11)
-        + Scalar(3) * alpha_EDF * t08 + Scalar(3) * q.theta_EDF.cos * a_s_F)
-        + Scalar(3) * alpha_EDF * t09 + omega_BCG * (Scalar(3) * alpha_BCG * BG_y + BG_x * t12)
+    rhs(3) = omega_EDF * (omega_EDF * (t10 * omega_EDF - Scalar(3) * t11)
+        + Scalar(3) * t08 * alpha_EDF + Scalar(3) * q.theta_EDF.cos * a_s_F)
+        + Scalar(3) * alpha_EDF * t09 + omega_BCG * (Scalar(3) * BG_y * alpha_BCG + BG_x * t12)
         - t07;
   }
 
@@ -432,54 +432,54 @@ struct Model03 {
     const Scalar v_h_F_EDF = d_rate(5);
     const Scalar v_h_C_CD = d_rate(6);
     const Scalar v_h_F_GF = d_rate(7);
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = -q.theta_EDF.sin * d.h_F_GF;
-    const Scalar GF_y = q.theta_EDF.cos * d.h_F_GF;
-    const Scalar EF_x = -q.theta_EDF.sin * d.h_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.h_F_EDF;
-    const Scalar slide_F_x = q.theta_EDF.cos * q.s_F;
-    const Scalar slide_F_y = q.theta_EDF.sin * q.s_F;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
+    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
+    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
     const Scalar t01 = v_h_C_BCG - v_h_C_CD;
     const Scalar t02 = v_h_F_EDF - v_h_F_GF;
     rhs(0) = omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG + Scalar(2) * q.theta_BCG.cos * t01
         + Scalar(2) * q.theta_BCG.sin * v_s_C)
         - omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_y_D_EDF
-        + Scalar(2) * q.theta_EDF.sin * v_x_D_EDF + omega_EDF * ED_x);
-    rhs(1) = omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y) + Scalar(2) * q.theta_BCG.sin * t01
+        + Scalar(2) * q.theta_EDF.sin * v_x_D_EDF + ED_x * omega_EDF);
+    rhs(1) = omega_BCG * ((BC_y + slide_C_y + CD_y) * omega_BCG + Scalar(2) * q.theta_BCG.sin * t01
         - Scalar(2) * q.theta_BCG.cos * v_s_C)
         + omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_x_D_EDF
-        - Scalar(2) * q.theta_EDF.sin * v_y_D_EDF - omega_EDF * ED_y);
-    rhs(2) = omega_EDF * (omega_EDF * (GF_x - EF_x - slide_F_x) - Scalar(2) * q.theta_EDF.cos * t02
+        - Scalar(2) * q.theta_EDF.sin * v_y_D_EDF - ED_y * omega_EDF);
+    rhs(2) = omega_EDF * ((GF_x - EF_x - slide_F_x) * omega_EDF - Scalar(2) * q.theta_EDF.cos * t02
         - Scalar(2) * q.theta_EDF.sin * v_s_F)
         + omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_y_G_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + omega_BCG * BG_x);
-    rhs(3) = omega_EDF * (omega_EDF * (GF_y - EF_y - slide_F_y)
+        + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + BG_x * omega_BCG);
+    rhs(3) = omega_EDF * ((GF_y - EF_y - slide_F_y) * omega_EDF
         + Scalar(2) * q.theta_EDF.cos * v_s_F - Scalar(2) * q.theta_EDF.sin * t02)
         - omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_x_G_BCG
-        - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - omega_BCG * BG_y);
+        - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - BG_y * omega_BCG);
   }
 
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     poses[0].x = u.x_B;
     poses[0].y = u.y_B;
     poses[0].direction.cos = q.theta_BCG.cos;
@@ -508,14 +508,14 @@ struct Model03 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     P_q(2, 0) = Scalar(1);
     P_q(5, 1) = Scalar(1);
     P_q(6, 0) = -BC_y - slide_C_y - CD_y;
@@ -556,25 +556,25 @@ struct Model03 {
     const Scalar v_y_B = u_rate(1);
     const Scalar v_x_E = u_rate(2);
     const Scalar v_y_E = u_rate(3);
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     v(0, 0) = v_x_B;
     v(0, 1) = v_y_B;
     v(0, 2) = omega_BCG;
     v(1, 0) = v_x_E;
     v(1, 1) = v_y_E;
     v(1, 2) = omega_EDF;
-    v(2, 0) = v_x_B + q.theta_BCG.cos * v_s_C - omega_BCG * (BC_y + slide_C_y + CD_y);
-    v(2, 1) = v_y_B + omega_BCG * (BC_x + slide_C_x + CD_x) + q.theta_BCG.sin * v_s_C;
+    v(2, 0) = v_x_B + q.theta_BCG.cos * v_s_C - (BC_y + slide_C_y + CD_y) * omega_BCG;
+    v(2, 1) = v_y_B + (BC_x + slide_C_x + CD_x) * omega_BCG + q.theta_BCG.sin * v_s_C;
     v(2, 2) = omega_BCG;
-    v(3, 0) = v_x_B - omega_BCG * BG_y;
-    v(3, 1) = v_y_B + omega_BCG * BG_x;
+    v(3, 0) = v_x_B - BG_y * omega_BCG;
+    v(3, 1) = v_y_B + BG_x * omega_BCG;
     v(3, 2) = omega_EDF;
   }
 
@@ -593,14 +593,14 @@ struct Model03 {
     const Scalar a_y_B = u_second_rate(1);
     const Scalar a_x_E = u_second_rate(2);
     const Scalar a_y_E = u_second_rate(3);
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     const Scalar t01 = BC_x + slide_C_x + CD_x;
     const Scalar t02 = BC_y + slide_C_y + CD_y;
     const Scalar t03 = omega_BCG * omega_BCG;
@@ -611,12 +611,12 @@ struct Model03 {
     a(1, 1) = a_y_E;
     a(1, 2) = alpha_EDF;
     a(2, 0) = a_x_B + q.theta_BCG.cos * a_s_C - omega_BCG * (t01 * omega_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_s_C) - alpha_BCG * t02;
-    a(2, 1) = a_y_B + alpha_BCG * t01 + q.theta_BCG.sin * a_s_C - omega_BCG * (omega_BCG * t02
+        + Scalar(2) * q.theta_BCG.sin * v_s_C) - t02 * alpha_BCG;
+    a(2, 1) = a_y_B + t01 * alpha_BCG + q.theta_BCG.sin * a_s_C - omega_BCG * (t02 * omega_BCG
         - Scalar(2) * q.theta_BCG.cos * v_s_C);
     a(2, 2) = alpha_BCG;
-    a(3, 0) = a_x_B - alpha_BCG * BG_y - BG_x * t03;
-    a(3, 1) = a_y_B + alpha_BCG * BG_x - BG_y * t03;
+    a(3, 0) = a_x_B - BG_y * alpha_BCG - BG_x * t03;
+    a(3, 1) = a_y_B + BG_x * alpha_BCG - BG_y * t03;
     a(3, 2) = alpha_EDF;
   }
 
@@ -634,23 +634,23 @@ struct Model03 {
     const Scalar v_y_G_BCG = d_rate(2);
     const Scalar v_h_C_CD = d_rate(6);
     p.setZero();
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     const Scalar t01 = v_h_C_BCG - v_h_C_CD;
     p(2, 0) = -omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG
         + Scalar(2) * q.theta_BCG.cos * t01 + Scalar(2) * q.theta_BCG.sin * v_s_C);
-    p(2, 1) = -omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y)
+    p(2, 1) = -omega_BCG * ((BC_y + slide_C_y + CD_y) * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * t01 - Scalar(2) * q.theta_BCG.cos * v_s_C);
     p(3, 0) = -omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_y_G_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + omega_BCG * BG_x);
+        + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + BG_x * omega_BCG);
     p(3, 1) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_x_G_BCG
-        - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - omega_BCG * BG_y);
+        - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - BG_y * omega_BCG);
   }
 
   /// The lines n . S = c on which the unknowns move a special point in parallel,
@@ -660,34 +660,34 @@ struct Model03 {
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
     lines.setZero();
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = -q.theta_EDF.sin * d.h_F_GF;
-    const Scalar GF_y = q.theta_EDF.cos * d.h_F_GF;
-    const Scalar EF_x = -q.theta_EDF.sin * d.h_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.h_F_EDF;
-    const Scalar slide_F_x = q.theta_EDF.cos * q.s_F;
-    const Scalar slide_F_y = q.theta_EDF.sin * q.s_F;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
+    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
+    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
     lines(0, 0) = -q.theta_BCG.cos;
     lines(0, 1) = -q.theta_BCG.sin;
-    lines(0, 2) = q.theta_BCG.cos * (BC_x + slide_C_x + CD_x) + q.theta_BCG.sin * (BC_y + slide_C_y
-        + CD_y);
+    lines(0, 2) = (BC_x + slide_C_x + CD_x) * q.theta_BCG.cos + (BC_y + slide_C_y
+        + CD_y) * q.theta_BCG.sin;
     lines(1, 0) = ED_y;
     lines(1, 1) = -ED_x;
     lines(2, 0) = -BG_y;
     lines(2, 1) = BG_x;
     lines(3, 0) = -q.theta_EDF.cos;
     lines(3, 1) = -q.theta_EDF.sin;
-    lines(3, 2) = -q.theta_EDF.cos * (GF_x - EF_x - slide_F_x) - q.theta_EDF.sin * (GF_y - EF_y
-        - slide_F_y);
+    lines(3, 2) = -(GF_x - EF_x - slide_F_x) * q.theta_EDF.cos - (GF_y - EF_y
+        - slide_F_y) * q.theta_EDF.sin;
   }
 
   /// The signed lengths L: on side i of its link a special point at S moves by
@@ -710,32 +710,32 @@ struct Model03 {
     const Scalar n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = -q.theta_EDF.sin * d.h_F_GF;
-    const Scalar GF_y = q.theta_EDF.cos * d.h_F_GF;
-    const Scalar EF_x = -q.theta_EDF.sin * d.h_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.h_F_EDF;
-    const Scalar slide_F_x = q.theta_EDF.cos * q.s_F;
-    const Scalar slide_F_y = q.theta_EDF.sin * q.s_F;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
+    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
+    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
     L(0, 0) = (BC_x + slide_C_x + CD_x + S_CD_x) * n_CD_BCG_y - (BC_y + slide_C_y + CD_y
         + S_CD_y) * n_CD_BCG_x;
-    L(0, 2) = q.theta_BCG.cos * n_CD_BCG_x + q.theta_BCG.sin * n_CD_BCG_y;
+    L(0, 2) = n_CD_BCG_x * q.theta_BCG.cos + n_CD_BCG_y * q.theta_BCG.sin;
     L(1, 0) = S_CD_x * n_CD_EDF_y - S_CD_y * n_CD_EDF_x;
     L(1, 1) = n_CD_EDF_y * ED_x - n_CD_EDF_x * ED_y;
     L(2, 0) = BG_x * n_GF_BCG_y - BG_y * n_GF_BCG_x;
     L(2, 1) = n_GF_BCG_y * S_GF_x - n_GF_BCG_x * S_GF_y;
     L(3, 1) = (S_GF_x + EF_x + slide_F_x - GF_x) * n_GF_EDF_y - (S_GF_y + EF_y + slide_F_y
         - GF_y) * n_GF_EDF_x;
-    L(3, 3) = q.theta_EDF.cos * n_GF_EDF_x + q.theta_EDF.sin * n_GF_EDF_y;
+    L(3, 3) = n_GF_EDF_x * q.theta_EDF.cos + n_GF_EDF_y * q.theta_EDF.sin;
   }
 
   /// The velocity of each special point by each side, less what dq/dt adds.
@@ -777,35 +777,35 @@ struct Model03 {
     const Scalar S_CD_y = S(0, 1);
     const Scalar S_GF_x = S(1, 0);
     const Scalar S_GF_y = S(1, 1);
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = -q.theta_EDF.sin * d.h_F_GF;
-    const Scalar GF_y = q.theta_EDF.cos * d.h_F_GF;
-    const Scalar EF_x = -q.theta_EDF.sin * d.h_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.h_F_EDF;
-    const Scalar slide_F_x = q.theta_EDF.cos * q.s_F;
-    const Scalar slide_F_y = q.theta_EDF.sin * q.s_F;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
+    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
+    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
     const Scalar t01 = omega_BCG * omega_BCG;
     const Scalar t02 = omega_EDF * omega_EDF;
     a(0, 0) = a_x_B - omega_BCG * ((BC_x + slide_C_x + CD_x + S_CD_x) * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C);
-    a(0, 1) = a_y_B - omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y + S_CD_y)
+    a(0, 1) = a_y_B - omega_BCG * ((BC_y + slide_C_y + CD_y + S_CD_y) * omega_BCG
         - Scalar(2) * q.theta_BCG.cos * v_s_C);
     a(1, 0) = a_x_E - S_CD_x * t01 - ED_x * t02;
     a(1, 1) = a_y_E - S_CD_y * t01 - ED_y * t02;
     a(2, 0) = a_x_B - BG_x * t01 - S_GF_x * t02;
     a(2, 1) = a_y_B - BG_y * t01 - S_GF_y * t02;
-    a(3, 0) = a_x_E - omega_EDF * (omega_EDF * (S_GF_x + EF_x + slide_F_x - GF_x)
+    a(3, 0) = a_x_E - omega_EDF * ((S_GF_x + EF_x + slide_F_x - GF_x) * omega_EDF
         + Scalar(2) * q.theta_EDF.sin * v_s_F);
-    a(3, 1) = a_y_E - omega_EDF * (omega_EDF * (S_GF_y + EF_y + slide_F_y - GF_y)
+    a(3, 1) = a_y_E - omega_EDF * ((S_GF_y + EF_y + slide_F_y - GF_y) * omega_EDF
         - Scalar(2) * q.theta_EDF.cos * v_s_F);
   }
 
@@ -822,7 +822,7 @@ struct Model03 {
     const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
         - q.theta_EDF.cos * q.theta_BCG.sin;
     const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_BCG - d.x_D_EDF * cos_EDF_minus_BCG;
-    const Scalar BCG_along_slide_F = cos_EDF_minus_BCG * d.x_G_BCG + sin_EDF_minus_BCG * d.y_G_BCG;
+    const Scalar BCG_along_slide_F = d.x_G_BCG * cos_EDF_minus_BCG + d.y_G_BCG * sin_EDF_minus_BCG;
     const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
     const Scalar t01 = abs(d.h_F_GF) + abs(q.s_F) + abs(d.h_F_EDF);
     const Scalar t02 = abs(d.x_G_BCG) + abs(d.y_G_BCG) + t01;
@@ -845,10 +845,10 @@ struct Model03 {
     const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
     const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_BCG - d.x_D_EDF * cos_EDF_minus_BCG;
     const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_BCG
-        - cos_EDF_minus_BCG * d.y_D_EDF;
+        - d.y_D_EDF * cos_EDF_minus_BCG;
     const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
-    const Scalar BCG_along_slide_F = cos_EDF_minus_BCG * d.x_G_BCG + sin_EDF_minus_BCG * d.y_G_BCG;
-    const Scalar BCG_across_slide_F = cos_EDF_minus_BCG * d.y_G_BCG - sin_EDF_minus_BCG * d.x_G_BCG;
+    const Scalar BCG_along_slide_F = d.x_G_BCG * cos_EDF_minus_BCG + d.y_G_BCG * sin_EDF_minus_BCG;
+    const Scalar BCG_across_slide_F = d.y_G_BCG * cos_EDF_minus_BCG - d.x_G_BCG * sin_EDF_minus_BCG;
     const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar BCG_per_across_slide_C = -q.s_F * inverse;
@@ -863,14 +863,14 @@ struct Model03 {
         - BCG_across_slide_F * BCG_per_across_slide_F;
     const Scalar s_C_per_across_slide_F = BCG_across_slide_C * BCG_per_across_slide_F
         + EDF_across_slide_C * EDF_per_across_slide_F;
-    J_inverse(0, 0) = -q.theta_BCG.sin * BCG_per_across_slide_C;
-    J_inverse(0, 1) = q.theta_BCG.cos * BCG_per_across_slide_C;
-    J_inverse(0, 2) = -q.theta_EDF.sin * BCG_per_across_slide_F;
-    J_inverse(0, 3) = q.theta_EDF.cos * BCG_per_across_slide_F;
-    J_inverse(1, 0) = -q.theta_BCG.sin * EDF_per_across_slide_C;
-    J_inverse(1, 1) = q.theta_BCG.cos * EDF_per_across_slide_C;
-    J_inverse(1, 2) = -q.theta_EDF.sin * EDF_per_across_slide_F;
-    J_inverse(1, 3) = q.theta_EDF.cos * EDF_per_across_slide_F;
+    J_inverse(0, 0) = -BCG_per_across_slide_C * q.theta_BCG.sin;
+    J_inverse(0, 1) = BCG_per_across_slide_C * q.theta_BCG.cos;
+    J_inverse(0, 2) = -BCG_per_across_slide_F * q.theta_EDF.sin;
+    J_inverse(0, 3) = BCG_per_across_slide_F * q.theta_EDF.cos;
+    J_inverse(1, 0) = -EDF_per_across_slide_C * q.theta_BCG.sin;
+    J_inverse(1, 1) = EDF_per_across_slide_C * q.theta_BCG.cos;
+    J_inverse(1, 2) = -EDF_per_across_slide_F * q.theta_EDF.sin;
+    J_inverse(1, 3) = EDF_per_across_slide_F * q.theta_EDF.cos;
     J_inverse(2, 0) = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C;
     J_inverse(2, 1) = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C;
     J_inverse(2, 2) = -q.theta_EDF.sin * s_C_per_across_slide_F;
@@ -893,10 +893,10 @@ struct Model03 {
     const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
     const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_BCG - d.x_D_EDF * cos_EDF_minus_BCG;
     const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_BCG
-        - cos_EDF_minus_BCG * d.y_D_EDF;
+        - d.y_D_EDF * cos_EDF_minus_BCG;
     const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
-    const Scalar BCG_along_slide_F = cos_EDF_minus_BCG * d.x_G_BCG + sin_EDF_minus_BCG * d.y_G_BCG;
-    const Scalar BCG_across_slide_F = cos_EDF_minus_BCG * d.y_G_BCG - sin_EDF_minus_BCG * d.x_G_BCG;
+    const Scalar BCG_along_slide_F = d.x_G_BCG * cos_EDF_minus_BCG + d.y_G_BCG * sin_EDF_minus_BCG;
+    const Scalar BCG_across_slide_F = d.y_G_BCG * cos_EDF_minus_BCG - d.x_G_BCG * sin_EDF_minus_BCG;
     const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar BCG_per_across_slide_C = -q.s_F * inverse;
@@ -911,35 +911,35 @@ struct Model03 {
         - BCG_across_slide_F * BCG_per_across_slide_F;
     const Scalar s_C_per_across_slide_F = BCG_across_slide_C * BCG_per_across_slide_F
         + EDF_across_slide_C * EDF_per_across_slide_F;
-    const Scalar t01 = q.theta_BCG.sin * BCG_per_across_slide_C
-        + q.theta_EDF.sin * BCG_per_across_slide_F;
-    const Scalar t02 = q.theta_BCG.cos * BCG_per_across_slide_C
-        + q.theta_EDF.cos * BCG_per_across_slide_F;
-    const Scalar t03 = q.theta_BCG.sin * EDF_per_across_slide_C
-        + q.theta_EDF.sin * EDF_per_across_slide_F;
-    const Scalar t04 = q.theta_BCG.cos * EDF_per_across_slide_C
-        + q.theta_EDF.cos * EDF_per_across_slide_F;
-    const Scalar t05 = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C
-        - q.theta_EDF.sin * s_C_per_across_slide_F;
-    const Scalar t06 = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C
-        + q.theta_EDF.cos * s_C_per_across_slide_F;
-    const Scalar t07 = q.theta_EDF.cos + q.theta_BCG.sin * s_F_per_across_slide_C
+    const Scalar BCG_per_x_B = BCG_per_across_slide_C * q.theta_BCG.sin
+        + BCG_per_across_slide_F * q.theta_EDF.sin;
+    const Scalar EDF_per_x_B = EDF_per_across_slide_C * q.theta_BCG.sin
+        + EDF_per_across_slide_F * q.theta_EDF.sin;
+    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C
+        + q.theta_EDF.sin * s_C_per_across_slide_F - q.theta_BCG.cos;
+    const Scalar s_F_per_x_B = q.theta_EDF.cos + q.theta_BCG.sin * s_F_per_across_slide_C
         + q.theta_EDF.sin * s_F_per_across_slide_F;
-    const Scalar t08 = q.theta_EDF.sin - q.theta_BCG.cos * s_F_per_across_slide_C
+    const Scalar BCG_per_y_B = -BCG_per_across_slide_C * q.theta_BCG.cos
+        - BCG_per_across_slide_F * q.theta_EDF.cos;
+    const Scalar EDF_per_y_B = -EDF_per_across_slide_C * q.theta_BCG.cos
+        - EDF_per_across_slide_F * q.theta_EDF.cos;
+    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
+        - q.theta_EDF.cos * s_C_per_across_slide_F;
+    const Scalar s_F_per_y_B = q.theta_EDF.sin - q.theta_BCG.cos * s_F_per_across_slide_C
         - q.theta_EDF.cos * s_F_per_across_slide_F;
     S_d(0, 0) = -BCG_per_across_slide_C;
-    S_d(0, 1) = sin_EDF_minus_BCG * BCG_per_across_slide_F;
-    S_d(0, 2) = -cos_EDF_minus_BCG * BCG_per_across_slide_F;
-    S_d(0, 3) = sin_EDF_minus_BCG * BCG_per_across_slide_C;
-    S_d(0, 4) = cos_EDF_minus_BCG * BCG_per_across_slide_C;
+    S_d(0, 1) = BCG_per_across_slide_F * sin_EDF_minus_BCG;
+    S_d(0, 2) = -BCG_per_across_slide_F * cos_EDF_minus_BCG;
+    S_d(0, 3) = BCG_per_across_slide_C * sin_EDF_minus_BCG;
+    S_d(0, 4) = BCG_per_across_slide_C * cos_EDF_minus_BCG;
     S_d(0, 5) = BCG_per_across_slide_F;
     S_d(0, 6) = BCG_per_across_slide_C;
     S_d(0, 7) = -BCG_per_across_slide_F;
     S_d(1, 0) = -EDF_per_across_slide_C;
-    S_d(1, 1) = sin_EDF_minus_BCG * EDF_per_across_slide_F;
-    S_d(1, 2) = -cos_EDF_minus_BCG * EDF_per_across_slide_F;
-    S_d(1, 3) = sin_EDF_minus_BCG * EDF_per_across_slide_C;
-    S_d(1, 4) = cos_EDF_minus_BCG * EDF_per_across_slide_C;
+    S_d(1, 1) = EDF_per_across_slide_F * sin_EDF_minus_BCG;
+    S_d(1, 2) = -EDF_per_across_slide_F * cos_EDF_minus_BCG;
+    S_d(1, 3) = EDF_per_across_slide_C * sin_EDF_minus_BCG;
+    S_d(1, 4) = EDF_per_across_slide_C * cos_EDF_minus_BCG;
     S_d(1, 5) = EDF_per_across_slide_F;
     S_d(1, 6) = EDF_per_across_slide_C;
     S_d(1, 7) = -EDF_per_across_slide_F;
@@ -959,22 +959,22 @@ struct Model03 {
     S_d(3, 5) = s_F_per_across_slide_F;
     S_d(3, 6) = s_F_per_across_slide_C;
     S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = t01;
-    S_u(0, 1) = -t02;
-    S_u(0, 2) = -t01;
-    S_u(0, 3) = t02;
-    S_u(1, 0) = t03;
-    S_u(1, 1) = -t04;
-    S_u(1, 2) = -t03;
-    S_u(1, 3) = t04;
-    S_u(2, 0) = -t05;
-    S_u(2, 1) = -t06;
-    S_u(2, 2) = t05;
-    S_u(2, 3) = t06;
-    S_u(3, 0) = t07;
-    S_u(3, 1) = t08;
-    S_u(3, 2) = -t07;
-    S_u(3, 3) = -t08;
+    S_u(0, 0) = BCG_per_x_B;
+    S_u(0, 1) = BCG_per_y_B;
+    S_u(0, 2) = -BCG_per_x_B;
+    S_u(0, 3) = -BCG_per_y_B;
+    S_u(1, 0) = EDF_per_x_B;
+    S_u(1, 1) = EDF_per_y_B;
+    S_u(1, 2) = -EDF_per_x_B;
+    S_u(1, 3) = -EDF_per_y_B;
+    S_u(2, 0) = s_C_per_x_B;
+    S_u(2, 1) = s_C_per_y_B;
+    S_u(2, 2) = -s_C_per_x_B;
+    S_u(2, 3) = -s_C_per_y_B;
+    S_u(3, 0) = s_F_per_x_B;
+    S_u(3, 1) = s_F_per_y_B;
+    S_u(3, 2) = -s_F_per_x_B;
+    S_u(3, 3) = -s_F_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -993,10 +993,10 @@ struct Model03 {
     const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
     const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_BCG - d.x_D_EDF * cos_EDF_minus_BCG;
     const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_BCG
-        - cos_EDF_minus_BCG * d.y_D_EDF;
+        - d.y_D_EDF * cos_EDF_minus_BCG;
     const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
-    const Scalar BCG_along_slide_F = cos_EDF_minus_BCG * d.x_G_BCG + sin_EDF_minus_BCG * d.y_G_BCG;
-    const Scalar BCG_across_slide_F = cos_EDF_minus_BCG * d.y_G_BCG - sin_EDF_minus_BCG * d.x_G_BCG;
+    const Scalar BCG_along_slide_F = d.x_G_BCG * cos_EDF_minus_BCG + d.y_G_BCG * sin_EDF_minus_BCG;
+    const Scalar BCG_across_slide_F = d.y_G_BCG * cos_EDF_minus_BCG - d.x_G_BCG * sin_EDF_minus_BCG;
     const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar t01 = v_x_B - v_x_E;
@@ -1005,13 +1005,13 @@ struct Model03 {
     const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
     const Scalar velocity_along_slide_F = -q.theta_EDF.cos * t01 - q.theta_EDF.sin * t02;
     const Scalar velocity_across_slide_F = q.theta_EDF.sin * t01 - q.theta_EDF.cos * t02;
-    const Scalar omega_BCG = -(q.s_F * velocity_across_slide_C
-        + EDF_along_slide_C * velocity_across_slide_F) * inverse;
+    const Scalar omega_BCG = -inverse * (q.s_F * velocity_across_slide_C
+        + EDF_along_slide_C * velocity_across_slide_F);
     const Scalar omega_EDF = inverse * (q.s_C * velocity_across_slide_F
         - BCG_along_slide_F * velocity_across_slide_C);
-    const Scalar v_s_F = -omega_BCG * BCG_across_slide_F - omega_EDF * EDF_across_slide_F
+    const Scalar v_s_F = -BCG_across_slide_F * omega_BCG - EDF_across_slide_F * omega_EDF
         - velocity_along_slide_F;
-    const Scalar v_s_C = omega_BCG * BCG_across_slide_C + omega_EDF * EDF_across_slide_C
+    const Scalar v_s_C = BCG_across_slide_C * omega_BCG + EDF_across_slide_C * omega_EDF
         + velocity_along_slide_C;
     q_rate(0) = omega_BCG;
     q_rate(1) = omega_EDF;
@@ -1040,10 +1040,10 @@ struct Model03 {
     const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
     const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_BCG - d.x_D_EDF * cos_EDF_minus_BCG;
     const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_BCG
-        - cos_EDF_minus_BCG * d.y_D_EDF;
+        - d.y_D_EDF * cos_EDF_minus_BCG;
     const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
-    const Scalar BCG_along_slide_F = cos_EDF_minus_BCG * d.x_G_BCG + sin_EDF_minus_BCG * d.y_G_BCG;
-    const Scalar BCG_across_slide_F = cos_EDF_minus_BCG * d.y_G_BCG - sin_EDF_minus_BCG * d.x_G_BCG;
+    const Scalar BCG_along_slide_F = d.x_G_BCG * cos_EDF_minus_BCG + d.y_G_BCG * sin_EDF_minus_BCG;
+    const Scalar BCG_across_slide_F = d.y_G_BCG * cos_EDF_minus_BCG - d.x_G_BCG * sin_EDF_minus_BCG;
     const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar t01 = v_x_B - v_x_E;
@@ -1052,14 +1052,14 @@ struct Model03 {
     const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
     const Scalar velocity_along_slide_F = -q.theta_EDF.cos * t01 - q.theta_EDF.sin * t02;
     const Scalar velocity_across_slide_F = q.theta_EDF.sin * t01 - q.theta_EDF.cos * t02;
-    const Scalar omega_BCG = -(q.s_F * velocity_across_slide_C
-        + EDF_along_slide_C * velocity_across_slide_F) * inverse;
+    const Scalar omega_BCG = -inverse * (q.s_F * velocity_across_slide_C
+        + EDF_along_slide_C * velocity_across_slide_F);
     const Scalar omega_EDF = inverse * (q.s_C * velocity_across_slide_F
         - BCG_along_slide_F * velocity_across_slide_C);
-    const Scalar t03 = omega_EDF * EDF_across_slide_F;
-    const Scalar v_s_F = -omega_BCG * BCG_across_slide_F - t03 - velocity_along_slide_F;
-    const Scalar t04 = omega_BCG * BCG_across_slide_C;
-    const Scalar v_s_C = t04 + omega_EDF * EDF_across_slide_C + velocity_along_slide_C;
+    const Scalar t03 = EDF_across_slide_F * omega_EDF;
+    const Scalar v_s_F = -BCG_across_slide_F * omega_BCG - t03 - velocity_along_slide_F;
+    const Scalar t04 = BCG_across_slide_C * omega_BCG;
+    const Scalar v_s_C = t04 + EDF_across_slide_C * omega_EDF + velocity_along_slide_C;
     const Scalar t05 = a_x_B - a_x_E;
     const Scalar t06 = a_y_B - a_y_E;
     const Scalar t07 = omega_BCG * omega_BCG;
@@ -1113,10 +1113,10 @@ struct Model03 {
     const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
     const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_BCG - d.x_D_EDF * cos_EDF_minus_BCG;
     const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_BCG
-        - cos_EDF_minus_BCG * d.y_D_EDF;
+        - d.y_D_EDF * cos_EDF_minus_BCG;
     const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
-    const Scalar BCG_along_slide_F = cos_EDF_minus_BCG * d.x_G_BCG + sin_EDF_minus_BCG * d.y_G_BCG;
-    const Scalar BCG_across_slide_F = cos_EDF_minus_BCG * d.y_G_BCG - sin_EDF_minus_BCG * d.x_G_BCG;
+    const Scalar BCG_along_slide_F = d.x_G_BCG * cos_EDF_minus_BCG + d.y_G_BCG * sin_EDF_minus_BCG;
+    const Scalar BCG_across_slide_F = d.y_G_BCG * cos_EDF_minus_BCG - d.x_G_BCG * sin_EDF_minus_BCG;
     const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar BCG_per_across_slide_C = -q.s_F * inverse;
@@ -1131,59 +1131,51 @@ struct Model03 {
         - BCG_across_slide_F * BCG_per_across_slide_F;
     const Scalar s_C_per_across_slide_F = BCG_across_slide_C * BCG_per_across_slide_F
         + EDF_across_slide_C * EDF_per_across_slide_F;
-    const Scalar t01 = q.theta_BCG.sin * BCG_per_across_slide_C
-        + q.theta_EDF.sin * BCG_per_across_slide_F;
-    const Scalar BCG_per_x_B = t01;
-    const Scalar t02 = q.theta_BCG.sin * EDF_per_across_slide_C
-        + q.theta_EDF.sin * EDF_per_across_slide_F;
-    const Scalar EDF_per_x_B = t02;
-    const Scalar t03 = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C
-        - q.theta_EDF.sin * s_C_per_across_slide_F;
-    const Scalar s_C_per_x_B = -t03;
-    const Scalar t04 = q.theta_EDF.cos + q.theta_BCG.sin * s_F_per_across_slide_C
+    const Scalar BCG_per_x_B = BCG_per_across_slide_C * q.theta_BCG.sin
+        + BCG_per_across_slide_F * q.theta_EDF.sin;
+    const Scalar EDF_per_x_B = EDF_per_across_slide_C * q.theta_BCG.sin
+        + EDF_per_across_slide_F * q.theta_EDF.sin;
+    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C
+        + q.theta_EDF.sin * s_C_per_across_slide_F - q.theta_BCG.cos;
+    const Scalar s_F_per_x_B = q.theta_EDF.cos + q.theta_BCG.sin * s_F_per_across_slide_C
         + q.theta_EDF.sin * s_F_per_across_slide_F;
-    const Scalar s_F_per_x_B = t04;
-    const Scalar t05 = q.theta_BCG.cos * BCG_per_across_slide_C
-        + q.theta_EDF.cos * BCG_per_across_slide_F;
-    const Scalar BCG_per_y_B = -t05;
-    const Scalar t06 = q.theta_BCG.cos * EDF_per_across_slide_C
-        + q.theta_EDF.cos * EDF_per_across_slide_F;
-    const Scalar EDF_per_y_B = -t06;
-    const Scalar t07 = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C
-        + q.theta_EDF.cos * s_C_per_across_slide_F;
-    const Scalar s_C_per_y_B = -t07;
-    const Scalar t08 = q.theta_EDF.sin - q.theta_BCG.cos * s_F_per_across_slide_C
+    const Scalar BCG_per_y_B = -BCG_per_across_slide_C * q.theta_BCG.cos
+        - BCG_per_across_slide_F * q.theta_EDF.cos;
+    const Scalar EDF_per_y_B = -EDF_per_across_slide_C * q.theta_BCG.cos
+        - EDF_per_across_slide_F * q.theta_EDF.cos;
+    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
+        - q.theta_EDF.cos * s_C_per_across_slide_F;
+    const Scalar s_F_per_y_B = q.theta_EDF.sin - q.theta_BCG.cos * s_F_per_across_slide_C
         - q.theta_EDF.cos * s_F_per_across_slide_F;
-    const Scalar s_F_per_y_B = t08;
-    const Scalar t09 = v_x_B - v_x_E;
-    const Scalar t10 = v_y_B - v_y_E;
-    const Scalar omega_BCG = t09 * BCG_per_x_B + t10 * BCG_per_y_B;
-    const Scalar omega_EDF = t09 * EDF_per_x_B + t10 * EDF_per_y_B;
-    const Scalar v_s_C = t09 * s_C_per_x_B + t10 * s_C_per_y_B;
-    const Scalar v_s_F = t09 * s_F_per_x_B + t10 * s_F_per_y_B;
-    const Scalar t11 = omega_BCG * omega_BCG;
-    const Scalar t12 = omega_EDF * omega_EDF;
-    const Scalar centripetal_along_slide_C = q.s_C * t11 + EDF_along_slide_C * t12;
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar omega_BCG = BCG_per_x_B * t01 + BCG_per_y_B * t02;
+    const Scalar omega_EDF = EDF_per_x_B * t01 + EDF_per_y_B * t02;
+    const Scalar v_s_C = s_C_per_x_B * t01 + s_C_per_y_B * t02;
+    const Scalar v_s_F = s_F_per_x_B * t01 + s_F_per_y_B * t02;
+    const Scalar t03 = omega_BCG * omega_BCG;
+    const Scalar t04 = omega_EDF * omega_EDF;
+    const Scalar centripetal_along_slide_C = q.s_C * t03 + EDF_along_slide_C * t04;
     const Scalar centripetal_across_slide_C = omega_BCG * (BCG_across_slide_C * omega_BCG
-        - Scalar(2) * v_s_C) + EDF_across_slide_C * t12;
-    const Scalar centripetal_along_slide_F = BCG_along_slide_F * t11 - q.s_F * t12;
+        - Scalar(2) * v_s_C) + EDF_across_slide_C * t04;
+    const Scalar centripetal_along_slide_F = BCG_along_slide_F * t03 - q.s_F * t04;
     const Scalar centripetal_across_slide_F = omega_EDF * (EDF_across_slide_F * omega_EDF
-        + Scalar(2) * v_s_F) + BCG_across_slide_F * t11;
-    const Scalar t13 = a_x_B - a_x_E;
-    const Scalar t14 = a_y_B - a_y_E;
+        + Scalar(2) * v_s_F) + BCG_across_slide_F * t03;
+    const Scalar t05 = a_x_B - a_x_E;
+    const Scalar t06 = a_y_B - a_y_E;
     S_d(0, 0) = -BCG_per_across_slide_C;
-    S_d(0, 1) = sin_EDF_minus_BCG * BCG_per_across_slide_F;
-    S_d(0, 2) = -cos_EDF_minus_BCG * BCG_per_across_slide_F;
-    S_d(0, 3) = sin_EDF_minus_BCG * BCG_per_across_slide_C;
-    S_d(0, 4) = cos_EDF_minus_BCG * BCG_per_across_slide_C;
+    S_d(0, 1) = BCG_per_across_slide_F * sin_EDF_minus_BCG;
+    S_d(0, 2) = -BCG_per_across_slide_F * cos_EDF_minus_BCG;
+    S_d(0, 3) = BCG_per_across_slide_C * sin_EDF_minus_BCG;
+    S_d(0, 4) = BCG_per_across_slide_C * cos_EDF_minus_BCG;
     S_d(0, 5) = BCG_per_across_slide_F;
     S_d(0, 6) = BCG_per_across_slide_C;
     S_d(0, 7) = -BCG_per_across_slide_F;
     S_d(1, 0) = -EDF_per_across_slide_C;
-    S_d(1, 1) = sin_EDF_minus_BCG * EDF_per_across_slide_F;
-    S_d(1, 2) = -cos_EDF_minus_BCG * EDF_per_across_slide_F;
-    S_d(1, 3) = sin_EDF_minus_BCG * EDF_per_across_slide_C;
-    S_d(1, 4) = cos_EDF_minus_BCG * EDF_per_across_slide_C;
+    S_d(1, 1) = EDF_per_across_slide_F * sin_EDF_minus_BCG;
+    S_d(1, 2) = -EDF_per_across_slide_F * cos_EDF_minus_BCG;
+    S_d(1, 3) = EDF_per_across_slide_C * sin_EDF_minus_BCG;
+    S_d(1, 4) = EDF_per_across_slide_C * cos_EDF_minus_BCG;
     S_d(1, 5) = EDF_per_across_slide_F;
     S_d(1, 6) = EDF_per_across_slide_C;
     S_d(1, 7) = -EDF_per_across_slide_F;
@@ -1203,36 +1195,36 @@ struct Model03 {
     S_d(3, 5) = s_F_per_across_slide_F;
     S_d(3, 6) = s_F_per_across_slide_C;
     S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = t01;
-    S_u(0, 1) = -t05;
-    S_u(0, 2) = -t01;
-    S_u(0, 3) = t05;
-    S_u(1, 0) = t02;
-    S_u(1, 1) = -t06;
-    S_u(1, 2) = -t02;
-    S_u(1, 3) = t06;
-    S_u(2, 0) = -t03;
-    S_u(2, 1) = -t07;
-    S_u(2, 2) = t03;
-    S_u(2, 3) = t07;
-    S_u(3, 0) = t04;
-    S_u(3, 1) = t08;
-    S_u(3, 2) = -t04;
-    S_u(3, 3) = -t08;
+    S_u(0, 0) = BCG_per_x_B;
+    S_u(0, 1) = BCG_per_y_B;
+    S_u(0, 2) = -BCG_per_x_B;
+    S_u(0, 3) = -BCG_per_y_B;
+    S_u(1, 0) = EDF_per_x_B;
+    S_u(1, 1) = EDF_per_y_B;
+    S_u(1, 2) = -EDF_per_x_B;
+    S_u(1, 3) = -EDF_per_y_B;
+    S_u(2, 0) = s_C_per_x_B;
+    S_u(2, 1) = s_C_per_y_B;
+    S_u(2, 2) = -s_C_per_x_B;
+    S_u(2, 3) = -s_C_per_y_B;
+    S_u(3, 0) = s_F_per_x_B;
+    S_u(3, 1) = s_F_per_y_B;
+    S_u(3, 2) = -s_F_per_x_B;
+    S_u(3, 3) = -s_F_per_y_B;
     q_rate(0) = omega_BCG;
     q_rate(1) = omega_EDF;
     q_rate(2) = v_s_C;
     q_rate(3) = v_s_F;
-    q_second_rate(0) = BCG_per_x_B * t13 + BCG_per_y_B * t14
+    q_second_rate(0) = BCG_per_x_B * t05 + BCG_per_y_B * t06
         + BCG_per_across_slide_C * centripetal_across_slide_C
         + BCG_per_across_slide_F * centripetal_across_slide_F;
-    q_second_rate(1) = EDF_per_x_B * t13 + EDF_per_y_B * t14
+    q_second_rate(1) = EDF_per_x_B * t05 + EDF_per_y_B * t06
         + EDF_per_across_slide_C * centripetal_across_slide_C
         + EDF_per_across_slide_F * centripetal_across_slide_F;
-    q_second_rate(2) = s_C_per_x_B * t13 + s_C_per_y_B * t14
+    q_second_rate(2) = s_C_per_x_B * t05 + s_C_per_y_B * t06
         + s_C_per_across_slide_C * centripetal_across_slide_C
         + s_C_per_across_slide_F * centripetal_across_slide_F + centripetal_along_slide_C;
-    q_second_rate(3) = s_F_per_x_B * t13 + s_F_per_y_B * t14
+    q_second_rate(3) = s_F_per_x_B * t05 + s_F_per_y_B * t06
         + s_F_per_across_slide_C * centripetal_across_slide_C
         + s_F_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_F;
   }
@@ -1268,8 +1260,8 @@ struct Model03 {
     const Scalar U_0_im = -t03 - t04 - P2_0_im * C1_0_re;
     const Scalar U_1_re = t05 - t06;
     const Scalar U_1_im = -t07 - t08;
-    const Scalar V_m1_re = -Scalar(1) / Scalar(2) * (P2_0_im * P1_m1_re - P2_0_re * P1_m1_im);
-    const Scalar V_m1_im = -Scalar(1) / Scalar(2) * (P2_0_re * P1_m1_re + P2_0_im * P1_m1_im);
+    const Scalar V_m1_re = -Scalar(0.5) * (P2_0_im * P1_m1_re - P2_0_re * P1_m1_im);
+    const Scalar V_m1_im = -Scalar(0.5) * (P2_0_re * P1_m1_re + P2_0_im * P1_m1_im);
     const Scalar V_0_re = P2_m1_re * P1_m1_im - P2_m1_im * P1_m1_re;
     const Scalar t09 = V_m1_re * V_m1_re;
     const Scalar t10 = V_m1_im * V_m1_im;
@@ -1296,11 +1288,11 @@ struct Model03 {
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    e(0, 0) = -Scalar(2) * (q.theta_BCG.cos * d.y_D_EDF - q.theta_BCG.sin * d.x_D_EDF);
-    e(0, 1) = -Scalar(2) * (q.theta_BCG.cos * d.x_D_EDF + d.y_D_EDF * q.theta_BCG.sin);
-    e(0, 2) = Scalar(2) * (q.theta_BCG.cos * EB_y + d.h_C_BCG - q.theta_BCG.sin * EB_x - d.h_C_CD);
-    e(1, 0) = -Scalar(2) * (EB_y + q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG);
-    e(1, 1) = Scalar(2) * (EB_x + q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG);
+    e(0, 0) = -Scalar(2) * (d.y_D_EDF * q.theta_BCG.cos - d.x_D_EDF * q.theta_BCG.sin);
+    e(0, 1) = -Scalar(2) * (d.x_D_EDF * q.theta_BCG.cos + d.y_D_EDF * q.theta_BCG.sin);
+    e(0, 2) = Scalar(2) * (EB_y * q.theta_BCG.cos + d.h_C_BCG - EB_x * q.theta_BCG.sin - d.h_C_CD);
+    e(1, 0) = -Scalar(2) * (EB_y + d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin);
+    e(1, 1) = Scalar(2) * (EB_x + d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin);
     e(1, 2) = Scalar(2) * (d.h_F_EDF - d.h_F_GF);
   }
 
@@ -1311,10 +1303,10 @@ struct Model03 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    q.s_C = (q.theta_EDF.cos * d.x_D_EDF - q.theta_EDF.sin * d.y_D_EDF - EB_x) * q.theta_BCG.cos
-        + (q.theta_EDF.cos * d.y_D_EDF + d.x_D_EDF * q.theta_EDF.sin - EB_y) * q.theta_BCG.sin;
-    q.s_F = q.theta_EDF.cos * (EB_x + q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG)
-        + q.theta_EDF.sin * (EB_y + q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG);
+    q.s_C = (d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin - EB_x) * q.theta_BCG.cos
+        + (d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin - EB_y) * q.theta_BCG.sin;
+    q.s_F = (EB_x + d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin) * q.theta_EDF.cos
+        + (EB_y + d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin) * q.theta_EDF.sin;
   }
 };
 

@@ -191,26 +191,26 @@ struct Model04 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
-    const Scalar t01 = u.x_B - u.x_E;
-    const Scalar t02 = u.y_B - u.y_E;
-    f(0) = BC_x + slide_C_x + t01 - ED_x - slide_D_x;
-    f(1) = BC_y + slide_C_y + t02 - ED_y - slide_D_y;
-    f(2) = BG_x + GF_x + t01 - EF_x;
-    f(3) = BG_y + GF_y + t02 - EF_y;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    f(0) = BC_x + slide_C_x + EB_x - ED_x - slide_D_x;
+    f(1) = BC_y + slide_C_y + EB_y - ED_y - slide_D_y;
+    f(2) = BG_x + GF_x + EB_x - EF_x;
+    f(3) = BG_y + GF_y + EB_y - EF_y;
   }
 
   /// J = df/dq.
@@ -220,20 +220,20 @@ struct Model04 {
     J.setZero();
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
     J(0, 0) = ED_y + slide_D_y - BC_y - slide_C_y;
     J(0, 2) = q.theta_BCG.cos;
     J(0, 3) = -cos_EDF;
@@ -255,10 +255,10 @@ struct Model04 {
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
     F_d(0, 0) = -q.theta_BCG.sin;
     F_d(0, 3) = sin_EDF;
     F_d(0, 6) = ED_y + slide_D_y;
@@ -328,27 +328,27 @@ struct Model04 {
     const Scalar a_y_E = u_second_rate(3);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
     const Scalar t01 = a_x_B - a_x_E;
     const Scalar t02 = a_y_B - a_y_E;
     const Scalar t03 = omega_BCG * omega_BCG;
     const Scalar t04 = omega_GF * omega_GF;
     rhs(0) = omega_BCG * ((BC_x + slide_C_x - ED_x - slide_D_x) * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C - Scalar(2) * sin_EDF * v_s_D) - t01;
-    rhs(1) = omega_BCG * (omega_BCG * (BC_y + slide_C_y - ED_y - slide_D_y)
+    rhs(1) = omega_BCG * ((BC_y + slide_C_y - ED_y - slide_D_y) * omega_BCG
         + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * q.theta_BCG.cos * v_s_C) - t02;
     rhs(2) = (BG_x - EF_x) * t03 + GF_x * t04 - t01;
     rhs(3) = (BG_y - EF_y) * t03 + GF_y * t04 - t02;
@@ -376,20 +376,20 @@ struct Model04 {
     const Scalar j_y_E = u_third_rate(3);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
     const Scalar t01 = q.theta_BCG.sin * v_s_C - sin_EDF * v_s_D;
     const Scalar t02 = j_x_B - j_x_E;
     const Scalar t03 = BC_x + slide_C_x - ED_x - slide_D_x;
@@ -404,11 +404,11 @@ struct Model04 {
         + Scalar(3) * q.theta_BCG.sin * a_s_C - Scalar(3) * sin_EDF * a_s_D
         - omega_BCG * (t04 * omega_BCG - Scalar(3) * t05)) - t02;
     rhs(1) = omega_BCG * (Scalar(3) * t04 * alpha_BCG + Scalar(3) * cos_EDF * a_s_D
-        + omega_BCG * (Scalar(3) * t01 + omega_BCG * t03) - Scalar(3) * q.theta_BCG.cos * a_s_C)
+        + omega_BCG * (Scalar(3) * t01 + t03 * omega_BCG) - Scalar(3) * q.theta_BCG.cos * a_s_C)
         - Scalar(3) * t05 * alpha_BCG - t06;
-    rhs(2) = omega_BCG * (Scalar(3) * alpha_BCG * t07 - t08 * t09)
-        + omega_GF * (Scalar(3) * alpha_GF * GF_x - GF_y * t10) - t02;
-    rhs(3) = omega_BCG * (Scalar(3) * alpha_BCG * t08 + t07 * t09)
+    rhs(2) = omega_BCG * (Scalar(3) * t07 * alpha_BCG - t08 * t09)
+        + omega_GF * (Scalar(3) * GF_x * alpha_GF - GF_y * t10) - t02;
+    rhs(3) = omega_BCG * (Scalar(3) * t08 * alpha_BCG + t07 * t09)
         + omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t10) - t06;
   }
 
@@ -433,43 +433,43 @@ struct Model04 {
     const Scalar v_GF = d_rate(7);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
     const Scalar t01 = ED_x + slide_D_x;
     const Scalar t02 = t01 * omega_D_CD;
     const Scalar t03 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
     const Scalar t04 = ED_y + slide_D_y;
-    const Scalar t05 = omega_D_CD * t04;
+    const Scalar t05 = t04 * omega_D_CD;
     const Scalar t06 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
-    const Scalar t07 = omega_D_CD * EF_x;
+    const Scalar t07 = EF_x * omega_D_CD;
     const Scalar t08 = sin_EDF * v_x_F_EDF + cos_EDF * v_y_F_EDF;
-    const Scalar t09 = omega_D_CD * EF_y;
+    const Scalar t09 = EF_y * omega_D_CD;
     const Scalar t10 = cos_EDF * v_x_F_EDF - sin_EDF * v_y_F_EDF;
     rhs(0) = -omega_D_CD * (t02 + Scalar(2) * t03) - omega_BCG * (Scalar(2) * t02 + Scalar(2) * t03
-        - Scalar(2) * q.theta_BCG.cos * v_h_C_BCG - Scalar(2) * q.theta_BCG.sin * v_s_C
-        - omega_BCG * (BC_x + slide_C_x - t01));
+        - Scalar(2) * q.theta_BCG.cos * v_h_C_BCG - Scalar(2) * q.theta_BCG.sin * v_s_C - (BC_x
+        + slide_C_x - t01) * omega_BCG);
     rhs(1) = -omega_D_CD * (t05 - Scalar(2) * t06) - omega_BCG * (Scalar(2) * t05
         + Scalar(2) * q.theta_BCG.cos * v_s_C - Scalar(2) * q.theta_BCG.sin * v_h_C_BCG
-        - Scalar(2) * t06 - omega_BCG * (BC_y + slide_C_y - t04));
-    rhs(2) = omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + omega_GF * GF_x)
-        + omega_BCG * (omega_BCG * (BG_x - EF_x) + Scalar(2) * q.theta_BCG.cos * v_y_G_BCG
+        - Scalar(2) * t06 - (BC_y + slide_C_y - t04) * omega_BCG);
+    rhs(2) = omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + GF_x * omega_GF) + omega_BCG * ((BG_x
+        - EF_x) * omega_BCG + Scalar(2) * q.theta_BCG.cos * v_y_G_BCG
         + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG - Scalar(2) * t07 - Scalar(2) * t08)
         - omega_D_CD * (t07 + Scalar(2) * t08);
-    rhs(3) = omega_BCG * (omega_BCG * (BG_y - EF_y) + Scalar(2) * q.theta_BCG.sin * v_y_G_BCG
+    rhs(3) = omega_BCG * ((BG_y - EF_y) * omega_BCG + Scalar(2) * q.theta_BCG.sin * v_y_G_BCG
         + Scalar(2) * t10 - Scalar(2) * q.theta_BCG.cos * v_x_G_BCG - Scalar(2) * t09)
-        - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - omega_GF * GF_y) - omega_D_CD * (t09
+        - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - GF_y * omega_GF) - omega_D_CD * (t09
         - Scalar(2) * t10);
   }
 
@@ -479,12 +479,12 @@ struct Model04 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     poses[0].x = u.x_B;
     poses[0].y = u.y_B;
     poses[0].direction.cos = q.theta_BCG.cos;
@@ -513,12 +513,12 @@ struct Model04 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     P_q(2, 0) = Scalar(1);
     P_q(5, 0) = Scalar(1);
     P_q(6, 0) = -BC_y - slide_C_y;
@@ -558,23 +558,23 @@ struct Model04 {
     const Scalar v_y_B = u_rate(1);
     const Scalar v_x_E = u_rate(2);
     const Scalar v_y_E = u_rate(3);
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     v(0, 0) = v_x_B;
     v(0, 1) = v_y_B;
     v(0, 2) = omega_BCG;
     v(1, 0) = v_x_E;
     v(1, 1) = v_y_E;
     v(1, 2) = omega_BCG;
-    v(2, 0) = v_x_B + q.theta_BCG.cos * v_s_C - omega_BCG * (BC_y + slide_C_y);
-    v(2, 1) = v_y_B + omega_BCG * (BC_x + slide_C_x) + q.theta_BCG.sin * v_s_C;
+    v(2, 0) = v_x_B + q.theta_BCG.cos * v_s_C - (BC_y + slide_C_y) * omega_BCG;
+    v(2, 1) = v_y_B + (BC_x + slide_C_x) * omega_BCG + q.theta_BCG.sin * v_s_C;
     v(2, 2) = omega_BCG;
-    v(3, 0) = v_x_B - omega_BCG * BG_y;
-    v(3, 1) = v_y_B + omega_BCG * BG_x;
+    v(3, 0) = v_x_B - BG_y * omega_BCG;
+    v(3, 1) = v_y_B + BG_x * omega_BCG;
     v(3, 2) = omega_GF;
   }
 
@@ -593,12 +593,12 @@ struct Model04 {
     const Scalar a_y_B = u_second_rate(1);
     const Scalar a_x_E = u_second_rate(2);
     const Scalar a_y_E = u_second_rate(3);
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     const Scalar t01 = BC_x + slide_C_x;
     const Scalar t02 = BC_y + slide_C_y;
     const Scalar t03 = omega_BCG * omega_BCG;
@@ -609,12 +609,12 @@ struct Model04 {
     a(1, 1) = a_y_E;
     a(1, 2) = alpha_BCG;
     a(2, 0) = a_x_B + q.theta_BCG.cos * a_s_C - omega_BCG * (t01 * omega_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_s_C) - alpha_BCG * t02;
-    a(2, 1) = a_y_B + alpha_BCG * t01 + q.theta_BCG.sin * a_s_C - omega_BCG * (omega_BCG * t02
+        + Scalar(2) * q.theta_BCG.sin * v_s_C) - t02 * alpha_BCG;
+    a(2, 1) = a_y_B + t01 * alpha_BCG + q.theta_BCG.sin * a_s_C - omega_BCG * (t02 * omega_BCG
         - Scalar(2) * q.theta_BCG.cos * v_s_C);
     a(2, 2) = alpha_BCG;
-    a(3, 0) = a_x_B - alpha_BCG * BG_y - BG_x * t03;
-    a(3, 1) = a_y_B + alpha_BCG * BG_x - BG_y * t03;
+    a(3, 0) = a_x_B - BG_y * alpha_BCG - BG_x * t03;
+    a(3, 1) = a_y_B + BG_x * alpha_BCG - BG_y * t03;
     a(3, 2) = alpha_GF;
   }
 
@@ -631,20 +631,20 @@ struct Model04 {
     const Scalar v_x_G_BCG = d_rate(1);
     const Scalar v_y_G_BCG = d_rate(2);
     p.setZero();
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
     const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     p(2, 0) = -omega_BCG * ((BC_x + slide_C_x) * omega_BCG + Scalar(2) * q.theta_BCG.cos * v_h_C_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C);
-    p(2, 1) = -omega_BCG * (omega_BCG * (BC_y + slide_C_y) + Scalar(2) * q.theta_BCG.sin * v_h_C_BCG
+    p(2, 1) = -omega_BCG * ((BC_y + slide_C_y) * omega_BCG + Scalar(2) * q.theta_BCG.sin * v_h_C_BCG
         - Scalar(2) * q.theta_BCG.cos * v_s_C);
     p(3, 0) = -omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_y_G_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + omega_BCG * BG_x);
+        + Scalar(2) * q.theta_BCG.sin * v_x_G_BCG + BG_x * omega_BCG);
     p(3, 1) = omega_BCG * (Scalar(2) * q.theta_BCG.cos * v_x_G_BCG
-        - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - omega_BCG * BG_y);
+        - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - BG_y * omega_BCG);
   }
 
   /// The lines n . S = c on which the unknowns move a special point in parallel,
@@ -656,26 +656,26 @@ struct Model04 {
     lines.setZero();
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
     lines(0, 0) = -q.theta_BCG.cos;
     lines(0, 1) = -q.theta_BCG.sin;
-    lines(0, 2) = q.theta_BCG.cos * (BC_x + slide_C_x) + q.theta_BCG.sin * (BC_y + slide_C_y);
+    lines(0, 2) = (BC_x + slide_C_x) * q.theta_BCG.cos + (BC_y + slide_C_y) * q.theta_BCG.sin;
     lines(1, 0) = -cos_EDF;
     lines(1, 1) = -sin_EDF;
-    lines(1, 2) = cos_EDF * (ED_x + slide_D_x) + sin_EDF * (ED_y + slide_D_y);
+    lines(1, 2) = (ED_x + slide_D_x) * cos_EDF + (ED_y + slide_D_y) * sin_EDF;
     lines(2, 0) = -BG_y;
     lines(2, 1) = BG_x;
     lines(3, 0) = -EF_y;
@@ -705,24 +705,24 @@ struct Model04 {
     L.setZero();
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
     L(0, 0) = (BC_x + slide_C_x + S_CD_x) * n_CD_BCG_y - (BC_y + slide_C_y + S_CD_y) * n_CD_BCG_x;
-    L(0, 2) = q.theta_BCG.cos * n_CD_BCG_x + q.theta_BCG.sin * n_CD_BCG_y;
+    L(0, 2) = n_CD_BCG_x * q.theta_BCG.cos + n_CD_BCG_y * q.theta_BCG.sin;
     L(1, 0) = (S_CD_x + ED_x + slide_D_x) * n_CD_EDF_y - (S_CD_y + ED_y + slide_D_y) * n_CD_EDF_x;
-    L(1, 3) = cos_EDF * n_CD_EDF_x + sin_EDF * n_CD_EDF_y;
+    L(1, 3) = n_CD_EDF_x * cos_EDF + n_CD_EDF_y * sin_EDF;
     L(2, 0) = BG_x * n_GF_BCG_y - BG_y * n_GF_BCG_x;
     L(2, 1) = n_GF_BCG_y * S_GF_x - n_GF_BCG_x * S_GF_y;
     L(3, 0) = EF_x * n_GF_EDF_y - EF_y * n_GF_EDF_x;
@@ -770,29 +770,29 @@ struct Model04 {
     const Scalar S_GF_y = S(1, 1);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = q.theta_BCG.cos * d.x_G_BCG - q.theta_BCG.sin * d.y_G_BCG;
-    const Scalar BG_y = q.theta_BCG.cos * d.y_G_BCG + q.theta_BCG.sin * d.x_G_BCG;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
+    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
     const Scalar t01 = omega_BCG * omega_BCG;
     const Scalar t02 = omega_GF * omega_GF;
     a(0, 0) = a_x_B - omega_BCG * ((BC_x + slide_C_x + S_CD_x) * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C);
-    a(0, 1) = a_y_B - omega_BCG * (omega_BCG * (BC_y + slide_C_y + S_CD_y)
+    a(0, 1) = a_y_B - omega_BCG * ((BC_y + slide_C_y + S_CD_y) * omega_BCG
         - Scalar(2) * q.theta_BCG.cos * v_s_C);
-    a(1, 0) = a_x_E - omega_BCG * (omega_BCG * (S_CD_x + ED_x + slide_D_x)
+    a(1, 0) = a_x_E - omega_BCG * ((S_CD_x + ED_x + slide_D_x) * omega_BCG
         + Scalar(2) * sin_EDF * v_s_D);
-    a(1, 1) = a_y_E - omega_BCG * (omega_BCG * (S_CD_y + ED_y + slide_D_y)
+    a(1, 1) = a_y_E - omega_BCG * ((S_CD_y + ED_y + slide_D_y) * omega_BCG
         - Scalar(2) * cos_EDF * v_s_D);
     a(2, 0) = a_x_B - BG_x * t01 - S_GF_x * t02;
     a(2, 1) = a_y_B - BG_y * t01 - S_GF_y * t02;
@@ -846,32 +846,32 @@ struct Model04 {
         + q.theta_GF.sin * sin_EDF;
     const Scalar sin_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * sin_EDF
         - q.theta_GF.sin * cos_EDF;
-    const Scalar BCG_along_slide_C = q.s_C + d.psi_D_CD.sin * d.h_D_EDF - d.psi_D_CD.cos * q.s_D;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - d.psi_D_CD.sin * q.s_D
-        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar BCG_along_slide_C = q.s_C + d.h_D_EDF * d.psi_D_CD.sin - q.s_D * d.psi_D_CD.cos;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - q.s_D * d.psi_D_CD.sin
+        - d.h_D_EDF * d.psi_D_CD.cos;
     const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF
         + d.y_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF
         - d.x_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG
-        - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - cos_psi_D_CD_plus_BCG_minus_GF * d.y_F_EDF;
-    const Scalar t01 = d.psi_D_CD.sin * d.GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF
+        - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
+    const Scalar t01 = d.GF * d.psi_D_CD.sin;
     const Scalar pivot_product = BCG_across_GF * t01;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_across_GF = 0, or sin(psi_D_CD)
                                                        //     = 0, or GF = 0
     const Scalar inverse_BCG_across_GF = -inverse * t01;
     const Scalar t02 = BCG_across_GF * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.GF * t02;
-    const Scalar inverse_GF = d.psi_D_CD.sin * t02;
+    const Scalar inverse_GF = t02 * d.psi_D_CD.sin;
     const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_D_per_along_GF = -inverse_sin_psi_D_CD * BCG_along_slide_C *
-        inverse_BCG_across_GF;
+    const Scalar s_D_per_along_GF = -BCG_along_slide_C * inverse_BCG_across_GF *
+        inverse_sin_psi_D_CD;
     const Scalar s_C_per_along_GF = d.psi_D_CD.cos * s_D_per_along_GF
         + inverse_BCG_across_GF * BCG_across_slide_C;
     const Scalar GF_per_along_GF = -inverse_BCG_across_GF * BCG_along_GF * inverse_GF;
-    J_inverse(0, 2) = q.theta_GF.cos * inverse_BCG_across_GF;
-    J_inverse(0, 3) = q.theta_GF.sin * inverse_BCG_across_GF;
-    J_inverse(1, 2) = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
-    J_inverse(1, 3) = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    J_inverse(0, 2) = inverse_BCG_across_GF * q.theta_GF.cos;
+    J_inverse(0, 3) = inverse_BCG_across_GF * q.theta_GF.sin;
+    J_inverse(1, 2) = GF_per_along_GF * q.theta_GF.cos - inverse_GF * q.theta_GF.sin;
+    J_inverse(1, 3) = inverse_GF * q.theta_GF.cos + GF_per_along_GF * q.theta_GF.sin;
     J_inverse(2, 0) = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C;
     J_inverse(2, 1) = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C;
     J_inverse(2, 2) = q.theta_GF.cos * s_C_per_along_GF;
@@ -898,91 +898,92 @@ struct Model04 {
         + q.theta_GF.sin * sin_EDF;
     const Scalar sin_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * sin_EDF
         - q.theta_GF.sin * cos_EDF;
-    const Scalar t01 = d.psi_D_CD.cos * q.s_D - d.psi_D_CD.sin * d.h_D_EDF;
+    const Scalar t01 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
     const Scalar BCG_along_slide_C = q.s_C - t01;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - d.psi_D_CD.sin * q.s_D
-        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - q.s_D * d.psi_D_CD.sin
+        - d.h_D_EDF * d.psi_D_CD.cos;
     const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF
         + d.y_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF
         - d.x_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
     const Scalar t02 = d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF
-        + cos_psi_D_CD_plus_BCG_minus_GF * d.y_F_EDF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG - t02;
-    const Scalar t03 = d.psi_D_CD.sin * d.GF;
+        + d.y_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF - t02;
+    const Scalar t03 = d.GF * d.psi_D_CD.sin;
     const Scalar pivot_product = BCG_across_GF * t03;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_across_GF = 0, or sin(psi_D_CD)
                                                        //     = 0, or GF = 0
     const Scalar inverse_BCG_across_GF = -inverse * t03;
     const Scalar t04 = BCG_across_GF * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.GF * t04;
-    const Scalar inverse_GF = d.psi_D_CD.sin * t04;
-    const Scalar t05 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_C_per_across_slide_C = t05;
-    const Scalar s_D_per_along_GF = -inverse_sin_psi_D_CD * BCG_along_slide_C *
-        inverse_BCG_across_GF;
+    const Scalar inverse_GF = t04 * d.psi_D_CD.sin;
+    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_D_per_along_GF = -BCG_along_slide_C * inverse_BCG_across_GF *
+        inverse_sin_psi_D_CD;
     const Scalar s_C_per_along_GF = d.psi_D_CD.cos * s_D_per_along_GF
         + inverse_BCG_across_GF * BCG_across_slide_C;
     const Scalar GF_per_along_GF = -inverse_BCG_across_GF * BCG_along_GF * inverse_GF;
-    const Scalar t06 = cos_psi_D_CD_plus_BCG_minus_GF * GF_per_along_GF
-        + sin_psi_D_CD_plus_BCG_minus_GF * inverse_GF;
-    const Scalar t07 = cos_psi_D_CD_plus_BCG_minus_GF * inverse_GF
-        - sin_psi_D_CD_plus_BCG_minus_GF * GF_per_along_GF;
-    const Scalar t08 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t09 = q.theta_GF.cos * inverse_BCG_across_GF;
-    const Scalar t10 = q.theta_GF.sin * inverse_BCG_across_GF;
-    const Scalar t11 = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
-    const Scalar t12 = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
-    const Scalar t13 = q.theta_BCG.cos + q.theta_GF.cos * s_C_per_along_GF
-        - q.theta_BCG.sin * s_C_per_across_slide_C;
-    const Scalar t14 = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C
-        + q.theta_GF.sin * s_C_per_along_GF;
-    const Scalar t15 = q.theta_BCG.sin * inverse_sin_psi_D_CD - q.theta_GF.cos * s_D_per_along_GF;
-    const Scalar t16 = q.theta_BCG.cos * inverse_sin_psi_D_CD + q.theta_GF.sin * s_D_per_along_GF;
-    S_d(0, 1) = -cos_BCG_minus_GF * inverse_BCG_across_GF;
-    S_d(0, 2) = sin_BCG_minus_GF * inverse_BCG_across_GF;
-    S_d(0, 4) = cos_psi_D_CD_plus_BCG_minus_GF * inverse_BCG_across_GF;
-    S_d(0, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * inverse_BCG_across_GF;
+    const Scalar BCG_per_x_B = -inverse_BCG_across_GF * q.theta_GF.cos;
+    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C - q.theta_BCG.cos
+        - q.theta_GF.cos * s_C_per_along_GF;
+    const Scalar s_D_per_x_B = q.theta_BCG.sin * inverse_sin_psi_D_CD
+        - q.theta_GF.cos * s_D_per_along_GF;
+    const Scalar BCG_per_y_B = -inverse_BCG_across_GF * q.theta_GF.sin;
+    const Scalar GF_per_y_B = -inverse_GF * q.theta_GF.cos - GF_per_along_GF * q.theta_GF.sin;
+    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
+        - q.theta_GF.sin * s_C_per_along_GF;
+    const Scalar s_D_per_y_B = -q.theta_BCG.cos * inverse_sin_psi_D_CD
+        - q.theta_GF.sin * s_D_per_along_GF;
+    const Scalar t05 = GF_per_along_GF * cos_psi_D_CD_plus_BCG_minus_GF
+        + inverse_GF * sin_psi_D_CD_plus_BCG_minus_GF;
+    const Scalar t06 = inverse_GF * cos_psi_D_CD_plus_BCG_minus_GF
+        - GF_per_along_GF * sin_psi_D_CD_plus_BCG_minus_GF;
+    const Scalar t07 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    S_d(0, 1) = -inverse_BCG_across_GF * cos_BCG_minus_GF;
+    S_d(0, 2) = inverse_BCG_across_GF * sin_BCG_minus_GF;
+    S_d(0, 4) = inverse_BCG_across_GF * cos_psi_D_CD_plus_BCG_minus_GF;
+    S_d(0, 5) = -inverse_BCG_across_GF * sin_psi_D_CD_plus_BCG_minus_GF;
     S_d(0, 6) = -inverse_BCG_across_GF * t02;
     S_d(0, 7) = -inverse_BCG_across_GF;
-    S_d(1, 1) = -cos_BCG_minus_GF * GF_per_along_GF - sin_BCG_minus_GF * inverse_GF;
-    S_d(1, 2) = sin_BCG_minus_GF * GF_per_along_GF - cos_BCG_minus_GF * inverse_GF;
-    S_d(1, 4) = t06;
-    S_d(1, 5) = t07;
-    S_d(1, 6) = d.x_F_EDF * t07 - d.y_F_EDF * t06;
+    S_d(1, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
+    S_d(1, 2) = GF_per_along_GF * sin_BCG_minus_GF - inverse_GF * cos_BCG_minus_GF;
+    S_d(1, 4) = t05;
+    S_d(1, 5) = t06;
+    S_d(1, 6) = d.x_F_EDF * t06 - d.y_F_EDF * t05;
     S_d(1, 7) = -GF_per_along_GF;
     S_d(2, 0) = -s_C_per_across_slide_C;
     S_d(2, 1) = -cos_BCG_minus_GF * s_C_per_along_GF;
     S_d(2, 2) = sin_BCG_minus_GF * s_C_per_along_GF;
-    S_d(2, 3) = -t08;
+    S_d(2, 3) = -t07;
     S_d(2, 4) = cos_psi_D_CD_plus_BCG_minus_GF * s_C_per_along_GF;
     S_d(2, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * s_C_per_along_GF;
-    S_d(2, 6) = -q.s_D * t08 - d.h_D_EDF * (d.psi_D_CD.cos
+    S_d(2, 6) = -q.s_D * t07 - d.h_D_EDF * (d.psi_D_CD.cos
         + d.psi_D_CD.sin * s_C_per_across_slide_C) - t02 * s_C_per_along_GF;
     S_d(2, 7) = -s_C_per_along_GF;
     S_d(3, 0) = -inverse_sin_psi_D_CD;
     S_d(3, 1) = -cos_BCG_minus_GF * s_D_per_along_GF;
     S_d(3, 2) = sin_BCG_minus_GF * s_D_per_along_GF;
-    S_d(3, 3) = t05;
+    S_d(3, 3) = s_C_per_across_slide_C;
     S_d(3, 4) = cos_psi_D_CD_plus_BCG_minus_GF * s_D_per_along_GF;
     S_d(3, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * s_D_per_along_GF;
-    S_d(3, 6) = inverse_sin_psi_D_CD * t01 - s_D_per_along_GF * t02;
+    S_d(3, 6) = t01 * inverse_sin_psi_D_CD - t02 * s_D_per_along_GF;
     S_d(3, 7) = -s_D_per_along_GF;
-    S_u(0, 0) = -t09;
-    S_u(0, 1) = -t10;
-    S_u(0, 2) = t09;
-    S_u(0, 3) = t10;
-    S_u(1, 0) = -t11;
-    S_u(1, 1) = -t12;
-    S_u(1, 2) = t11;
-    S_u(1, 3) = t12;
-    S_u(2, 0) = -t13;
-    S_u(2, 1) = -t14;
-    S_u(2, 2) = t13;
-    S_u(2, 3) = t14;
-    S_u(3, 0) = t15;
-    S_u(3, 1) = -t16;
-    S_u(3, 2) = -t15;
-    S_u(3, 3) = t16;
+    S_u(0, 0) = BCG_per_x_B;
+    S_u(0, 1) = BCG_per_y_B;
+    S_u(0, 2) = -BCG_per_x_B;
+    S_u(0, 3) = -BCG_per_y_B;
+    S_u(1, 0) = GF_per_x_B;
+    S_u(1, 1) = GF_per_y_B;
+    S_u(1, 2) = -GF_per_x_B;
+    S_u(1, 3) = -GF_per_y_B;
+    S_u(2, 0) = s_C_per_x_B;
+    S_u(2, 1) = s_C_per_y_B;
+    S_u(2, 2) = -s_C_per_x_B;
+    S_u(2, 3) = -s_C_per_y_B;
+    S_u(3, 0) = s_D_per_x_B;
+    S_u(3, 1) = s_D_per_y_B;
+    S_u(3, 2) = -s_D_per_x_B;
+    S_u(3, 3) = -s_D_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1004,22 +1005,22 @@ struct Model04 {
         + q.theta_GF.sin * sin_EDF;
     const Scalar sin_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * sin_EDF
         - q.theta_GF.sin * cos_EDF;
-    const Scalar BCG_along_slide_C = q.s_C + d.psi_D_CD.sin * d.h_D_EDF - d.psi_D_CD.cos * q.s_D;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - d.psi_D_CD.sin * q.s_D
-        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar BCG_along_slide_C = q.s_C + d.h_D_EDF * d.psi_D_CD.sin - q.s_D * d.psi_D_CD.cos;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - q.s_D * d.psi_D_CD.sin
+        - d.h_D_EDF * d.psi_D_CD.cos;
     const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF
         + d.y_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF
         - d.x_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG
-        - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - cos_psi_D_CD_plus_BCG_minus_GF * d.y_F_EDF;
-    const Scalar t01 = d.psi_D_CD.sin * d.GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF
+        - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
+    const Scalar t01 = d.GF * d.psi_D_CD.sin;
     const Scalar pivot_product = BCG_across_GF * t01;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_across_GF = 0, or sin(psi_D_CD)
                                                        //     = 0, or GF = 0
     const Scalar inverse_BCG_across_GF = -inverse * t01;
     const Scalar t02 = BCG_across_GF * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.GF * t02;
-    const Scalar inverse_GF = d.psi_D_CD.sin * t02;
+    const Scalar inverse_GF = t02 * d.psi_D_CD.sin;
     const Scalar t03 = v_x_B - v_x_E;
     const Scalar t04 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t03 - q.theta_BCG.sin * t04;
@@ -1027,11 +1028,11 @@ struct Model04 {
     const Scalar velocity_along_GF = -q.theta_GF.cos * t03 - q.theta_GF.sin * t04;
     const Scalar velocity_across_GF = q.theta_GF.sin * t03 - q.theta_GF.cos * t04;
     const Scalar omega_BCG = inverse_BCG_across_GF * velocity_along_GF;
-    const Scalar v_s_D = -(omega_BCG * BCG_along_slide_C
-        - velocity_across_slide_C) * inverse_sin_psi_D_CD;
-    const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + omega_BCG * BCG_across_slide_C
+    const Scalar v_s_D = -inverse_sin_psi_D_CD * (BCG_along_slide_C * omega_BCG
+        - velocity_across_slide_C);
+    const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + BCG_across_slide_C * omega_BCG
         + velocity_along_slide_C;
-    const Scalar omega_GF = -(omega_BCG * BCG_along_GF - velocity_across_GF) * inverse_GF;
+    const Scalar omega_GF = -inverse_GF * (BCG_along_GF * omega_BCG - velocity_across_GF);
     q_rate(0) = omega_BCG;
     q_rate(1) = omega_GF;
     q_rate(2) = v_s_C;
@@ -1062,22 +1063,22 @@ struct Model04 {
         + q.theta_GF.sin * sin_EDF;
     const Scalar sin_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * sin_EDF
         - q.theta_GF.sin * cos_EDF;
-    const Scalar BCG_along_slide_C = q.s_C + d.psi_D_CD.sin * d.h_D_EDF - d.psi_D_CD.cos * q.s_D;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - d.psi_D_CD.sin * q.s_D
-        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar BCG_along_slide_C = q.s_C + d.h_D_EDF * d.psi_D_CD.sin - q.s_D * d.psi_D_CD.cos;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - q.s_D * d.psi_D_CD.sin
+        - d.h_D_EDF * d.psi_D_CD.cos;
     const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF
         + d.y_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF
         - d.x_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG
-        - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - cos_psi_D_CD_plus_BCG_minus_GF * d.y_F_EDF;
-    const Scalar t01 = d.psi_D_CD.sin * d.GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF
+        - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
+    const Scalar t01 = d.GF * d.psi_D_CD.sin;
     const Scalar pivot_product = BCG_across_GF * t01;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_across_GF = 0, or sin(psi_D_CD)
                                                        //     = 0, or GF = 0
     const Scalar inverse_BCG_across_GF = -inverse * t01;
     const Scalar t02 = BCG_across_GF * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.GF * t02;
-    const Scalar inverse_GF = d.psi_D_CD.sin * t02;
+    const Scalar inverse_GF = t02 * d.psi_D_CD.sin;
     const Scalar t03 = v_x_B - v_x_E;
     const Scalar t04 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t03 - q.theta_BCG.sin * t04;
@@ -1085,12 +1086,12 @@ struct Model04 {
     const Scalar velocity_along_GF = -q.theta_GF.cos * t03 - q.theta_GF.sin * t04;
     const Scalar velocity_across_GF = q.theta_GF.sin * t03 - q.theta_GF.cos * t04;
     const Scalar omega_BCG = inverse_BCG_across_GF * velocity_along_GF;
-    const Scalar t05 = omega_BCG * BCG_along_slide_C;
-    const Scalar v_s_D = -(t05 - velocity_across_slide_C) * inverse_sin_psi_D_CD;
+    const Scalar t05 = BCG_along_slide_C * omega_BCG;
+    const Scalar v_s_D = -inverse_sin_psi_D_CD * (t05 - velocity_across_slide_C);
     const Scalar t06 = d.psi_D_CD.cos * v_s_D;
-    const Scalar t07 = omega_BCG * BCG_across_slide_C;
+    const Scalar t07 = BCG_across_slide_C * omega_BCG;
     const Scalar v_s_C = t06 + t07 + velocity_along_slide_C;
-    const Scalar omega_GF = -(omega_BCG * BCG_along_GF - velocity_across_GF) * inverse_GF;
+    const Scalar omega_GF = -inverse_GF * (BCG_along_GF * omega_BCG - velocity_across_GF);
     const Scalar t08 = a_x_B - a_x_E;
     const Scalar t09 = a_y_B - a_y_E;
     const Scalar acceleration_along_slide_C = omega_BCG * (t05 - Scalar(2) * d.psi_D_CD.sin * v_s_D)
@@ -1145,126 +1146,119 @@ struct Model04 {
         + q.theta_GF.sin * sin_EDF;
     const Scalar sin_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * sin_EDF
         - q.theta_GF.sin * cos_EDF;
-    const Scalar t01 = d.psi_D_CD.cos * q.s_D - d.psi_D_CD.sin * d.h_D_EDF;
+    const Scalar t01 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
     const Scalar BCG_along_slide_C = q.s_C - t01;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - d.psi_D_CD.sin * q.s_D
-        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - q.s_D * d.psi_D_CD.sin
+        - d.h_D_EDF * d.psi_D_CD.cos;
     const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF
         + d.y_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF
         - d.x_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
     const Scalar t02 = d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF
-        + cos_psi_D_CD_plus_BCG_minus_GF * d.y_F_EDF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + cos_BCG_minus_GF * d.y_G_BCG - t02;
-    const Scalar t03 = d.psi_D_CD.sin * d.GF;
+        + d.y_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF - t02;
+    const Scalar t03 = d.GF * d.psi_D_CD.sin;
     const Scalar pivot_product = BCG_across_GF * t03;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_across_GF = 0, or sin(psi_D_CD)
                                                        //     = 0, or GF = 0
     const Scalar inverse_BCG_across_GF = -inverse * t03;
     const Scalar t04 = BCG_across_GF * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.GF * t04;
-    const Scalar inverse_GF = d.psi_D_CD.sin * t04;
-    const Scalar t05 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_C_per_across_slide_C = t05;
-    const Scalar s_D_per_along_GF = -inverse_sin_psi_D_CD * BCG_along_slide_C *
-        inverse_BCG_across_GF;
+    const Scalar inverse_GF = t04 * d.psi_D_CD.sin;
+    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_D_per_along_GF = -BCG_along_slide_C * inverse_BCG_across_GF *
+        inverse_sin_psi_D_CD;
     const Scalar s_C_per_along_GF = d.psi_D_CD.cos * s_D_per_along_GF
         + inverse_BCG_across_GF * BCG_across_slide_C;
     const Scalar GF_per_along_GF = -inverse_BCG_across_GF * BCG_along_GF * inverse_GF;
-    const Scalar t06 = q.theta_GF.cos * inverse_BCG_across_GF;
-    const Scalar BCG_per_x_B = -t06;
-    const Scalar t07 = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
-    const Scalar GF_per_x_B = -t07;
-    const Scalar t08 = q.theta_BCG.cos + q.theta_GF.cos * s_C_per_along_GF
-        - q.theta_BCG.sin * s_C_per_across_slide_C;
-    const Scalar s_C_per_x_B = -t08;
-    const Scalar t09 = q.theta_BCG.sin * inverse_sin_psi_D_CD - q.theta_GF.cos * s_D_per_along_GF;
-    const Scalar s_D_per_x_B = t09;
-    const Scalar t10 = q.theta_GF.sin * inverse_BCG_across_GF;
-    const Scalar BCG_per_y_B = -t10;
-    const Scalar t11 = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
-    const Scalar GF_per_y_B = -t11;
-    const Scalar t12 = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C
-        + q.theta_GF.sin * s_C_per_along_GF;
-    const Scalar s_C_per_y_B = -t12;
-    const Scalar t13 = q.theta_BCG.cos * inverse_sin_psi_D_CD + q.theta_GF.sin * s_D_per_along_GF;
-    const Scalar s_D_per_y_B = -t13;
-    const Scalar t14 = v_x_B - v_x_E;
-    const Scalar t15 = v_y_B - v_y_E;
-    const Scalar omega_BCG = t14 * BCG_per_x_B + t15 * BCG_per_y_B;
-    const Scalar omega_GF = t14 * GF_per_x_B + t15 * GF_per_y_B;
-    const Scalar v_s_C = t14 * s_C_per_x_B + t15 * s_C_per_y_B;
-    const Scalar v_s_D = t14 * s_D_per_x_B + t15 * s_D_per_y_B;
+    const Scalar BCG_per_x_B = -inverse_BCG_across_GF * q.theta_GF.cos;
+    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C - q.theta_BCG.cos
+        - q.theta_GF.cos * s_C_per_along_GF;
+    const Scalar s_D_per_x_B = q.theta_BCG.sin * inverse_sin_psi_D_CD
+        - q.theta_GF.cos * s_D_per_along_GF;
+    const Scalar BCG_per_y_B = -inverse_BCG_across_GF * q.theta_GF.sin;
+    const Scalar GF_per_y_B = -inverse_GF * q.theta_GF.cos - GF_per_along_GF * q.theta_GF.sin;
+    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
+        - q.theta_GF.sin * s_C_per_along_GF;
+    const Scalar s_D_per_y_B = -q.theta_BCG.cos * inverse_sin_psi_D_CD
+        - q.theta_GF.sin * s_D_per_along_GF;
+    const Scalar t05 = v_x_B - v_x_E;
+    const Scalar t06 = v_y_B - v_y_E;
+    const Scalar omega_BCG = BCG_per_x_B * t05 + BCG_per_y_B * t06;
+    const Scalar omega_GF = GF_per_x_B * t05 + GF_per_y_B * t06;
+    const Scalar v_s_C = s_C_per_x_B * t05 + s_C_per_y_B * t06;
+    const Scalar v_s_D = s_D_per_x_B * t05 + s_D_per_y_B * t06;
     const Scalar centripetal_along_slide_C = -omega_BCG * (Scalar(2) * d.psi_D_CD.sin * v_s_D
         - BCG_along_slide_C * omega_BCG);
     const Scalar centripetal_across_slide_C = omega_BCG * (Scalar(2) * d.psi_D_CD.cos * v_s_D
         + BCG_across_slide_C * omega_BCG - Scalar(2) * v_s_C);
-    const Scalar t16 = omega_BCG * omega_BCG;
-    const Scalar centripetal_along_GF = d.GF * omega_GF * omega_GF + BCG_along_GF * t16;
-    const Scalar centripetal_across_GF = BCG_across_GF * t16;
-    const Scalar t17 = cos_psi_D_CD_plus_BCG_minus_GF * GF_per_along_GF
-        + sin_psi_D_CD_plus_BCG_minus_GF * inverse_GF;
-    const Scalar t18 = cos_psi_D_CD_plus_BCG_minus_GF * inverse_GF
-        - sin_psi_D_CD_plus_BCG_minus_GF * GF_per_along_GF;
-    const Scalar t19 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t20 = a_x_B - a_x_E;
-    const Scalar t21 = a_y_B - a_y_E;
-    S_d(0, 1) = -cos_BCG_minus_GF * inverse_BCG_across_GF;
-    S_d(0, 2) = sin_BCG_minus_GF * inverse_BCG_across_GF;
-    S_d(0, 4) = cos_psi_D_CD_plus_BCG_minus_GF * inverse_BCG_across_GF;
-    S_d(0, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * inverse_BCG_across_GF;
+    const Scalar t07 = omega_BCG * omega_BCG;
+    const Scalar centripetal_along_GF = d.GF * omega_GF * omega_GF + BCG_along_GF * t07;
+    const Scalar centripetal_across_GF = BCG_across_GF * t07;
+    const Scalar t08 = GF_per_along_GF * cos_psi_D_CD_plus_BCG_minus_GF
+        + inverse_GF * sin_psi_D_CD_plus_BCG_minus_GF;
+    const Scalar t09 = inverse_GF * cos_psi_D_CD_plus_BCG_minus_GF
+        - GF_per_along_GF * sin_psi_D_CD_plus_BCG_minus_GF;
+    const Scalar t10 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t11 = a_x_B - a_x_E;
+    const Scalar t12 = a_y_B - a_y_E;
+    S_d(0, 1) = -inverse_BCG_across_GF * cos_BCG_minus_GF;
+    S_d(0, 2) = inverse_BCG_across_GF * sin_BCG_minus_GF;
+    S_d(0, 4) = inverse_BCG_across_GF * cos_psi_D_CD_plus_BCG_minus_GF;
+    S_d(0, 5) = -inverse_BCG_across_GF * sin_psi_D_CD_plus_BCG_minus_GF;
     S_d(0, 6) = -inverse_BCG_across_GF * t02;
     S_d(0, 7) = -inverse_BCG_across_GF;
-    S_d(1, 1) = -cos_BCG_minus_GF * GF_per_along_GF - sin_BCG_minus_GF * inverse_GF;
-    S_d(1, 2) = sin_BCG_minus_GF * GF_per_along_GF - cos_BCG_minus_GF * inverse_GF;
-    S_d(1, 4) = t17;
-    S_d(1, 5) = t18;
-    S_d(1, 6) = d.x_F_EDF * t18 - d.y_F_EDF * t17;
+    S_d(1, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
+    S_d(1, 2) = GF_per_along_GF * sin_BCG_minus_GF - inverse_GF * cos_BCG_minus_GF;
+    S_d(1, 4) = t08;
+    S_d(1, 5) = t09;
+    S_d(1, 6) = d.x_F_EDF * t09 - d.y_F_EDF * t08;
     S_d(1, 7) = -GF_per_along_GF;
     S_d(2, 0) = -s_C_per_across_slide_C;
     S_d(2, 1) = -cos_BCG_minus_GF * s_C_per_along_GF;
     S_d(2, 2) = sin_BCG_minus_GF * s_C_per_along_GF;
-    S_d(2, 3) = -t19;
+    S_d(2, 3) = -t10;
     S_d(2, 4) = cos_psi_D_CD_plus_BCG_minus_GF * s_C_per_along_GF;
     S_d(2, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * s_C_per_along_GF;
-    S_d(2, 6) = -q.s_D * t19 - d.h_D_EDF * (d.psi_D_CD.cos
-        + d.psi_D_CD.sin * s_C_per_across_slide_C) - s_C_per_along_GF * t02;
+    S_d(2, 6) = -q.s_D * t10 - d.h_D_EDF * (d.psi_D_CD.cos
+        + d.psi_D_CD.sin * s_C_per_across_slide_C) - t02 * s_C_per_along_GF;
     S_d(2, 7) = -s_C_per_along_GF;
     S_d(3, 0) = -inverse_sin_psi_D_CD;
     S_d(3, 1) = -cos_BCG_minus_GF * s_D_per_along_GF;
     S_d(3, 2) = sin_BCG_minus_GF * s_D_per_along_GF;
-    S_d(3, 3) = t05;
+    S_d(3, 3) = s_C_per_across_slide_C;
     S_d(3, 4) = cos_psi_D_CD_plus_BCG_minus_GF * s_D_per_along_GF;
     S_d(3, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * s_D_per_along_GF;
-    S_d(3, 6) = inverse_sin_psi_D_CD * t01 - s_D_per_along_GF * t02;
+    S_d(3, 6) = t01 * inverse_sin_psi_D_CD - t02 * s_D_per_along_GF;
     S_d(3, 7) = -s_D_per_along_GF;
-    S_u(0, 0) = -t06;
-    S_u(0, 1) = -t10;
-    S_u(0, 2) = t06;
-    S_u(0, 3) = t10;
-    S_u(1, 0) = -t07;
-    S_u(1, 1) = -t11;
-    S_u(1, 2) = t07;
-    S_u(1, 3) = t11;
-    S_u(2, 0) = -t08;
-    S_u(2, 1) = -t12;
-    S_u(2, 2) = t08;
-    S_u(2, 3) = t12;
-    S_u(3, 0) = t09;
-    S_u(3, 1) = -t13;
-    S_u(3, 2) = -t09;
-    S_u(3, 3) = t13;
+    S_u(0, 0) = BCG_per_x_B;
+    S_u(0, 1) = BCG_per_y_B;
+    S_u(0, 2) = -BCG_per_x_B;
+    S_u(0, 3) = -BCG_per_y_B;
+    S_u(1, 0) = GF_per_x_B;
+    S_u(1, 1) = GF_per_y_B;
+    S_u(1, 2) = -GF_per_x_B;
+    S_u(1, 3) = -GF_per_y_B;
+    S_u(2, 0) = s_C_per_x_B;
+    S_u(2, 1) = s_C_per_y_B;
+    S_u(2, 2) = -s_C_per_x_B;
+    S_u(2, 3) = -s_C_per_y_B;
+    S_u(3, 0) = s_D_per_x_B;
+    S_u(3, 1) = s_D_per_y_B;
+    S_u(3, 2) = -s_D_per_x_B;
+    S_u(3, 3) = -s_D_per_y_B;
     q_rate(0) = omega_BCG;
     q_rate(1) = omega_GF;
     q_rate(2) = v_s_C;
     q_rate(3) = v_s_D;
-    q_second_rate(0) = BCG_per_x_B * t20 + BCG_per_y_B * t21
+    q_second_rate(0) = BCG_per_x_B * t11 + BCG_per_y_B * t12
         + inverse_BCG_across_GF * centripetal_along_GF;
-    q_second_rate(1) = GF_per_x_B * t20 + GF_per_y_B * t21 + inverse_GF * centripetal_across_GF
+    q_second_rate(1) = GF_per_x_B * t11 + GF_per_y_B * t12 + inverse_GF * centripetal_across_GF
         + GF_per_along_GF * centripetal_along_GF;
-    q_second_rate(2) = s_C_per_x_B * t20 + s_C_per_y_B * t21
+    q_second_rate(2) = s_C_per_x_B * t11 + s_C_per_y_B * t12
         + s_C_per_across_slide_C * centripetal_across_slide_C
         + s_C_per_along_GF * centripetal_along_GF + centripetal_along_slide_C;
-    q_second_rate(3) = s_D_per_x_B * t20 + s_D_per_y_B * t21
+    q_second_rate(3) = s_D_per_x_B * t11 + s_D_per_y_B * t12
         + inverse_sin_psi_D_CD * centripetal_across_slide_C
         + s_D_per_along_GF * centripetal_along_GF;
   }
@@ -1278,7 +1272,7 @@ struct Model04 {
     const Scalar EB_y = u.y_B - u.y_E;
     const Scalar t01 = d.x_F_EDF * d.psi_D_CD.cos - d.y_F_EDF * d.psi_D_CD.sin;
     const Scalar t02 = d.x_G_BCG - t01;
-    const Scalar t03 = d.x_F_EDF * d.psi_D_CD.sin + d.psi_D_CD.cos * d.y_F_EDF;
+    const Scalar t03 = d.x_F_EDF * d.psi_D_CD.sin + d.y_F_EDF * d.psi_D_CD.cos;
     const Scalar t04 = d.y_G_BCG - t03;
     const Scalar T_m1_re = EB_x * t02 + EB_y * t04;
     const Scalar T_m1_im = EB_y * t02 - EB_x * t04;
@@ -1301,14 +1295,14 @@ struct Model04 {
                                                              //     parallel
     const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
                                                        //     no length
-    const Scalar t01 = d.h_C_BCG + q.theta_BCG.cos * EB_y - q.theta_BCG.sin * EB_x;
-    const Scalar t02 = d.x_G_BCG + d.psi_D_CD.sin * d.y_F_EDF - d.psi_D_CD.cos * d.x_F_EDF;
-    const Scalar t03 = d.y_G_BCG - d.psi_D_CD.sin * d.x_F_EDF - d.psi_D_CD.cos * d.y_F_EDF;
-    q.s_C = inverse_s_C * (d.psi_D_CD.sin * (q.theta_BCG.cos * EB_x + EB_y * q.theta_BCG.sin)
-        + d.h_D_EDF - d.psi_D_CD.cos * t01);
-    q.s_D = inverse_s_C * (d.psi_D_CD.cos * d.h_D_EDF - t01);
-    q.theta_GF.cos = -(EB_x + q.theta_BCG.cos * t02 - q.theta_BCG.sin * t03) * inverse_theta_GF;
-    q.theta_GF.sin = -inverse_theta_GF * (EB_y + q.theta_BCG.cos * t03 + q.theta_BCG.sin * t02);
+    const Scalar t01 = d.h_C_BCG + EB_y * q.theta_BCG.cos - EB_x * q.theta_BCG.sin;
+    const Scalar t02 = d.x_G_BCG + d.y_F_EDF * d.psi_D_CD.sin - d.x_F_EDF * d.psi_D_CD.cos;
+    const Scalar t03 = d.y_G_BCG - d.x_F_EDF * d.psi_D_CD.sin - d.y_F_EDF * d.psi_D_CD.cos;
+    q.s_C = ((EB_x * q.theta_BCG.cos + EB_y * q.theta_BCG.sin) * d.psi_D_CD.sin + d.h_D_EDF
+        - t01 * d.psi_D_CD.cos) * inverse_s_C;
+    q.s_D = (d.h_D_EDF * d.psi_D_CD.cos - t01) * inverse_s_C;
+    q.theta_GF.cos = -(EB_x + t02 * q.theta_BCG.cos - t03 * q.theta_BCG.sin) * inverse_theta_GF;
+    q.theta_GF.sin = -inverse_theta_GF * (EB_y + t03 * q.theta_BCG.cos + t02 * q.theta_BCG.sin);
   }
 };
 

@@ -56,7 +56,7 @@ namespace assur::tetrad {
 ///   velocity:                     38, 23, 1
 ///   motion:                       68, 45, 1
 ///   sensitivities_and_motion:     102, 59, 1
-///   position_polynomial:          37, 29, 0
+///   position_polynomial:          42, 29, 0
 ///   second_equations:             24, 14, 0
 ///   complete:                     14, 12, 0
 struct Model05 {
@@ -189,32 +189,30 @@ struct Model05 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t03 = u.x_B - u.x_E;
-    const Scalar t04 = u.y_B - u.y_E;
-    f(0) = BC_x + slide_C_x + CD_x + t03 - ED_x;
-    f(1) = BC_y + slide_C_y + CD_y + t04 - ED_y;
-    f(2) = BG_x + slide_G_x + GF_x + t03 - EF_x;
-    f(3) = BG_y + slide_G_y + GF_y + t04 - EF_y;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    f(0) = BC_x + slide_C_x + CD_x + EB_x - ED_x;
+    f(1) = BC_y + slide_C_y + CD_y + EB_y - ED_y;
+    f(2) = BG_x + slide_G_x + GF_x + EB_x - EF_x;
+    f(3) = BG_y + slide_G_y + GF_y + EB_y - EF_y;
   }
 
   /// J = df/dq.
@@ -222,26 +220,24 @@ struct Model05 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     J(0, 0) = -BC_y - slide_C_y - CD_y;
     J(0, 1) = ED_y;
     J(0, 2) = q.theta_BCG.cos;
@@ -261,16 +257,14 @@ struct Model05 {
   static void dimension_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
     F_d(0, 0) = -q.theta_BCG.sin;
     F_d(0, 3) = -q.theta_EDF.cos;
     F_d(0, 6) = q.theta_BCG.sin;
@@ -336,37 +330,35 @@ struct Model05 {
     const Scalar a_y_B = u_second_rate(1);
     const Scalar a_x_E = u_second_rate(2);
     const Scalar a_y_E = u_second_rate(3);
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t03 = omega_EDF * omega_EDF;
-    const Scalar t04 = a_x_B - a_x_E;
-    const Scalar t05 = a_y_B - a_y_E;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
+    const Scalar t01 = omega_EDF * omega_EDF;
+    const Scalar t02 = a_x_B - a_x_E;
+    const Scalar t03 = a_y_B - a_y_E;
     rhs(0) = omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_s_C) - ED_x * t03 - t04;
-    rhs(1) = omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y)
-        - Scalar(2) * q.theta_BCG.cos * v_s_C) - ED_y * t03 - t05;
-    rhs(2) = omega_BCG * (omega_BCG * (BG_x + slide_G_x + GF_x) + Scalar(2) * sin_GF * v_s_G)
-        - EF_x * t03 - t04;
-    rhs(3) = omega_BCG * (omega_BCG * (BG_y + slide_G_y + GF_y) - Scalar(2) * cos_GF * v_s_G)
-        - EF_y * t03 - t05;
+        + Scalar(2) * q.theta_BCG.sin * v_s_C) - ED_x * t01 - t02;
+    rhs(1) = omega_BCG * ((BC_y + slide_C_y + CD_y) * omega_BCG
+        - Scalar(2) * q.theta_BCG.cos * v_s_C) - ED_y * t01 - t03;
+    rhs(2) = omega_BCG * ((BG_x + slide_G_x + GF_x) * omega_BCG + Scalar(2) * sin_GF * v_s_G)
+        - EF_x * t01 - t02;
+    rhs(3) = omega_BCG * ((BG_y + slide_G_y + GF_y) * omega_BCG - Scalar(2) * cos_GF * v_s_G)
+        - EF_y * t01 - t03;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -389,51 +381,49 @@ struct Model05 {
     const Scalar j_y_B = u_third_rate(1);
     const Scalar j_x_E = u_third_rate(2);
     const Scalar j_y_E = u_third_rate(3);
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t03 = BC_y + slide_C_y + CD_y;
-    const Scalar t04 = q.theta_BCG.cos * v_s_C;
-    const Scalar t05 = BC_x + slide_C_x + CD_x;
-    const Scalar t06 = omega_EDF * omega_EDF;
-    const Scalar t07 = q.theta_BCG.sin * v_s_C;
-    const Scalar t08 = j_x_B - j_x_E;
-    const Scalar t09 = j_y_B - j_y_E;
-    const Scalar t10 = BG_y + slide_G_y + GF_y;
-    const Scalar t11 = cos_GF * v_s_G;
-    const Scalar t12 = BG_x + slide_G_x + GF_x;
-    const Scalar t13 = sin_GF * v_s_G;
-    rhs(0) = Scalar(3) * alpha_BCG * t07 - omega_BCG * (omega_BCG * (t03 * omega_BCG
-        - Scalar(3) * t04) - Scalar(3) * t05 * alpha_BCG - Scalar(3) * q.theta_BCG.sin * a_s_C)
-        - omega_EDF * (Scalar(3) * alpha_EDF * ED_x - ED_y * t06) - t08;
-    rhs(1) = omega_BCG * (omega_BCG * (omega_BCG * t05 + Scalar(3) * t07)
-        + Scalar(3) * t03 * alpha_BCG - Scalar(3) * q.theta_BCG.cos * a_s_C)
-        - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t06) - Scalar(3) * t04 * alpha_BCG
-        - t09;
-    rhs(2) = Scalar(3) * alpha_BCG * t13 - omega_BCG * (omega_BCG * (omega_BCG * t10
-        - Scalar(3) * t11) - Scalar(3) * alpha_BCG * t12 - Scalar(3) * sin_GF * a_s_G)
-        - omega_EDF * (Scalar(3) * alpha_EDF * EF_x - EF_y * t06) - t08;
-    rhs(3) = omega_BCG * (omega_BCG * (omega_BCG * t12 + Scalar(3) * t13)
-        + Scalar(3) * alpha_BCG * t10 - Scalar(3) * cos_GF * a_s_G)
-        - omega_EDF * (Scalar(3) * alpha_EDF * EF_y + EF_x * t06) - Scalar(3) * alpha_BCG * t11
-        - t09;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
+    const Scalar t01 = BC_y + slide_C_y + CD_y;
+    const Scalar t02 = q.theta_BCG.cos * v_s_C;
+    const Scalar t03 = BC_x + slide_C_x + CD_x;
+    const Scalar t04 = omega_EDF * omega_EDF;
+    const Scalar t05 = q.theta_BCG.sin * v_s_C;
+    const Scalar t06 = j_x_B - j_x_E;
+    const Scalar t07 = j_y_B - j_y_E;
+    const Scalar t08 = BG_y + slide_G_y + GF_y;
+    const Scalar t09 = cos_GF * v_s_G;
+    const Scalar t10 = BG_x + slide_G_x + GF_x;
+    const Scalar t11 = sin_GF * v_s_G;
+    rhs(0) = Scalar(3) * alpha_BCG * t05 - omega_BCG * (omega_BCG * (t01 * omega_BCG
+        - Scalar(3) * t02) - Scalar(3) * t03 * alpha_BCG - Scalar(3) * q.theta_BCG.sin * a_s_C)
+        - omega_EDF * (Scalar(3) * ED_x * alpha_EDF - ED_y * t04) - t06;
+    rhs(1) = omega_BCG * (omega_BCG * (t03 * omega_BCG + Scalar(3) * t05)
+        + Scalar(3) * t01 * alpha_BCG - Scalar(3) * q.theta_BCG.cos * a_s_C)
+        - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t04) - Scalar(3) * t02 * alpha_BCG
+        - t07;
+    rhs(2) = Scalar(3) * alpha_BCG * t11 - omega_BCG * (omega_BCG * (t08 * omega_BCG
+        - Scalar(3) * t09) - Scalar(3) * t10 * alpha_BCG - Scalar(3) * sin_GF * a_s_G)
+        - omega_EDF * (Scalar(3) * EF_x * alpha_EDF - EF_y * t04) - t06;
+    rhs(3) = omega_BCG * (omega_BCG * (t10 * omega_BCG + Scalar(3) * t11)
+        + Scalar(3) * t08 * alpha_BCG - Scalar(3) * cos_GF * a_s_G)
+        - omega_EDF * (Scalar(3) * EF_y * alpha_EDF + EF_x * t04) - Scalar(3) * alpha_BCG * t09
+        - t07;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -455,68 +445,64 @@ struct Model05 {
     const Scalar v_y_F_EDF = d_rate(5);
     const Scalar v_h_C_CD = d_rate(6);
     const Scalar v_h_G_GF = d_rate(7);
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t03 = v_h_C_BCG - v_h_C_CD;
-    const Scalar t04 = BG_x + slide_G_x + GF_x;
-    const Scalar t05 = t04 * omega_G_BCG;
-    const Scalar t06 = v_h_G_BCG - v_h_G_GF;
-    const Scalar t07 = cos_GF * t06 + sin_GF * v_s_G;
-    const Scalar t08 = BG_y + slide_G_y + GF_y;
-    const Scalar t09 = omega_G_BCG * t08;
-    const Scalar t10 = sin_GF * t06 - cos_GF * v_s_G;
-    rhs(0) = omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG + Scalar(2) * q.theta_BCG.cos * t03
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
+    const Scalar t01 = v_h_C_BCG - v_h_C_CD;
+    const Scalar t02 = BG_x + slide_G_x + GF_x;
+    const Scalar t03 = t02 * omega_G_BCG;
+    const Scalar t04 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t05 = cos_GF * t04 + sin_GF * v_s_G;
+    const Scalar t06 = BG_y + slide_G_y + GF_y;
+    const Scalar t07 = t06 * omega_G_BCG;
+    const Scalar t08 = sin_GF * t04 - cos_GF * v_s_G;
+    rhs(0) = omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG + Scalar(2) * q.theta_BCG.cos * t01
         + Scalar(2) * q.theta_BCG.sin * v_s_C) - omega_EDF * (Scalar(2) * q.theta_EDF.sin * v_ED
-        + omega_EDF * ED_x);
-    rhs(1) = omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y) + Scalar(2) * q.theta_BCG.sin * t03
+        + ED_x * omega_EDF);
+    rhs(1) = omega_BCG * ((BC_y + slide_C_y + CD_y) * omega_BCG + Scalar(2) * q.theta_BCG.sin * t01
         - Scalar(2) * q.theta_BCG.cos * v_s_C) + omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_ED
-        - omega_EDF * ED_y);
-    rhs(2) = omega_BCG * (omega_BCG * t04 + Scalar(2) * t05 + Scalar(2) * t07) + omega_G_BCG * (t05
-        + Scalar(2) * t07) - omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_y_F_EDF
-        + Scalar(2) * q.theta_EDF.sin * v_x_F_EDF + omega_EDF * EF_x);
+        - ED_y * omega_EDF);
+    rhs(2) = omega_BCG * (t02 * omega_BCG + Scalar(2) * t03 + Scalar(2) * t05) + omega_G_BCG * (t03
+        + Scalar(2) * t05) - omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_y_F_EDF
+        + Scalar(2) * q.theta_EDF.sin * v_x_F_EDF + EF_x * omega_EDF);
     rhs(3) = omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_x_F_EDF
-        - Scalar(2) * q.theta_EDF.sin * v_y_F_EDF - omega_EDF * EF_y) + omega_BCG * (omega_BCG * t08
-        + Scalar(2) * t09 + Scalar(2) * t10) + omega_G_BCG * (t09 + Scalar(2) * t10);
+        - Scalar(2) * q.theta_EDF.sin * v_y_F_EDF - EF_y * omega_EDF) + omega_BCG * (t06 * omega_BCG
+        + Scalar(2) * t07 + Scalar(2) * t08) + omega_G_BCG * (t07 + Scalar(2) * t08);
   }
 
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
     poses[0].x = u.x_B;
     poses[0].y = u.y_B;
     poses[0].direction.cos = q.theta_BCG.cos;
@@ -545,24 +531,22 @@ struct Model05 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = BG_y + slide_G_y + GF_y;
-    const Scalar t04 = BG_x + slide_G_x + GF_x;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = BG_y + slide_G_y + GF_y;
+    const Scalar t02 = BG_x + slide_G_x + GF_x;
     P_q(2, 0) = Scalar(1);
     P_q(5, 1) = Scalar(1);
     P_q(6, 0) = -BC_y - slide_C_y - CD_y;
@@ -570,19 +554,19 @@ struct Model05 {
     P_q(7, 0) = BC_x + slide_C_x + CD_x;
     P_q(7, 2) = q.theta_BCG.sin;
     P_q(8, 0) = Scalar(1);
-    P_q(9, 0) = -t03;
+    P_q(9, 0) = -t01;
     P_q(9, 3) = cos_GF;
-    P_q(10, 0) = t04;
+    P_q(10, 0) = t02;
     P_q(10, 3) = sin_GF;
     P_q(11, 0) = Scalar(1);
     P_d(6, 0) = -q.theta_BCG.sin;
     P_d(6, 6) = q.theta_BCG.sin;
     P_d(7, 0) = q.theta_BCG.cos;
     P_d(7, 6) = -q.theta_BCG.cos;
-    P_d(9, 1) = -t03;
+    P_d(9, 1) = -t01;
     P_d(9, 2) = -sin_GF;
     P_d(9, 7) = sin_GF;
-    P_d(10, 1) = t04;
+    P_d(10, 1) = t02;
     P_d(10, 2) = cos_GF;
     P_d(10, 7) = -cos_GF;
     P_d(11, 1) = Scalar(1);
@@ -609,33 +593,31 @@ struct Model05 {
     const Scalar v_y_B = u_rate(1);
     const Scalar v_x_E = u_rate(2);
     const Scalar v_y_E = u_rate(3);
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
     v(0, 0) = v_x_B;
     v(0, 1) = v_y_B;
     v(0, 2) = omega_BCG;
     v(1, 0) = v_x_E;
     v(1, 1) = v_y_E;
     v(1, 2) = omega_EDF;
-    v(2, 0) = v_x_B + q.theta_BCG.cos * v_s_C - omega_BCG * (BC_y + slide_C_y + CD_y);
-    v(2, 1) = v_y_B + omega_BCG * (BC_x + slide_C_x + CD_x) + q.theta_BCG.sin * v_s_C;
+    v(2, 0) = v_x_B + q.theta_BCG.cos * v_s_C - (BC_y + slide_C_y + CD_y) * omega_BCG;
+    v(2, 1) = v_y_B + (BC_x + slide_C_x + CD_x) * omega_BCG + q.theta_BCG.sin * v_s_C;
     v(2, 2) = omega_BCG;
-    v(3, 0) = v_x_B + cos_GF * v_s_G - omega_BCG * (BG_y + slide_G_y + GF_y);
-    v(3, 1) = v_y_B + omega_BCG * (BG_x + slide_G_x + GF_x) + sin_GF * v_s_G;
+    v(3, 0) = v_x_B + cos_GF * v_s_G - (BG_y + slide_G_y + GF_y) * omega_BCG;
+    v(3, 1) = v_y_B + (BG_x + slide_G_x + GF_x) * omega_BCG + sin_GF * v_s_G;
     v(3, 2) = omega_BCG;
   }
 
@@ -656,40 +638,38 @@ struct Model05 {
     const Scalar a_y_B = u_second_rate(1);
     const Scalar a_x_E = u_second_rate(2);
     const Scalar a_y_E = u_second_rate(3);
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = BC_x + slide_C_x + CD_x;
-    const Scalar t04 = BC_y + slide_C_y + CD_y;
-    const Scalar t05 = BG_x + slide_G_x + GF_x;
-    const Scalar t06 = BG_y + slide_G_y + GF_y;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = BC_x + slide_C_x + CD_x;
+    const Scalar t02 = BC_y + slide_C_y + CD_y;
+    const Scalar t03 = BG_x + slide_G_x + GF_x;
+    const Scalar t04 = BG_y + slide_G_y + GF_y;
     a(0, 0) = a_x_B;
     a(0, 1) = a_y_B;
     a(0, 2) = alpha_BCG;
     a(1, 0) = a_x_E;
     a(1, 1) = a_y_E;
     a(1, 2) = alpha_EDF;
-    a(2, 0) = a_x_B + q.theta_BCG.cos * a_s_C - omega_BCG * (t03 * omega_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_s_C) - alpha_BCG * t04;
-    a(2, 1) = a_y_B + alpha_BCG * t03 + q.theta_BCG.sin * a_s_C - omega_BCG * (omega_BCG * t04
+    a(2, 0) = a_x_B + q.theta_BCG.cos * a_s_C - omega_BCG * (t01 * omega_BCG
+        + Scalar(2) * q.theta_BCG.sin * v_s_C) - t02 * alpha_BCG;
+    a(2, 1) = a_y_B + t01 * alpha_BCG + q.theta_BCG.sin * a_s_C - omega_BCG * (t02 * omega_BCG
         - Scalar(2) * q.theta_BCG.cos * v_s_C);
     a(2, 2) = alpha_BCG;
-    a(3, 0) = a_x_B + cos_GF * a_s_G - omega_BCG * (omega_BCG * t05 + Scalar(2) * sin_GF * v_s_G)
-        - alpha_BCG * t06;
-    a(3, 1) = a_y_B + alpha_BCG * t05 + sin_GF * a_s_G - omega_BCG * (omega_BCG * t06
+    a(3, 0) = a_x_B + cos_GF * a_s_G - omega_BCG * (t03 * omega_BCG + Scalar(2) * sin_GF * v_s_G)
+        - t04 * alpha_BCG;
+    a(3, 1) = a_y_B + t03 * alpha_BCG + sin_GF * a_s_G - omega_BCG * (t04 * omega_BCG
         - Scalar(2) * cos_GF * v_s_G);
     a(3, 2) = alpha_BCG;
   }
@@ -710,38 +690,36 @@ struct Model05 {
     const Scalar v_h_C_CD = d_rate(6);
     const Scalar v_h_G_GF = d_rate(7);
     p.setZero();
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = v_h_C_BCG - v_h_C_CD;
-    const Scalar t04 = BG_x + slide_G_x + GF_x;
-    const Scalar t05 = t04 * omega_G_BCG;
-    const Scalar t06 = v_h_G_BCG - v_h_G_GF;
-    const Scalar t07 = cos_GF * t06 + sin_GF * v_s_G;
-    const Scalar t08 = BG_y + slide_G_y + GF_y;
-    const Scalar t09 = omega_G_BCG * t08;
-    const Scalar t10 = sin_GF * t06 - cos_GF * v_s_G;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = v_h_C_BCG - v_h_C_CD;
+    const Scalar t02 = BG_x + slide_G_x + GF_x;
+    const Scalar t03 = t02 * omega_G_BCG;
+    const Scalar t04 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t05 = cos_GF * t04 + sin_GF * v_s_G;
+    const Scalar t06 = BG_y + slide_G_y + GF_y;
+    const Scalar t07 = t06 * omega_G_BCG;
+    const Scalar t08 = sin_GF * t04 - cos_GF * v_s_G;
     p(2, 0) = -omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG
-        + Scalar(2) * q.theta_BCG.cos * t03 + Scalar(2) * q.theta_BCG.sin * v_s_C);
-    p(2, 1) = -omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y)
-        + Scalar(2) * q.theta_BCG.sin * t03 - Scalar(2) * q.theta_BCG.cos * v_s_C);
-    p(3, 0) = -omega_BCG * (omega_BCG * t04 + Scalar(2) * t05 + Scalar(2) * t07)
-        - omega_G_BCG * (t05 + Scalar(2) * t07);
-    p(3, 1) = -omega_BCG * (omega_BCG * t08 + Scalar(2) * t09 + Scalar(2) * t10)
-        - omega_G_BCG * (t09 + Scalar(2) * t10);
+        + Scalar(2) * q.theta_BCG.cos * t01 + Scalar(2) * q.theta_BCG.sin * v_s_C);
+    p(2, 1) = -omega_BCG * ((BC_y + slide_C_y + CD_y) * omega_BCG
+        + Scalar(2) * q.theta_BCG.sin * t01 - Scalar(2) * q.theta_BCG.cos * v_s_C);
+    p(3, 0) = -omega_BCG * (t02 * omega_BCG + Scalar(2) * t03 + Scalar(2) * t05)
+        - omega_G_BCG * (t03 + Scalar(2) * t05);
+    p(3, 1) = -omega_BCG * (t06 * omega_BCG + Scalar(2) * t07 + Scalar(2) * t08)
+        - omega_G_BCG * (t07 + Scalar(2) * t08);
   }
 
   /// The lines n . S = c on which the unknowns move a special point in parallel,
@@ -751,35 +729,33 @@ struct Model05 {
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
     lines.setZero();
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     lines(0, 0) = -q.theta_BCG.cos;
     lines(0, 1) = -q.theta_BCG.sin;
-    lines(0, 2) = q.theta_BCG.cos * (BC_x + slide_C_x + CD_x) + q.theta_BCG.sin * (BC_y + slide_C_y
-        + CD_y);
+    lines(0, 2) = (BC_x + slide_C_x + CD_x) * q.theta_BCG.cos + (BC_y + slide_C_y
+        + CD_y) * q.theta_BCG.sin;
     lines(1, 0) = ED_y;
     lines(1, 1) = -ED_x;
     lines(2, 0) = -cos_GF;
     lines(2, 1) = -sin_GF;
-    lines(2, 2) = cos_GF * (BG_x + slide_G_x + GF_x) + sin_GF * (BG_y + slide_G_y + GF_y);
+    lines(2, 2) = (BG_x + slide_G_x + GF_x) * cos_GF + (BG_y + slide_G_y + GF_y) * sin_GF;
     lines(3, 0) = EF_y;
     lines(3, 1) = -EF_x;
   }
@@ -804,34 +780,32 @@ struct Model05 {
     const Scalar n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     L(0, 0) = (BC_x + slide_C_x + CD_x + S_CD_x) * n_CD_BCG_y - (BC_y + slide_C_y + CD_y
         + S_CD_y) * n_CD_BCG_x;
-    L(0, 2) = q.theta_BCG.cos * n_CD_BCG_x + q.theta_BCG.sin * n_CD_BCG_y;
+    L(0, 2) = n_CD_BCG_x * q.theta_BCG.cos + n_CD_BCG_y * q.theta_BCG.sin;
     L(1, 0) = S_CD_x * n_CD_EDF_y - S_CD_y * n_CD_EDF_x;
     L(1, 1) = n_CD_EDF_y * ED_x - n_CD_EDF_x * ED_y;
     L(2, 0) = (BG_x + slide_G_x + GF_x + S_GF_x) * n_GF_BCG_y - (BG_y + slide_G_y + GF_y
         + S_GF_y) * n_GF_BCG_x;
-    L(2, 3) = cos_GF * n_GF_BCG_x + sin_GF * n_GF_BCG_y;
+    L(2, 3) = n_GF_BCG_x * cos_GF + n_GF_BCG_y * sin_GF;
     L(3, 0) = S_GF_x * n_GF_EDF_y - S_GF_y * n_GF_EDF_x;
     L(3, 1) = n_GF_EDF_y * EF_x - n_GF_EDF_x * EF_y;
   }
@@ -875,40 +849,38 @@ struct Model05 {
     const Scalar S_CD_y = S(0, 1);
     const Scalar S_GF_x = S(1, 0);
     const Scalar S_GF_y = S(1, 1);
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar CD_x = q.theta_BCG.sin * d.h_C_CD;
-    const Scalar CD_y = -q.theta_BCG.cos * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
+    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t03 = omega_BCG * omega_BCG;
-    const Scalar t04 = omega_EDF * omega_EDF;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
+    const Scalar t01 = omega_BCG * omega_BCG;
+    const Scalar t02 = omega_EDF * omega_EDF;
     a(0, 0) = a_x_B - omega_BCG * ((BC_x + slide_C_x + CD_x + S_CD_x) * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C);
-    a(0, 1) = a_y_B - omega_BCG * (omega_BCG * (BC_y + slide_C_y + CD_y + S_CD_y)
+    a(0, 1) = a_y_B - omega_BCG * ((BC_y + slide_C_y + CD_y + S_CD_y) * omega_BCG
         - Scalar(2) * q.theta_BCG.cos * v_s_C);
-    a(1, 0) = a_x_E - S_CD_x * t03 - ED_x * t04;
-    a(1, 1) = a_y_E - S_CD_y * t03 - ED_y * t04;
-    a(2, 0) = a_x_B - omega_BCG * (omega_BCG * (BG_x + slide_G_x + GF_x + S_GF_x)
+    a(1, 0) = a_x_E - S_CD_x * t01 - ED_x * t02;
+    a(1, 1) = a_y_E - S_CD_y * t01 - ED_y * t02;
+    a(2, 0) = a_x_B - omega_BCG * ((BG_x + slide_G_x + GF_x + S_GF_x) * omega_BCG
         + Scalar(2) * sin_GF * v_s_G);
-    a(2, 1) = a_y_B - omega_BCG * (omega_BCG * (BG_y + slide_G_y + GF_y + S_GF_y)
+    a(2, 1) = a_y_B - omega_BCG * ((BG_y + slide_G_y + GF_y + S_GF_y) * omega_BCG
         - Scalar(2) * cos_GF * v_s_G);
-    a(3, 0) = a_x_E - S_GF_x * t03 - EF_x * t04;
-    a(3, 1) = a_y_E - S_GF_y * t03 - EF_y * t04;
+    a(3, 0) = a_x_E - S_GF_x * t01 - EF_x * t02;
+    a(3, 1) = a_y_E - S_GF_y * t01 - EF_y * t02;
   }
 
   /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
@@ -961,7 +933,7 @@ struct Model05 {
     const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
         - d.x_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
     const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
-        - cos_EDF_minus_psi_G_BCG_minus_BCG * d.y_F_EDF;
+        - d.y_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
     const Scalar determinant = q.s_C * EDF_along_slide_G - q.s_G * EDF_along_slide_C;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar BCG_per_across_slide_C = EDF_along_slide_G * inverse;
@@ -976,14 +948,14 @@ struct Model05 {
         + EDF_across_slide_G * EDF_per_across_slide_G;
     const Scalar s_C_per_across_slide_G = BCG_across_slide_C * BCG_per_across_slide_G
         + EDF_across_slide_C * EDF_per_across_slide_G;
-    J_inverse(0, 0) = -q.theta_BCG.sin * BCG_per_across_slide_C;
-    J_inverse(0, 1) = q.theta_BCG.cos * BCG_per_across_slide_C;
-    J_inverse(0, 2) = -sin_GF * BCG_per_across_slide_G;
-    J_inverse(0, 3) = cos_GF * BCG_per_across_slide_G;
-    J_inverse(1, 0) = -q.theta_BCG.sin * EDF_per_across_slide_C;
-    J_inverse(1, 1) = q.theta_BCG.cos * EDF_per_across_slide_C;
-    J_inverse(1, 2) = -sin_GF * EDF_per_across_slide_G;
-    J_inverse(1, 3) = cos_GF * EDF_per_across_slide_G;
+    J_inverse(0, 0) = -BCG_per_across_slide_C * q.theta_BCG.sin;
+    J_inverse(0, 1) = BCG_per_across_slide_C * q.theta_BCG.cos;
+    J_inverse(0, 2) = -BCG_per_across_slide_G * sin_GF;
+    J_inverse(0, 3) = BCG_per_across_slide_G * cos_GF;
+    J_inverse(1, 0) = -EDF_per_across_slide_C * q.theta_BCG.sin;
+    J_inverse(1, 1) = EDF_per_across_slide_C * q.theta_BCG.cos;
+    J_inverse(1, 2) = -EDF_per_across_slide_G * sin_GF;
+    J_inverse(1, 3) = EDF_per_across_slide_G * cos_GF;
     J_inverse(2, 0) = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C;
     J_inverse(2, 1) = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C;
     J_inverse(2, 2) = -sin_GF * s_C_per_across_slide_G;
@@ -1012,12 +984,11 @@ struct Model05 {
     const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
     const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
     const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
-    const Scalar t01 = d.h_G_BCG - d.h_G_GF;
-    const Scalar BCG_across_slide_G = t01;
+    const Scalar BCG_across_slide_G = d.h_G_BCG - d.h_G_GF;
     const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
         - d.x_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
     const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
-        - cos_EDF_minus_psi_G_BCG_minus_BCG * d.y_F_EDF;
+        - d.y_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
     const Scalar determinant = q.s_C * EDF_along_slide_G - q.s_G * EDF_along_slide_C;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar BCG_per_across_slide_C = EDF_along_slide_G * inverse;
@@ -1032,32 +1003,36 @@ struct Model05 {
         + EDF_across_slide_G * EDF_per_across_slide_G;
     const Scalar s_C_per_across_slide_G = BCG_across_slide_C * BCG_per_across_slide_G
         + EDF_across_slide_C * EDF_per_across_slide_G;
-    const Scalar t02 = q.theta_BCG.sin * BCG_per_across_slide_C + sin_GF * BCG_per_across_slide_G;
-    const Scalar t03 = q.theta_BCG.cos * BCG_per_across_slide_C + cos_GF * BCG_per_across_slide_G;
-    const Scalar t04 = q.theta_BCG.sin * EDF_per_across_slide_C + sin_GF * EDF_per_across_slide_G;
-    const Scalar t05 = q.theta_BCG.cos * EDF_per_across_slide_C + cos_GF * EDF_per_across_slide_G;
-    const Scalar t06 = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C
-        - sin_GF * s_C_per_across_slide_G;
-    const Scalar t07 = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C
-        + cos_GF * s_C_per_across_slide_G;
-    const Scalar t08 = cos_GF - q.theta_BCG.sin * s_G_per_across_slide_C
-        - sin_GF * s_G_per_across_slide_G;
-    const Scalar t09 = sin_GF + q.theta_BCG.cos * s_G_per_across_slide_C
-        + cos_GF * s_G_per_across_slide_G;
+    const Scalar BCG_per_x_B = BCG_per_across_slide_C * q.theta_BCG.sin
+        + BCG_per_across_slide_G * sin_GF;
+    const Scalar EDF_per_x_B = EDF_per_across_slide_C * q.theta_BCG.sin
+        + EDF_per_across_slide_G * sin_GF;
+    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C
+        + sin_GF * s_C_per_across_slide_G - q.theta_BCG.cos;
+    const Scalar s_G_per_x_B = q.theta_BCG.sin * s_G_per_across_slide_C
+        + sin_GF * s_G_per_across_slide_G - cos_GF;
+    const Scalar BCG_per_y_B = -BCG_per_across_slide_C * q.theta_BCG.cos
+        - BCG_per_across_slide_G * cos_GF;
+    const Scalar EDF_per_y_B = -EDF_per_across_slide_C * q.theta_BCG.cos
+        - EDF_per_across_slide_G * cos_GF;
+    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
+        - cos_GF * s_C_per_across_slide_G;
+    const Scalar s_G_per_y_B = -sin_GF - q.theta_BCG.cos * s_G_per_across_slide_C
+        - cos_GF * s_G_per_across_slide_G;
     S_d(0, 0) = -BCG_per_across_slide_C;
     S_d(0, 1) = -q.s_G * BCG_per_across_slide_G;
     S_d(0, 2) = -BCG_per_across_slide_G;
-    S_d(0, 3) = sin_EDF_minus_BCG * BCG_per_across_slide_C;
-    S_d(0, 4) = sin_EDF_minus_psi_G_BCG_minus_BCG * BCG_per_across_slide_G;
-    S_d(0, 5) = cos_EDF_minus_psi_G_BCG_minus_BCG * BCG_per_across_slide_G;
+    S_d(0, 3) = BCG_per_across_slide_C * sin_EDF_minus_BCG;
+    S_d(0, 4) = BCG_per_across_slide_G * sin_EDF_minus_psi_G_BCG_minus_BCG;
+    S_d(0, 5) = BCG_per_across_slide_G * cos_EDF_minus_psi_G_BCG_minus_BCG;
     S_d(0, 6) = BCG_per_across_slide_C;
     S_d(0, 7) = BCG_per_across_slide_G;
     S_d(1, 0) = -EDF_per_across_slide_C;
     S_d(1, 1) = -q.s_G * EDF_per_across_slide_G;
     S_d(1, 2) = -EDF_per_across_slide_G;
-    S_d(1, 3) = sin_EDF_minus_BCG * EDF_per_across_slide_C;
-    S_d(1, 4) = sin_EDF_minus_psi_G_BCG_minus_BCG * EDF_per_across_slide_G;
-    S_d(1, 5) = cos_EDF_minus_psi_G_BCG_minus_BCG * EDF_per_across_slide_G;
+    S_d(1, 3) = EDF_per_across_slide_C * sin_EDF_minus_BCG;
+    S_d(1, 4) = EDF_per_across_slide_G * sin_EDF_minus_psi_G_BCG_minus_BCG;
+    S_d(1, 5) = EDF_per_across_slide_G * cos_EDF_minus_psi_G_BCG_minus_BCG;
     S_d(1, 6) = EDF_per_across_slide_C;
     S_d(1, 7) = EDF_per_across_slide_G;
     S_d(2, 0) = -s_C_per_across_slide_C;
@@ -1069,7 +1044,7 @@ struct Model05 {
     S_d(2, 6) = s_C_per_across_slide_C;
     S_d(2, 7) = s_C_per_across_slide_G;
     S_d(3, 0) = -s_G_per_across_slide_C;
-    S_d(3, 1) = t01 - q.s_G * s_G_per_across_slide_G;
+    S_d(3, 1) = BCG_across_slide_G - q.s_G * s_G_per_across_slide_G;
     S_d(3, 2) = -s_G_per_across_slide_G;
     S_d(3, 3) = sin_EDF_minus_BCG * s_G_per_across_slide_C;
     S_d(3, 4) = cos_EDF_minus_psi_G_BCG_minus_BCG
@@ -1078,22 +1053,22 @@ struct Model05 {
         - sin_EDF_minus_psi_G_BCG_minus_BCG;
     S_d(3, 6) = s_G_per_across_slide_C;
     S_d(3, 7) = s_G_per_across_slide_G;
-    S_u(0, 0) = t02;
-    S_u(0, 1) = -t03;
-    S_u(0, 2) = -t02;
-    S_u(0, 3) = t03;
-    S_u(1, 0) = t04;
-    S_u(1, 1) = -t05;
-    S_u(1, 2) = -t04;
-    S_u(1, 3) = t05;
-    S_u(2, 0) = -t06;
-    S_u(2, 1) = -t07;
-    S_u(2, 2) = t06;
-    S_u(2, 3) = t07;
-    S_u(3, 0) = -t08;
-    S_u(3, 1) = -t09;
-    S_u(3, 2) = t08;
-    S_u(3, 3) = t09;
+    S_u(0, 0) = BCG_per_x_B;
+    S_u(0, 1) = BCG_per_y_B;
+    S_u(0, 2) = -BCG_per_x_B;
+    S_u(0, 3) = -BCG_per_y_B;
+    S_u(1, 0) = EDF_per_x_B;
+    S_u(1, 1) = EDF_per_y_B;
+    S_u(1, 2) = -EDF_per_x_B;
+    S_u(1, 3) = -EDF_per_y_B;
+    S_u(2, 0) = s_C_per_x_B;
+    S_u(2, 1) = s_C_per_y_B;
+    S_u(2, 2) = -s_C_per_x_B;
+    S_u(2, 3) = -s_C_per_y_B;
+    S_u(3, 0) = s_G_per_x_B;
+    S_u(3, 1) = s_G_per_y_B;
+    S_u(3, 2) = -s_G_per_x_B;
+    S_u(3, 3) = -s_G_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1122,7 +1097,7 @@ struct Model05 {
     const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
         - d.x_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
     const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
-        - cos_EDF_minus_psi_G_BCG_minus_BCG * d.y_F_EDF;
+        - d.y_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
     const Scalar determinant = q.s_C * EDF_along_slide_G - q.s_G * EDF_along_slide_C;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar t01 = v_x_B - v_x_E;
@@ -1131,13 +1106,13 @@ struct Model05 {
     const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
     const Scalar velocity_along_slide_G = -cos_GF * t01 - sin_GF * t02;
     const Scalar velocity_across_slide_G = sin_GF * t01 - cos_GF * t02;
-    const Scalar omega_BCG = -(EDF_along_slide_C * velocity_across_slide_G
-        - EDF_along_slide_G * velocity_across_slide_C) * inverse;
+    const Scalar omega_BCG = -inverse * (EDF_along_slide_C * velocity_across_slide_G
+        - EDF_along_slide_G * velocity_across_slide_C);
     const Scalar omega_EDF = inverse * (q.s_C * velocity_across_slide_G
         - q.s_G * velocity_across_slide_C);
-    const Scalar v_s_G = omega_BCG * BCG_across_slide_G + omega_EDF * EDF_across_slide_G
+    const Scalar v_s_G = BCG_across_slide_G * omega_BCG + EDF_across_slide_G * omega_EDF
         + velocity_along_slide_G;
-    const Scalar v_s_C = omega_BCG * BCG_across_slide_C + omega_EDF * EDF_across_slide_C
+    const Scalar v_s_C = BCG_across_slide_C * omega_BCG + EDF_across_slide_C * omega_EDF
         + velocity_along_slide_C;
     q_rate(0) = omega_BCG;
     q_rate(1) = omega_EDF;
@@ -1176,7 +1151,7 @@ struct Model05 {
     const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
         - d.x_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
     const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
-        - cos_EDF_minus_psi_G_BCG_minus_BCG * d.y_F_EDF;
+        - d.y_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
     const Scalar determinant = q.s_C * EDF_along_slide_G - q.s_G * EDF_along_slide_C;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar t01 = v_x_B - v_x_E;
@@ -1185,14 +1160,14 @@ struct Model05 {
     const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
     const Scalar velocity_along_slide_G = -cos_GF * t01 - sin_GF * t02;
     const Scalar velocity_across_slide_G = sin_GF * t01 - cos_GF * t02;
-    const Scalar omega_BCG = -(EDF_along_slide_C * velocity_across_slide_G
-        - EDF_along_slide_G * velocity_across_slide_C) * inverse;
+    const Scalar omega_BCG = -inverse * (EDF_along_slide_C * velocity_across_slide_G
+        - EDF_along_slide_G * velocity_across_slide_C);
     const Scalar omega_EDF = inverse * (q.s_C * velocity_across_slide_G
         - q.s_G * velocity_across_slide_C);
-    const Scalar t03 = omega_BCG * BCG_across_slide_G;
-    const Scalar v_s_G = t03 + omega_EDF * EDF_across_slide_G + velocity_along_slide_G;
-    const Scalar t04 = omega_BCG * BCG_across_slide_C;
-    const Scalar v_s_C = t04 + omega_EDF * EDF_across_slide_C + velocity_along_slide_C;
+    const Scalar t03 = BCG_across_slide_G * omega_BCG;
+    const Scalar v_s_G = t03 + EDF_across_slide_G * omega_EDF + velocity_along_slide_G;
+    const Scalar t04 = BCG_across_slide_C * omega_BCG;
+    const Scalar v_s_C = t04 + EDF_across_slide_C * omega_EDF + velocity_along_slide_C;
     const Scalar t05 = a_x_B - a_x_E;
     const Scalar t06 = a_y_B - a_y_E;
     const Scalar t07 = omega_EDF * omega_EDF;
@@ -1252,12 +1227,11 @@ struct Model05 {
     const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
     const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
     const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
-    const Scalar t01 = d.h_G_BCG - d.h_G_GF;
-    const Scalar BCG_across_slide_G = t01;
+    const Scalar BCG_across_slide_G = d.h_G_BCG - d.h_G_GF;
     const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
         - d.x_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
     const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
-        - cos_EDF_minus_psi_G_BCG_minus_BCG * d.y_F_EDF;
+        - d.y_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
     const Scalar determinant = q.s_C * EDF_along_slide_G - q.s_G * EDF_along_slide_C;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar BCG_per_across_slide_C = EDF_along_slide_G * inverse;
@@ -1272,56 +1246,52 @@ struct Model05 {
         + EDF_across_slide_G * EDF_per_across_slide_G;
     const Scalar s_C_per_across_slide_G = BCG_across_slide_C * BCG_per_across_slide_G
         + EDF_across_slide_C * EDF_per_across_slide_G;
-    const Scalar t02 = q.theta_BCG.sin * BCG_per_across_slide_C + sin_GF * BCG_per_across_slide_G;
-    const Scalar BCG_per_x_B = t02;
-    const Scalar t03 = q.theta_BCG.sin * EDF_per_across_slide_C + sin_GF * EDF_per_across_slide_G;
-    const Scalar EDF_per_x_B = t03;
-    const Scalar t04 = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C
-        - sin_GF * s_C_per_across_slide_G;
-    const Scalar s_C_per_x_B = -t04;
-    const Scalar t05 = cos_GF - q.theta_BCG.sin * s_G_per_across_slide_C
-        - sin_GF * s_G_per_across_slide_G;
-    const Scalar s_G_per_x_B = -t05;
-    const Scalar t06 = q.theta_BCG.cos * BCG_per_across_slide_C + cos_GF * BCG_per_across_slide_G;
-    const Scalar BCG_per_y_B = -t06;
-    const Scalar t07 = q.theta_BCG.cos * EDF_per_across_slide_C + cos_GF * EDF_per_across_slide_G;
-    const Scalar EDF_per_y_B = -t07;
-    const Scalar t08 = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C
-        + cos_GF * s_C_per_across_slide_G;
-    const Scalar s_C_per_y_B = -t08;
-    const Scalar t09 = sin_GF + q.theta_BCG.cos * s_G_per_across_slide_C
-        + cos_GF * s_G_per_across_slide_G;
-    const Scalar s_G_per_y_B = -t09;
-    const Scalar t10 = v_x_B - v_x_E;
-    const Scalar t11 = v_y_B - v_y_E;
-    const Scalar omega_BCG = t10 * BCG_per_x_B + t11 * BCG_per_y_B;
-    const Scalar omega_EDF = t10 * EDF_per_x_B + t11 * EDF_per_y_B;
-    const Scalar v_s_C = t10 * s_C_per_x_B + t11 * s_C_per_y_B;
-    const Scalar v_s_G = t10 * s_G_per_x_B + t11 * s_G_per_y_B;
-    const Scalar t12 = omega_EDF * omega_EDF;
-    const Scalar t13 = omega_BCG * omega_BCG;
-    const Scalar centripetal_along_slide_C = EDF_along_slide_C * t12 + q.s_C * t13;
+    const Scalar BCG_per_x_B = BCG_per_across_slide_C * q.theta_BCG.sin
+        + BCG_per_across_slide_G * sin_GF;
+    const Scalar EDF_per_x_B = EDF_per_across_slide_C * q.theta_BCG.sin
+        + EDF_per_across_slide_G * sin_GF;
+    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C
+        + sin_GF * s_C_per_across_slide_G - q.theta_BCG.cos;
+    const Scalar s_G_per_x_B = q.theta_BCG.sin * s_G_per_across_slide_C
+        + sin_GF * s_G_per_across_slide_G - cos_GF;
+    const Scalar BCG_per_y_B = -BCG_per_across_slide_C * q.theta_BCG.cos
+        - BCG_per_across_slide_G * cos_GF;
+    const Scalar EDF_per_y_B = -EDF_per_across_slide_C * q.theta_BCG.cos
+        - EDF_per_across_slide_G * cos_GF;
+    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
+        - cos_GF * s_C_per_across_slide_G;
+    const Scalar s_G_per_y_B = -sin_GF - q.theta_BCG.cos * s_G_per_across_slide_C
+        - cos_GF * s_G_per_across_slide_G;
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar omega_BCG = BCG_per_x_B * t01 + BCG_per_y_B * t02;
+    const Scalar omega_EDF = EDF_per_x_B * t01 + EDF_per_y_B * t02;
+    const Scalar v_s_C = s_C_per_x_B * t01 + s_C_per_y_B * t02;
+    const Scalar v_s_G = s_G_per_x_B * t01 + s_G_per_y_B * t02;
+    const Scalar t03 = omega_EDF * omega_EDF;
+    const Scalar t04 = omega_BCG * omega_BCG;
+    const Scalar centripetal_along_slide_C = EDF_along_slide_C * t03 + q.s_C * t04;
     const Scalar centripetal_across_slide_C = omega_BCG * (BCG_across_slide_C * omega_BCG
-        - Scalar(2) * v_s_C) + EDF_across_slide_C * t12;
-    const Scalar centripetal_along_slide_G = EDF_along_slide_G * t12 + q.s_G * t13;
+        - Scalar(2) * v_s_C) + EDF_across_slide_C * t03;
+    const Scalar centripetal_along_slide_G = EDF_along_slide_G * t03 + q.s_G * t04;
     const Scalar centripetal_across_slide_G = omega_BCG * (BCG_across_slide_G * omega_BCG
-        - Scalar(2) * v_s_G) + EDF_across_slide_G * t12;
-    const Scalar t14 = a_x_B - a_x_E;
-    const Scalar t15 = a_y_B - a_y_E;
+        - Scalar(2) * v_s_G) + EDF_across_slide_G * t03;
+    const Scalar t05 = a_x_B - a_x_E;
+    const Scalar t06 = a_y_B - a_y_E;
     S_d(0, 0) = -BCG_per_across_slide_C;
     S_d(0, 1) = -q.s_G * BCG_per_across_slide_G;
     S_d(0, 2) = -BCG_per_across_slide_G;
-    S_d(0, 3) = sin_EDF_minus_BCG * BCG_per_across_slide_C;
-    S_d(0, 4) = sin_EDF_minus_psi_G_BCG_minus_BCG * BCG_per_across_slide_G;
-    S_d(0, 5) = cos_EDF_minus_psi_G_BCG_minus_BCG * BCG_per_across_slide_G;
+    S_d(0, 3) = BCG_per_across_slide_C * sin_EDF_minus_BCG;
+    S_d(0, 4) = BCG_per_across_slide_G * sin_EDF_minus_psi_G_BCG_minus_BCG;
+    S_d(0, 5) = BCG_per_across_slide_G * cos_EDF_minus_psi_G_BCG_minus_BCG;
     S_d(0, 6) = BCG_per_across_slide_C;
     S_d(0, 7) = BCG_per_across_slide_G;
     S_d(1, 0) = -EDF_per_across_slide_C;
     S_d(1, 1) = -q.s_G * EDF_per_across_slide_G;
     S_d(1, 2) = -EDF_per_across_slide_G;
-    S_d(1, 3) = sin_EDF_minus_BCG * EDF_per_across_slide_C;
-    S_d(1, 4) = sin_EDF_minus_psi_G_BCG_minus_BCG * EDF_per_across_slide_G;
-    S_d(1, 5) = cos_EDF_minus_psi_G_BCG_minus_BCG * EDF_per_across_slide_G;
+    S_d(1, 3) = EDF_per_across_slide_C * sin_EDF_minus_BCG;
+    S_d(1, 4) = EDF_per_across_slide_G * sin_EDF_minus_psi_G_BCG_minus_BCG;
+    S_d(1, 5) = EDF_per_across_slide_G * cos_EDF_minus_psi_G_BCG_minus_BCG;
     S_d(1, 6) = EDF_per_across_slide_C;
     S_d(1, 7) = EDF_per_across_slide_G;
     S_d(2, 0) = -s_C_per_across_slide_C;
@@ -1333,7 +1303,7 @@ struct Model05 {
     S_d(2, 6) = s_C_per_across_slide_C;
     S_d(2, 7) = s_C_per_across_slide_G;
     S_d(3, 0) = -s_G_per_across_slide_C;
-    S_d(3, 1) = t01 - q.s_G * s_G_per_across_slide_G;
+    S_d(3, 1) = BCG_across_slide_G - q.s_G * s_G_per_across_slide_G;
     S_d(3, 2) = -s_G_per_across_slide_G;
     S_d(3, 3) = sin_EDF_minus_BCG * s_G_per_across_slide_C;
     S_d(3, 4) = cos_EDF_minus_psi_G_BCG_minus_BCG
@@ -1342,36 +1312,36 @@ struct Model05 {
         - sin_EDF_minus_psi_G_BCG_minus_BCG;
     S_d(3, 6) = s_G_per_across_slide_C;
     S_d(3, 7) = s_G_per_across_slide_G;
-    S_u(0, 0) = t02;
-    S_u(0, 1) = -t06;
-    S_u(0, 2) = -t02;
-    S_u(0, 3) = t06;
-    S_u(1, 0) = t03;
-    S_u(1, 1) = -t07;
-    S_u(1, 2) = -t03;
-    S_u(1, 3) = t07;
-    S_u(2, 0) = -t04;
-    S_u(2, 1) = -t08;
-    S_u(2, 2) = t04;
-    S_u(2, 3) = t08;
-    S_u(3, 0) = -t05;
-    S_u(3, 1) = -t09;
-    S_u(3, 2) = t05;
-    S_u(3, 3) = t09;
+    S_u(0, 0) = BCG_per_x_B;
+    S_u(0, 1) = BCG_per_y_B;
+    S_u(0, 2) = -BCG_per_x_B;
+    S_u(0, 3) = -BCG_per_y_B;
+    S_u(1, 0) = EDF_per_x_B;
+    S_u(1, 1) = EDF_per_y_B;
+    S_u(1, 2) = -EDF_per_x_B;
+    S_u(1, 3) = -EDF_per_y_B;
+    S_u(2, 0) = s_C_per_x_B;
+    S_u(2, 1) = s_C_per_y_B;
+    S_u(2, 2) = -s_C_per_x_B;
+    S_u(2, 3) = -s_C_per_y_B;
+    S_u(3, 0) = s_G_per_x_B;
+    S_u(3, 1) = s_G_per_y_B;
+    S_u(3, 2) = -s_G_per_x_B;
+    S_u(3, 3) = -s_G_per_y_B;
     q_rate(0) = omega_BCG;
     q_rate(1) = omega_EDF;
     q_rate(2) = v_s_C;
     q_rate(3) = v_s_G;
-    q_second_rate(0) = BCG_per_x_B * t14 + BCG_per_y_B * t15
+    q_second_rate(0) = BCG_per_x_B * t05 + BCG_per_y_B * t06
         + BCG_per_across_slide_C * centripetal_across_slide_C
         + BCG_per_across_slide_G * centripetal_across_slide_G;
-    q_second_rate(1) = EDF_per_x_B * t14 + EDF_per_y_B * t15
+    q_second_rate(1) = EDF_per_x_B * t05 + EDF_per_y_B * t06
         + EDF_per_across_slide_C * centripetal_across_slide_C
         + EDF_per_across_slide_G * centripetal_across_slide_G;
-    q_second_rate(2) = s_C_per_x_B * t14 + s_C_per_y_B * t15
+    q_second_rate(2) = s_C_per_x_B * t05 + s_C_per_y_B * t06
         + s_C_per_across_slide_C * centripetal_across_slide_C
         + s_C_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_C;
-    q_second_rate(3) = s_G_per_x_B * t14 + s_G_per_y_B * t15
+    q_second_rate(3) = s_G_per_x_B * t05 + s_G_per_y_B * t06
         + s_G_per_across_slide_C * centripetal_across_slide_C
         + s_G_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_G;
   }
@@ -1384,12 +1354,12 @@ struct Model05 {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
     const Scalar P1_m1_im = Scalar(2) * d.ED;
-    const Scalar P2_m1_re = -Scalar(2) * (d.psi_G_BCG.cos * d.y_F_EDF
-        - d.psi_G_BCG.sin * d.x_F_EDF);
-    const Scalar P2_m1_im = Scalar(2) * (d.psi_G_BCG.cos * d.x_F_EDF + d.y_F_EDF * d.psi_G_BCG.sin);
+    const Scalar P2_m1_re = -Scalar(2) * (d.y_F_EDF * d.psi_G_BCG.cos
+        - d.x_F_EDF * d.psi_G_BCG.sin);
+    const Scalar P2_m1_im = Scalar(2) * (d.x_F_EDF * d.psi_G_BCG.cos + d.y_F_EDF * d.psi_G_BCG.sin);
     const Scalar C1_0_re = Scalar(2) * (d.h_C_BCG - d.h_C_CD);
-    const Scalar C2_m1_re = d.psi_G_BCG.cos * EB_y - d.psi_G_BCG.sin * EB_x;
-    const Scalar C2_m1_im = -d.psi_G_BCG.cos * EB_x - d.psi_G_BCG.sin * EB_y;
+    const Scalar C2_m1_re = EB_y * d.psi_G_BCG.cos - EB_x * d.psi_G_BCG.sin;
+    const Scalar C2_m1_im = -EB_x * d.psi_G_BCG.cos - EB_y * d.psi_G_BCG.sin;
     const Scalar C2_0_re = Scalar(2) * (d.h_G_BCG - d.h_G_GF);
     const Scalar t01 = EB_y * P2_m1_re;
     const Scalar t02 = EB_x * P2_m1_im + P1_m1_im * C2_m1_im;
@@ -1418,15 +1388,15 @@ struct Model05 {
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = d.psi_G_BCG.cos * d.y_F_EDF - d.psi_G_BCG.sin * d.x_F_EDF;
-    const Scalar t02 = d.psi_G_BCG.cos * d.x_F_EDF + d.y_F_EDF * d.psi_G_BCG.sin;
-    e(0, 0) = Scalar(2) * q.theta_BCG.sin * d.ED;
+    const Scalar t01 = d.y_F_EDF * d.psi_G_BCG.cos - d.x_F_EDF * d.psi_G_BCG.sin;
+    const Scalar t02 = d.x_F_EDF * d.psi_G_BCG.cos + d.y_F_EDF * d.psi_G_BCG.sin;
+    e(0, 0) = Scalar(2) * d.ED * q.theta_BCG.sin;
     e(0, 1) = -Scalar(2) * d.ED * q.theta_BCG.cos;
-    e(0, 2) = Scalar(2) * (q.theta_BCG.cos * EB_y + d.h_C_BCG - q.theta_BCG.sin * EB_x - d.h_C_CD);
-    e(1, 0) = -Scalar(2) * (q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02);
-    e(1, 1) = -Scalar(2) * (q.theta_BCG.cos * t02 + q.theta_BCG.sin * t01);
-    e(1, 2) = Scalar(2) * (q.theta_BCG.cos * (EB_y * d.psi_G_BCG.cos - EB_x * d.psi_G_BCG.sin)
-        + d.h_G_BCG - q.theta_BCG.sin * (EB_x * d.psi_G_BCG.cos + EB_y * d.psi_G_BCG.sin)
+    e(0, 2) = Scalar(2) * (EB_y * q.theta_BCG.cos + d.h_C_BCG - EB_x * q.theta_BCG.sin - d.h_C_CD);
+    e(1, 0) = -Scalar(2) * (t01 * q.theta_BCG.cos - t02 * q.theta_BCG.sin);
+    e(1, 1) = -Scalar(2) * (t02 * q.theta_BCG.cos + t01 * q.theta_BCG.sin);
+    e(1, 2) = Scalar(2) * ((EB_y * d.psi_G_BCG.cos - EB_x * d.psi_G_BCG.sin) * q.theta_BCG.cos
+        + d.h_G_BCG - (EB_x * d.psi_G_BCG.cos + EB_y * d.psi_G_BCG.sin) * q.theta_BCG.sin
         - d.h_G_GF);
   }
 
@@ -1437,12 +1407,12 @@ struct Model05 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = EB_x + q.theta_EDF.sin * d.y_F_EDF - q.theta_EDF.cos * d.x_F_EDF;
-    const Scalar t02 = EB_y - q.theta_EDF.cos * d.y_F_EDF - q.theta_EDF.sin * d.x_F_EDF;
-    q.s_C = (q.theta_EDF.cos * d.ED - EB_x) * q.theta_BCG.cos + (d.ED * q.theta_EDF.sin
+    const Scalar t01 = EB_x + d.y_F_EDF * q.theta_EDF.sin - d.x_F_EDF * q.theta_EDF.cos;
+    const Scalar t02 = EB_y - d.y_F_EDF * q.theta_EDF.cos - d.x_F_EDF * q.theta_EDF.sin;
+    q.s_C = (d.ED * q.theta_EDF.cos - EB_x) * q.theta_BCG.cos + (d.ED * q.theta_EDF.sin
         - EB_y) * q.theta_BCG.sin;
-    q.s_G = -q.theta_BCG.cos * (t01 * d.psi_G_BCG.cos + t02 * d.psi_G_BCG.sin)
-        - q.theta_BCG.sin * (d.psi_G_BCG.cos * t02 - t01 * d.psi_G_BCG.sin);
+    q.s_G = -(t01 * d.psi_G_BCG.cos + t02 * d.psi_G_BCG.sin) * q.theta_BCG.cos
+        - (t02 * d.psi_G_BCG.cos - t01 * d.psi_G_BCG.sin) * q.theta_BCG.sin;
   }
 };
 

@@ -50,7 +50,7 @@ namespace assur::tetrad {
 ///   velocity:                     33, 23, 1
 ///   motion:                       57, 41, 1
 ///   sensitivities_and_motion:     95, 55, 1
-///   position_polynomial:          12, 9, 0
+///   position_polynomial:          13, 9, 0
 ///   complete:                     15, 13, 1
 struct Model06 {
   static constexpr const char* group = "tetrad";
@@ -187,32 +187,30 @@ struct Model06 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
-    const Scalar t03 = u.x_B - u.x_E;
-    const Scalar t04 = u.y_B - u.y_E;
-    f(0) = BC_x + slide_C_x + t03 - ED_x - slide_D_x;
-    f(1) = BC_y + slide_C_y + t04 - ED_y - slide_D_y;
-    f(2) = BG_x + slide_G_x + GF_x + t03 - EF_x;
-    f(3) = BG_y + slide_G_y + GF_y + t04 - EF_y;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
+    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EB_y = u.y_B - u.y_E;
+    f(0) = BC_x + slide_C_x + EB_x - ED_x - slide_D_x;
+    f(1) = BC_y + slide_C_y + EB_y - ED_y - slide_D_y;
+    f(2) = BG_x + slide_G_x + GF_x + EB_x - EF_x;
+    f(3) = BG_y + slide_G_y + GF_y + EB_y - EF_y;
   }
 
   /// J = df/dq.
@@ -222,26 +220,24 @@ struct Model06 {
     J.setZero();
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
     J(0, 0) = ED_y + slide_D_y - BC_y - slide_C_y;
     J(0, 1) = q.theta_BCG.cos;
     J(0, 3) = -cos_EDF;
@@ -261,22 +257,20 @@ struct Model06 {
     F_d.setZero();
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar sin_GF = t02;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
     F_d(0, 0) = -q.theta_BCG.sin;
     F_d(0, 3) = sin_EDF;
     F_d(0, 6) = ED_y + slide_D_y;
@@ -346,36 +340,34 @@ struct Model06 {
     const Scalar a_y_E = u_second_rate(3);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
-    const Scalar t03 = a_x_B - a_x_E;
-    const Scalar t04 = a_y_B - a_y_E;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
+    const Scalar t01 = a_x_B - a_x_E;
+    const Scalar t02 = a_y_B - a_y_E;
     rhs(0) = omega_BCG * ((BC_x + slide_C_x - ED_x - slide_D_x) * omega_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_s_C - Scalar(2) * sin_EDF * v_s_D) - t03;
-    rhs(1) = omega_BCG * (omega_BCG * (BC_y + slide_C_y - ED_y - slide_D_y)
-        + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * q.theta_BCG.cos * v_s_C) - t04;
-    rhs(2) = omega_BCG * (omega_BCG * (BG_x + slide_G_x + GF_x - EF_x) + Scalar(2) * sin_GF * v_s_G)
-        - t03;
-    rhs(3) = omega_BCG * (omega_BCG * (BG_y + slide_G_y + GF_y - EF_y) - Scalar(2) * cos_GF * v_s_G)
-        - t04;
+        + Scalar(2) * q.theta_BCG.sin * v_s_C - Scalar(2) * sin_EDF * v_s_D) - t01;
+    rhs(1) = omega_BCG * ((BC_y + slide_C_y - ED_y - slide_D_y) * omega_BCG
+        + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * q.theta_BCG.cos * v_s_C) - t02;
+    rhs(2) = omega_BCG * ((BG_x + slide_G_x + GF_x - EF_x) * omega_BCG + Scalar(2) * sin_GF * v_s_G)
+        - t01;
+    rhs(3) = omega_BCG * ((BG_y + slide_G_y + GF_y - EF_y) * omega_BCG - Scalar(2) * cos_GF * v_s_G)
+        - t02;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -400,47 +392,45 @@ struct Model06 {
     const Scalar j_y_E = u_third_rate(3);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
-    const Scalar t03 = q.theta_BCG.sin * v_s_C - sin_EDF * v_s_D;
-    const Scalar t04 = j_x_B - j_x_E;
-    const Scalar t05 = BC_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t06 = BC_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t07 = q.theta_BCG.cos * v_s_C - cos_EDF * v_s_D;
-    const Scalar t08 = j_y_B - j_y_E;
-    const Scalar t09 = BG_y + slide_G_y + GF_y - EF_y;
-    const Scalar t10 = cos_GF * v_s_G;
-    const Scalar t11 = BG_x + slide_G_x + GF_x - EF_x;
-    const Scalar t12 = sin_GF * v_s_G;
-    rhs(0) = Scalar(3) * alpha_BCG * t03 + omega_BCG * (Scalar(3) * t05 * alpha_BCG
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
+    const Scalar t01 = q.theta_BCG.sin * v_s_C - sin_EDF * v_s_D;
+    const Scalar t02 = j_x_B - j_x_E;
+    const Scalar t03 = BC_x + slide_C_x - ED_x - slide_D_x;
+    const Scalar t04 = BC_y + slide_C_y - ED_y - slide_D_y;
+    const Scalar t05 = q.theta_BCG.cos * v_s_C - cos_EDF * v_s_D;
+    const Scalar t06 = j_y_B - j_y_E;
+    const Scalar t07 = BG_y + slide_G_y + GF_y - EF_y;
+    const Scalar t08 = cos_GF * v_s_G;
+    const Scalar t09 = BG_x + slide_G_x + GF_x - EF_x;
+    const Scalar t10 = sin_GF * v_s_G;
+    rhs(0) = Scalar(3) * alpha_BCG * t01 + omega_BCG * (Scalar(3) * t03 * alpha_BCG
         + Scalar(3) * q.theta_BCG.sin * a_s_C - Scalar(3) * sin_EDF * a_s_D
-        - omega_BCG * (t06 * omega_BCG - Scalar(3) * t07)) - t04;
-    rhs(1) = omega_BCG * (Scalar(3) * t06 * alpha_BCG + Scalar(3) * cos_EDF * a_s_D
-        + omega_BCG * (Scalar(3) * t03 + omega_BCG * t05) - Scalar(3) * q.theta_BCG.cos * a_s_C)
-        - Scalar(3) * t07 * alpha_BCG - t08;
-    rhs(2) = Scalar(3) * alpha_BCG * t12 - t04 - omega_BCG * (omega_BCG * (omega_BCG * t09
-        - Scalar(3) * t10) - Scalar(3) * alpha_BCG * t11 - Scalar(3) * sin_GF * a_s_G);
-    rhs(3) = omega_BCG * (omega_BCG * (omega_BCG * t11 + Scalar(3) * t12)
-        + Scalar(3) * alpha_BCG * t09 - Scalar(3) * cos_GF * a_s_G) - t08
-        - Scalar(3) * alpha_BCG * t10;
+        - omega_BCG * (t04 * omega_BCG - Scalar(3) * t05)) - t02;
+    rhs(1) = omega_BCG * (Scalar(3) * t04 * alpha_BCG + Scalar(3) * cos_EDF * a_s_D
+        + omega_BCG * (Scalar(3) * t01 + t03 * omega_BCG) - Scalar(3) * q.theta_BCG.cos * a_s_C)
+        - Scalar(3) * t05 * alpha_BCG - t06;
+    rhs(2) = Scalar(3) * alpha_BCG * t10 - t02 - omega_BCG * (omega_BCG * (t07 * omega_BCG
+        - Scalar(3) * t08) - Scalar(3) * t09 * alpha_BCG - Scalar(3) * sin_GF * a_s_G);
+    rhs(3) = omega_BCG * (omega_BCG * (t09 * omega_BCG + Scalar(3) * t10)
+        + Scalar(3) * t07 * alpha_BCG - Scalar(3) * cos_GF * a_s_G) - t06
+        - Scalar(3) * alpha_BCG * t08;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -464,55 +454,53 @@ struct Model06 {
     const Scalar v_h_G_GF = d_rate(7);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
-    const Scalar t03 = ED_x + slide_D_x;
-    const Scalar t04 = t03 * omega_D_CD;
-    const Scalar t05 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
-    const Scalar t06 = ED_y + slide_D_y;
-    const Scalar t07 = omega_D_CD * t06;
-    const Scalar t08 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
-    const Scalar t09 = v_h_G_BCG - v_h_G_GF;
-    const Scalar t10 = cos_GF * t09 + sin_GF * v_s_G;
-    const Scalar t11 = GF_x + BG_x + slide_G_x;
-    const Scalar t12 = omega_G_BCG * t11;
-    const Scalar t13 = omega_D_CD * EF_x;
-    const Scalar t14 = sin_EDF * v_x_F_EDF + cos_EDF * v_y_F_EDF;
-    const Scalar t15 = sin_GF * t09 - cos_GF * v_s_G;
-    const Scalar t16 = GF_y + BG_y + slide_G_y;
-    const Scalar t17 = omega_G_BCG * t16;
-    const Scalar t18 = omega_D_CD * EF_y;
-    const Scalar t19 = cos_EDF * v_x_F_EDF - sin_EDF * v_y_F_EDF;
-    rhs(0) = -omega_D_CD * (t04 + Scalar(2) * t05) - omega_BCG * (Scalar(2) * t04 + Scalar(2) * t05
-        - Scalar(2) * q.theta_BCG.cos * v_h_C_BCG - Scalar(2) * q.theta_BCG.sin * v_s_C
-        - omega_BCG * (BC_x + slide_C_x - t03));
-    rhs(1) = -omega_D_CD * (t07 - Scalar(2) * t08) - omega_BCG * (Scalar(2) * t07
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
+    const Scalar t01 = ED_x + slide_D_x;
+    const Scalar t02 = t01 * omega_D_CD;
+    const Scalar t03 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
+    const Scalar t04 = ED_y + slide_D_y;
+    const Scalar t05 = t04 * omega_D_CD;
+    const Scalar t06 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
+    const Scalar t07 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t08 = cos_GF * t07 + sin_GF * v_s_G;
+    const Scalar t09 = GF_x + BG_x + slide_G_x;
+    const Scalar t10 = t09 * omega_G_BCG;
+    const Scalar t11 = EF_x * omega_D_CD;
+    const Scalar t12 = sin_EDF * v_x_F_EDF + cos_EDF * v_y_F_EDF;
+    const Scalar t13 = sin_GF * t07 - cos_GF * v_s_G;
+    const Scalar t14 = GF_y + BG_y + slide_G_y;
+    const Scalar t15 = t14 * omega_G_BCG;
+    const Scalar t16 = EF_y * omega_D_CD;
+    const Scalar t17 = cos_EDF * v_x_F_EDF - sin_EDF * v_y_F_EDF;
+    rhs(0) = -omega_D_CD * (t02 + Scalar(2) * t03) - omega_BCG * (Scalar(2) * t02 + Scalar(2) * t03
+        - Scalar(2) * q.theta_BCG.cos * v_h_C_BCG - Scalar(2) * q.theta_BCG.sin * v_s_C - (BC_x
+        + slide_C_x - t01) * omega_BCG);
+    rhs(1) = -omega_D_CD * (t05 - Scalar(2) * t06) - omega_BCG * (Scalar(2) * t05
         + Scalar(2) * q.theta_BCG.cos * v_s_C - Scalar(2) * q.theta_BCG.sin * v_h_C_BCG
-        - Scalar(2) * t08 - omega_BCG * (BC_y + slide_C_y - t06));
-    rhs(2) = omega_G_BCG * (Scalar(2) * t10 + t12) - omega_D_CD * (t13 + Scalar(2) * t14)
-        - omega_BCG * (Scalar(2) * t13 + omega_BCG * (EF_x - t11) + Scalar(2) * t14
-        - Scalar(2) * t10 - Scalar(2) * t12);
-    rhs(3) = omega_G_BCG * (Scalar(2) * t15 + t17) - omega_D_CD * (t18 - Scalar(2) * t19)
-        - omega_BCG * (Scalar(2) * t18 + omega_BCG * (EF_y - t16) - Scalar(2) * t15
-        - Scalar(2) * t17 - Scalar(2) * t19);
+        - Scalar(2) * t06 - (BC_y + slide_C_y - t04) * omega_BCG);
+    rhs(2) = omega_G_BCG * (Scalar(2) * t08 + t10) - omega_D_CD * (t11 + Scalar(2) * t12)
+        - omega_BCG * (Scalar(2) * t11 + (EF_x - t09) * omega_BCG + Scalar(2) * t12
+        - Scalar(2) * t08 - Scalar(2) * t10);
+    rhs(3) = omega_G_BCG * (Scalar(2) * t13 + t15) - omega_D_CD * (t16 - Scalar(2) * t17)
+        - omega_BCG * (Scalar(2) * t16 + (EF_y - t14) * omega_BCG - Scalar(2) * t13
+        - Scalar(2) * t15 - Scalar(2) * t17);
   }
 
   /// Frames of the links in the fixed frame.
@@ -521,20 +509,18 @@ struct Model06 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
     poses[0].x = u.x_B;
     poses[0].y = u.y_B;
     poses[0].direction.cos = q.theta_BCG.cos;
@@ -563,22 +549,20 @@ struct Model06 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = BG_y + slide_G_y + GF_y;
-    const Scalar t04 = BG_x + slide_G_x + GF_x;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = BG_y + slide_G_y + GF_y;
+    const Scalar t02 = BG_x + slide_G_x + GF_x;
     P_q(2, 0) = Scalar(1);
     P_q(5, 0) = Scalar(1);
     P_q(6, 0) = -BC_y - slide_C_y;
@@ -586,18 +570,18 @@ struct Model06 {
     P_q(7, 0) = BC_x + slide_C_x;
     P_q(7, 1) = q.theta_BCG.sin;
     P_q(8, 0) = Scalar(1);
-    P_q(9, 0) = -t03;
+    P_q(9, 0) = -t01;
     P_q(9, 2) = cos_GF;
-    P_q(10, 0) = t04;
+    P_q(10, 0) = t02;
     P_q(10, 2) = sin_GF;
     P_q(11, 0) = Scalar(1);
     P_d(5, 6) = Scalar(1);
     P_d(6, 0) = -q.theta_BCG.sin;
     P_d(7, 0) = q.theta_BCG.cos;
-    P_d(9, 1) = -t03;
+    P_d(9, 1) = -t01;
     P_d(9, 2) = -sin_GF;
     P_d(9, 7) = sin_GF;
-    P_d(10, 1) = t04;
+    P_d(10, 1) = t02;
     P_d(10, 2) = cos_GF;
     P_d(10, 7) = -cos_GF;
     P_d(11, 1) = Scalar(1);
@@ -623,31 +607,29 @@ struct Model06 {
     const Scalar v_y_B = u_rate(1);
     const Scalar v_x_E = u_rate(2);
     const Scalar v_y_E = u_rate(3);
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
     v(0, 0) = v_x_B;
     v(0, 1) = v_y_B;
     v(0, 2) = omega_BCG;
     v(1, 0) = v_x_E;
     v(1, 1) = v_y_E;
     v(1, 2) = omega_BCG;
-    v(2, 0) = v_x_B + q.theta_BCG.cos * v_s_C - omega_BCG * (BC_y + slide_C_y);
-    v(2, 1) = v_y_B + omega_BCG * (BC_x + slide_C_x) + q.theta_BCG.sin * v_s_C;
+    v(2, 0) = v_x_B + q.theta_BCG.cos * v_s_C - (BC_y + slide_C_y) * omega_BCG;
+    v(2, 1) = v_y_B + (BC_x + slide_C_x) * omega_BCG + q.theta_BCG.sin * v_s_C;
     v(2, 2) = omega_BCG;
-    v(3, 0) = v_x_B + cos_GF * v_s_G - omega_BCG * (BG_y + slide_G_y + GF_y);
-    v(3, 1) = v_y_B + omega_BCG * (BG_x + slide_G_x + GF_x) + sin_GF * v_s_G;
+    v(3, 0) = v_x_B + cos_GF * v_s_G - (BG_y + slide_G_y + GF_y) * omega_BCG;
+    v(3, 1) = v_y_B + (BG_x + slide_G_x + GF_x) * omega_BCG + sin_GF * v_s_G;
     v(3, 2) = omega_BCG;
   }
 
@@ -667,38 +649,36 @@ struct Model06 {
     const Scalar a_y_B = u_second_rate(1);
     const Scalar a_x_E = u_second_rate(2);
     const Scalar a_y_E = u_second_rate(3);
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = BC_x + slide_C_x;
-    const Scalar t04 = BC_y + slide_C_y;
-    const Scalar t05 = BG_x + slide_G_x + GF_x;
-    const Scalar t06 = BG_y + slide_G_y + GF_y;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = BC_x + slide_C_x;
+    const Scalar t02 = BC_y + slide_C_y;
+    const Scalar t03 = BG_x + slide_G_x + GF_x;
+    const Scalar t04 = BG_y + slide_G_y + GF_y;
     a(0, 0) = a_x_B;
     a(0, 1) = a_y_B;
     a(0, 2) = alpha_BCG;
     a(1, 0) = a_x_E;
     a(1, 1) = a_y_E;
     a(1, 2) = alpha_BCG;
-    a(2, 0) = a_x_B + q.theta_BCG.cos * a_s_C - omega_BCG * (t03 * omega_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_s_C) - alpha_BCG * t04;
-    a(2, 1) = a_y_B + alpha_BCG * t03 + q.theta_BCG.sin * a_s_C - omega_BCG * (omega_BCG * t04
+    a(2, 0) = a_x_B + q.theta_BCG.cos * a_s_C - omega_BCG * (t01 * omega_BCG
+        + Scalar(2) * q.theta_BCG.sin * v_s_C) - t02 * alpha_BCG;
+    a(2, 1) = a_y_B + t01 * alpha_BCG + q.theta_BCG.sin * a_s_C - omega_BCG * (t02 * omega_BCG
         - Scalar(2) * q.theta_BCG.cos * v_s_C);
     a(2, 2) = alpha_BCG;
-    a(3, 0) = a_x_B + cos_GF * a_s_G - omega_BCG * (omega_BCG * t05 + Scalar(2) * sin_GF * v_s_G)
-        - alpha_BCG * t06;
-    a(3, 1) = a_y_B + alpha_BCG * t05 + sin_GF * a_s_G - omega_BCG * (omega_BCG * t06
+    a(3, 0) = a_x_B + cos_GF * a_s_G - omega_BCG * (t03 * omega_BCG + Scalar(2) * sin_GF * v_s_G)
+        - t04 * alpha_BCG;
+    a(3, 1) = a_y_B + t03 * alpha_BCG + sin_GF * a_s_G - omega_BCG * (t04 * omega_BCG
         - Scalar(2) * cos_GF * v_s_G);
     a(3, 2) = alpha_BCG;
   }
@@ -718,35 +698,33 @@ struct Model06 {
     const Scalar v_h_G_BCG = d_rate(2);
     const Scalar v_h_G_GF = d_rate(7);
     p.setZero();
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = BG_x + slide_G_x + GF_x;
-    const Scalar t04 = t03 * omega_G_BCG;
-    const Scalar t05 = v_h_G_BCG - v_h_G_GF;
-    const Scalar t06 = cos_GF * t05 + sin_GF * v_s_G;
-    const Scalar t07 = BG_y + slide_G_y + GF_y;
-    const Scalar t08 = omega_G_BCG * t07;
-    const Scalar t09 = sin_GF * t05 - cos_GF * v_s_G;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = BG_x + slide_G_x + GF_x;
+    const Scalar t02 = t01 * omega_G_BCG;
+    const Scalar t03 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t04 = cos_GF * t03 + sin_GF * v_s_G;
+    const Scalar t05 = BG_y + slide_G_y + GF_y;
+    const Scalar t06 = t05 * omega_G_BCG;
+    const Scalar t07 = sin_GF * t03 - cos_GF * v_s_G;
     p(2, 0) = -omega_BCG * ((BC_x + slide_C_x) * omega_BCG + Scalar(2) * q.theta_BCG.cos * v_h_C_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C);
-    p(2, 1) = -omega_BCG * (omega_BCG * (BC_y + slide_C_y) + Scalar(2) * q.theta_BCG.sin * v_h_C_BCG
+    p(2, 1) = -omega_BCG * ((BC_y + slide_C_y) * omega_BCG + Scalar(2) * q.theta_BCG.sin * v_h_C_BCG
         - Scalar(2) * q.theta_BCG.cos * v_s_C);
-    p(3, 0) = -omega_BCG * (omega_BCG * t03 + Scalar(2) * t04 + Scalar(2) * t06)
-        - omega_G_BCG * (t04 + Scalar(2) * t06);
-    p(3, 1) = -omega_BCG * (omega_BCG * t07 + Scalar(2) * t08 + Scalar(2) * t09)
-        - omega_G_BCG * (t08 + Scalar(2) * t09);
+    p(3, 0) = -omega_BCG * (t01 * omega_BCG + Scalar(2) * t02 + Scalar(2) * t04)
+        - omega_G_BCG * (t02 + Scalar(2) * t04);
+    p(3, 1) = -omega_BCG * (t05 * omega_BCG + Scalar(2) * t06 + Scalar(2) * t07)
+        - omega_G_BCG * (t06 + Scalar(2) * t07);
   }
 
   /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
@@ -783,21 +761,21 @@ struct Model06 {
         + d.psi_G_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.sin
         - d.psi_G_BCG.sin * d.psi_D_CD.cos;
-    const Scalar BCG_along_slide_C = q.s_C + d.psi_D_CD.sin * d.h_D_EDF - d.psi_D_CD.cos * q.s_D;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - d.psi_D_CD.sin * q.s_D
-        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar BCG_along_slide_C = q.s_C + d.h_D_EDF * d.psi_D_CD.sin - q.s_D * d.psi_D_CD.cos;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - q.s_D * d.psi_D_CD.sin
+        - d.h_D_EDF * d.psi_D_CD.cos;
     const Scalar BCG_along_slide_G = q.s_G + d.y_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
         - d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
     const Scalar BCG_across_slide_G = d.h_G_BCG - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
-        - cos_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF - d.h_G_GF;
-    const Scalar pivot_product = -d.psi_D_CD.sin * BCG_along_slide_G;
+        - d.y_F_EDF * cos_psi_D_CD_minus_psi_G_BCG - d.h_G_GF;
+    const Scalar pivot_product = -BCG_along_slide_G * d.psi_D_CD.sin;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_along_slide_G = 0, or
                                                        //     sin(psi_D_CD) = 0
-    const Scalar inverse_BCG_along_slide_G = -d.psi_D_CD.sin * inverse;
+    const Scalar inverse_BCG_along_slide_G = -inverse * d.psi_D_CD.sin;
     const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
     const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_D_per_across_slide_G = -inverse_sin_psi_D_CD * BCG_along_slide_C *
-        inverse_BCG_along_slide_G;
+    const Scalar s_D_per_across_slide_G = -BCG_along_slide_C * inverse_BCG_along_slide_G *
+        inverse_sin_psi_D_CD;
     const Scalar s_G_per_across_slide_G = inverse_BCG_along_slide_G * BCG_across_slide_G;
     const Scalar s_C_per_across_slide_G = d.psi_D_CD.cos * s_D_per_across_slide_G
         + inverse_BCG_along_slide_G * BCG_across_slide_C;
@@ -827,88 +805,89 @@ struct Model06 {
         + d.psi_G_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.sin
         - d.psi_G_BCG.sin * d.psi_D_CD.cos;
-    const Scalar t01 = d.psi_D_CD.cos * q.s_D - d.psi_D_CD.sin * d.h_D_EDF;
+    const Scalar t01 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
     const Scalar BCG_along_slide_C = q.s_C - t01;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - d.psi_D_CD.sin * q.s_D
-        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - q.s_D * d.psi_D_CD.sin
+        - d.h_D_EDF * d.psi_D_CD.cos;
     const Scalar t02 = d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG
         - d.y_F_EDF * sin_psi_D_CD_minus_psi_G_BCG;
     const Scalar BCG_along_slide_G = q.s_G - t02;
     const Scalar t03 = d.h_G_BCG - d.h_G_GF;
     const Scalar BCG_across_slide_G = t03 - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
-        - cos_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF;
-    const Scalar pivot_product = -d.psi_D_CD.sin * BCG_along_slide_G;
+        - d.y_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
+    const Scalar pivot_product = -BCG_along_slide_G * d.psi_D_CD.sin;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_along_slide_G = 0, or
                                                        //     sin(psi_D_CD) = 0
-    const Scalar inverse_BCG_along_slide_G = -d.psi_D_CD.sin * inverse;
+    const Scalar inverse_BCG_along_slide_G = -inverse * d.psi_D_CD.sin;
     const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
-    const Scalar t04 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_C_per_across_slide_C = t04;
-    const Scalar s_D_per_across_slide_G = -inverse_sin_psi_D_CD * BCG_along_slide_C *
-        inverse_BCG_along_slide_G;
+    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_D_per_across_slide_G = -BCG_along_slide_C * inverse_BCG_along_slide_G *
+        inverse_sin_psi_D_CD;
     const Scalar s_G_per_across_slide_G = inverse_BCG_along_slide_G * BCG_across_slide_G;
     const Scalar s_C_per_across_slide_G = d.psi_D_CD.cos * s_D_per_across_slide_G
         + inverse_BCG_along_slide_G * BCG_across_slide_C;
-    const Scalar t05 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t06 = cos_psi_D_CD_minus_psi_G_BCG
+    const Scalar BCG_per_x_B = inverse_BCG_along_slide_G * sin_GF;
+    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C
+        + s_C_per_across_slide_G * sin_GF - q.theta_BCG.cos;
+    const Scalar s_G_per_x_B = s_G_per_across_slide_G * sin_GF - cos_GF;
+    const Scalar s_D_per_x_B = q.theta_BCG.sin * inverse_sin_psi_D_CD
+        + s_D_per_across_slide_G * sin_GF;
+    const Scalar BCG_per_y_B = -inverse_BCG_along_slide_G * cos_GF;
+    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
+        - s_C_per_across_slide_G * cos_GF;
+    const Scalar s_G_per_y_B = -sin_GF - s_G_per_across_slide_G * cos_GF;
+    const Scalar s_D_per_y_B = -q.theta_BCG.cos * inverse_sin_psi_D_CD
+        - s_D_per_across_slide_G * cos_GF;
+    const Scalar t04 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t05 = cos_psi_D_CD_minus_psi_G_BCG
         + sin_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
-    const Scalar t07 = sin_psi_D_CD_minus_psi_G_BCG
+    const Scalar t06 = sin_psi_D_CD_minus_psi_G_BCG
         - cos_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
-    const Scalar t08 = inverse_BCG_along_slide_G * sin_GF;
-    const Scalar t09 = inverse_BCG_along_slide_G * cos_GF;
-    const Scalar t10 = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C
-        - s_C_per_across_slide_G * sin_GF;
-    const Scalar t11 = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C
-        + s_C_per_across_slide_G * cos_GF;
-    const Scalar t12 = cos_GF - s_G_per_across_slide_G * sin_GF;
-    const Scalar t13 = sin_GF + s_G_per_across_slide_G * cos_GF;
-    const Scalar t14 = q.theta_BCG.sin * inverse_sin_psi_D_CD + s_D_per_across_slide_G * sin_GF;
-    const Scalar t15 = q.theta_BCG.cos * inverse_sin_psi_D_CD + s_D_per_across_slide_G * cos_GF;
     S_d(0, 1) = -q.s_G * inverse_BCG_along_slide_G;
     S_d(0, 2) = -inverse_BCG_along_slide_G;
-    S_d(0, 4) = sin_psi_D_CD_minus_psi_G_BCG * inverse_BCG_along_slide_G;
-    S_d(0, 5) = cos_psi_D_CD_minus_psi_G_BCG * inverse_BCG_along_slide_G;
+    S_d(0, 4) = inverse_BCG_along_slide_G * sin_psi_D_CD_minus_psi_G_BCG;
+    S_d(0, 5) = inverse_BCG_along_slide_G * cos_psi_D_CD_minus_psi_G_BCG;
     S_d(0, 6) = inverse_BCG_along_slide_G * t02;
     S_d(0, 7) = inverse_BCG_along_slide_G;
     S_d(1, 0) = -s_C_per_across_slide_C;
     S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
     S_d(1, 2) = -s_C_per_across_slide_G;
-    S_d(1, 3) = -t05;
+    S_d(1, 3) = -t04;
     S_d(1, 4) = sin_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
     S_d(1, 5) = cos_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(1, 6) = t02 * s_C_per_across_slide_G - q.s_D * t05 - d.h_D_EDF * (d.psi_D_CD.cos
+    S_d(1, 6) = t02 * s_C_per_across_slide_G - q.s_D * t04 - d.h_D_EDF * (d.psi_D_CD.cos
         + d.psi_D_CD.sin * s_C_per_across_slide_C);
     S_d(1, 7) = s_C_per_across_slide_G;
     S_d(2, 1) = t03 - q.s_G * s_G_per_across_slide_G;
     S_d(2, 2) = -s_G_per_across_slide_G;
-    S_d(2, 4) = t06;
-    S_d(2, 5) = -t07;
-    S_d(2, 6) = -d.x_F_EDF * t07 - d.y_F_EDF * t06;
+    S_d(2, 4) = t05;
+    S_d(2, 5) = -t06;
+    S_d(2, 6) = -d.x_F_EDF * t06 - d.y_F_EDF * t05;
     S_d(2, 7) = s_G_per_across_slide_G;
     S_d(3, 0) = -inverse_sin_psi_D_CD;
     S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
     S_d(3, 2) = -s_D_per_across_slide_G;
-    S_d(3, 3) = t04;
+    S_d(3, 3) = s_C_per_across_slide_C;
     S_d(3, 4) = sin_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
     S_d(3, 5) = cos_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
-    S_d(3, 6) = inverse_sin_psi_D_CD * t01 + s_D_per_across_slide_G * t02;
+    S_d(3, 6) = t01 * inverse_sin_psi_D_CD + t02 * s_D_per_across_slide_G;
     S_d(3, 7) = s_D_per_across_slide_G;
-    S_u(0, 0) = t08;
-    S_u(0, 1) = -t09;
-    S_u(0, 2) = -t08;
-    S_u(0, 3) = t09;
-    S_u(1, 0) = -t10;
-    S_u(1, 1) = -t11;
-    S_u(1, 2) = t10;
-    S_u(1, 3) = t11;
-    S_u(2, 0) = -t12;
-    S_u(2, 1) = -t13;
-    S_u(2, 2) = t12;
-    S_u(2, 3) = t13;
-    S_u(3, 0) = t14;
-    S_u(3, 1) = -t15;
-    S_u(3, 2) = -t14;
-    S_u(3, 3) = t15;
+    S_u(0, 0) = BCG_per_x_B;
+    S_u(0, 1) = BCG_per_y_B;
+    S_u(0, 2) = -BCG_per_x_B;
+    S_u(0, 3) = -BCG_per_y_B;
+    S_u(1, 0) = s_C_per_x_B;
+    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 2) = -s_C_per_x_B;
+    S_u(1, 3) = -s_C_per_y_B;
+    S_u(2, 0) = s_G_per_x_B;
+    S_u(2, 1) = s_G_per_y_B;
+    S_u(2, 2) = -s_G_per_x_B;
+    S_u(2, 3) = -s_G_per_y_B;
+    S_u(3, 0) = s_D_per_x_B;
+    S_u(3, 1) = s_D_per_y_B;
+    S_u(3, 2) = -s_D_per_x_B;
+    S_u(3, 3) = -s_D_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -926,29 +905,29 @@ struct Model06 {
         + d.psi_G_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.sin
         - d.psi_G_BCG.sin * d.psi_D_CD.cos;
-    const Scalar BCG_along_slide_C = q.s_C + d.psi_D_CD.sin * d.h_D_EDF - d.psi_D_CD.cos * q.s_D;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - d.psi_D_CD.sin * q.s_D
-        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar BCG_along_slide_C = q.s_C + d.h_D_EDF * d.psi_D_CD.sin - q.s_D * d.psi_D_CD.cos;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - q.s_D * d.psi_D_CD.sin
+        - d.h_D_EDF * d.psi_D_CD.cos;
     const Scalar BCG_along_slide_G = q.s_G + d.y_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
         - d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
     const Scalar BCG_across_slide_G = d.h_G_BCG - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
-        - cos_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF - d.h_G_GF;
-    const Scalar pivot_product = -d.psi_D_CD.sin * BCG_along_slide_G;
+        - d.y_F_EDF * cos_psi_D_CD_minus_psi_G_BCG - d.h_G_GF;
+    const Scalar pivot_product = -BCG_along_slide_G * d.psi_D_CD.sin;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_along_slide_G = 0, or
                                                        //     sin(psi_D_CD) = 0
-    const Scalar inverse_BCG_along_slide_G = -d.psi_D_CD.sin * inverse;
+    const Scalar inverse_BCG_along_slide_G = -inverse * d.psi_D_CD.sin;
     const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
     const Scalar t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
     const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
-    const Scalar velocity_along_slide_G = -t01 * cos_GF - t02 * sin_GF;
-    const Scalar velocity_across_slide_G = t01 * sin_GF - t02 * cos_GF;
+    const Scalar velocity_along_slide_G = -cos_GF * t01 - sin_GF * t02;
+    const Scalar velocity_across_slide_G = sin_GF * t01 - cos_GF * t02;
     const Scalar omega_BCG = inverse_BCG_along_slide_G * velocity_across_slide_G;
-    const Scalar v_s_D = -(omega_BCG * BCG_along_slide_C
-        - velocity_across_slide_C) * inverse_sin_psi_D_CD;
-    const Scalar v_s_G = omega_BCG * BCG_across_slide_G + velocity_along_slide_G;
-    const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + omega_BCG * BCG_across_slide_C
+    const Scalar v_s_D = -inverse_sin_psi_D_CD * (BCG_along_slide_C * omega_BCG
+        - velocity_across_slide_C);
+    const Scalar v_s_G = BCG_across_slide_G * omega_BCG + velocity_along_slide_G;
+    const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + BCG_across_slide_C * omega_BCG
         + velocity_along_slide_C;
     q_rate(0) = omega_BCG;
     q_rate(1) = v_s_C;
@@ -976,31 +955,31 @@ struct Model06 {
         + d.psi_G_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.sin
         - d.psi_G_BCG.sin * d.psi_D_CD.cos;
-    const Scalar BCG_along_slide_C = q.s_C + d.psi_D_CD.sin * d.h_D_EDF - d.psi_D_CD.cos * q.s_D;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - d.psi_D_CD.sin * q.s_D
-        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar BCG_along_slide_C = q.s_C + d.h_D_EDF * d.psi_D_CD.sin - q.s_D * d.psi_D_CD.cos;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - q.s_D * d.psi_D_CD.sin
+        - d.h_D_EDF * d.psi_D_CD.cos;
     const Scalar BCG_along_slide_G = q.s_G + d.y_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
         - d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
     const Scalar BCG_across_slide_G = d.h_G_BCG - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
-        - cos_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF - d.h_G_GF;
-    const Scalar pivot_product = -d.psi_D_CD.sin * BCG_along_slide_G;
+        - d.y_F_EDF * cos_psi_D_CD_minus_psi_G_BCG - d.h_G_GF;
+    const Scalar pivot_product = -BCG_along_slide_G * d.psi_D_CD.sin;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_along_slide_G = 0, or
                                                        //     sin(psi_D_CD) = 0
-    const Scalar inverse_BCG_along_slide_G = -d.psi_D_CD.sin * inverse;
+    const Scalar inverse_BCG_along_slide_G = -inverse * d.psi_D_CD.sin;
     const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
     const Scalar t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
     const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
-    const Scalar velocity_along_slide_G = -t01 * cos_GF - t02 * sin_GF;
-    const Scalar velocity_across_slide_G = t01 * sin_GF - t02 * cos_GF;
+    const Scalar velocity_along_slide_G = -cos_GF * t01 - sin_GF * t02;
+    const Scalar velocity_across_slide_G = sin_GF * t01 - cos_GF * t02;
     const Scalar omega_BCG = inverse_BCG_along_slide_G * velocity_across_slide_G;
-    const Scalar t03 = omega_BCG * BCG_along_slide_C;
-    const Scalar v_s_D = -(t03 - velocity_across_slide_C) * inverse_sin_psi_D_CD;
-    const Scalar t04 = omega_BCG * BCG_across_slide_G;
+    const Scalar t03 = BCG_along_slide_C * omega_BCG;
+    const Scalar v_s_D = -inverse_sin_psi_D_CD * (t03 - velocity_across_slide_C);
+    const Scalar t04 = BCG_across_slide_G * omega_BCG;
     const Scalar v_s_G = t04 + velocity_along_slide_G;
     const Scalar t05 = d.psi_D_CD.cos * v_s_D;
-    const Scalar t06 = omega_BCG * BCG_across_slide_C;
+    const Scalar t06 = BCG_across_slide_C * omega_BCG;
     const Scalar v_s_C = t05 + t06 + velocity_along_slide_C;
     const Scalar t07 = a_x_B - a_x_E;
     const Scalar t08 = a_y_B - a_y_E;
@@ -1051,52 +1030,45 @@ struct Model06 {
         + d.psi_G_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.sin
         - d.psi_G_BCG.sin * d.psi_D_CD.cos;
-    const Scalar t01 = d.psi_D_CD.cos * q.s_D - d.psi_D_CD.sin * d.h_D_EDF;
+    const Scalar t01 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
     const Scalar BCG_along_slide_C = q.s_C - t01;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - d.psi_D_CD.sin * q.s_D
-        - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - q.s_D * d.psi_D_CD.sin
+        - d.h_D_EDF * d.psi_D_CD.cos;
     const Scalar t02 = d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG
         - d.y_F_EDF * sin_psi_D_CD_minus_psi_G_BCG;
     const Scalar BCG_along_slide_G = q.s_G - t02;
     const Scalar t03 = d.h_G_BCG - d.h_G_GF;
     const Scalar BCG_across_slide_G = t03 - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
-        - cos_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF;
-    const Scalar pivot_product = -d.psi_D_CD.sin * BCG_along_slide_G;
+        - d.y_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
+    const Scalar pivot_product = -BCG_along_slide_G * d.psi_D_CD.sin;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_along_slide_G = 0, or
                                                        //     sin(psi_D_CD) = 0
-    const Scalar inverse_BCG_along_slide_G = -d.psi_D_CD.sin * inverse;
+    const Scalar inverse_BCG_along_slide_G = -inverse * d.psi_D_CD.sin;
     const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
-    const Scalar t04 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_C_per_across_slide_C = t04;
-    const Scalar s_D_per_across_slide_G = -inverse_sin_psi_D_CD * BCG_along_slide_C *
-        inverse_BCG_along_slide_G;
+    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_D_per_across_slide_G = -BCG_along_slide_C * inverse_BCG_along_slide_G *
+        inverse_sin_psi_D_CD;
     const Scalar s_G_per_across_slide_G = inverse_BCG_along_slide_G * BCG_across_slide_G;
     const Scalar s_C_per_across_slide_G = d.psi_D_CD.cos * s_D_per_across_slide_G
         + inverse_BCG_along_slide_G * BCG_across_slide_C;
-    const Scalar t05 = inverse_BCG_along_slide_G * sin_GF;
-    const Scalar BCG_per_x_B = t05;
-    const Scalar t06 = q.theta_BCG.cos - q.theta_BCG.sin * s_C_per_across_slide_C
-        - sin_GF * s_C_per_across_slide_G;
-    const Scalar s_C_per_x_B = -t06;
-    const Scalar t07 = cos_GF - sin_GF * s_G_per_across_slide_G;
-    const Scalar s_G_per_x_B = -t07;
-    const Scalar t08 = q.theta_BCG.sin * inverse_sin_psi_D_CD + s_D_per_across_slide_G * sin_GF;
-    const Scalar s_D_per_x_B = t08;
-    const Scalar t09 = inverse_BCG_along_slide_G * cos_GF;
-    const Scalar BCG_per_y_B = -t09;
-    const Scalar t10 = q.theta_BCG.sin + q.theta_BCG.cos * s_C_per_across_slide_C
-        + s_C_per_across_slide_G * cos_GF;
-    const Scalar s_C_per_y_B = -t10;
-    const Scalar t11 = sin_GF + cos_GF * s_G_per_across_slide_G;
-    const Scalar s_G_per_y_B = -t11;
-    const Scalar t12 = q.theta_BCG.cos * inverse_sin_psi_D_CD + s_D_per_across_slide_G * cos_GF;
-    const Scalar s_D_per_y_B = -t12;
-    const Scalar t13 = v_x_B - v_x_E;
-    const Scalar t14 = v_y_B - v_y_E;
-    const Scalar omega_BCG = t13 * BCG_per_x_B + t14 * BCG_per_y_B;
-    const Scalar v_s_C = t13 * s_C_per_x_B + t14 * s_C_per_y_B;
-    const Scalar v_s_G = t13 * s_G_per_x_B + t14 * s_G_per_y_B;
-    const Scalar v_s_D = t13 * s_D_per_x_B + t14 * s_D_per_y_B;
+    const Scalar BCG_per_x_B = inverse_BCG_along_slide_G * sin_GF;
+    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C
+        + sin_GF * s_C_per_across_slide_G - q.theta_BCG.cos;
+    const Scalar s_G_per_x_B = sin_GF * s_G_per_across_slide_G - cos_GF;
+    const Scalar s_D_per_x_B = q.theta_BCG.sin * inverse_sin_psi_D_CD
+        + s_D_per_across_slide_G * sin_GF;
+    const Scalar BCG_per_y_B = -inverse_BCG_along_slide_G * cos_GF;
+    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
+        - s_C_per_across_slide_G * cos_GF;
+    const Scalar s_G_per_y_B = -sin_GF - cos_GF * s_G_per_across_slide_G;
+    const Scalar s_D_per_y_B = -q.theta_BCG.cos * inverse_sin_psi_D_CD
+        - s_D_per_across_slide_G * cos_GF;
+    const Scalar t04 = v_x_B - v_x_E;
+    const Scalar t05 = v_y_B - v_y_E;
+    const Scalar omega_BCG = BCG_per_x_B * t04 + BCG_per_y_B * t05;
+    const Scalar v_s_C = s_C_per_x_B * t04 + s_C_per_y_B * t05;
+    const Scalar v_s_G = s_G_per_x_B * t04 + s_G_per_y_B * t05;
+    const Scalar v_s_D = s_D_per_x_B * t04 + s_D_per_y_B * t05;
     const Scalar centripetal_along_slide_C = -omega_BCG * (Scalar(2) * d.psi_D_CD.sin * v_s_D
         - BCG_along_slide_C * omega_BCG);
     const Scalar centripetal_across_slide_C = omega_BCG * (Scalar(2) * d.psi_D_CD.cos * v_s_D
@@ -1104,70 +1076,70 @@ struct Model06 {
     const Scalar centripetal_along_slide_G = BCG_along_slide_G * omega_BCG * omega_BCG;
     const Scalar centripetal_across_slide_G = omega_BCG * (BCG_across_slide_G * omega_BCG
         - Scalar(2) * v_s_G);
-    const Scalar t15 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t16 = cos_psi_D_CD_minus_psi_G_BCG
+    const Scalar t06 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t07 = cos_psi_D_CD_minus_psi_G_BCG
         + sin_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
-    const Scalar t17 = sin_psi_D_CD_minus_psi_G_BCG
+    const Scalar t08 = sin_psi_D_CD_minus_psi_G_BCG
         - cos_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
-    const Scalar t18 = a_x_B - a_x_E;
-    const Scalar t19 = a_y_B - a_y_E;
+    const Scalar t09 = a_x_B - a_x_E;
+    const Scalar t10 = a_y_B - a_y_E;
     S_d(0, 1) = -q.s_G * inverse_BCG_along_slide_G;
     S_d(0, 2) = -inverse_BCG_along_slide_G;
-    S_d(0, 4) = sin_psi_D_CD_minus_psi_G_BCG * inverse_BCG_along_slide_G;
-    S_d(0, 5) = cos_psi_D_CD_minus_psi_G_BCG * inverse_BCG_along_slide_G;
+    S_d(0, 4) = inverse_BCG_along_slide_G * sin_psi_D_CD_minus_psi_G_BCG;
+    S_d(0, 5) = inverse_BCG_along_slide_G * cos_psi_D_CD_minus_psi_G_BCG;
     S_d(0, 6) = inverse_BCG_along_slide_G * t02;
     S_d(0, 7) = inverse_BCG_along_slide_G;
     S_d(1, 0) = -s_C_per_across_slide_C;
     S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
     S_d(1, 2) = -s_C_per_across_slide_G;
-    S_d(1, 3) = -t15;
+    S_d(1, 3) = -t06;
     S_d(1, 4) = sin_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
     S_d(1, 5) = cos_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(1, 6) = s_C_per_across_slide_G * t02 - q.s_D * t15 - d.h_D_EDF * (d.psi_D_CD.cos
+    S_d(1, 6) = t02 * s_C_per_across_slide_G - q.s_D * t06 - d.h_D_EDF * (d.psi_D_CD.cos
         + d.psi_D_CD.sin * s_C_per_across_slide_C);
     S_d(1, 7) = s_C_per_across_slide_G;
     S_d(2, 1) = t03 - q.s_G * s_G_per_across_slide_G;
     S_d(2, 2) = -s_G_per_across_slide_G;
-    S_d(2, 4) = t16;
-    S_d(2, 5) = -t17;
-    S_d(2, 6) = -d.x_F_EDF * t17 - d.y_F_EDF * t16;
+    S_d(2, 4) = t07;
+    S_d(2, 5) = -t08;
+    S_d(2, 6) = -d.x_F_EDF * t08 - d.y_F_EDF * t07;
     S_d(2, 7) = s_G_per_across_slide_G;
     S_d(3, 0) = -inverse_sin_psi_D_CD;
     S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
     S_d(3, 2) = -s_D_per_across_slide_G;
-    S_d(3, 3) = t04;
+    S_d(3, 3) = s_C_per_across_slide_C;
     S_d(3, 4) = sin_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
     S_d(3, 5) = cos_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
-    S_d(3, 6) = inverse_sin_psi_D_CD * t01 + s_D_per_across_slide_G * t02;
+    S_d(3, 6) = t01 * inverse_sin_psi_D_CD + t02 * s_D_per_across_slide_G;
     S_d(3, 7) = s_D_per_across_slide_G;
-    S_u(0, 0) = t05;
-    S_u(0, 1) = -t09;
-    S_u(0, 2) = -t05;
-    S_u(0, 3) = t09;
-    S_u(1, 0) = -t06;
-    S_u(1, 1) = -t10;
-    S_u(1, 2) = t06;
-    S_u(1, 3) = t10;
-    S_u(2, 0) = -t07;
-    S_u(2, 1) = -t11;
-    S_u(2, 2) = t07;
-    S_u(2, 3) = t11;
-    S_u(3, 0) = t08;
-    S_u(3, 1) = -t12;
-    S_u(3, 2) = -t08;
-    S_u(3, 3) = t12;
+    S_u(0, 0) = BCG_per_x_B;
+    S_u(0, 1) = BCG_per_y_B;
+    S_u(0, 2) = -BCG_per_x_B;
+    S_u(0, 3) = -BCG_per_y_B;
+    S_u(1, 0) = s_C_per_x_B;
+    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 2) = -s_C_per_x_B;
+    S_u(1, 3) = -s_C_per_y_B;
+    S_u(2, 0) = s_G_per_x_B;
+    S_u(2, 1) = s_G_per_y_B;
+    S_u(2, 2) = -s_G_per_x_B;
+    S_u(2, 3) = -s_G_per_y_B;
+    S_u(3, 0) = s_D_per_x_B;
+    S_u(3, 1) = s_D_per_y_B;
+    S_u(3, 2) = -s_D_per_x_B;
+    S_u(3, 3) = -s_D_per_y_B;
     q_rate(0) = omega_BCG;
     q_rate(1) = v_s_C;
     q_rate(2) = v_s_G;
     q_rate(3) = v_s_D;
-    q_second_rate(0) = BCG_per_x_B * t18 + BCG_per_y_B * t19
+    q_second_rate(0) = BCG_per_x_B * t09 + BCG_per_y_B * t10
         + inverse_BCG_along_slide_G * centripetal_across_slide_G;
-    q_second_rate(1) = s_C_per_x_B * t18 + s_C_per_y_B * t19
+    q_second_rate(1) = s_C_per_x_B * t09 + s_C_per_y_B * t10
         + s_C_per_across_slide_C * centripetal_across_slide_C
         + s_C_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_C;
-    q_second_rate(2) = s_G_per_x_B * t18 + s_G_per_y_B * t19
+    q_second_rate(2) = s_G_per_x_B * t09 + s_G_per_y_B * t10
         + s_G_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_G;
-    q_second_rate(3) = s_D_per_x_B * t18 + s_D_per_y_B * t19
+    q_second_rate(3) = s_D_per_x_B * t09 + s_D_per_y_B * t10
         + inverse_sin_psi_D_CD * centripetal_across_slide_C
         + s_D_per_across_slide_G * centripetal_across_slide_G;
   }
@@ -1179,11 +1151,11 @@ struct Model06 {
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar T_m1_re = d.psi_G_BCG.cos * EB_y - d.psi_G_BCG.sin * EB_x;
-    const Scalar T_m1_im = -d.psi_G_BCG.cos * EB_x - EB_y * d.psi_G_BCG.sin;
-    const Scalar T_0_re = -Scalar(2) * (d.psi_G_BCG.cos * (d.x_F_EDF * d.psi_D_CD.sin
-        + d.y_F_EDF * d.psi_D_CD.cos) + d.h_G_GF - d.psi_G_BCG.sin * (d.x_F_EDF * d.psi_D_CD.cos
-        - d.psi_D_CD.sin * d.y_F_EDF) - d.h_G_BCG);
+    const Scalar T_m1_re = EB_y * d.psi_G_BCG.cos - EB_x * d.psi_G_BCG.sin;
+    const Scalar T_m1_im = -EB_x * d.psi_G_BCG.cos - EB_y * d.psi_G_BCG.sin;
+    const Scalar T_0_re = -Scalar(2) * ((d.x_F_EDF * d.psi_D_CD.sin
+        + d.y_F_EDF * d.psi_D_CD.cos) * d.psi_G_BCG.cos + d.h_G_GF - (d.x_F_EDF * d.psi_D_CD.cos
+        - d.y_F_EDF * d.psi_D_CD.sin) * d.psi_G_BCG.sin - d.h_G_BCG);
     T.cosine[0] = T_0_re;
     T.cosine[1] = Scalar(2) * T_m1_re;
     T.sine[1] = Scalar(2) * T_m1_im;
@@ -1198,13 +1170,13 @@ struct Model06 {
     const Scalar EB_y = u.y_B - u.y_E;
     const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;  // zero: the slides of s_C and s_D are
                                                              //     parallel
-    const Scalar t01 = q.theta_BCG.cos * EB_x + EB_y * q.theta_BCG.sin;
-    const Scalar t02 = q.theta_BCG.cos * EB_y - q.theta_BCG.sin * EB_x;
+    const Scalar t01 = EB_x * q.theta_BCG.cos + EB_y * q.theta_BCG.sin;
+    const Scalar t02 = EB_y * q.theta_BCG.cos - EB_x * q.theta_BCG.sin;
     const Scalar t03 = d.h_C_BCG + t02;
-    q.s_C = inverse_s_C * (d.psi_D_CD.sin * t01 + d.h_D_EDF - d.psi_D_CD.cos * t03);
-    q.s_D = inverse_s_C * (d.psi_D_CD.cos * d.h_D_EDF - t03);
-    q.s_G = d.psi_G_BCG.sin * (d.psi_D_CD.sin * d.x_F_EDF + d.psi_D_CD.cos * d.y_F_EDF - t02)
-        - d.psi_G_BCG.cos * (t01 + d.psi_D_CD.sin * d.y_F_EDF - d.psi_D_CD.cos * d.x_F_EDF);
+    q.s_C = (t01 * d.psi_D_CD.sin + d.h_D_EDF - t03 * d.psi_D_CD.cos) * inverse_s_C;
+    q.s_D = (d.h_D_EDF * d.psi_D_CD.cos - t03) * inverse_s_C;
+    q.s_G = (d.x_F_EDF * d.psi_D_CD.sin + d.y_F_EDF * d.psi_D_CD.cos - t02) * d.psi_G_BCG.sin - (t01
+        + d.y_F_EDF * d.psi_D_CD.sin - d.x_F_EDF * d.psi_D_CD.cos) * d.psi_G_BCG.cos;
   }
 };
 

@@ -166,36 +166,34 @@ struct Model07 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar EF_x = -(sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
-    const Scalar t03 = d.psi_G_BCG.cos * d.psi_F_GF.cos - d.psi_G_BCG.sin * d.psi_F_GF.sin;
-    const Scalar t04 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
-    const Scalar cos_slide_F = q.theta_BCG.cos * t03 - q.theta_BCG.sin * t04;
-    const Scalar sin_slide_F = q.theta_BCG.cos * t04 + q.theta_BCG.sin * t03;
+    const Scalar t01 = d.psi_G_BCG.cos * d.psi_F_GF.cos - d.psi_G_BCG.sin * d.psi_F_GF.sin;
+    const Scalar t02 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
+    const Scalar cos_slide_F = q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
+    const Scalar sin_slide_F = q.theta_BCG.cos * t02 + q.theta_BCG.sin * t01;
     const Scalar slide_F_x = q.s_F * cos_slide_F;
     const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t05 = u.x_B - u.x_E;
-    const Scalar t06 = u.y_B - u.y_E;
-    f(0) = BC_x + slide_C_x + t05 - ED_x - slide_D_x;
-    f(1) = BC_y + slide_C_y + t06 - ED_y - slide_D_y;
-    f(2) = BG_x + slide_G_x + t05 - EF_x - slide_F_x;
-    f(3) = BG_y + slide_G_y + t06 - EF_y - slide_F_y;
+    const Scalar t03 = u.x_B - u.x_E;
+    const Scalar t04 = u.y_B - u.y_E;
+    f(0) = BC_x + slide_C_x + t03 - ED_x - slide_D_x;
+    f(1) = BC_y + slide_C_y + t04 - ED_y - slide_D_y;
+    f(2) = BG_x + slide_G_x + t03 - EF_x - slide_F_x;
+    f(3) = BG_y + slide_G_y + t04 - EF_y - slide_F_y;
   }
 
   /// J = df/dq.
@@ -205,28 +203,26 @@ struct Model07 {
     J.setZero();
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar EF_x = -(sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
-    const Scalar t03 = d.psi_G_BCG.cos * d.psi_F_GF.cos - d.psi_G_BCG.sin * d.psi_F_GF.sin;
-    const Scalar t04 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
-    const Scalar cos_slide_F = q.theta_BCG.cos * t03 - q.theta_BCG.sin * t04;
-    const Scalar sin_slide_F = q.theta_BCG.cos * t04 + q.theta_BCG.sin * t03;
+    const Scalar t01 = d.psi_G_BCG.cos * d.psi_F_GF.cos - d.psi_G_BCG.sin * d.psi_F_GF.sin;
+    const Scalar t02 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
+    const Scalar cos_slide_F = q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
+    const Scalar sin_slide_F = q.theta_BCG.cos * t02 + q.theta_BCG.sin * t01;
     const Scalar slide_F_x = q.s_F * cos_slide_F;
     const Scalar slide_F_y = q.s_F * sin_slide_F;
     J(0, 0) = ED_y + slide_D_y - BC_y - slide_C_y;
@@ -250,26 +246,24 @@ struct Model07 {
     F_d.setZero();
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar sin_GF = t02;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t03 = sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin;
-    const Scalar EF_x = -t03 * d.h_F_EDF;
-    const Scalar t04 = cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin;
-    const Scalar EF_y = d.h_F_EDF * t04;
-    const Scalar t05 = d.psi_G_BCG.cos * d.psi_F_GF.cos - d.psi_G_BCG.sin * d.psi_F_GF.sin;
-    const Scalar t06 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
-    const Scalar cos_slide_F = q.theta_BCG.cos * t05 - q.theta_BCG.sin * t06;
-    const Scalar sin_slide_F = q.theta_BCG.cos * t06 + q.theta_BCG.sin * t05;
+    const Scalar t01 = sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin;
+    const Scalar EF_x = -d.h_F_EDF * t01;
+    const Scalar t02 = cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin;
+    const Scalar EF_y = d.h_F_EDF * t02;
+    const Scalar t03 = d.psi_G_BCG.cos * d.psi_F_GF.cos - d.psi_G_BCG.sin * d.psi_F_GF.sin;
+    const Scalar t04 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
+    const Scalar cos_slide_F = q.theta_BCG.cos * t03 - q.theta_BCG.sin * t04;
+    const Scalar sin_slide_F = q.theta_BCG.cos * t04 + q.theta_BCG.sin * t03;
     const Scalar slide_F_x = q.s_F * cos_slide_F;
     const Scalar slide_F_y = q.s_F * sin_slide_F;
     F_d(0, 0) = -q.theta_BCG.sin;
@@ -281,13 +275,13 @@ struct Model07 {
     F_d(2, 1) = slide_F_y - BG_y - slide_G_y;
     F_d(2, 2) = -sin_GF;
     F_d(2, 4) = EF_y;
-    F_d(2, 5) = t03;
+    F_d(2, 5) = t01;
     F_d(2, 6) = EF_y;
     F_d(2, 7) = slide_F_y;
     F_d(3, 1) = BG_x + slide_G_x - slide_F_x;
     F_d(3, 2) = cos_GF;
     F_d(3, 4) = -EF_x;
-    F_d(3, 5) = -t04;
+    F_d(3, 5) = -t02;
     F_d(3, 6) = -EF_x;
     F_d(3, 7) = -slide_F_x;
   }
@@ -342,40 +336,38 @@ struct Model07 {
     const Scalar a_y_E = u_second_rate(3);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar EF_x = -(sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
-    const Scalar t03 = d.psi_G_BCG.cos * d.psi_F_GF.cos - d.psi_G_BCG.sin * d.psi_F_GF.sin;
-    const Scalar t04 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
-    const Scalar cos_slide_F = q.theta_BCG.cos * t03 - q.theta_BCG.sin * t04;
-    const Scalar sin_slide_F = q.theta_BCG.cos * t04 + q.theta_BCG.sin * t03;
+    const Scalar t01 = d.psi_G_BCG.cos * d.psi_F_GF.cos - d.psi_G_BCG.sin * d.psi_F_GF.sin;
+    const Scalar t02 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
+    const Scalar cos_slide_F = q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
+    const Scalar sin_slide_F = q.theta_BCG.cos * t02 + q.theta_BCG.sin * t01;
     const Scalar slide_F_x = q.s_F * cos_slide_F;
     const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t05 = a_x_B - a_x_E;
-    const Scalar t06 = a_y_B - a_y_E;
+    const Scalar t03 = a_x_B - a_x_E;
+    const Scalar t04 = a_y_B - a_y_E;
     rhs(0) = omega_BCG * ((BC_x + slide_C_x - ED_x - slide_D_x) * omega_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_s_C - Scalar(2) * sin_EDF * v_s_D) - t05;
-    rhs(1) = omega_BCG * (omega_BCG * (BC_y + slide_C_y - ED_y - slide_D_y)
-        + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * q.theta_BCG.cos * v_s_C) - t06;
-    rhs(2) = omega_BCG * (omega_BCG * (BG_x + slide_G_x - EF_x - slide_F_x)
-        + Scalar(2) * sin_GF * v_s_G - Scalar(2) * sin_slide_F * v_s_F) - t05;
-    rhs(3) = omega_BCG * (omega_BCG * (BG_y + slide_G_y - EF_y - slide_F_y)
-        + Scalar(2) * cos_slide_F * v_s_F - Scalar(2) * cos_GF * v_s_G) - t06;
+        + Scalar(2) * q.theta_BCG.sin * v_s_C - Scalar(2) * sin_EDF * v_s_D) - t03;
+    rhs(1) = omega_BCG * ((BC_y + slide_C_y - ED_y - slide_D_y) * omega_BCG
+        + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * q.theta_BCG.cos * v_s_C) - t04;
+    rhs(2) = omega_BCG * ((BG_x + slide_G_x - EF_x - slide_F_x) * omega_BCG
+        + Scalar(2) * sin_GF * v_s_G - Scalar(2) * sin_slide_F * v_s_F) - t03;
+    rhs(3) = omega_BCG * ((BG_y + slide_G_y - EF_y - slide_F_y) * omega_BCG
+        + Scalar(2) * cos_slide_F * v_s_F - Scalar(2) * cos_GF * v_s_G) - t04;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -402,52 +394,50 @@ struct Model07 {
     const Scalar j_y_E = u_third_rate(3);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar EF_x = -(sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
-    const Scalar t03 = d.psi_G_BCG.cos * d.psi_F_GF.cos - d.psi_G_BCG.sin * d.psi_F_GF.sin;
-    const Scalar t04 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
-    const Scalar cos_slide_F = q.theta_BCG.cos * t03 - q.theta_BCG.sin * t04;
-    const Scalar sin_slide_F = q.theta_BCG.cos * t04 + q.theta_BCG.sin * t03;
+    const Scalar t01 = d.psi_G_BCG.cos * d.psi_F_GF.cos - d.psi_G_BCG.sin * d.psi_F_GF.sin;
+    const Scalar t02 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
+    const Scalar cos_slide_F = q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
+    const Scalar sin_slide_F = q.theta_BCG.cos * t02 + q.theta_BCG.sin * t01;
     const Scalar slide_F_x = q.s_F * cos_slide_F;
     const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t05 = q.theta_BCG.sin * v_s_C - sin_EDF * v_s_D;
-    const Scalar t06 = j_x_B - j_x_E;
-    const Scalar t07 = BC_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t08 = BC_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t09 = q.theta_BCG.cos * v_s_C - cos_EDF * v_s_D;
-    const Scalar t10 = j_y_B - j_y_E;
-    const Scalar t11 = sin_GF * v_s_G - sin_slide_F * v_s_F;
-    const Scalar t12 = BG_x + slide_G_x - EF_x - slide_F_x;
-    const Scalar t13 = BG_y + slide_G_y - EF_y - slide_F_y;
-    const Scalar t14 = cos_GF * v_s_G - cos_slide_F * v_s_F;
-    rhs(0) = Scalar(3) * alpha_BCG * t05 + omega_BCG * (Scalar(3) * t07 * alpha_BCG
+    const Scalar t03 = q.theta_BCG.sin * v_s_C - sin_EDF * v_s_D;
+    const Scalar t04 = j_x_B - j_x_E;
+    const Scalar t05 = BC_x + slide_C_x - ED_x - slide_D_x;
+    const Scalar t06 = BC_y + slide_C_y - ED_y - slide_D_y;
+    const Scalar t07 = q.theta_BCG.cos * v_s_C - cos_EDF * v_s_D;
+    const Scalar t08 = j_y_B - j_y_E;
+    const Scalar t09 = sin_GF * v_s_G - sin_slide_F * v_s_F;
+    const Scalar t10 = BG_x + slide_G_x - EF_x - slide_F_x;
+    const Scalar t11 = BG_y + slide_G_y - EF_y - slide_F_y;
+    const Scalar t12 = cos_GF * v_s_G - cos_slide_F * v_s_F;
+    rhs(0) = Scalar(3) * alpha_BCG * t03 + omega_BCG * (Scalar(3) * t05 * alpha_BCG
         + Scalar(3) * q.theta_BCG.sin * a_s_C - Scalar(3) * sin_EDF * a_s_D
-        - omega_BCG * (t08 * omega_BCG - Scalar(3) * t09)) - t06;
-    rhs(1) = omega_BCG * (Scalar(3) * t08 * alpha_BCG + Scalar(3) * cos_EDF * a_s_D
-        + omega_BCG * (Scalar(3) * t05 + omega_BCG * t07) - Scalar(3) * q.theta_BCG.cos * a_s_C)
-        - Scalar(3) * t09 * alpha_BCG - t10;
-    rhs(2) = Scalar(3) * alpha_BCG * t11 + omega_BCG * (Scalar(3) * alpha_BCG * t12
+        - omega_BCG * (t06 * omega_BCG - Scalar(3) * t07)) - t04;
+    rhs(1) = omega_BCG * (Scalar(3) * t06 * alpha_BCG + Scalar(3) * cos_EDF * a_s_D
+        + omega_BCG * (Scalar(3) * t03 + t05 * omega_BCG) - Scalar(3) * q.theta_BCG.cos * a_s_C)
+        - Scalar(3) * t07 * alpha_BCG - t08;
+    rhs(2) = Scalar(3) * alpha_BCG * t09 + omega_BCG * (Scalar(3) * t10 * alpha_BCG
         + Scalar(3) * sin_GF * a_s_G - Scalar(3) * sin_slide_F * a_s_F
-        - omega_BCG * (omega_BCG * t13 - Scalar(3) * t14)) - t06;
-    rhs(3) = omega_BCG * (Scalar(3) * alpha_BCG * t13 + Scalar(3) * cos_slide_F * a_s_F
-        + omega_BCG * (Scalar(3) * t11 + omega_BCG * t12) - Scalar(3) * cos_GF * a_s_G) - t10
-        - Scalar(3) * alpha_BCG * t14;
+        - omega_BCG * (t11 * omega_BCG - Scalar(3) * t12)) - t04;
+    rhs(3) = omega_BCG * (Scalar(3) * t11 * alpha_BCG + Scalar(3) * cos_slide_F * a_s_F
+        + omega_BCG * (Scalar(3) * t09 + t10 * omega_BCG) - Scalar(3) * cos_GF * a_s_G) - t08
+        - Scalar(3) * alpha_BCG * t12;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -472,66 +462,64 @@ struct Model07 {
     const Scalar omega_F_GF = d_rate(7);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t03 = sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin;
-    const Scalar EF_x = -t03 * d.h_F_EDF;
-    const Scalar t04 = cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin;
-    const Scalar EF_y = d.h_F_EDF * t04;
-    const Scalar t05 = d.psi_G_BCG.cos * d.psi_F_GF.cos - d.psi_G_BCG.sin * d.psi_F_GF.sin;
-    const Scalar t06 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
-    const Scalar cos_slide_F = q.theta_BCG.cos * t05 - q.theta_BCG.sin * t06;
-    const Scalar sin_slide_F = q.theta_BCG.cos * t06 + q.theta_BCG.sin * t05;
+    const Scalar t01 = sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin;
+    const Scalar EF_x = -d.h_F_EDF * t01;
+    const Scalar t02 = cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin;
+    const Scalar EF_y = d.h_F_EDF * t02;
+    const Scalar t03 = d.psi_G_BCG.cos * d.psi_F_GF.cos - d.psi_G_BCG.sin * d.psi_F_GF.sin;
+    const Scalar t04 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
+    const Scalar cos_slide_F = q.theta_BCG.cos * t03 - q.theta_BCG.sin * t04;
+    const Scalar sin_slide_F = q.theta_BCG.cos * t04 + q.theta_BCG.sin * t03;
     const Scalar slide_F_x = q.s_F * cos_slide_F;
     const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t07 = ED_x + slide_D_x;
-    const Scalar t08 = t07 * omega_D_CD;
-    const Scalar t09 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
-    const Scalar t10 = ED_y + slide_D_y;
-    const Scalar t11 = omega_D_CD * t10;
-    const Scalar t12 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
-    const Scalar t13 = t04 * v_h_F_EDF;
-    const Scalar t14 = Scalar(2) * omega_D_CD + omega_F_EDF;
-    const Scalar t15 = sin_slide_F * v_s_F;
-    const Scalar t16 = slide_F_x * omega_F_GF;
-    const Scalar t17 = slide_F_x - BG_x - slide_G_x;
-    const Scalar t18 = omega_G_BCG * t17;
-    const Scalar t19 = sin_GF * v_s_G - t15 + cos_GF * v_h_G_BCG - t16;
-    const Scalar t20 = omega_D_CD + omega_F_EDF;
-    const Scalar t21 = t03 * v_h_F_EDF;
-    const Scalar t22 = cos_slide_F * v_s_F;
-    const Scalar t23 = omega_F_GF * slide_F_y;
-    const Scalar t24 = slide_F_y - BG_y - slide_G_y;
-    const Scalar t25 = omega_G_BCG * t24;
-    const Scalar t26 = cos_GF * v_s_G - t22 + t23 - sin_GF * v_h_G_BCG;
-    rhs(0) = -omega_D_CD * (t08 + Scalar(2) * t09) - omega_BCG * (Scalar(2) * t08 + Scalar(2) * t09
-        - Scalar(2) * q.theta_BCG.cos * v_h_C_BCG - Scalar(2) * q.theta_BCG.sin * v_s_C
-        - omega_BCG * (BC_x + slide_C_x - t07));
-    rhs(1) = -omega_D_CD * (t11 - Scalar(2) * t12) - omega_BCG * (Scalar(2) * t11
+    const Scalar t05 = ED_x + slide_D_x;
+    const Scalar t06 = t05 * omega_D_CD;
+    const Scalar t07 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
+    const Scalar t08 = ED_y + slide_D_y;
+    const Scalar t09 = t08 * omega_D_CD;
+    const Scalar t10 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
+    const Scalar t11 = t02 * v_h_F_EDF;
+    const Scalar t12 = Scalar(2) * omega_D_CD + omega_F_EDF;
+    const Scalar t13 = sin_slide_F * v_s_F;
+    const Scalar t14 = slide_F_x * omega_F_GF;
+    const Scalar t15 = slide_F_x - BG_x - slide_G_x;
+    const Scalar t16 = t15 * omega_G_BCG;
+    const Scalar t17 = sin_GF * v_s_G - t13 + cos_GF * v_h_G_BCG - t14;
+    const Scalar t18 = omega_D_CD + omega_F_EDF;
+    const Scalar t19 = t01 * v_h_F_EDF;
+    const Scalar t20 = cos_slide_F * v_s_F;
+    const Scalar t21 = slide_F_y * omega_F_GF;
+    const Scalar t22 = slide_F_y - BG_y - slide_G_y;
+    const Scalar t23 = t22 * omega_G_BCG;
+    const Scalar t24 = cos_GF * v_s_G - t20 + t21 - sin_GF * v_h_G_BCG;
+    rhs(0) = -omega_D_CD * (t06 + Scalar(2) * t07) - omega_BCG * (Scalar(2) * t06 + Scalar(2) * t07
+        - Scalar(2) * q.theta_BCG.cos * v_h_C_BCG - Scalar(2) * q.theta_BCG.sin * v_s_C - (BC_x
+        + slide_C_x - t05) * omega_BCG);
+    rhs(1) = -omega_D_CD * (t09 - Scalar(2) * t10) - omega_BCG * (Scalar(2) * t09
         + Scalar(2) * q.theta_BCG.cos * v_s_C - Scalar(2) * q.theta_BCG.sin * v_h_C_BCG
-        - Scalar(2) * t12 - omega_BCG * (BC_y + slide_C_y - t10));
-    rhs(2) = -omega_F_EDF * (Scalar(2) * t13 + EF_x * t14) - omega_D_CD * (Scalar(2) * t13
-        + omega_D_CD * EF_x) - omega_F_GF * (Scalar(2) * t15 + t16) - omega_G_BCG * (t18
-        - Scalar(2) * t19) - omega_BCG * (Scalar(2) * t13 + Scalar(2) * EF_x * t20 + Scalar(2) * t18
-        + omega_BCG * (EF_x + t17) - Scalar(2) * t19);
-    rhs(3) = omega_F_GF * (Scalar(2) * t22 - t23) - omega_F_EDF * (Scalar(2) * t21 + t14 * EF_y)
-        - omega_D_CD * (Scalar(2) * t21 + omega_D_CD * EF_y) - omega_G_BCG * (t25 + Scalar(2) * t26)
-        - omega_BCG * (Scalar(2) * t21 + Scalar(2) * t20 * EF_y + Scalar(2) * t25
-        + omega_BCG * (EF_y + t24) + Scalar(2) * t26);
+        - Scalar(2) * t10 - (BC_y + slide_C_y - t08) * omega_BCG);
+    rhs(2) = -omega_F_EDF * (Scalar(2) * t11 + EF_x * t12) - omega_D_CD * (Scalar(2) * t11
+        + EF_x * omega_D_CD) - omega_F_GF * (Scalar(2) * t13 + t14) - omega_G_BCG * (t16
+        - Scalar(2) * t17) - omega_BCG * (Scalar(2) * t11 + Scalar(2) * EF_x * t18 + Scalar(2) * t16
+        + (EF_x + t15) * omega_BCG - Scalar(2) * t17);
+    rhs(3) = omega_F_GF * (Scalar(2) * t20 - t21) - omega_F_EDF * (Scalar(2) * t19 + EF_y * t12)
+        - omega_D_CD * (Scalar(2) * t19 + EF_y * omega_D_CD) - omega_G_BCG * (t23 + Scalar(2) * t24)
+        - omega_BCG * (Scalar(2) * t19 + Scalar(2) * EF_y * t18 + Scalar(2) * t23 + (EF_y
+        + t22) * omega_BCG + Scalar(2) * t24);
   }
 
   /// Frames of the links in the fixed frame.
@@ -540,16 +528,14 @@ struct Model07 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
     poses[0].x = u.x_B;
@@ -580,20 +566,18 @@ struct Model07 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t03 = BG_y + slide_G_y;
-    const Scalar t04 = BG_x + slide_G_x;
+    const Scalar t01 = BG_y + slide_G_y;
+    const Scalar t02 = BG_x + slide_G_x;
     P_q(2, 0) = Scalar(1);
     P_q(5, 0) = Scalar(1);
     P_q(6, 0) = -BC_y - slide_C_y;
@@ -601,17 +585,17 @@ struct Model07 {
     P_q(7, 0) = BC_x + slide_C_x;
     P_q(7, 1) = q.theta_BCG.sin;
     P_q(8, 0) = Scalar(1);
-    P_q(9, 0) = -t03;
+    P_q(9, 0) = -t01;
     P_q(9, 2) = cos_GF;
-    P_q(10, 0) = t04;
+    P_q(10, 0) = t02;
     P_q(10, 2) = sin_GF;
     P_q(11, 0) = Scalar(1);
     P_d(5, 6) = Scalar(1);
     P_d(6, 0) = -q.theta_BCG.sin;
     P_d(7, 0) = q.theta_BCG.cos;
-    P_d(9, 1) = -t03;
+    P_d(9, 1) = -t01;
     P_d(9, 2) = -sin_GF;
-    P_d(10, 1) = t04;
+    P_d(10, 1) = t02;
     P_d(10, 2) = cos_GF;
     P_d(11, 1) = Scalar(1);
     P_u(0, 0) = Scalar(1);
@@ -636,16 +620,14 @@ struct Model07 {
     const Scalar v_y_B = u_rate(1);
     const Scalar v_x_E = u_rate(2);
     const Scalar v_y_E = u_rate(3);
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
     v(0, 0) = v_x_B;
@@ -654,11 +636,11 @@ struct Model07 {
     v(1, 0) = v_x_E;
     v(1, 1) = v_y_E;
     v(1, 2) = omega_BCG;
-    v(2, 0) = v_x_B + q.theta_BCG.cos * v_s_C - omega_BCG * (BC_y + slide_C_y);
-    v(2, 1) = v_y_B + omega_BCG * (BC_x + slide_C_x) + q.theta_BCG.sin * v_s_C;
+    v(2, 0) = v_x_B + q.theta_BCG.cos * v_s_C - (BC_y + slide_C_y) * omega_BCG;
+    v(2, 1) = v_y_B + (BC_x + slide_C_x) * omega_BCG + q.theta_BCG.sin * v_s_C;
     v(2, 2) = omega_BCG;
-    v(3, 0) = v_x_B + cos_GF * v_s_G - omega_BCG * (BG_y + slide_G_y);
-    v(3, 1) = v_y_B + omega_BCG * (BG_x + slide_G_x) + sin_GF * v_s_G;
+    v(3, 0) = v_x_B + cos_GF * v_s_G - (BG_y + slide_G_y) * omega_BCG;
+    v(3, 1) = v_y_B + (BG_x + slide_G_x) * omega_BCG + sin_GF * v_s_G;
     v(3, 2) = omega_BCG;
   }
 
@@ -678,36 +660,34 @@ struct Model07 {
     const Scalar a_y_B = u_second_rate(1);
     const Scalar a_x_E = u_second_rate(2);
     const Scalar a_y_E = u_second_rate(3);
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t03 = BC_x + slide_C_x;
-    const Scalar t04 = BC_y + slide_C_y;
-    const Scalar t05 = BG_x + slide_G_x;
-    const Scalar t06 = BG_y + slide_G_y;
+    const Scalar t01 = BC_x + slide_C_x;
+    const Scalar t02 = BC_y + slide_C_y;
+    const Scalar t03 = BG_x + slide_G_x;
+    const Scalar t04 = BG_y + slide_G_y;
     a(0, 0) = a_x_B;
     a(0, 1) = a_y_B;
     a(0, 2) = alpha_BCG;
     a(1, 0) = a_x_E;
     a(1, 1) = a_y_E;
     a(1, 2) = alpha_BCG;
-    a(2, 0) = a_x_B + q.theta_BCG.cos * a_s_C - omega_BCG * (t03 * omega_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_s_C) - alpha_BCG * t04;
-    a(2, 1) = a_y_B + alpha_BCG * t03 + q.theta_BCG.sin * a_s_C - omega_BCG * (omega_BCG * t04
+    a(2, 0) = a_x_B + q.theta_BCG.cos * a_s_C - omega_BCG * (t01 * omega_BCG
+        + Scalar(2) * q.theta_BCG.sin * v_s_C) - t02 * alpha_BCG;
+    a(2, 1) = a_y_B + t01 * alpha_BCG + q.theta_BCG.sin * a_s_C - omega_BCG * (t02 * omega_BCG
         - Scalar(2) * q.theta_BCG.cos * v_s_C);
     a(2, 2) = alpha_BCG;
-    a(3, 0) = a_x_B + cos_GF * a_s_G - omega_BCG * (omega_BCG * t05 + Scalar(2) * sin_GF * v_s_G)
-        - alpha_BCG * t06;
-    a(3, 1) = a_y_B + alpha_BCG * t05 + sin_GF * a_s_G - omega_BCG * (omega_BCG * t06
+    a(3, 0) = a_x_B + cos_GF * a_s_G - omega_BCG * (t03 * omega_BCG + Scalar(2) * sin_GF * v_s_G)
+        - t04 * alpha_BCG;
+    a(3, 1) = a_y_B + t03 * alpha_BCG + sin_GF * a_s_G - omega_BCG * (t04 * omega_BCG
         - Scalar(2) * cos_GF * v_s_G);
     a(3, 2) = alpha_BCG;
   }
@@ -726,32 +706,30 @@ struct Model07 {
     const Scalar omega_G_BCG = d_rate(1);
     const Scalar v_h_G_BCG = d_rate(2);
     p.setZero();
-    const Scalar t01 = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar BC_x = -q.theta_BCG.sin * d.h_C_BCG;
-    const Scalar BC_y = q.theta_BCG.cos * d.h_C_BCG;
-    const Scalar slide_C_x = q.theta_BCG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_BCG.sin * q.s_C;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
+    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t03 = BG_x + slide_G_x;
-    const Scalar t04 = t03 * omega_G_BCG;
-    const Scalar t05 = sin_GF * v_s_G + cos_GF * v_h_G_BCG;
-    const Scalar t06 = BG_y + slide_G_y;
-    const Scalar t07 = omega_G_BCG * t06;
-    const Scalar t08 = cos_GF * v_s_G - sin_GF * v_h_G_BCG;
+    const Scalar t01 = BG_x + slide_G_x;
+    const Scalar t02 = t01 * omega_G_BCG;
+    const Scalar t03 = sin_GF * v_s_G + cos_GF * v_h_G_BCG;
+    const Scalar t04 = BG_y + slide_G_y;
+    const Scalar t05 = t04 * omega_G_BCG;
+    const Scalar t06 = cos_GF * v_s_G - sin_GF * v_h_G_BCG;
     p(2, 0) = -omega_BCG * ((BC_x + slide_C_x) * omega_BCG + Scalar(2) * q.theta_BCG.cos * v_h_C_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C);
-    p(2, 1) = -omega_BCG * (omega_BCG * (BC_y + slide_C_y) + Scalar(2) * q.theta_BCG.sin * v_h_C_BCG
+    p(2, 1) = -omega_BCG * ((BC_y + slide_C_y) * omega_BCG + Scalar(2) * q.theta_BCG.sin * v_h_C_BCG
         - Scalar(2) * q.theta_BCG.cos * v_s_C);
-    p(3, 0) = -omega_BCG * (omega_BCG * t03 + Scalar(2) * t04 + Scalar(2) * t05)
-        - omega_G_BCG * (t04 + Scalar(2) * t05);
-    p(3, 1) = -omega_BCG * (omega_BCG * t06 + Scalar(2) * t07 - Scalar(2) * t08)
-        - omega_G_BCG * (t07 - Scalar(2) * t08);
+    p(3, 0) = -omega_BCG * (t01 * omega_BCG + Scalar(2) * t02 + Scalar(2) * t03)
+        - omega_G_BCG * (t02 + Scalar(2) * t03);
+    p(3, 1) = -omega_BCG * (t04 * omega_BCG + Scalar(2) * t05 - Scalar(2) * t06)
+        - omega_G_BCG * (t05 - Scalar(2) * t06);
   }
 
   /// (cos, sin) of each sum of angles that must vanish: assembled only at (1, 0).

@@ -56,7 +56,7 @@ namespace assur::tetrad {
 ///   velocity:                     62, 33, 1
 ///   motion:                       105, 63, 1
 ///   sensitivities_and_motion:     171, 89, 1
-///   position_polynomial:          89, 71, 0
+///   position_polynomial:          91, 71, 0
 ///   second_equations:             50, 39, 0
 ///   complete:                     18, 18, 2
 struct Model08 {
@@ -195,19 +195,19 @@ struct Model08 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     const Scalar t02 = slide_B_x + u.x_B - u.x_E;
     const Scalar t03 = slide_B_y + u.y_B - u.y_E;
     f(0) = BC_x + CD_x + t02 - ED_x;
@@ -221,14 +221,14 @@ struct Model08 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     J(0, 0) = ED_y;
     J(0, 1) = -CD_y;
     J(0, 3) = u.phi_B.cos;
@@ -275,11 +275,11 @@ struct Model08 {
     F_u.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     F_u(0, 0) = Scalar(1);
     F_u(0, 2) = -slide_B_y - BC_y;
     F_u(0, 3) = -Scalar(1);
@@ -306,17 +306,17 @@ struct Model08 {
     const Scalar v_y_E = u_rate(4);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = v_x_B - v_x_E;
     const Scalar t03 = v_y_B - v_y_E;
     rhs(0) = (slide_B_y + BC_y) * omega_B - t02;
-    rhs(1) = -omega_B * (slide_B_x + BC_x) - t03;
-    rhs(2) = omega_B * (slide_B_y + BG_y) - t02;
-    rhs(3) = -t03 - omega_B * (slide_B_x + BG_x);
+    rhs(1) = -(slide_B_x + BC_x) * omega_B - t03;
+    rhs(2) = (slide_B_y + BG_y) * omega_B - t02;
+    rhs(3) = -t03 - (slide_B_x + BG_x) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -338,19 +338,19 @@ struct Model08 {
     const Scalar a_y_E = u_second_rate(4);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     const Scalar t02 = slide_B_x + BC_x;
     const Scalar t03 = u.phi_B.sin * v_s_B;
     const Scalar t04 = slide_B_y + BC_y;
@@ -364,11 +364,11 @@ struct Model08 {
     const Scalar t12 = omega_GF * omega_GF;
     rhs(0) = omega_B * (t02 * omega_B + Scalar(2) * t03) + t04 * alpha_B + CD_x * t06 - ED_x * t05
         - t07;
-    rhs(1) = omega_B * (omega_B * t04 - Scalar(2) * t08) + CD_y * t06 - t02 * alpha_B - ED_y * t05
+    rhs(1) = omega_B * (t04 * omega_B - Scalar(2) * t08) + CD_y * t06 - t02 * alpha_B - ED_y * t05
         - t09;
-    rhs(2) = omega_B * (Scalar(2) * t03 + omega_B * t10) + alpha_B * t11 + GF_x * t12 - EF_x * t05
+    rhs(2) = omega_B * (Scalar(2) * t03 + t10 * omega_B) + t11 * alpha_B + GF_x * t12 - EF_x * t05
         - t07;
-    rhs(3) = GF_y * t12 - omega_B * (Scalar(2) * t08 - omega_B * t11) - alpha_B * t10 - EF_y * t05
+    rhs(3) = GF_y * t12 - omega_B * (Scalar(2) * t08 - t11 * omega_B) - t10 * alpha_B - EF_y * t05
         - t09;
   }
 
@@ -397,19 +397,19 @@ struct Model08 {
     const Scalar j_y_E = u_third_rate(4);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     const Scalar t02 = slide_B_y + BC_y;
     const Scalar t03 = u.phi_B.cos * v_s_B;
     const Scalar t04 = slide_B_x + BC_x;
@@ -423,18 +423,18 @@ struct Model08 {
     const Scalar t12 = slide_B_y + BG_y;
     const Scalar t13 = slide_B_x + BG_x;
     const Scalar t14 = omega_GF * omega_GF;
-    rhs(0) = t02 * jerk_B + omega_CD * (Scalar(3) * alpha_CD * CD_x - CD_y * t07) + Scalar(3) * t09
+    rhs(0) = t02 * jerk_B + omega_CD * (Scalar(3) * CD_x * alpha_CD - CD_y * t07) + Scalar(3) * t09
         - omega_B * (omega_B * (t02 * omega_B - Scalar(3) * t03) - Scalar(3) * t04 * alpha_B
-        - Scalar(3) * t05) - omega_EDF * (Scalar(3) * alpha_EDF * ED_x - ED_y * t06);
-    rhs(1) = omega_B * (omega_B * (omega_B * t04 + Scalar(3) * t08) + Scalar(3) * t02 * alpha_B
+        - Scalar(3) * t05) - omega_EDF * (Scalar(3) * ED_x * alpha_EDF - ED_y * t06);
+    rhs(1) = omega_B * (omega_B * (t04 * omega_B + Scalar(3) * t08) + Scalar(3) * t02 * alpha_B
         - Scalar(3) * t10) + omega_CD * (Scalar(3) * CD_y * alpha_CD + CD_x * t07) - t04 * jerk_B
         - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t06) - Scalar(3) * t11;
-    rhs(2) = omega_B * (Scalar(3) * t05 + omega_B * (Scalar(3) * t03 - omega_B * t12)
-        + Scalar(3) * alpha_B * t13) + jerk_B * t12 + omega_GF * (Scalar(3) * alpha_GF * GF_x
-        - GF_y * t14) + Scalar(3) * t09 - omega_EDF * (Scalar(3) * alpha_EDF * EF_x - EF_y * t06);
+    rhs(2) = omega_B * (Scalar(3) * t05 + omega_B * (Scalar(3) * t03 - t12 * omega_B)
+        + Scalar(3) * t13 * alpha_B) + t12 * jerk_B + omega_GF * (Scalar(3) * GF_x * alpha_GF
+        - GF_y * t14) + Scalar(3) * t09 - omega_EDF * (Scalar(3) * EF_x * alpha_EDF - EF_y * t06);
     rhs(3) = omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t14) - omega_B * (Scalar(3) * t10
-        - omega_B * (Scalar(3) * t08 + omega_B * t13) - Scalar(3) * alpha_B * t12) - jerk_B * t13
-        - omega_EDF * (Scalar(3) * alpha_EDF * EF_y + EF_x * t06) - Scalar(3) * t11;
+        - omega_B * (Scalar(3) * t08 + t13 * omega_B) - Scalar(3) * t12 * alpha_B) - t13 * jerk_B
+        - omega_EDF * (Scalar(3) * EF_y * alpha_EDF + EF_x * t06) - Scalar(3) * t11;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -459,36 +459,35 @@ struct Model08 {
     const Scalar omega_B = u_rate(2);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     const Scalar t02 = v_h_B_BCG - v_y_G_BCG;
     const Scalar t03 = v_s_B + v_x_G_BCG;
     rhs(0) = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BCG) + omega_CD * (Scalar(2) * q.theta_CD.sin * v_CD
-        + omega_CD * CD_x) - omega_EDF * (Scalar(2) * q.theta_EDF.sin * v_ED + omega_EDF * ED_x);
-    rhs(1) = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+        + CD_x * omega_CD) - omega_EDF * (Scalar(2) * q.theta_EDF.sin * v_ED + ED_x * omega_EDF);
+    rhs(1) = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BCG) + omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_ED
-        - omega_EDF * ED_y) - omega_CD * (Scalar(2) * q.theta_CD.cos * v_CD - omega_CD * CD_y);
-    rhs(2) = omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + omega_GF * GF_x)
-        - omega_B * (Scalar(2) * u.phi_B.cos * t02 - Scalar(2) * u.phi_B.sin * t03
-        - omega_B * (slide_B_x + BG_x)) - omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_y_F_EDF
-        + Scalar(2) * q.theta_EDF.sin * v_x_F_EDF + omega_EDF * EF_x);
+        - ED_y * omega_EDF) - omega_CD * (Scalar(2) * q.theta_CD.cos * v_CD - CD_y * omega_CD);
+    rhs(2) = omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + GF_x * omega_GF)
+        - omega_B * (Scalar(2) * u.phi_B.cos * t02 - Scalar(2) * u.phi_B.sin * t03 - (slide_B_x
+        + BG_x) * omega_B) - omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_y_F_EDF
+        + Scalar(2) * q.theta_EDF.sin * v_x_F_EDF + EF_x * omega_EDF);
     rhs(3) = omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_x_F_EDF
-        - Scalar(2) * q.theta_EDF.sin * v_y_F_EDF - omega_EDF * EF_y)
-        - omega_B * (Scalar(2) * u.phi_B.cos * t03 + Scalar(2) * u.phi_B.sin * t02
-        - omega_B * (slide_B_y + BG_y)) - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF
-        - omega_GF * GF_y);
+        - Scalar(2) * q.theta_EDF.sin * v_y_F_EDF - EF_y * omega_EDF)
+        - omega_B * (Scalar(2) * u.phi_B.cos * t03 + Scalar(2) * u.phi_B.sin * t02 - (slide_B_y
+        + BG_y) * omega_B) - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - GF_y * omega_GF);
   }
 
   /// Frames of the links in the fixed frame.
@@ -497,11 +496,11 @@ struct Model08 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = u.x_B + slide_B_x;
     const Scalar t03 = BC_x + t02;
     const Scalar t04 = u.y_B + slide_B_y;
@@ -536,11 +535,11 @@ struct Model08 {
     P_u.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = slide_B_y + BC_y;
     const Scalar t03 = slide_B_x + BC_x;
     P_q(0, 3) = u.phi_B.cos;
@@ -595,15 +594,15 @@ struct Model08 {
     const Scalar v_y_E = u_rate(4);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = u.phi_B.cos * v_s_B + v_x_B;
     const Scalar t03 = (slide_B_y + BC_y) * omega_B - t02;
     const Scalar t04 = u.phi_B.sin * v_s_B + v_y_B;
-    const Scalar t05 = omega_B * (slide_B_x + BC_x) + t04;
+    const Scalar t05 = (slide_B_x + BC_x) * omega_B + t04;
     v(0, 0) = -t03;
     v(0, 1) = t05;
     v(0, 2) = omega_B;
@@ -613,8 +612,8 @@ struct Model08 {
     v(2, 0) = -t03;
     v(2, 1) = t05;
     v(2, 2) = omega_CD;
-    v(3, 0) = t02 - omega_B * (slide_B_y + BG_y);
-    v(3, 1) = t04 + omega_B * (slide_B_x + BG_x);
+    v(3, 0) = t02 - (slide_B_y + BG_y) * omega_B;
+    v(3, 1) = t04 + (slide_B_x + BG_x) * omega_B;
     v(3, 2) = omega_GF;
   }
 
@@ -637,11 +636,11 @@ struct Model08 {
     const Scalar a_y_E = u_second_rate(4);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = slide_B_x + BC_x;
     const Scalar t03 = u.phi_B.sin * v_s_B;
     const Scalar t04 = slide_B_y + BC_y;
@@ -649,7 +648,7 @@ struct Model08 {
     const Scalar t06 = omega_B * (t02 * omega_B + Scalar(2) * t03) + t04 * alpha_B - t05;
     const Scalar t07 = u.phi_B.cos * v_s_B;
     const Scalar t08 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t09 = omega_B * (omega_B * t04 - Scalar(2) * t07) - t02 * alpha_B - t08;
+    const Scalar t09 = omega_B * (t04 * omega_B - Scalar(2) * t07) - t02 * alpha_B - t08;
     const Scalar t10 = slide_B_x + BG_x;
     const Scalar t11 = slide_B_y + BG_y;
     a(0, 0) = -t06;
@@ -661,8 +660,8 @@ struct Model08 {
     a(2, 0) = -t06;
     a(2, 1) = -t09;
     a(2, 2) = alpha_CD;
-    a(3, 0) = t05 - omega_B * (Scalar(2) * t03 + omega_B * t10) - alpha_B * t11;
-    a(3, 1) = t08 + omega_B * (Scalar(2) * t07 - omega_B * t11) + alpha_B * t10;
+    a(3, 0) = t05 - omega_B * (Scalar(2) * t03 + t10 * omega_B) - t11 * alpha_B;
+    a(3, 1) = t08 + omega_B * (Scalar(2) * t07 - t11 * omega_B) + t10 * alpha_B;
     a(3, 2) = alpha_GF;
   }
 
@@ -681,14 +680,14 @@ struct Model08 {
     p.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BCG);
-    const Scalar t03 = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+    const Scalar t03 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BCG);
     const Scalar t04 = v_h_B_BCG - v_y_G_BCG;
     const Scalar t05 = v_s_B + v_x_G_BCG;
@@ -696,10 +695,10 @@ struct Model08 {
     p(0, 1) = -t03;
     p(2, 0) = -t02;
     p(2, 1) = -t03;
-    p(3, 0) = omega_B * (Scalar(2) * u.phi_B.cos * t04 - Scalar(2) * u.phi_B.sin * t05
-        - omega_B * (slide_B_x + BG_x));
-    p(3, 1) = omega_B * (Scalar(2) * u.phi_B.cos * t05 + Scalar(2) * u.phi_B.sin * t04
-        - omega_B * (slide_B_y + BG_y));
+    p(3, 0) = omega_B * (Scalar(2) * u.phi_B.cos * t04 - Scalar(2) * u.phi_B.sin * t05 - (slide_B_x
+        + BG_x) * omega_B);
+    p(3, 1) = omega_B * (Scalar(2) * u.phi_B.cos * t05 + Scalar(2) * u.phi_B.sin * t04 - (slide_B_y
+        + BG_y) * omega_B);
   }
 
   /// The lines n . S = c on which the unknowns move a special point in parallel,
@@ -709,14 +708,14 @@ struct Model08 {
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
     lines.setZero();
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     lines(0, 0) = -u.phi_B.cos;
     lines(0, 1) = -u.phi_B.sin;
     lines(1, 0) = -ED_y;
@@ -749,20 +748,20 @@ struct Model08 {
     const Scalar n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     L(0, 1) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
     L(0, 3) = n_CD_BCG_x * u.phi_B.cos + n_CD_BCG_y * u.phi_B.sin;
     L(1, 0) = ED_x * n_CD_EDF_y - ED_y * n_CD_EDF_x;
     L(1, 1) = n_CD_EDF_y * (S_CD_x - CD_x) - n_CD_EDF_x * (S_CD_y - CD_y);
     L(2, 2) = S_GF_x * n_GF_BCG_y - S_GF_y * n_GF_BCG_x;
-    L(2, 3) = u.phi_B.cos * n_GF_BCG_x + u.phi_B.sin * n_GF_BCG_y;
+    L(2, 3) = n_GF_BCG_x * u.phi_B.cos + n_GF_BCG_y * u.phi_B.sin;
     L(3, 0) = EF_x * n_GF_EDF_y - EF_y * n_GF_EDF_x;
     L(3, 2) = n_GF_EDF_y * (S_GF_x - GF_x) - n_GF_EDF_x * (S_GF_y - GF_y);
   }
@@ -779,17 +778,17 @@ struct Model08 {
     const Scalar v_y_E = u_rate(4);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     v(0, 0) = v_x_B - (slide_B_y + BC_y) * omega_B;
-    v(0, 1) = omega_B * (slide_B_x + BC_x) + v_y_B;
+    v(0, 1) = (slide_B_x + BC_x) * omega_B + v_y_B;
     v(1, 0) = v_x_E;
     v(1, 1) = v_y_E;
-    v(2, 0) = v_x_B - omega_B * (slide_B_y + BG_y);
-    v(2, 1) = v_y_B + omega_B * (slide_B_x + BG_x);
+    v(2, 0) = v_x_B - (slide_B_y + BG_y) * omega_B;
+    v(2, 1) = v_y_B + (slide_B_x + BG_x) * omega_B;
     v(3, 0) = v_x_E;
     v(3, 1) = v_y_E;
   }
@@ -818,19 +817,19 @@ struct Model08 {
     const Scalar S_GF_y = S(1, 1);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     const Scalar t02 = slide_B_x + BC_x;
     const Scalar t03 = u.phi_B.sin * v_s_B;
     const Scalar t04 = slide_B_y + BC_y;
@@ -841,11 +840,11 @@ struct Model08 {
     const Scalar t09 = slide_B_y + BG_y;
     const Scalar t10 = omega_GF * omega_GF;
     a(0, 0) = a_x_B - omega_B * (t02 * omega_B + Scalar(2) * t03) - t04 * alpha_B - S_CD_x * t05;
-    a(0, 1) = t02 * alpha_B + a_y_B - omega_B * (omega_B * t04 - Scalar(2) * t06) - S_CD_y * t05;
+    a(0, 1) = t02 * alpha_B + a_y_B - omega_B * (t04 * omega_B - Scalar(2) * t06) - S_CD_y * t05;
     a(1, 0) = a_x_E - (S_CD_x - CD_x) * t05 - ED_x * t07;
     a(1, 1) = a_y_E - (S_CD_y - CD_y) * t05 - ED_y * t07;
-    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t03 + omega_B * t08) - alpha_B * t09 - S_GF_x * t10;
-    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t06 - omega_B * t09) + alpha_B * t08 - S_GF_y * t10;
+    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t03 + t08 * omega_B) - t09 * alpha_B - S_GF_x * t10;
+    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t06 - t09 * omega_B) + t08 * alpha_B - S_GF_y * t10;
     a(3, 0) = a_x_E - EF_x * t07 - (S_GF_x - GF_x) * t10;
     a(3, 1) = a_y_E - EF_y * t07 - (S_GF_y - GF_y) * t10;
   }
@@ -868,8 +867,8 @@ struct Model08 {
         - q.theta_EDF.cos * q.theta_GF.sin;
     const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
-    const Scalar determinant = cos_phi_B_minus_CD * EDF_across_GF
-        - cos_phi_B_minus_GF * EDF_across_CD;
+    const Scalar determinant = EDF_across_GF * cos_phi_B_minus_CD
+        - EDF_across_CD * cos_phi_B_minus_GF;
     const Scalar t01 = abs(q.s_B) + abs(d.h_B_BCG);
     const Scalar t02 = abs(d.ED) + abs(d.CD);
     const Scalar t03 = abs(d.x_F_EDF) + abs(d.y_F_EDF);
@@ -902,9 +901,9 @@ struct Model08 {
     const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
     const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
-    const Scalar determinant = cos_phi_B_minus_CD * EDF_across_GF
-        - cos_phi_B_minus_GF * EDF_across_CD;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = EDF_across_GF * cos_phi_B_minus_CD
+        - EDF_across_CD * cos_phi_B_minus_GF;
     const Scalar t01 = d.CD * d.GF;
     const Scalar pivot_product = determinant * t01;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
@@ -912,30 +911,30 @@ struct Model08 {
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t02;
     const Scalar inverse_CD = d.GF * t02;
-    const Scalar EDF_per_along_CD = cos_phi_B_minus_GF * inverse_determinant;
+    const Scalar EDF_per_along_CD = inverse_determinant * cos_phi_B_minus_GF;
     const Scalar s_B_per_along_CD = EDF_across_GF * inverse_determinant;
-    const Scalar GF_per_along_CD = -(sin_phi_B_minus_GF * s_B_per_along_CD
-        + EDF_along_GF * EDF_per_along_CD) * inverse_GF;
-    const Scalar CD_per_along_CD = -(s_B_per_along_CD * sin_phi_B_minus_CD
-        + EDF_per_along_CD * EDF_along_CD) * inverse_CD;
-    const Scalar EDF_per_along_GF = -cos_phi_B_minus_CD * inverse_determinant;
+    const Scalar GF_per_along_CD = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_CD
+        + EDF_along_GF * EDF_per_along_CD);
+    const Scalar CD_per_along_CD = -inverse_CD * (s_B_per_along_CD * sin_phi_B_minus_CD
+        + EDF_per_along_CD * EDF_along_CD);
+    const Scalar EDF_per_along_GF = -inverse_determinant * cos_phi_B_minus_CD;
     const Scalar s_B_per_along_GF = -EDF_across_CD * inverse_determinant;
     const Scalar GF_per_along_GF = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_GF
         + EDF_along_GF * EDF_per_along_GF);
     const Scalar CD_per_along_GF = -inverse_CD * (sin_phi_B_minus_CD * s_B_per_along_GF
         + EDF_along_CD * EDF_per_along_GF);
-    J_inverse(0, 0) = q.theta_CD.cos * EDF_per_along_CD;
-    J_inverse(0, 1) = q.theta_CD.sin * EDF_per_along_CD;
-    J_inverse(0, 2) = q.theta_GF.cos * EDF_per_along_GF;
-    J_inverse(0, 3) = q.theta_GF.sin * EDF_per_along_GF;
-    J_inverse(1, 0) = q.theta_CD.cos * CD_per_along_CD - q.theta_CD.sin * inverse_CD;
-    J_inverse(1, 1) = q.theta_CD.cos * inverse_CD + q.theta_CD.sin * CD_per_along_CD;
-    J_inverse(1, 2) = q.theta_GF.cos * CD_per_along_GF;
-    J_inverse(1, 3) = q.theta_GF.sin * CD_per_along_GF;
-    J_inverse(2, 0) = q.theta_CD.cos * GF_per_along_CD;
-    J_inverse(2, 1) = q.theta_CD.sin * GF_per_along_CD;
-    J_inverse(2, 2) = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
-    J_inverse(2, 3) = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    J_inverse(0, 0) = EDF_per_along_CD * q.theta_CD.cos;
+    J_inverse(0, 1) = EDF_per_along_CD * q.theta_CD.sin;
+    J_inverse(0, 2) = EDF_per_along_GF * q.theta_GF.cos;
+    J_inverse(0, 3) = EDF_per_along_GF * q.theta_GF.sin;
+    J_inverse(1, 0) = CD_per_along_CD * q.theta_CD.cos - inverse_CD * q.theta_CD.sin;
+    J_inverse(1, 1) = inverse_CD * q.theta_CD.cos + CD_per_along_CD * q.theta_CD.sin;
+    J_inverse(1, 2) = CD_per_along_GF * q.theta_GF.cos;
+    J_inverse(1, 3) = CD_per_along_GF * q.theta_GF.sin;
+    J_inverse(2, 0) = GF_per_along_CD * q.theta_CD.cos;
+    J_inverse(2, 1) = GF_per_along_CD * q.theta_CD.sin;
+    J_inverse(2, 2) = GF_per_along_GF * q.theta_GF.cos - inverse_GF * q.theta_GF.sin;
+    J_inverse(2, 3) = inverse_GF * q.theta_GF.cos + GF_per_along_GF * q.theta_GF.sin;
     J_inverse(3, 0) = q.theta_CD.cos * s_B_per_along_CD;
     J_inverse(3, 1) = q.theta_CD.sin * s_B_per_along_CD;
     J_inverse(3, 2) = q.theta_GF.cos * s_B_per_along_GF;
@@ -960,17 +959,17 @@ struct Model08 {
     const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
         - q.theta_EDF.cos * q.theta_GF.sin;
     const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
-    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - cos_phi_B_minus_CD * d.h_B_BCG;
+    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - d.h_B_BCG * cos_phi_B_minus_CD;
     const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
     const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
-    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
-    const Scalar determinant = cos_phi_B_minus_CD * EDF_across_GF
-        - cos_phi_B_minus_GF * EDF_across_CD;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = EDF_across_GF * cos_phi_B_minus_CD
+        - EDF_across_CD * cos_phi_B_minus_GF;
     const Scalar t03 = d.CD * d.GF;
     const Scalar pivot_product = determinant * t03;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
@@ -978,55 +977,59 @@ struct Model08 {
     const Scalar t04 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t04;
     const Scalar inverse_CD = d.GF * t04;
-    const Scalar EDF_per_along_CD = cos_phi_B_minus_GF * inverse_determinant;
+    const Scalar EDF_per_along_CD = inverse_determinant * cos_phi_B_minus_GF;
     const Scalar s_B_per_along_CD = EDF_across_GF * inverse_determinant;
-    const Scalar GF_per_along_CD = -(sin_phi_B_minus_GF * s_B_per_along_CD
-        + EDF_along_GF * EDF_per_along_CD) * inverse_GF;
+    const Scalar GF_per_along_CD = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_CD
+        + EDF_along_GF * EDF_per_along_CD);
     const Scalar t05 = sin_phi_B_minus_CD * s_B_per_along_CD;
-    const Scalar CD_per_along_CD = -(t05 + EDF_per_along_CD * EDF_along_CD) * inverse_CD;
-    const Scalar EDF_per_along_GF = -cos_phi_B_minus_CD * inverse_determinant;
+    const Scalar CD_per_along_CD = -inverse_CD * (t05 + EDF_per_along_CD * EDF_along_CD);
+    const Scalar EDF_per_along_GF = -inverse_determinant * cos_phi_B_minus_CD;
     const Scalar s_B_per_along_GF = -EDF_across_CD * inverse_determinant;
     const Scalar t06 = sin_phi_B_minus_GF * s_B_per_along_GF;
     const Scalar GF_per_along_GF = -inverse_GF * (t06 + EDF_along_GF * EDF_per_along_GF);
     const Scalar CD_per_along_GF = -inverse_CD * (sin_phi_B_minus_CD * s_B_per_along_GF
         + EDF_along_CD * EDF_per_along_GF);
-    const Scalar t07 = sin_phi_B_minus_GF * EDF_per_along_GF;
-    const Scalar t08 = sin_phi_B_minus_GF * CD_per_along_GF;
-    const Scalar t09 = cos_phi_B_minus_GF * inverse_GF - sin_phi_B_minus_GF * GF_per_along_GF;
-    const Scalar t10 = q.theta_CD.cos * EDF_per_along_CD + q.theta_GF.cos * EDF_per_along_GF;
-    const Scalar t11 = q.theta_CD.sin * EDF_per_along_CD + q.theta_GF.sin * EDF_per_along_GF;
-    const Scalar t12 = q.theta_CD.cos * CD_per_along_CD + q.theta_GF.cos * CD_per_along_GF
-        - q.theta_CD.sin * inverse_CD;
-    const Scalar t13 = q.theta_CD.cos * inverse_CD + q.theta_CD.sin * CD_per_along_CD
-        + q.theta_GF.sin * CD_per_along_GF;
-    const Scalar t14 = q.theta_CD.cos * GF_per_along_CD + q.theta_GF.cos * GF_per_along_GF
-        - q.theta_GF.sin * inverse_GF;
-    const Scalar t15 = q.theta_CD.sin * GF_per_along_CD + q.theta_GF.cos * inverse_GF
-        + q.theta_GF.sin * GF_per_along_GF;
-    const Scalar t16 = q.theta_CD.cos * s_B_per_along_CD + q.theta_GF.cos * s_B_per_along_GF;
-    const Scalar t17 = q.theta_CD.sin * s_B_per_along_CD + q.theta_GF.sin * s_B_per_along_GF;
-    S_d(0, 0) = -sin_phi_B_minus_CD * EDF_per_along_CD - t07;
-    S_d(0, 1) = -cos_phi_B_minus_GF * EDF_per_along_GF;
+    const Scalar EDF_per_x_B = -EDF_per_along_CD * q.theta_CD.cos
+        - EDF_per_along_GF * q.theta_GF.cos;
+    const Scalar CD_per_x_B = inverse_CD * q.theta_CD.sin - CD_per_along_CD * q.theta_CD.cos
+        - CD_per_along_GF * q.theta_GF.cos;
+    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_CD * q.theta_CD.cos
+        - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_B_per_x_B = -q.theta_CD.cos * s_B_per_along_CD
+        - q.theta_GF.cos * s_B_per_along_GF;
+    const Scalar EDF_per_y_B = -EDF_per_along_CD * q.theta_CD.sin
+        - EDF_per_along_GF * q.theta_GF.sin;
+    const Scalar CD_per_y_B = -inverse_CD * q.theta_CD.cos - CD_per_along_CD * q.theta_CD.sin
+        - CD_per_along_GF * q.theta_GF.sin;
+    const Scalar GF_per_y_B = -GF_per_along_CD * q.theta_CD.sin - inverse_GF * q.theta_GF.cos
+        - GF_per_along_GF * q.theta_GF.sin;
+    const Scalar s_B_per_y_B = -q.theta_CD.sin * s_B_per_along_CD
+        - q.theta_GF.sin * s_B_per_along_GF;
+    const Scalar t07 = EDF_per_along_GF * sin_phi_B_minus_GF;
+    const Scalar t08 = CD_per_along_GF * sin_phi_B_minus_GF;
+    const Scalar t09 = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
+    S_d(0, 0) = -EDF_per_along_CD * sin_phi_B_minus_CD - t07;
+    S_d(0, 1) = -EDF_per_along_GF * cos_phi_B_minus_GF;
     S_d(0, 2) = t07;
-    S_d(0, 3) = cos_EDF_minus_CD * EDF_per_along_CD;
-    S_d(0, 4) = cos_EDF_minus_GF * EDF_per_along_GF;
-    S_d(0, 5) = -sin_EDF_minus_GF * EDF_per_along_GF;
+    S_d(0, 3) = EDF_per_along_CD * cos_EDF_minus_CD;
+    S_d(0, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
+    S_d(0, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;
     S_d(0, 6) = -EDF_per_along_CD;
     S_d(0, 7) = -EDF_per_along_GF;
-    S_d(1, 0) = cos_phi_B_minus_CD * inverse_CD - sin_phi_B_minus_CD * CD_per_along_CD - t08;
-    S_d(1, 1) = -cos_phi_B_minus_GF * CD_per_along_GF;
+    S_d(1, 0) = inverse_CD * cos_phi_B_minus_CD - CD_per_along_CD * sin_phi_B_minus_CD - t08;
+    S_d(1, 1) = -CD_per_along_GF * cos_phi_B_minus_GF;
     S_d(1, 2) = t08;
-    S_d(1, 3) = cos_EDF_minus_CD * CD_per_along_CD + sin_EDF_minus_CD * inverse_CD;
-    S_d(1, 4) = cos_EDF_minus_GF * CD_per_along_GF;
-    S_d(1, 5) = -sin_EDF_minus_GF * CD_per_along_GF;
+    S_d(1, 3) = CD_per_along_CD * cos_EDF_minus_CD + inverse_CD * sin_EDF_minus_CD;
+    S_d(1, 4) = CD_per_along_GF * cos_EDF_minus_GF;
+    S_d(1, 5) = -CD_per_along_GF * sin_EDF_minus_GF;
     S_d(1, 6) = -CD_per_along_CD;
     S_d(1, 7) = -CD_per_along_GF;
-    S_d(2, 0) = t09 - sin_phi_B_minus_CD * GF_per_along_CD;
-    S_d(2, 1) = -cos_phi_B_minus_GF * GF_per_along_GF - sin_phi_B_minus_GF * inverse_GF;
+    S_d(2, 0) = t09 - GF_per_along_CD * sin_phi_B_minus_CD;
+    S_d(2, 1) = -GF_per_along_GF * cos_phi_B_minus_GF - inverse_GF * sin_phi_B_minus_GF;
     S_d(2, 2) = -t09;
-    S_d(2, 3) = cos_EDF_minus_CD * GF_per_along_CD;
-    S_d(2, 4) = cos_EDF_minus_GF * GF_per_along_GF + sin_EDF_minus_GF * inverse_GF;
-    S_d(2, 5) = cos_EDF_minus_GF * inverse_GF - sin_EDF_minus_GF * GF_per_along_GF;
+    S_d(2, 3) = GF_per_along_CD * cos_EDF_minus_CD;
+    S_d(2, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
+    S_d(2, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
     S_d(2, 6) = -GF_per_along_CD;
     S_d(2, 7) = -GF_per_along_GF;
     S_d(3, 0) = -t05 - t06;
@@ -1037,28 +1040,28 @@ struct Model08 {
     S_d(3, 5) = -sin_EDF_minus_GF * s_B_per_along_GF;
     S_d(3, 6) = -s_B_per_along_CD;
     S_d(3, 7) = -s_B_per_along_GF;
-    S_u(0, 0) = -t10;
-    S_u(0, 1) = -t11;
+    S_u(0, 0) = EDF_per_x_B;
+    S_u(0, 1) = EDF_per_y_B;
     S_u(0, 2) = EDF_per_along_CD * phi_B_across_CD + EDF_per_along_GF * phi_B_across_GF;
-    S_u(0, 3) = t10;
-    S_u(0, 4) = t11;
-    S_u(1, 0) = -t12;
-    S_u(1, 1) = -t13;
+    S_u(0, 3) = -EDF_per_x_B;
+    S_u(0, 4) = -EDF_per_y_B;
+    S_u(1, 0) = CD_per_x_B;
+    S_u(1, 1) = CD_per_y_B;
     S_u(1, 2) = CD_per_along_CD * phi_B_across_CD + CD_per_along_GF * phi_B_across_GF
         - inverse_CD * phi_B_along_CD;
-    S_u(1, 3) = t12;
-    S_u(1, 4) = t13;
-    S_u(2, 0) = -t14;
-    S_u(2, 1) = -t15;
+    S_u(1, 3) = -CD_per_x_B;
+    S_u(1, 4) = -CD_per_y_B;
+    S_u(2, 0) = GF_per_x_B;
+    S_u(2, 1) = GF_per_y_B;
     S_u(2, 2) = GF_per_along_CD * phi_B_across_CD + GF_per_along_GF * phi_B_across_GF
         - inverse_GF * phi_B_along_GF;
-    S_u(2, 3) = t14;
-    S_u(2, 4) = t15;
-    S_u(3, 0) = -t16;
-    S_u(3, 1) = -t17;
-    S_u(3, 2) = s_B_per_along_CD * phi_B_across_CD + s_B_per_along_GF * phi_B_across_GF;
-    S_u(3, 3) = t16;
-    S_u(3, 4) = t17;
+    S_u(2, 3) = -GF_per_x_B;
+    S_u(2, 4) = -GF_per_y_B;
+    S_u(3, 0) = s_B_per_x_B;
+    S_u(3, 1) = s_B_per_y_B;
+    S_u(3, 2) = phi_B_across_CD * s_B_per_along_CD + phi_B_across_GF * s_B_per_along_GF;
+    S_u(3, 3) = -s_B_per_x_B;
+    S_u(3, 4) = -s_B_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1084,17 +1087,17 @@ struct Model08 {
     const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
         - q.theta_EDF.cos * q.theta_GF.sin;
     const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
-    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - cos_phi_B_minus_CD * d.h_B_BCG;
+    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - d.h_B_BCG * cos_phi_B_minus_CD;
     const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
     const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
-    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
-    const Scalar determinant = cos_phi_B_minus_CD * EDF_across_GF
-        - cos_phi_B_minus_GF * EDF_across_CD;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = EDF_across_GF * cos_phi_B_minus_CD
+        - EDF_across_CD * cos_phi_B_minus_GF;
     const Scalar t03 = d.CD * d.GF;
     const Scalar pivot_product = determinant * t03;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
@@ -1104,22 +1107,22 @@ struct Model08 {
     const Scalar inverse_CD = d.GF * t04;
     const Scalar t05 = v_x_B - v_x_E;
     const Scalar t06 = v_y_B - v_y_E;
-    const Scalar velocity_along_CD = omega_B * phi_B_across_CD - q.theta_CD.cos * t05
+    const Scalar velocity_along_CD = phi_B_across_CD * omega_B - q.theta_CD.cos * t05
         - q.theta_CD.sin * t06;
     const Scalar velocity_across_CD = q.theta_CD.sin * t05 - q.theta_CD.cos * t06
-        - omega_B * phi_B_along_CD;
-    const Scalar velocity_along_GF = omega_B * phi_B_across_GF - q.theta_GF.cos * t05
+        - phi_B_along_CD * omega_B;
+    const Scalar velocity_along_GF = phi_B_across_GF * omega_B - q.theta_GF.cos * t05
         - q.theta_GF.sin * t06;
     const Scalar velocity_across_GF = q.theta_GF.sin * t05 - q.theta_GF.cos * t06
-        - omega_B * phi_B_along_GF;
-    const Scalar omega_EDF = -(cos_phi_B_minus_CD * velocity_along_GF
-        - cos_phi_B_minus_GF * velocity_along_CD) * inverse_determinant;
+        - phi_B_along_GF * omega_B;
+    const Scalar omega_EDF = -inverse_determinant * (cos_phi_B_minus_CD * velocity_along_GF
+        - cos_phi_B_minus_GF * velocity_along_CD);
     const Scalar v_s_B = -inverse_determinant * (EDF_across_CD * velocity_along_GF
         - EDF_across_GF * velocity_along_CD);
-    const Scalar omega_GF = -(omega_EDF * EDF_along_GF + sin_phi_B_minus_GF * v_s_B
-        - velocity_across_GF) * inverse_GF;
-    const Scalar omega_CD = -(omega_EDF * EDF_along_CD + sin_phi_B_minus_CD * v_s_B
-        - velocity_across_CD) * inverse_CD;
+    const Scalar omega_GF = -inverse_GF * (EDF_along_GF * omega_EDF + sin_phi_B_minus_GF * v_s_B
+        - velocity_across_GF);
+    const Scalar omega_CD = -inverse_CD * (EDF_along_CD * omega_EDF + sin_phi_B_minus_CD * v_s_B
+        - velocity_across_CD);
     q_rate(0) = omega_EDF;
     q_rate(1) = omega_CD;
     q_rate(2) = omega_GF;
@@ -1155,17 +1158,17 @@ struct Model08 {
     const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
         - q.theta_EDF.cos * q.theta_GF.sin;
     const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
-    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - cos_phi_B_minus_CD * d.h_B_BCG;
+    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - d.h_B_BCG * cos_phi_B_minus_CD;
     const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
     const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
-    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
-    const Scalar determinant = cos_phi_B_minus_CD * EDF_across_GF
-        - cos_phi_B_minus_GF * EDF_across_CD;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = EDF_across_GF * cos_phi_B_minus_CD
+        - EDF_across_CD * cos_phi_B_minus_GF;
     const Scalar t03 = d.CD * d.GF;
     const Scalar pivot_product = determinant * t03;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
@@ -1175,22 +1178,22 @@ struct Model08 {
     const Scalar inverse_CD = d.GF * t04;
     const Scalar t05 = v_x_B - v_x_E;
     const Scalar t06 = v_y_B - v_y_E;
-    const Scalar t07 = omega_B * phi_B_across_CD;
+    const Scalar t07 = phi_B_across_CD * omega_B;
     const Scalar velocity_along_CD = t07 - q.theta_CD.cos * t05 - q.theta_CD.sin * t06;
-    const Scalar t08 = omega_B * phi_B_along_CD;
+    const Scalar t08 = phi_B_along_CD * omega_B;
     const Scalar velocity_across_CD = q.theta_CD.sin * t05 - q.theta_CD.cos * t06 - t08;
-    const Scalar t09 = omega_B * phi_B_across_GF;
+    const Scalar t09 = phi_B_across_GF * omega_B;
     const Scalar velocity_along_GF = t09 - q.theta_GF.cos * t05 - q.theta_GF.sin * t06;
-    const Scalar t10 = omega_B * phi_B_along_GF;
+    const Scalar t10 = phi_B_along_GF * omega_B;
     const Scalar velocity_across_GF = q.theta_GF.sin * t05 - q.theta_GF.cos * t06 - t10;
-    const Scalar omega_EDF = -(cos_phi_B_minus_CD * velocity_along_GF
-        - cos_phi_B_minus_GF * velocity_along_CD) * inverse_determinant;
+    const Scalar omega_EDF = -inverse_determinant * (cos_phi_B_minus_CD * velocity_along_GF
+        - cos_phi_B_minus_GF * velocity_along_CD);
     const Scalar v_s_B = -inverse_determinant * (EDF_across_CD * velocity_along_GF
         - EDF_across_GF * velocity_along_CD);
     const Scalar t11 = sin_phi_B_minus_GF * v_s_B;
-    const Scalar omega_GF = -(omega_EDF * EDF_along_GF + t11 - velocity_across_GF) * inverse_GF;
+    const Scalar omega_GF = -inverse_GF * (EDF_along_GF * omega_EDF + t11 - velocity_across_GF);
     const Scalar t12 = sin_phi_B_minus_CD * v_s_B;
-    const Scalar omega_CD = -(omega_EDF * EDF_along_CD + t12 - velocity_across_CD) * inverse_CD;
+    const Scalar omega_CD = -inverse_CD * (EDF_along_CD * omega_EDF + t12 - velocity_across_CD);
     const Scalar t13 = a_x_B - a_x_E;
     const Scalar t14 = a_y_B - a_y_E;
     const Scalar t15 = omega_EDF * omega_EDF;
@@ -1255,17 +1258,17 @@ struct Model08 {
     const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
         - q.theta_EDF.cos * q.theta_GF.sin;
     const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
-    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - cos_phi_B_minus_CD * d.h_B_BCG;
+    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - d.h_B_BCG * cos_phi_B_minus_CD;
     const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
     const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
-    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
-    const Scalar determinant = cos_phi_B_minus_CD * EDF_across_GF
-        - cos_phi_B_minus_GF * EDF_across_CD;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = EDF_across_GF * cos_phi_B_minus_CD
+        - EDF_across_CD * cos_phi_B_minus_GF;
     const Scalar t03 = d.CD * d.GF;
     const Scalar pivot_product = determinant * t03;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
@@ -1273,90 +1276,84 @@ struct Model08 {
     const Scalar t04 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t04;
     const Scalar inverse_CD = d.GF * t04;
-    const Scalar EDF_per_along_CD = cos_phi_B_minus_GF * inverse_determinant;
+    const Scalar EDF_per_along_CD = inverse_determinant * cos_phi_B_minus_GF;
     const Scalar s_B_per_along_CD = EDF_across_GF * inverse_determinant;
-    const Scalar GF_per_along_CD = -(sin_phi_B_minus_GF * s_B_per_along_CD
-        + EDF_along_GF * EDF_per_along_CD) * inverse_GF;
+    const Scalar GF_per_along_CD = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_CD
+        + EDF_along_GF * EDF_per_along_CD);
     const Scalar t05 = sin_phi_B_minus_CD * s_B_per_along_CD;
-    const Scalar CD_per_along_CD = -(t05 + EDF_per_along_CD * EDF_along_CD) * inverse_CD;
-    const Scalar EDF_per_along_GF = -cos_phi_B_minus_CD * inverse_determinant;
+    const Scalar CD_per_along_CD = -inverse_CD * (t05 + EDF_per_along_CD * EDF_along_CD);
+    const Scalar EDF_per_along_GF = -inverse_determinant * cos_phi_B_minus_CD;
     const Scalar s_B_per_along_GF = -EDF_across_CD * inverse_determinant;
     const Scalar t06 = sin_phi_B_minus_GF * s_B_per_along_GF;
     const Scalar GF_per_along_GF = -inverse_GF * (t06 + EDF_along_GF * EDF_per_along_GF);
     const Scalar CD_per_along_GF = -inverse_CD * (sin_phi_B_minus_CD * s_B_per_along_GF
         + EDF_along_CD * EDF_per_along_GF);
-    const Scalar t07 = q.theta_CD.cos * EDF_per_along_CD + q.theta_GF.cos * EDF_per_along_GF;
-    const Scalar EDF_per_x_B = -t07;
-    const Scalar t08 = q.theta_CD.cos * CD_per_along_CD + q.theta_GF.cos * CD_per_along_GF
-        - q.theta_CD.sin * inverse_CD;
-    const Scalar CD_per_x_B = -t08;
-    const Scalar t09 = q.theta_CD.cos * GF_per_along_CD + q.theta_GF.cos * GF_per_along_GF
-        - q.theta_GF.sin * inverse_GF;
-    const Scalar GF_per_x_B = -t09;
-    const Scalar t10 = q.theta_CD.cos * s_B_per_along_CD + q.theta_GF.cos * s_B_per_along_GF;
-    const Scalar s_B_per_x_B = -t10;
-    const Scalar t11 = q.theta_CD.sin * EDF_per_along_CD + q.theta_GF.sin * EDF_per_along_GF;
-    const Scalar EDF_per_y_B = -t11;
-    const Scalar t12 = q.theta_CD.cos * inverse_CD + q.theta_CD.sin * CD_per_along_CD
-        + q.theta_GF.sin * CD_per_along_GF;
-    const Scalar CD_per_y_B = -t12;
-    const Scalar t13 = q.theta_CD.sin * GF_per_along_CD + q.theta_GF.cos * inverse_GF
-        + q.theta_GF.sin * GF_per_along_GF;
-    const Scalar GF_per_y_B = -t13;
-    const Scalar t14 = q.theta_CD.sin * s_B_per_along_CD + q.theta_GF.sin * s_B_per_along_GF;
-    const Scalar s_B_per_y_B = -t14;
-    const Scalar t15 = EDF_per_along_CD * phi_B_across_CD + EDF_per_along_GF * phi_B_across_GF;
-    const Scalar EDF_per_phi_B = t15;
-    const Scalar t16 = inverse_CD * phi_B_along_CD - CD_per_along_CD * phi_B_across_CD
-        - CD_per_along_GF * phi_B_across_GF;
-    const Scalar CD_per_phi_B = -t16;
-    const Scalar t17 = GF_per_along_CD * phi_B_across_CD + GF_per_along_GF * phi_B_across_GF
-        - inverse_GF * phi_B_along_GF;
-    const Scalar GF_per_phi_B = t17;
-    const Scalar t18 = s_B_per_along_CD * phi_B_across_CD + s_B_per_along_GF * phi_B_across_GF;
-    const Scalar s_B_per_phi_B = t18;
-    const Scalar t19 = v_x_B - v_x_E;
-    const Scalar t20 = v_y_B - v_y_E;
-    const Scalar omega_EDF = t19 * EDF_per_x_B + t20 * EDF_per_y_B + omega_B * EDF_per_phi_B;
-    const Scalar omega_CD = t19 * CD_per_x_B + t20 * CD_per_y_B + omega_B * CD_per_phi_B;
-    const Scalar omega_GF = t19 * GF_per_x_B + t20 * GF_per_y_B + omega_B * GF_per_phi_B;
-    const Scalar v_s_B = t19 * s_B_per_x_B + t20 * s_B_per_y_B + omega_B * s_B_per_phi_B;
-    const Scalar t21 = omega_EDF * omega_EDF;
+    const Scalar EDF_per_x_B = -EDF_per_along_CD * q.theta_CD.cos
+        - EDF_per_along_GF * q.theta_GF.cos;
+    const Scalar CD_per_x_B = inverse_CD * q.theta_CD.sin - CD_per_along_CD * q.theta_CD.cos
+        - CD_per_along_GF * q.theta_GF.cos;
+    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_CD * q.theta_CD.cos
+        - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_B_per_x_B = -q.theta_CD.cos * s_B_per_along_CD
+        - q.theta_GF.cos * s_B_per_along_GF;
+    const Scalar EDF_per_y_B = -EDF_per_along_CD * q.theta_CD.sin
+        - EDF_per_along_GF * q.theta_GF.sin;
+    const Scalar CD_per_y_B = -inverse_CD * q.theta_CD.cos - CD_per_along_CD * q.theta_CD.sin
+        - CD_per_along_GF * q.theta_GF.sin;
+    const Scalar GF_per_y_B = -GF_per_along_CD * q.theta_CD.sin - inverse_GF * q.theta_GF.cos
+        - GF_per_along_GF * q.theta_GF.sin;
+    const Scalar s_B_per_y_B = -q.theta_CD.sin * s_B_per_along_CD
+        - q.theta_GF.sin * s_B_per_along_GF;
+    const Scalar EDF_per_phi_B = EDF_per_along_CD * phi_B_across_CD
+        + EDF_per_along_GF * phi_B_across_GF;
+    const Scalar CD_per_phi_B = CD_per_along_CD * phi_B_across_CD
+        + CD_per_along_GF * phi_B_across_GF - inverse_CD * phi_B_along_CD;
+    const Scalar GF_per_phi_B = GF_per_along_CD * phi_B_across_CD
+        + GF_per_along_GF * phi_B_across_GF - inverse_GF * phi_B_along_GF;
+    const Scalar s_B_per_phi_B = phi_B_across_CD * s_B_per_along_CD
+        + phi_B_across_GF * s_B_per_along_GF;
+    const Scalar t07 = v_x_B - v_x_E;
+    const Scalar t08 = v_y_B - v_y_E;
+    const Scalar omega_EDF = EDF_per_x_B * t07 + EDF_per_y_B * t08 + EDF_per_phi_B * omega_B;
+    const Scalar omega_CD = CD_per_x_B * t07 + CD_per_y_B * t08 + CD_per_phi_B * omega_B;
+    const Scalar omega_GF = GF_per_x_B * t07 + GF_per_y_B * t08 + GF_per_phi_B * omega_B;
+    const Scalar v_s_B = s_B_per_x_B * t07 + s_B_per_y_B * t08 + s_B_per_phi_B * omega_B;
+    const Scalar t09 = omega_EDF * omega_EDF;
     const Scalar centripetal_along_CD = omega_B * (Scalar(2) * sin_phi_B_minus_CD * v_s_B
-        + phi_B_along_CD * omega_B) + d.CD * omega_CD * omega_CD + EDF_along_CD * t21;
-    const Scalar centripetal_across_CD = EDF_across_CD * t21
+        + phi_B_along_CD * omega_B) + d.CD * omega_CD * omega_CD + EDF_along_CD * t09;
+    const Scalar centripetal_across_CD = EDF_across_CD * t09
         - omega_B * (Scalar(2) * cos_phi_B_minus_CD * v_s_B - phi_B_across_CD * omega_B);
     const Scalar centripetal_along_GF = omega_B * (Scalar(2) * sin_phi_B_minus_GF * v_s_B
-        + phi_B_along_GF * omega_B) + d.GF * omega_GF * omega_GF + EDF_along_GF * t21;
-    const Scalar centripetal_across_GF = EDF_across_GF * t21
+        + phi_B_along_GF * omega_B) + d.GF * omega_GF * omega_GF + EDF_along_GF * t09;
+    const Scalar centripetal_across_GF = EDF_across_GF * t09
         - omega_B * (Scalar(2) * cos_phi_B_minus_GF * v_s_B - phi_B_across_GF * omega_B);
-    const Scalar t22 = sin_phi_B_minus_GF * EDF_per_along_GF;
-    const Scalar t23 = sin_phi_B_minus_GF * CD_per_along_GF;
-    const Scalar t24 = cos_phi_B_minus_GF * inverse_GF - sin_phi_B_minus_GF * GF_per_along_GF;
-    const Scalar t25 = a_x_B - a_x_E;
-    const Scalar t26 = a_y_B - a_y_E;
-    S_d(0, 0) = -sin_phi_B_minus_CD * EDF_per_along_CD - t22;
-    S_d(0, 1) = -cos_phi_B_minus_GF * EDF_per_along_GF;
-    S_d(0, 2) = t22;
-    S_d(0, 3) = cos_EDF_minus_CD * EDF_per_along_CD;
-    S_d(0, 4) = cos_EDF_minus_GF * EDF_per_along_GF;
-    S_d(0, 5) = -sin_EDF_minus_GF * EDF_per_along_GF;
+    const Scalar t10 = EDF_per_along_GF * sin_phi_B_minus_GF;
+    const Scalar t11 = CD_per_along_GF * sin_phi_B_minus_GF;
+    const Scalar t12 = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
+    const Scalar t13 = a_x_B - a_x_E;
+    const Scalar t14 = a_y_B - a_y_E;
+    S_d(0, 0) = -EDF_per_along_CD * sin_phi_B_minus_CD - t10;
+    S_d(0, 1) = -EDF_per_along_GF * cos_phi_B_minus_GF;
+    S_d(0, 2) = t10;
+    S_d(0, 3) = EDF_per_along_CD * cos_EDF_minus_CD;
+    S_d(0, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
+    S_d(0, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;
     S_d(0, 6) = -EDF_per_along_CD;
     S_d(0, 7) = -EDF_per_along_GF;
-    S_d(1, 0) = cos_phi_B_minus_CD * inverse_CD - sin_phi_B_minus_CD * CD_per_along_CD - t23;
-    S_d(1, 1) = -cos_phi_B_minus_GF * CD_per_along_GF;
-    S_d(1, 2) = t23;
-    S_d(1, 3) = cos_EDF_minus_CD * CD_per_along_CD + sin_EDF_minus_CD * inverse_CD;
-    S_d(1, 4) = cos_EDF_minus_GF * CD_per_along_GF;
-    S_d(1, 5) = -sin_EDF_minus_GF * CD_per_along_GF;
+    S_d(1, 0) = inverse_CD * cos_phi_B_minus_CD - CD_per_along_CD * sin_phi_B_minus_CD - t11;
+    S_d(1, 1) = -CD_per_along_GF * cos_phi_B_minus_GF;
+    S_d(1, 2) = t11;
+    S_d(1, 3) = CD_per_along_CD * cos_EDF_minus_CD + inverse_CD * sin_EDF_minus_CD;
+    S_d(1, 4) = CD_per_along_GF * cos_EDF_minus_GF;
+    S_d(1, 5) = -CD_per_along_GF * sin_EDF_minus_GF;
     S_d(1, 6) = -CD_per_along_CD;
     S_d(1, 7) = -CD_per_along_GF;
-    S_d(2, 0) = t24 - sin_phi_B_minus_CD * GF_per_along_CD;
-    S_d(2, 1) = -cos_phi_B_minus_GF * GF_per_along_GF - sin_phi_B_minus_GF * inverse_GF;
-    S_d(2, 2) = -t24;
-    S_d(2, 3) = cos_EDF_minus_CD * GF_per_along_CD;
-    S_d(2, 4) = cos_EDF_minus_GF * GF_per_along_GF + sin_EDF_minus_GF * inverse_GF;
-    S_d(2, 5) = cos_EDF_minus_GF * inverse_GF - sin_EDF_minus_GF * GF_per_along_GF;
+    S_d(2, 0) = t12 - GF_per_along_CD * sin_phi_B_minus_CD;
+    S_d(2, 1) = -GF_per_along_GF * cos_phi_B_minus_GF - inverse_GF * sin_phi_B_minus_GF;
+    S_d(2, 2) = -t12;
+    S_d(2, 3) = GF_per_along_CD * cos_EDF_minus_CD;
+    S_d(2, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
+    S_d(2, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
     S_d(2, 6) = -GF_per_along_CD;
     S_d(2, 7) = -GF_per_along_GF;
     S_d(3, 0) = -t05 - t06;
@@ -1367,39 +1364,39 @@ struct Model08 {
     S_d(3, 5) = -sin_EDF_minus_GF * s_B_per_along_GF;
     S_d(3, 6) = -s_B_per_along_CD;
     S_d(3, 7) = -s_B_per_along_GF;
-    S_u(0, 0) = -t07;
-    S_u(0, 1) = -t11;
-    S_u(0, 2) = t15;
-    S_u(0, 3) = t07;
-    S_u(0, 4) = t11;
-    S_u(1, 0) = -t08;
-    S_u(1, 1) = -t12;
-    S_u(1, 2) = -t16;
-    S_u(1, 3) = t08;
-    S_u(1, 4) = t12;
-    S_u(2, 0) = -t09;
-    S_u(2, 1) = -t13;
-    S_u(2, 2) = t17;
-    S_u(2, 3) = t09;
-    S_u(2, 4) = t13;
-    S_u(3, 0) = -t10;
-    S_u(3, 1) = -t14;
-    S_u(3, 2) = t18;
-    S_u(3, 3) = t10;
-    S_u(3, 4) = t14;
+    S_u(0, 0) = EDF_per_x_B;
+    S_u(0, 1) = EDF_per_y_B;
+    S_u(0, 2) = EDF_per_phi_B;
+    S_u(0, 3) = -EDF_per_x_B;
+    S_u(0, 4) = -EDF_per_y_B;
+    S_u(1, 0) = CD_per_x_B;
+    S_u(1, 1) = CD_per_y_B;
+    S_u(1, 2) = CD_per_phi_B;
+    S_u(1, 3) = -CD_per_x_B;
+    S_u(1, 4) = -CD_per_y_B;
+    S_u(2, 0) = GF_per_x_B;
+    S_u(2, 1) = GF_per_y_B;
+    S_u(2, 2) = GF_per_phi_B;
+    S_u(2, 3) = -GF_per_x_B;
+    S_u(2, 4) = -GF_per_y_B;
+    S_u(3, 0) = s_B_per_x_B;
+    S_u(3, 1) = s_B_per_y_B;
+    S_u(3, 2) = s_B_per_phi_B;
+    S_u(3, 3) = -s_B_per_x_B;
+    S_u(3, 4) = -s_B_per_y_B;
     q_rate(0) = omega_EDF;
     q_rate(1) = omega_CD;
     q_rate(2) = omega_GF;
     q_rate(3) = v_s_B;
-    q_second_rate(0) = EDF_per_x_B * t25 + EDF_per_y_B * t26 + EDF_per_phi_B * alpha_B
+    q_second_rate(0) = EDF_per_x_B * t13 + EDF_per_y_B * t14 + EDF_per_phi_B * alpha_B
         + EDF_per_along_CD * centripetal_along_CD + EDF_per_along_GF * centripetal_along_GF;
-    q_second_rate(1) = CD_per_x_B * t25 + CD_per_y_B * t26 + CD_per_phi_B * alpha_B
+    q_second_rate(1) = CD_per_x_B * t13 + CD_per_y_B * t14 + CD_per_phi_B * alpha_B
         + inverse_CD * centripetal_across_CD + CD_per_along_CD * centripetal_along_CD
         + CD_per_along_GF * centripetal_along_GF;
-    q_second_rate(2) = GF_per_x_B * t25 + GF_per_y_B * t26 + GF_per_phi_B * alpha_B
+    q_second_rate(2) = GF_per_x_B * t13 + GF_per_y_B * t14 + GF_per_phi_B * alpha_B
         + inverse_GF * centripetal_across_GF + GF_per_along_CD * centripetal_along_CD
         + GF_per_along_GF * centripetal_along_GF;
-    q_second_rate(3) = s_B_per_x_B * t25 + s_B_per_y_B * t26 + s_B_per_phi_B * alpha_B
+    q_second_rate(3) = s_B_per_x_B * t13 + s_B_per_y_B * t14 + s_B_per_phi_B * alpha_B
         + s_B_per_along_CD * centripetal_along_CD + s_B_per_along_GF * centripetal_along_GF;
   }
 
@@ -1412,20 +1409,20 @@ struct Model08 {
     const Scalar EB_y = u.y_B - u.y_E;
     const Scalar b_m1_re = -d.ED * u.phi_B.cos;
     const Scalar b_m1_im = -d.ED * u.phi_B.sin;
-    const Scalar t01 = u.phi_B.cos * EB_x + u.phi_B.sin * EB_y;
+    const Scalar t01 = EB_x * u.phi_B.cos + EB_y * u.phi_B.sin;
     const Scalar b_0_re = Scalar(2) * t01;
-    const Scalar c_m1_re = -d.ED * (EB_x + u.phi_B.sin * d.h_B_BCG);
-    const Scalar c_m1_im = -d.ED * (EB_y - u.phi_B.cos * d.h_B_BCG);
-    const Scalar t02 = u.phi_B.cos * EB_y - u.phi_B.sin * EB_x;
+    const Scalar c_m1_re = -d.ED * (EB_x + d.h_B_BCG * u.phi_B.sin);
+    const Scalar c_m1_im = -d.ED * (EB_y - d.h_B_BCG * u.phi_B.cos);
+    const Scalar t02 = EB_y * u.phi_B.cos - EB_x * u.phi_B.sin;
     const Scalar t03 = d.h_B_BCG - Scalar(2) * t02;
     const Scalar t04 = EB_x * EB_x + EB_y * EB_y;
     const Scalar c_0_re = d.ED * d.ED + d.h_B_BCG * t03 + t04 - d.CD * d.CD;
-    const Scalar e_m1_re = -u.phi_B.cos * d.x_F_EDF - u.phi_B.sin * d.y_F_EDF;
-    const Scalar e_m1_im = u.phi_B.cos * d.y_F_EDF - u.phi_B.sin * d.x_F_EDF;
+    const Scalar e_m1_re = -d.x_F_EDF * u.phi_B.cos - d.y_F_EDF * u.phi_B.sin;
+    const Scalar e_m1_im = d.y_F_EDF * u.phi_B.cos - d.x_F_EDF * u.phi_B.sin;
     const Scalar e_0_re = Scalar(2) * (t01 + d.x_G_BCG);
     const Scalar t05 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar t06 = EB_x + u.phi_B.sin * t05 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar t07 = EB_y + u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t05;
+    const Scalar t06 = EB_x + t05 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar t07 = EB_y + d.x_G_BCG * u.phi_B.sin - t05 * u.phi_B.cos;
     const Scalar f_m1_re = -d.x_F_EDF * t06 - d.y_F_EDF * t07;
     const Scalar f_m1_im = d.y_F_EDF * t06 - d.x_F_EDF * t07;
     const Scalar f_0_re = d.x_F_EDF * d.x_F_EDF + d.y_F_EDF * d.y_F_EDF
@@ -1471,27 +1468,27 @@ struct Model08 {
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = u.phi_B.cos * EB_x + u.phi_B.sin * EB_y;
-    const Scalar t02 = u.phi_B.cos * EB_y - u.phi_B.sin * EB_x;
+    const Scalar t01 = EB_x * u.phi_B.cos + EB_y * u.phi_B.sin;
+    const Scalar t02 = EB_y * u.phi_B.cos - EB_x * u.phi_B.sin;
     const Scalar t03 = d.h_B_BCG - Scalar(2) * t02;
     const Scalar t04 = EB_x * EB_x + EB_y * EB_y;
     const Scalar t05 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar t06 = EB_x + u.phi_B.sin * t05 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar t07 = EB_y + u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t05;
+    const Scalar t06 = EB_x + t05 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar t07 = EB_y + d.x_G_BCG * u.phi_B.sin - t05 * u.phi_B.cos;
     e(0, 0) = Scalar(1);
-    e(0, 1) = -Scalar(2) * ((q.theta_EDF.cos * u.phi_B.cos + q.theta_EDF.sin * u.phi_B.sin) * d.ED
+    e(0, 1) = -Scalar(2) * (d.ED * (q.theta_EDF.cos * u.phi_B.cos + q.theta_EDF.sin * u.phi_B.sin)
         - t01);
-    e(0, 2) = d.ED * (d.ED - Scalar(2) * q.theta_EDF.cos * EB_x
-        - Scalar(2) * q.theta_EDF.sin * EB_y) + t04 - d.CD * d.CD
+    e(0, 2) = d.ED * (d.ED - Scalar(2) * EB_x * q.theta_EDF.cos
+        - Scalar(2) * EB_y * q.theta_EDF.sin) + t04 - d.CD * d.CD
         - d.h_B_BCG * (Scalar(2) * d.ED * (q.theta_EDF.cos * u.phi_B.sin
         - u.phi_B.cos * q.theta_EDF.sin) - t03);
     e(1, 0) = Scalar(1);
-    e(1, 1) = Scalar(2) * (u.phi_B.cos * (EB_x + q.theta_EDF.sin * d.y_F_EDF
-        - q.theta_EDF.cos * d.x_F_EDF) + u.phi_B.sin * (EB_y - q.theta_EDF.cos * d.y_F_EDF
-        - q.theta_EDF.sin * d.x_F_EDF) + d.x_G_BCG);
-    e(1, 2) = d.x_F_EDF * (d.x_F_EDF - Scalar(2) * q.theta_EDF.cos * t06
-        - Scalar(2) * q.theta_EDF.sin * t07) + d.y_F_EDF * (d.y_F_EDF
-        + Scalar(2) * q.theta_EDF.sin * t06 - Scalar(2) * q.theta_EDF.cos * t07)
+    e(1, 1) = Scalar(2) * ((EB_x + d.y_F_EDF * q.theta_EDF.sin
+        - d.x_F_EDF * q.theta_EDF.cos) * u.phi_B.cos + (EB_y - d.y_F_EDF * q.theta_EDF.cos
+        - d.x_F_EDF * q.theta_EDF.sin) * u.phi_B.sin + d.x_G_BCG);
+    e(1, 2) = d.x_F_EDF * (d.x_F_EDF - Scalar(2) * t06 * q.theta_EDF.cos
+        - Scalar(2) * t07 * q.theta_EDF.sin) + d.y_F_EDF * (d.y_F_EDF
+        + Scalar(2) * t06 * q.theta_EDF.sin - Scalar(2) * t07 * q.theta_EDF.cos)
         + d.y_G_BCG * (d.y_G_BCG + Scalar(2) * t02) + d.x_G_BCG * (Scalar(2) * t01 + d.x_G_BCG)
         + t04 - d.GF * d.GF - d.h_B_BCG * (Scalar(2) * d.y_G_BCG - t03);
   }
@@ -1509,14 +1506,14 @@ struct Model08 {
                                                        //     no length
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
-    q.theta_CD.cos = (q.theta_EDF.cos * d.ED - q.s_B * u.phi_B.cos - d.h_B_BCG * u.phi_B.sin
+    q.theta_CD.cos = (d.ED * q.theta_EDF.cos - q.s_B * u.phi_B.cos - d.h_B_BCG * u.phi_B.sin
         - EB_x) * inverse_theta_CD;
-    q.theta_CD.sin = inverse_theta_CD * (d.ED * q.theta_EDF.sin + u.phi_B.cos * d.h_B_BCG
+    q.theta_CD.sin = inverse_theta_CD * (d.ED * q.theta_EDF.sin + d.h_B_BCG * u.phi_B.cos
         - q.s_B * u.phi_B.sin - EB_y);
-    q.theta_GF.cos = -(EB_x + u.phi_B.cos * t01 + u.phi_B.sin * t02 + q.theta_EDF.sin * d.y_F_EDF
-        - q.theta_EDF.cos * d.x_F_EDF) * inverse_theta_GF;
-    q.theta_GF.sin = -inverse_theta_GF * (EB_y + u.phi_B.sin * t01 - u.phi_B.cos * t02
-        - q.theta_EDF.cos * d.y_F_EDF - q.theta_EDF.sin * d.x_F_EDF);
+    q.theta_GF.cos = -(EB_x + t01 * u.phi_B.cos + t02 * u.phi_B.sin + d.y_F_EDF * q.theta_EDF.sin
+        - d.x_F_EDF * q.theta_EDF.cos) * inverse_theta_GF;
+    q.theta_GF.sin = -inverse_theta_GF * (EB_y + t01 * u.phi_B.sin - t02 * u.phi_B.cos
+        - d.y_F_EDF * q.theta_EDF.cos - d.x_F_EDF * q.theta_EDF.sin);
   }
 };
 

@@ -56,7 +56,7 @@ namespace assur::tetrad {
 ///   velocity:                     52, 32, 1
 ///   motion:                       93, 62, 1
 ///   sensitivities_and_motion:     150, 87, 1
-///   position_polynomial:          81, 60, 0
+///   position_polynomial:          83, 60, 0
 ///   second_equations:             44, 36, 0
 ///   complete:                     16, 17, 1
 struct Model09 {
@@ -196,21 +196,21 @@ struct Model09 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
     const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
-    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
-    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
+    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     const Scalar t02 = slide_B_x + u.x_B - u.x_E;
     const Scalar t03 = slide_B_y + u.y_B - u.y_E;
     f(0) = BC_x + CD_x + t02 - ED_x - slide_D_x;
@@ -224,16 +224,16 @@ struct Model09 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
     const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
-    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
-    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
+    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     J(0, 0) = ED_y + slide_D_y - CD_y;
     J(0, 2) = u.phi_B.cos;
     J(0, 3) = -q.theta_EDF.cos;
@@ -280,11 +280,11 @@ struct Model09 {
     F_u.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     F_u(0, 0) = Scalar(1);
     F_u(0, 2) = -slide_B_y - BC_y;
     F_u(0, 3) = -Scalar(1);
@@ -311,17 +311,17 @@ struct Model09 {
     const Scalar v_y_E = u_rate(4);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = v_x_B - v_x_E;
     const Scalar t03 = v_y_B - v_y_E;
     rhs(0) = (slide_B_y + BC_y) * omega_B - t02;
-    rhs(1) = -omega_B * (slide_B_x + BC_x) - t03;
-    rhs(2) = omega_B * (slide_B_y + BG_y) - t02;
-    rhs(3) = -t03 - omega_B * (slide_B_x + BG_x);
+    rhs(1) = -(slide_B_x + BC_x) * omega_B - t03;
+    rhs(2) = (slide_B_y + BG_y) * omega_B - t02;
+    rhs(3) = -t03 - (slide_B_x + BG_x) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -343,21 +343,21 @@ struct Model09 {
     const Scalar a_y_E = u_second_rate(4);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
     const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
-    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
-    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
+    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     const Scalar t02 = slide_B_x + BC_x;
     const Scalar t03 = u.phi_B.sin * v_s_B;
     const Scalar t04 = slide_B_y + BC_y;
@@ -371,12 +371,12 @@ struct Model09 {
     rhs(0) = omega_EDF * ((CD_x - ED_x - slide_D_x) * omega_EDF
         - Scalar(2) * q.theta_EDF.sin * v_s_D) + omega_B * (t02 * omega_B + Scalar(2) * t03)
         + t04 * alpha_B - t05;
-    rhs(1) = omega_EDF * (omega_EDF * (CD_y - ED_y - slide_D_y)
-        + Scalar(2) * q.theta_EDF.cos * v_s_D) + omega_B * (omega_B * t04 - Scalar(2) * t06)
+    rhs(1) = omega_EDF * ((CD_y - ED_y - slide_D_y) * omega_EDF
+        + Scalar(2) * q.theta_EDF.cos * v_s_D) + omega_B * (t04 * omega_B - Scalar(2) * t06)
         - t02 * alpha_B - t07;
-    rhs(2) = omega_B * (Scalar(2) * t03 + omega_B * t08) + alpha_B * t09 + GF_x * t11 - t05
+    rhs(2) = omega_B * (Scalar(2) * t03 + t08 * omega_B) + t09 * alpha_B + GF_x * t11 - t05
         - EF_x * t10;
-    rhs(3) = GF_y * t11 - t07 - omega_B * (Scalar(2) * t06 - omega_B * t09) - alpha_B * t08
+    rhs(3) = GF_y * t11 - t07 - omega_B * (Scalar(2) * t06 - t09 * omega_B) - t08 * alpha_B
         - EF_y * t10;
   }
 
@@ -405,21 +405,21 @@ struct Model09 {
     const Scalar j_y_E = u_third_rate(4);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
     const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
-    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
-    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
+    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     const Scalar t02 = CD_y - ED_y - slide_D_y;
     const Scalar t03 = q.theta_EDF.cos * v_s_D;
     const Scalar t04 = CD_x - ED_x - slide_D_x;
@@ -440,16 +440,16 @@ struct Model09 {
         + Scalar(3) * t03) + Scalar(3) * q.theta_EDF.sin * a_s_D - Scalar(3) * t04 * alpha_EDF)
         - omega_B * (omega_B * (t05 * omega_B - Scalar(3) * t06) - Scalar(3) * t07 * alpha_B
         - Scalar(3) * t08) - Scalar(3) * alpha_EDF * t09;
-    rhs(1) = omega_EDF * (omega_EDF * (omega_EDF * t04 - Scalar(3) * t09)
+    rhs(1) = omega_EDF * (omega_EDF * (t04 * omega_EDF - Scalar(3) * t09)
         + Scalar(3) * t02 * alpha_EDF + Scalar(3) * q.theta_EDF.cos * a_s_D)
-        + omega_B * (omega_B * (omega_B * t07 + Scalar(3) * t10) + Scalar(3) * t05 * alpha_B
+        + omega_B * (omega_B * (t07 * omega_B + Scalar(3) * t10) + Scalar(3) * t05 * alpha_B
         - Scalar(3) * t12) + Scalar(3) * t03 * alpha_EDF - t07 * jerk_B - Scalar(3) * t13;
-    rhs(2) = omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t06 - omega_B * t14)
-        + Scalar(3) * alpha_B * t15) + jerk_B * t14 + omega_GF * (Scalar(3) * alpha_GF * GF_x
-        - GF_y * t17) + Scalar(3) * t11 - omega_EDF * (Scalar(3) * alpha_EDF * EF_x - EF_y * t16);
+    rhs(2) = omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t06 - t14 * omega_B)
+        + Scalar(3) * t15 * alpha_B) + t14 * jerk_B + omega_GF * (Scalar(3) * GF_x * alpha_GF
+        - GF_y * t17) + Scalar(3) * t11 - omega_EDF * (Scalar(3) * EF_x * alpha_EDF - EF_y * t16);
     rhs(3) = omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t17) - omega_B * (Scalar(3) * t12
-        - omega_B * (Scalar(3) * t10 + omega_B * t15) - Scalar(3) * alpha_B * t14) - jerk_B * t15
-        - omega_EDF * (Scalar(3) * alpha_EDF * EF_y + EF_x * t16) - Scalar(3) * t13;
+        - omega_B * (Scalar(3) * t10 + t15 * omega_B) - Scalar(3) * t14 * alpha_B) - t15 * jerk_B
+        - omega_EDF * (Scalar(3) * EF_y * alpha_EDF + EF_x * t16) - Scalar(3) * t13;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -474,40 +474,39 @@ struct Model09 {
     const Scalar omega_B = u_rate(2);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
     const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
-    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
-    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
+    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     const Scalar t02 = v_h_D_EDF - v_h_D_CD;
     const Scalar t03 = v_h_B_BCG - v_y_G_BCG;
     const Scalar t04 = v_s_B + v_x_G_BCG;
     rhs(0) = omega_EDF * ((CD_x - ED_x - slide_D_x) * omega_EDF - Scalar(2) * q.theta_EDF.cos * t02
         - Scalar(2) * q.theta_EDF.sin * v_s_D) + omega_B * ((slide_B_x + BC_x) * omega_B
         + Scalar(2) * u.phi_B.sin * v_s_B - Scalar(2) * u.phi_B.cos * v_h_B_BCG);
-    rhs(1) = omega_EDF * (omega_EDF * (CD_y - ED_y - slide_D_y)
+    rhs(1) = omega_EDF * ((CD_y - ED_y - slide_D_y) * omega_EDF
         + Scalar(2) * q.theta_EDF.cos * v_s_D - Scalar(2) * q.theta_EDF.sin * t02)
-        + omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+        + omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BCG);
-    rhs(2) = omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + omega_GF * GF_x)
-        - omega_B * (Scalar(2) * u.phi_B.cos * t03 - Scalar(2) * u.phi_B.sin * t04
-        - omega_B * (slide_B_x + BG_x)) - omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_y_F_EDF
-        + Scalar(2) * q.theta_EDF.sin * v_x_F_EDF + omega_EDF * EF_x);
+    rhs(2) = omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + GF_x * omega_GF)
+        - omega_B * (Scalar(2) * u.phi_B.cos * t03 - Scalar(2) * u.phi_B.sin * t04 - (slide_B_x
+        + BG_x) * omega_B) - omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_y_F_EDF
+        + Scalar(2) * q.theta_EDF.sin * v_x_F_EDF + EF_x * omega_EDF);
     rhs(3) = omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_x_F_EDF
-        - Scalar(2) * q.theta_EDF.sin * v_y_F_EDF - omega_EDF * EF_y)
-        - omega_B * (Scalar(2) * u.phi_B.cos * t04 + Scalar(2) * u.phi_B.sin * t03
-        - omega_B * (slide_B_y + BG_y)) - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF
-        - omega_GF * GF_y);
+        - Scalar(2) * q.theta_EDF.sin * v_y_F_EDF - EF_y * omega_EDF)
+        - omega_B * (Scalar(2) * u.phi_B.cos * t04 + Scalar(2) * u.phi_B.sin * t03 - (slide_B_y
+        + BG_y) * omega_B) - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - GF_y * omega_GF);
   }
 
   /// Frames of the links in the fixed frame.
@@ -516,11 +515,11 @@ struct Model09 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = u.x_B + slide_B_x;
     const Scalar t03 = BC_x + t02;
     const Scalar t04 = u.y_B + slide_B_y;
@@ -555,11 +554,11 @@ struct Model09 {
     P_u.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = slide_B_y + BC_y;
     const Scalar t03 = slide_B_x + BC_x;
     P_q(0, 2) = u.phi_B.cos;
@@ -613,15 +612,15 @@ struct Model09 {
     const Scalar v_y_E = u_rate(4);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = u.phi_B.cos * v_s_B + v_x_B;
     const Scalar t03 = (slide_B_y + BC_y) * omega_B - t02;
     const Scalar t04 = u.phi_B.sin * v_s_B + v_y_B;
-    const Scalar t05 = omega_B * (slide_B_x + BC_x) + t04;
+    const Scalar t05 = (slide_B_x + BC_x) * omega_B + t04;
     v(0, 0) = -t03;
     v(0, 1) = t05;
     v(0, 2) = omega_B;
@@ -631,8 +630,8 @@ struct Model09 {
     v(2, 0) = -t03;
     v(2, 1) = t05;
     v(2, 2) = omega_EDF;
-    v(3, 0) = t02 - omega_B * (slide_B_y + BG_y);
-    v(3, 1) = t04 + omega_B * (slide_B_x + BG_x);
+    v(3, 0) = t02 - (slide_B_y + BG_y) * omega_B;
+    v(3, 1) = t04 + (slide_B_x + BG_x) * omega_B;
     v(3, 2) = omega_GF;
   }
 
@@ -654,11 +653,11 @@ struct Model09 {
     const Scalar a_y_E = u_second_rate(4);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = slide_B_x + BC_x;
     const Scalar t03 = u.phi_B.sin * v_s_B;
     const Scalar t04 = slide_B_y + BC_y;
@@ -666,7 +665,7 @@ struct Model09 {
     const Scalar t06 = omega_B * (t02 * omega_B + Scalar(2) * t03) + t04 * alpha_B - t05;
     const Scalar t07 = u.phi_B.cos * v_s_B;
     const Scalar t08 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t09 = omega_B * (omega_B * t04 - Scalar(2) * t07) - t02 * alpha_B - t08;
+    const Scalar t09 = omega_B * (t04 * omega_B - Scalar(2) * t07) - t02 * alpha_B - t08;
     const Scalar t10 = slide_B_x + BG_x;
     const Scalar t11 = slide_B_y + BG_y;
     a(0, 0) = -t06;
@@ -678,8 +677,8 @@ struct Model09 {
     a(2, 0) = -t06;
     a(2, 1) = -t09;
     a(2, 2) = alpha_EDF;
-    a(3, 0) = t05 - omega_B * (Scalar(2) * t03 + omega_B * t10) - alpha_B * t11;
-    a(3, 1) = t08 + omega_B * (Scalar(2) * t07 - omega_B * t11) + alpha_B * t10;
+    a(3, 0) = t05 - omega_B * (Scalar(2) * t03 + t10 * omega_B) - t11 * alpha_B;
+    a(3, 1) = t08 + omega_B * (Scalar(2) * t07 - t11 * omega_B) + t10 * alpha_B;
     a(3, 2) = alpha_GF;
   }
 
@@ -698,14 +697,14 @@ struct Model09 {
     p.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BCG);
-    const Scalar t03 = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+    const Scalar t03 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BCG);
     const Scalar t04 = v_h_B_BCG - v_y_G_BCG;
     const Scalar t05 = v_s_B + v_x_G_BCG;
@@ -713,10 +712,10 @@ struct Model09 {
     p(0, 1) = -t03;
     p(2, 0) = -t02;
     p(2, 1) = -t03;
-    p(3, 0) = omega_B * (Scalar(2) * u.phi_B.cos * t04 - Scalar(2) * u.phi_B.sin * t05
-        - omega_B * (slide_B_x + BG_x));
-    p(3, 1) = omega_B * (Scalar(2) * u.phi_B.cos * t05 + Scalar(2) * u.phi_B.sin * t04
-        - omega_B * (slide_B_y + BG_y));
+    p(3, 0) = omega_B * (Scalar(2) * u.phi_B.cos * t04 - Scalar(2) * u.phi_B.sin * t05 - (slide_B_x
+        + BG_x) * omega_B);
+    p(3, 1) = omega_B * (Scalar(2) * u.phi_B.cos * t05 + Scalar(2) * u.phi_B.sin * t04 - (slide_B_y
+        + BG_y) * omega_B);
   }
 
   /// The lines n . S = c on which the unknowns move a special point in parallel,
@@ -726,22 +725,22 @@ struct Model09 {
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
     lines.setZero();
-    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
     const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
-    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
-    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
+    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     lines(0, 0) = -u.phi_B.cos;
     lines(0, 1) = -u.phi_B.sin;
     lines(1, 0) = -q.theta_EDF.cos;
     lines(1, 1) = -q.theta_EDF.sin;
-    lines(1, 2) = -q.theta_EDF.cos * (CD_x - ED_x - slide_D_x) - q.theta_EDF.sin * (CD_y - ED_y
-        - slide_D_y);
+    lines(1, 2) = -(CD_x - ED_x - slide_D_x) * q.theta_EDF.cos - (CD_y - ED_y
+        - slide_D_y) * q.theta_EDF.sin;
     lines(2, 0) = -u.phi_B.cos;
     lines(2, 1) = -u.phi_B.sin;
     lines(3, 0) = -EF_y;
@@ -769,23 +768,23 @@ struct Model09 {
     const Scalar n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
-    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
     const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
-    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
-    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
+    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     L(0, 0) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
     L(0, 2) = n_CD_BCG_x * u.phi_B.cos + n_CD_BCG_y * u.phi_B.sin;
     L(1, 0) = (S_CD_x + ED_x + slide_D_x - CD_x) * n_CD_EDF_y - (S_CD_y + ED_y + slide_D_y
         - CD_y) * n_CD_EDF_x;
-    L(1, 3) = q.theta_EDF.cos * n_CD_EDF_x + q.theta_EDF.sin * n_CD_EDF_y;
+    L(1, 3) = n_CD_EDF_x * q.theta_EDF.cos + n_CD_EDF_y * q.theta_EDF.sin;
     L(2, 1) = S_GF_x * n_GF_BCG_y - S_GF_y * n_GF_BCG_x;
-    L(2, 2) = u.phi_B.cos * n_GF_BCG_x + u.phi_B.sin * n_GF_BCG_y;
+    L(2, 2) = n_GF_BCG_x * u.phi_B.cos + n_GF_BCG_y * u.phi_B.sin;
     L(3, 0) = EF_x * n_GF_EDF_y - EF_y * n_GF_EDF_x;
     L(3, 1) = n_GF_EDF_y * (S_GF_x - GF_x) - n_GF_EDF_x * (S_GF_y - GF_y);
   }
@@ -802,17 +801,17 @@ struct Model09 {
     const Scalar v_y_E = u_rate(4);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     v(0, 0) = v_x_B - (slide_B_y + BC_y) * omega_B;
-    v(0, 1) = omega_B * (slide_B_x + BC_x) + v_y_B;
+    v(0, 1) = (slide_B_x + BC_x) * omega_B + v_y_B;
     v(1, 0) = v_x_E;
     v(1, 1) = v_y_E;
-    v(2, 0) = v_x_B - omega_B * (slide_B_y + BG_y);
-    v(2, 1) = v_y_B + omega_B * (slide_B_x + BG_x);
+    v(2, 0) = v_x_B - (slide_B_y + BG_y) * omega_B;
+    v(2, 1) = v_y_B + (slide_B_x + BG_x) * omega_B;
     v(3, 0) = v_x_E;
     v(3, 1) = v_y_E;
   }
@@ -841,21 +840,21 @@ struct Model09 {
     const Scalar S_GF_y = S(1, 1);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
     const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
-    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
-    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
+    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     const Scalar t02 = slide_B_x + BC_x;
     const Scalar t03 = u.phi_B.sin * v_s_B;
     const Scalar t04 = slide_B_y + BC_y;
@@ -865,13 +864,13 @@ struct Model09 {
     const Scalar t08 = slide_B_y + BG_y;
     const Scalar t09 = omega_GF * omega_GF;
     a(0, 0) = a_x_B - omega_B * (t02 * omega_B + Scalar(2) * t03) - t04 * alpha_B - S_CD_x * t05;
-    a(0, 1) = t02 * alpha_B + a_y_B - omega_B * (omega_B * t04 - Scalar(2) * t06) - S_CD_y * t05;
-    a(1, 0) = a_x_E - omega_EDF * (omega_EDF * (S_CD_x + ED_x + slide_D_x - CD_x)
+    a(0, 1) = t02 * alpha_B + a_y_B - omega_B * (t04 * omega_B - Scalar(2) * t06) - S_CD_y * t05;
+    a(1, 0) = a_x_E - omega_EDF * ((S_CD_x + ED_x + slide_D_x - CD_x) * omega_EDF
         + Scalar(2) * q.theta_EDF.sin * v_s_D);
-    a(1, 1) = a_y_E - omega_EDF * (omega_EDF * (S_CD_y + ED_y + slide_D_y - CD_y)
+    a(1, 1) = a_y_E - omega_EDF * ((S_CD_y + ED_y + slide_D_y - CD_y) * omega_EDF
         - Scalar(2) * q.theta_EDF.cos * v_s_D);
-    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t03 + omega_B * t07) - alpha_B * t08 - S_GF_x * t09;
-    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t06 - omega_B * t08) + alpha_B * t07 - S_GF_y * t09;
+    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t03 + t07 * omega_B) - t08 * alpha_B - S_GF_x * t09;
+    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t06 - t08 * omega_B) + t07 * alpha_B - S_GF_y * t09;
     a(3, 0) = a_x_E - EF_x * t05 - (S_GF_x - GF_x) * t09;
     a(3, 1) = a_y_E - EF_y * t05 - (S_GF_y - GF_y) * t09;
   }
@@ -892,7 +891,7 @@ struct Model09 {
     const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
         - q.theta_EDF.cos * q.theta_GF.sin;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
-    const Scalar determinant = sin_phi_B_minus_EDF * EDF_across_GF - q.s_D * cos_phi_B_minus_GF;
+    const Scalar determinant = EDF_across_GF * sin_phi_B_minus_EDF - q.s_D * cos_phi_B_minus_GF;
     const Scalar t01 = abs(q.s_B) + abs(d.h_B_BCG);
     const Scalar t02 = abs(d.x_F_EDF) + abs(d.y_F_EDF);
     const Scalar t03 = abs(q.s_D) + abs(d.h_D_EDF) + abs(d.h_D_CD) + t02;
@@ -920,32 +919,32 @@ struct Model09 {
         - q.theta_EDF.cos * q.theta_GF.sin;
     const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
-    const Scalar determinant = sin_phi_B_minus_EDF * EDF_across_GF - q.s_D * cos_phi_B_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = EDF_across_GF * sin_phi_B_minus_EDF - q.s_D * cos_phi_B_minus_GF;
     const Scalar pivot_product = d.GF * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
-    const Scalar EDF_per_across_slide_D = cos_phi_B_minus_GF * inverse_determinant;
+    const Scalar EDF_per_across_slide_D = inverse_determinant * cos_phi_B_minus_GF;
     const Scalar s_B_per_across_slide_D = EDF_across_GF * inverse_determinant;
     const Scalar s_D_per_across_slide_D = cos_phi_B_minus_EDF * s_B_per_across_slide_D
         - EDF_across_slide_D * EDF_per_across_slide_D;
-    const Scalar GF_per_across_slide_D = -(s_B_per_across_slide_D * sin_phi_B_minus_GF
-        + EDF_per_across_slide_D * EDF_along_GF) * inverse_GF;
-    const Scalar EDF_per_along_GF = -sin_phi_B_minus_EDF * inverse_determinant;
+    const Scalar GF_per_across_slide_D = -inverse_GF * (s_B_per_across_slide_D * sin_phi_B_minus_GF
+        + EDF_per_across_slide_D * EDF_along_GF);
+    const Scalar EDF_per_along_GF = -inverse_determinant * sin_phi_B_minus_EDF;
     const Scalar s_B_per_along_GF = -q.s_D * inverse_determinant;
     const Scalar s_D_per_along_GF = cos_phi_B_minus_EDF * s_B_per_along_GF
         - EDF_across_slide_D * EDF_per_along_GF;
     const Scalar GF_per_along_GF = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_GF
         + EDF_along_GF * EDF_per_along_GF);
-    J_inverse(0, 0) = -q.theta_EDF.sin * EDF_per_across_slide_D;
-    J_inverse(0, 1) = q.theta_EDF.cos * EDF_per_across_slide_D;
-    J_inverse(0, 2) = q.theta_GF.cos * EDF_per_along_GF;
-    J_inverse(0, 3) = q.theta_GF.sin * EDF_per_along_GF;
-    J_inverse(1, 0) = -q.theta_EDF.sin * GF_per_across_slide_D;
-    J_inverse(1, 1) = q.theta_EDF.cos * GF_per_across_slide_D;
-    J_inverse(1, 2) = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
-    J_inverse(1, 3) = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    J_inverse(0, 0) = -EDF_per_across_slide_D * q.theta_EDF.sin;
+    J_inverse(0, 1) = EDF_per_across_slide_D * q.theta_EDF.cos;
+    J_inverse(0, 2) = EDF_per_along_GF * q.theta_GF.cos;
+    J_inverse(0, 3) = EDF_per_along_GF * q.theta_GF.sin;
+    J_inverse(1, 0) = -GF_per_across_slide_D * q.theta_EDF.sin;
+    J_inverse(1, 1) = GF_per_across_slide_D * q.theta_EDF.cos;
+    J_inverse(1, 2) = GF_per_along_GF * q.theta_GF.cos - inverse_GF * q.theta_GF.sin;
+    J_inverse(1, 3) = inverse_GF * q.theta_GF.cos + GF_per_along_GF * q.theta_GF.sin;
     J_inverse(2, 0) = -q.theta_EDF.sin * s_B_per_across_slide_D;
     J_inverse(2, 1) = q.theta_EDF.cos * s_B_per_across_slide_D;
     J_inverse(2, 2) = q.theta_GF.cos * s_B_per_along_GF;
@@ -974,60 +973,64 @@ struct Model09 {
     const Scalar phi_B_along_slide_D = q.s_B * cos_phi_B_minus_EDF
         + d.h_B_BCG * sin_phi_B_minus_EDF;
     const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
-        - cos_phi_B_minus_EDF * d.h_B_BCG;
+        - d.h_B_BCG * cos_phi_B_minus_EDF;
     const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
-    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
-    const Scalar determinant = sin_phi_B_minus_EDF * EDF_across_GF - cos_phi_B_minus_GF * q.s_D;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = EDF_across_GF * sin_phi_B_minus_EDF - q.s_D * cos_phi_B_minus_GF;
     const Scalar pivot_product = d.GF * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
-    const Scalar EDF_per_across_slide_D = cos_phi_B_minus_GF * inverse_determinant;
+    const Scalar EDF_per_across_slide_D = inverse_determinant * cos_phi_B_minus_GF;
     const Scalar s_B_per_across_slide_D = EDF_across_GF * inverse_determinant;
     const Scalar t03 = cos_phi_B_minus_EDF * s_B_per_across_slide_D;
     const Scalar s_D_per_across_slide_D = t03 - EDF_across_slide_D * EDF_per_across_slide_D;
-    const Scalar GF_per_across_slide_D = -(sin_phi_B_minus_GF * s_B_per_across_slide_D
-        + EDF_per_across_slide_D * EDF_along_GF) * inverse_GF;
-    const Scalar EDF_per_along_GF = -sin_phi_B_minus_EDF * inverse_determinant;
+    const Scalar GF_per_across_slide_D = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_across_slide_D
+        + EDF_per_across_slide_D * EDF_along_GF);
+    const Scalar EDF_per_along_GF = -inverse_determinant * sin_phi_B_minus_EDF;
     const Scalar s_B_per_along_GF = -q.s_D * inverse_determinant;
     const Scalar s_D_per_along_GF = cos_phi_B_minus_EDF * s_B_per_along_GF
         - EDF_across_slide_D * EDF_per_along_GF;
     const Scalar t04 = sin_phi_B_minus_GF * s_B_per_along_GF;
     const Scalar GF_per_along_GF = -inverse_GF * (t04 + EDF_along_GF * EDF_per_along_GF);
-    const Scalar t05 = sin_phi_B_minus_GF * EDF_per_along_GF;
-    const Scalar t06 = cos_phi_B_minus_GF * inverse_GF - sin_phi_B_minus_GF * GF_per_along_GF;
-    const Scalar t07 = sin_phi_B_minus_GF * s_D_per_along_GF;
-    const Scalar t08 = q.theta_EDF.sin * EDF_per_across_slide_D - q.theta_GF.cos * EDF_per_along_GF;
-    const Scalar t09 = q.theta_EDF.cos * EDF_per_across_slide_D + q.theta_GF.sin * EDF_per_along_GF;
-    const Scalar t10 = q.theta_EDF.sin * GF_per_across_slide_D + q.theta_GF.sin * inverse_GF
-        - q.theta_GF.cos * GF_per_along_GF;
-    const Scalar t11 = q.theta_EDF.cos * GF_per_across_slide_D + q.theta_GF.cos * inverse_GF
-        + q.theta_GF.sin * GF_per_along_GF;
-    const Scalar t12 = q.theta_EDF.sin * s_B_per_across_slide_D - q.theta_GF.cos * s_B_per_along_GF;
-    const Scalar t13 = q.theta_EDF.cos * s_B_per_across_slide_D + q.theta_GF.sin * s_B_per_along_GF;
-    const Scalar t14 = q.theta_EDF.cos + q.theta_EDF.sin * s_D_per_across_slide_D
+    const Scalar EDF_per_x_B = EDF_per_across_slide_D * q.theta_EDF.sin
+        - EDF_per_along_GF * q.theta_GF.cos;
+    const Scalar GF_per_x_B = GF_per_across_slide_D * q.theta_EDF.sin + inverse_GF * q.theta_GF.sin
+        - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_B_per_x_B = q.theta_EDF.sin * s_B_per_across_slide_D
+        - q.theta_GF.cos * s_B_per_along_GF;
+    const Scalar s_D_per_x_B = q.theta_EDF.cos + q.theta_EDF.sin * s_D_per_across_slide_D
         - q.theta_GF.cos * s_D_per_along_GF;
-    const Scalar t15 = q.theta_EDF.sin - q.theta_EDF.cos * s_D_per_across_slide_D
+    const Scalar EDF_per_y_B = -EDF_per_across_slide_D * q.theta_EDF.cos
+        - EDF_per_along_GF * q.theta_GF.sin;
+    const Scalar GF_per_y_B = -GF_per_across_slide_D * q.theta_EDF.cos - inverse_GF * q.theta_GF.cos
+        - GF_per_along_GF * q.theta_GF.sin;
+    const Scalar s_B_per_y_B = -q.theta_EDF.cos * s_B_per_across_slide_D
+        - q.theta_GF.sin * s_B_per_along_GF;
+    const Scalar s_D_per_y_B = q.theta_EDF.sin - q.theta_EDF.cos * s_D_per_across_slide_D
         - q.theta_GF.sin * s_D_per_along_GF;
-    S_d(0, 0) = cos_phi_B_minus_EDF * EDF_per_across_slide_D - t05;
-    S_d(0, 1) = -cos_phi_B_minus_GF * EDF_per_along_GF;
+    const Scalar t05 = EDF_per_along_GF * sin_phi_B_minus_GF;
+    const Scalar t06 = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
+    const Scalar t07 = sin_phi_B_minus_GF * s_D_per_along_GF;
+    S_d(0, 0) = EDF_per_across_slide_D * cos_phi_B_minus_EDF - t05;
+    S_d(0, 1) = -EDF_per_along_GF * cos_phi_B_minus_GF;
     S_d(0, 2) = t05;
     S_d(0, 3) = EDF_per_across_slide_D;
-    S_d(0, 4) = cos_EDF_minus_GF * EDF_per_along_GF;
-    S_d(0, 5) = -sin_EDF_minus_GF * EDF_per_along_GF;
+    S_d(0, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
+    S_d(0, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;
     S_d(0, 6) = -EDF_per_across_slide_D;
     S_d(0, 7) = -EDF_per_along_GF;
-    S_d(1, 0) = cos_phi_B_minus_EDF * GF_per_across_slide_D + t06;
-    S_d(1, 1) = -cos_phi_B_minus_GF * GF_per_along_GF - sin_phi_B_minus_GF * inverse_GF;
+    S_d(1, 0) = GF_per_across_slide_D * cos_phi_B_minus_EDF + t06;
+    S_d(1, 1) = -GF_per_along_GF * cos_phi_B_minus_GF - inverse_GF * sin_phi_B_minus_GF;
     S_d(1, 2) = -t06;
     S_d(1, 3) = GF_per_across_slide_D;
-    S_d(1, 4) = cos_EDF_minus_GF * GF_per_along_GF + sin_EDF_minus_GF * inverse_GF;
-    S_d(1, 5) = cos_EDF_minus_GF * inverse_GF - sin_EDF_minus_GF * GF_per_along_GF;
+    S_d(1, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
+    S_d(1, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
     S_d(1, 6) = -GF_per_across_slide_D;
     S_d(1, 7) = -GF_per_along_GF;
     S_d(2, 0) = t03 - t04;
@@ -1046,28 +1049,28 @@ struct Model09 {
     S_d(3, 5) = -sin_EDF_minus_GF * s_D_per_along_GF;
     S_d(3, 6) = -s_D_per_across_slide_D;
     S_d(3, 7) = -s_D_per_along_GF;
-    S_u(0, 0) = t08;
-    S_u(0, 1) = -t09;
+    S_u(0, 0) = EDF_per_x_B;
+    S_u(0, 1) = EDF_per_y_B;
     S_u(0, 2) = EDF_per_along_GF * phi_B_across_GF - EDF_per_across_slide_D * phi_B_along_slide_D;
-    S_u(0, 3) = -t08;
-    S_u(0, 4) = t09;
-    S_u(1, 0) = t10;
-    S_u(1, 1) = -t11;
+    S_u(0, 3) = -EDF_per_x_B;
+    S_u(0, 4) = -EDF_per_y_B;
+    S_u(1, 0) = GF_per_x_B;
+    S_u(1, 1) = GF_per_y_B;
     S_u(1, 2) = GF_per_along_GF * phi_B_across_GF - GF_per_across_slide_D * phi_B_along_slide_D
         - inverse_GF * phi_B_along_GF;
-    S_u(1, 3) = -t10;
-    S_u(1, 4) = t11;
-    S_u(2, 0) = t12;
-    S_u(2, 1) = -t13;
-    S_u(2, 2) = s_B_per_along_GF * phi_B_across_GF - s_B_per_across_slide_D * phi_B_along_slide_D;
-    S_u(2, 3) = -t12;
-    S_u(2, 4) = t13;
-    S_u(3, 0) = t14;
-    S_u(3, 1) = t15;
-    S_u(3, 2) = s_D_per_along_GF * phi_B_across_GF - s_D_per_across_slide_D * phi_B_along_slide_D
+    S_u(1, 3) = -GF_per_x_B;
+    S_u(1, 4) = -GF_per_y_B;
+    S_u(2, 0) = s_B_per_x_B;
+    S_u(2, 1) = s_B_per_y_B;
+    S_u(2, 2) = phi_B_across_GF * s_B_per_along_GF - phi_B_along_slide_D * s_B_per_across_slide_D;
+    S_u(2, 3) = -s_B_per_x_B;
+    S_u(2, 4) = -s_B_per_y_B;
+    S_u(3, 0) = s_D_per_x_B;
+    S_u(3, 1) = s_D_per_y_B;
+    S_u(3, 2) = phi_B_across_GF * s_D_per_along_GF - phi_B_along_slide_D * s_D_per_across_slide_D
         - phi_B_across_slide_D;
-    S_u(3, 3) = -t14;
-    S_u(3, 4) = -t15;
+    S_u(3, 3) = -s_D_per_x_B;
+    S_u(3, 4) = -s_D_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1093,37 +1096,37 @@ struct Model09 {
     const Scalar phi_B_along_slide_D = q.s_B * cos_phi_B_minus_EDF
         + d.h_B_BCG * sin_phi_B_minus_EDF;
     const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
-        - cos_phi_B_minus_EDF * d.h_B_BCG;
+        - d.h_B_BCG * cos_phi_B_minus_EDF;
     const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
-    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
-    const Scalar determinant = sin_phi_B_minus_EDF * EDF_across_GF - cos_phi_B_minus_GF * q.s_D;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = EDF_across_GF * sin_phi_B_minus_EDF - q.s_D * cos_phi_B_minus_GF;
     const Scalar pivot_product = d.GF * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar t03 = v_x_B - v_x_E;
     const Scalar t04 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_D = omega_B * phi_B_across_slide_D - q.theta_EDF.cos * t03
+    const Scalar velocity_along_slide_D = phi_B_across_slide_D * omega_B - q.theta_EDF.cos * t03
         - q.theta_EDF.sin * t04;
     const Scalar velocity_across_slide_D = q.theta_EDF.sin * t03 - q.theta_EDF.cos * t04
-        - omega_B * phi_B_along_slide_D;
-    const Scalar velocity_along_GF = omega_B * phi_B_across_GF - q.theta_GF.cos * t03
+        - phi_B_along_slide_D * omega_B;
+    const Scalar velocity_along_GF = phi_B_across_GF * omega_B - q.theta_GF.cos * t03
         - q.theta_GF.sin * t04;
     const Scalar velocity_across_GF = q.theta_GF.sin * t03 - q.theta_GF.cos * t04
-        - omega_B * phi_B_along_GF;
-    const Scalar omega_EDF = -(sin_phi_B_minus_EDF * velocity_along_GF
-        - cos_phi_B_minus_GF * velocity_across_slide_D) * inverse_determinant;
+        - phi_B_along_GF * omega_B;
+    const Scalar omega_EDF = -inverse_determinant * (sin_phi_B_minus_EDF * velocity_along_GF
+        - cos_phi_B_minus_GF * velocity_across_slide_D);
     const Scalar v_s_B = -inverse_determinant * (q.s_D * velocity_along_GF
         - EDF_across_GF * velocity_across_slide_D);
-    const Scalar v_s_D = cos_phi_B_minus_EDF * v_s_B - omega_EDF * EDF_across_slide_D
+    const Scalar v_s_D = cos_phi_B_minus_EDF * v_s_B - EDF_across_slide_D * omega_EDF
         - velocity_along_slide_D;
-    const Scalar omega_GF = -(omega_EDF * EDF_along_GF + sin_phi_B_minus_GF * v_s_B
-        - velocity_across_GF) * inverse_GF;
+    const Scalar omega_GF = -inverse_GF * (EDF_along_GF * omega_EDF + sin_phi_B_minus_GF * v_s_B
+        - velocity_across_GF);
     q_rate(0) = omega_EDF;
     q_rate(1) = omega_GF;
     q_rate(2) = v_s_B;
@@ -1159,38 +1162,38 @@ struct Model09 {
     const Scalar phi_B_along_slide_D = q.s_B * cos_phi_B_minus_EDF
         + d.h_B_BCG * sin_phi_B_minus_EDF;
     const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
-        - cos_phi_B_minus_EDF * d.h_B_BCG;
+        - d.h_B_BCG * cos_phi_B_minus_EDF;
     const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
-    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
-    const Scalar determinant = sin_phi_B_minus_EDF * EDF_across_GF - cos_phi_B_minus_GF * q.s_D;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = EDF_across_GF * sin_phi_B_minus_EDF - q.s_D * cos_phi_B_minus_GF;
     const Scalar pivot_product = d.GF * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar t03 = v_x_B - v_x_E;
     const Scalar t04 = v_y_B - v_y_E;
-    const Scalar t05 = omega_B * phi_B_across_slide_D;
+    const Scalar t05 = phi_B_across_slide_D * omega_B;
     const Scalar velocity_along_slide_D = t05 - q.theta_EDF.cos * t03 - q.theta_EDF.sin * t04;
-    const Scalar t06 = omega_B * phi_B_along_slide_D;
+    const Scalar t06 = phi_B_along_slide_D * omega_B;
     const Scalar velocity_across_slide_D = q.theta_EDF.sin * t03 - q.theta_EDF.cos * t04 - t06;
-    const Scalar t07 = omega_B * phi_B_across_GF;
+    const Scalar t07 = phi_B_across_GF * omega_B;
     const Scalar velocity_along_GF = t07 - q.theta_GF.cos * t03 - q.theta_GF.sin * t04;
-    const Scalar t08 = omega_B * phi_B_along_GF;
+    const Scalar t08 = phi_B_along_GF * omega_B;
     const Scalar velocity_across_GF = q.theta_GF.sin * t03 - q.theta_GF.cos * t04 - t08;
-    const Scalar omega_EDF = -(sin_phi_B_minus_EDF * velocity_along_GF
-        - cos_phi_B_minus_GF * velocity_across_slide_D) * inverse_determinant;
+    const Scalar omega_EDF = -inverse_determinant * (sin_phi_B_minus_EDF * velocity_along_GF
+        - cos_phi_B_minus_GF * velocity_across_slide_D);
     const Scalar v_s_B = -inverse_determinant * (q.s_D * velocity_along_GF
         - EDF_across_GF * velocity_across_slide_D);
-    const Scalar t09 = omega_EDF * EDF_across_slide_D;
+    const Scalar t09 = EDF_across_slide_D * omega_EDF;
     const Scalar t10 = cos_phi_B_minus_EDF * v_s_B;
     const Scalar v_s_D = t10 - t09 - velocity_along_slide_D;
     const Scalar t11 = sin_phi_B_minus_GF * v_s_B;
-    const Scalar omega_GF = -(omega_EDF * EDF_along_GF + t11 - velocity_across_GF) * inverse_GF;
+    const Scalar omega_GF = -inverse_GF * (EDF_along_GF * omega_EDF + t11 - velocity_across_GF);
     const Scalar t12 = a_x_B - a_x_E;
     const Scalar t13 = a_y_B - a_y_E;
     const Scalar t14 = omega_EDF * omega_EDF;
@@ -1255,98 +1258,90 @@ struct Model09 {
     const Scalar phi_B_along_slide_D = q.s_B * cos_phi_B_minus_EDF
         + d.h_B_BCG * sin_phi_B_minus_EDF;
     const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
-        - cos_phi_B_minus_EDF * d.h_B_BCG;
+        - d.h_B_BCG * cos_phi_B_minus_EDF;
     const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
-    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
-    const Scalar determinant = sin_phi_B_minus_EDF * EDF_across_GF - cos_phi_B_minus_GF * q.s_D;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = EDF_across_GF * sin_phi_B_minus_EDF - q.s_D * cos_phi_B_minus_GF;
     const Scalar pivot_product = d.GF * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
-    const Scalar EDF_per_across_slide_D = cos_phi_B_minus_GF * inverse_determinant;
+    const Scalar EDF_per_across_slide_D = inverse_determinant * cos_phi_B_minus_GF;
     const Scalar s_B_per_across_slide_D = EDF_across_GF * inverse_determinant;
     const Scalar t03 = cos_phi_B_minus_EDF * s_B_per_across_slide_D;
     const Scalar s_D_per_across_slide_D = t03 - EDF_across_slide_D * EDF_per_across_slide_D;
-    const Scalar GF_per_across_slide_D = -(sin_phi_B_minus_GF * s_B_per_across_slide_D
-        + EDF_per_across_slide_D * EDF_along_GF) * inverse_GF;
-    const Scalar EDF_per_along_GF = -sin_phi_B_minus_EDF * inverse_determinant;
+    const Scalar GF_per_across_slide_D = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_across_slide_D
+        + EDF_per_across_slide_D * EDF_along_GF);
+    const Scalar EDF_per_along_GF = -inverse_determinant * sin_phi_B_minus_EDF;
     const Scalar s_B_per_along_GF = -q.s_D * inverse_determinant;
     const Scalar s_D_per_along_GF = cos_phi_B_minus_EDF * s_B_per_along_GF
         - EDF_across_slide_D * EDF_per_along_GF;
     const Scalar t04 = sin_phi_B_minus_GF * s_B_per_along_GF;
     const Scalar GF_per_along_GF = -inverse_GF * (t04 + EDF_along_GF * EDF_per_along_GF);
-    const Scalar t05 = q.theta_EDF.sin * EDF_per_across_slide_D - q.theta_GF.cos * EDF_per_along_GF;
-    const Scalar EDF_per_x_B = t05;
-    const Scalar t06 = q.theta_EDF.sin * GF_per_across_slide_D + q.theta_GF.sin * inverse_GF
-        - q.theta_GF.cos * GF_per_along_GF;
-    const Scalar GF_per_x_B = t06;
-    const Scalar t07 = q.theta_EDF.sin * s_B_per_across_slide_D - q.theta_GF.cos * s_B_per_along_GF;
-    const Scalar s_B_per_x_B = t07;
-    const Scalar t08 = q.theta_EDF.cos + q.theta_EDF.sin * s_D_per_across_slide_D
+    const Scalar EDF_per_x_B = EDF_per_across_slide_D * q.theta_EDF.sin
+        - EDF_per_along_GF * q.theta_GF.cos;
+    const Scalar GF_per_x_B = GF_per_across_slide_D * q.theta_EDF.sin + inverse_GF * q.theta_GF.sin
+        - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_B_per_x_B = q.theta_EDF.sin * s_B_per_across_slide_D
+        - q.theta_GF.cos * s_B_per_along_GF;
+    const Scalar s_D_per_x_B = q.theta_EDF.cos + q.theta_EDF.sin * s_D_per_across_slide_D
         - q.theta_GF.cos * s_D_per_along_GF;
-    const Scalar s_D_per_x_B = t08;
-    const Scalar t09 = q.theta_EDF.cos * EDF_per_across_slide_D + q.theta_GF.sin * EDF_per_along_GF;
-    const Scalar EDF_per_y_B = -t09;
-    const Scalar t10 = q.theta_EDF.cos * GF_per_across_slide_D + q.theta_GF.cos * inverse_GF
-        + q.theta_GF.sin * GF_per_along_GF;
-    const Scalar GF_per_y_B = -t10;
-    const Scalar t11 = q.theta_EDF.cos * s_B_per_across_slide_D + q.theta_GF.sin * s_B_per_along_GF;
-    const Scalar s_B_per_y_B = -t11;
-    const Scalar t12 = q.theta_EDF.sin - q.theta_EDF.cos * s_D_per_across_slide_D
+    const Scalar EDF_per_y_B = -EDF_per_across_slide_D * q.theta_EDF.cos
+        - EDF_per_along_GF * q.theta_GF.sin;
+    const Scalar GF_per_y_B = -GF_per_across_slide_D * q.theta_EDF.cos - inverse_GF * q.theta_GF.cos
+        - GF_per_along_GF * q.theta_GF.sin;
+    const Scalar s_B_per_y_B = -q.theta_EDF.cos * s_B_per_across_slide_D
+        - q.theta_GF.sin * s_B_per_along_GF;
+    const Scalar s_D_per_y_B = q.theta_EDF.sin - q.theta_EDF.cos * s_D_per_across_slide_D
         - q.theta_GF.sin * s_D_per_along_GF;
-    const Scalar s_D_per_y_B = t12;
-    const Scalar t13 = EDF_per_across_slide_D * phi_B_along_slide_D
-        - EDF_per_along_GF * phi_B_across_GF;
-    const Scalar EDF_per_phi_B = -t13;
-    const Scalar t14 = GF_per_across_slide_D * phi_B_along_slide_D + inverse_GF * phi_B_along_GF
-        - GF_per_along_GF * phi_B_across_GF;
-    const Scalar GF_per_phi_B = -t14;
-    const Scalar t15 = s_B_per_across_slide_D * phi_B_along_slide_D
-        - s_B_per_along_GF * phi_B_across_GF;
-    const Scalar s_B_per_phi_B = -t15;
-    const Scalar t16 = s_D_per_across_slide_D * phi_B_along_slide_D + phi_B_across_slide_D
-        - s_D_per_along_GF * phi_B_across_GF;
-    const Scalar s_D_per_phi_B = -t16;
-    const Scalar t17 = v_x_B - v_x_E;
-    const Scalar t18 = v_y_B - v_y_E;
-    const Scalar omega_EDF = t17 * EDF_per_x_B + t18 * EDF_per_y_B + omega_B * EDF_per_phi_B;
-    const Scalar omega_GF = t17 * GF_per_x_B + t18 * GF_per_y_B + omega_B * GF_per_phi_B;
-    const Scalar v_s_B = t17 * s_B_per_x_B + t18 * s_B_per_y_B + omega_B * s_B_per_phi_B;
-    const Scalar v_s_D = t17 * s_D_per_x_B + t18 * s_D_per_y_B + omega_B * s_D_per_phi_B;
-    const Scalar t19 = omega_EDF * omega_EDF;
+    const Scalar EDF_per_phi_B = EDF_per_along_GF * phi_B_across_GF
+        - EDF_per_across_slide_D * phi_B_along_slide_D;
+    const Scalar GF_per_phi_B = GF_per_along_GF * phi_B_across_GF
+        - GF_per_across_slide_D * phi_B_along_slide_D - inverse_GF * phi_B_along_GF;
+    const Scalar s_B_per_phi_B = phi_B_across_GF * s_B_per_along_GF
+        - phi_B_along_slide_D * s_B_per_across_slide_D;
+    const Scalar s_D_per_phi_B = phi_B_across_GF * s_D_per_along_GF
+        - phi_B_along_slide_D * s_D_per_across_slide_D - phi_B_across_slide_D;
+    const Scalar t05 = v_x_B - v_x_E;
+    const Scalar t06 = v_y_B - v_y_E;
+    const Scalar omega_EDF = EDF_per_x_B * t05 + EDF_per_y_B * t06 + EDF_per_phi_B * omega_B;
+    const Scalar omega_GF = GF_per_x_B * t05 + GF_per_y_B * t06 + GF_per_phi_B * omega_B;
+    const Scalar v_s_B = s_B_per_x_B * t05 + s_B_per_y_B * t06 + s_B_per_phi_B * omega_B;
+    const Scalar v_s_D = s_D_per_x_B * t05 + s_D_per_y_B * t06 + s_D_per_phi_B * omega_B;
+    const Scalar t07 = omega_EDF * omega_EDF;
     const Scalar centripetal_along_slide_D = omega_B * (Scalar(2) * sin_phi_B_minus_EDF * v_s_B
-        + phi_B_along_slide_D * omega_B) - q.s_D * t19;
+        + phi_B_along_slide_D * omega_B) - q.s_D * t07;
     const Scalar centripetal_across_slide_D = omega_EDF * (EDF_across_slide_D * omega_EDF
         + Scalar(2) * v_s_D) - omega_B * (Scalar(2) * cos_phi_B_minus_EDF * v_s_B
         - phi_B_across_slide_D * omega_B);
     const Scalar centripetal_along_GF = omega_B * (Scalar(2) * sin_phi_B_minus_GF * v_s_B
-        + phi_B_along_GF * omega_B) + d.GF * omega_GF * omega_GF + EDF_along_GF * t19;
-    const Scalar centripetal_across_GF = EDF_across_GF * t19
+        + phi_B_along_GF * omega_B) + d.GF * omega_GF * omega_GF + EDF_along_GF * t07;
+    const Scalar centripetal_across_GF = EDF_across_GF * t07
         - omega_B * (Scalar(2) * cos_phi_B_minus_GF * v_s_B - phi_B_across_GF * omega_B);
-    const Scalar t20 = sin_phi_B_minus_GF * EDF_per_along_GF;
-    const Scalar t21 = cos_phi_B_minus_GF * inverse_GF - sin_phi_B_minus_GF * GF_per_along_GF;
-    const Scalar t22 = sin_phi_B_minus_GF * s_D_per_along_GF;
-    const Scalar t23 = a_x_B - a_x_E;
-    const Scalar t24 = a_y_B - a_y_E;
-    S_d(0, 0) = cos_phi_B_minus_EDF * EDF_per_across_slide_D - t20;
-    S_d(0, 1) = -cos_phi_B_minus_GF * EDF_per_along_GF;
-    S_d(0, 2) = t20;
+    const Scalar t08 = EDF_per_along_GF * sin_phi_B_minus_GF;
+    const Scalar t09 = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
+    const Scalar t10 = sin_phi_B_minus_GF * s_D_per_along_GF;
+    const Scalar t11 = a_x_B - a_x_E;
+    const Scalar t12 = a_y_B - a_y_E;
+    S_d(0, 0) = EDF_per_across_slide_D * cos_phi_B_minus_EDF - t08;
+    S_d(0, 1) = -EDF_per_along_GF * cos_phi_B_minus_GF;
+    S_d(0, 2) = t08;
     S_d(0, 3) = EDF_per_across_slide_D;
-    S_d(0, 4) = cos_EDF_minus_GF * EDF_per_along_GF;
-    S_d(0, 5) = -sin_EDF_minus_GF * EDF_per_along_GF;
+    S_d(0, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
+    S_d(0, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;
     S_d(0, 6) = -EDF_per_across_slide_D;
     S_d(0, 7) = -EDF_per_along_GF;
-    S_d(1, 0) = cos_phi_B_minus_EDF * GF_per_across_slide_D + t21;
-    S_d(1, 1) = -cos_phi_B_minus_GF * GF_per_along_GF - sin_phi_B_minus_GF * inverse_GF;
-    S_d(1, 2) = -t21;
+    S_d(1, 0) = GF_per_across_slide_D * cos_phi_B_minus_EDF + t09;
+    S_d(1, 1) = -GF_per_along_GF * cos_phi_B_minus_GF - inverse_GF * sin_phi_B_minus_GF;
+    S_d(1, 2) = -t09;
     S_d(1, 3) = GF_per_across_slide_D;
-    S_d(1, 4) = cos_EDF_minus_GF * GF_per_along_GF + sin_EDF_minus_GF * inverse_GF;
-    S_d(1, 5) = cos_EDF_minus_GF * inverse_GF - sin_EDF_minus_GF * GF_per_along_GF;
+    S_d(1, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
+    S_d(1, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
     S_d(1, 6) = -GF_per_across_slide_D;
     S_d(1, 7) = -GF_per_along_GF;
     S_d(2, 0) = t03 - t04;
@@ -1357,48 +1352,48 @@ struct Model09 {
     S_d(2, 5) = -sin_EDF_minus_GF * s_B_per_along_GF;
     S_d(2, 6) = -s_B_per_across_slide_D;
     S_d(2, 7) = -s_B_per_along_GF;
-    S_d(3, 0) = sin_phi_B_minus_EDF + cos_phi_B_minus_EDF * s_D_per_across_slide_D - t22;
+    S_d(3, 0) = sin_phi_B_minus_EDF + cos_phi_B_minus_EDF * s_D_per_across_slide_D - t10;
     S_d(3, 1) = -cos_phi_B_minus_GF * s_D_per_along_GF;
-    S_d(3, 2) = t22;
+    S_d(3, 2) = t10;
     S_d(3, 3) = s_D_per_across_slide_D;
     S_d(3, 4) = cos_EDF_minus_GF * s_D_per_along_GF;
     S_d(3, 5) = -sin_EDF_minus_GF * s_D_per_along_GF;
     S_d(3, 6) = -s_D_per_across_slide_D;
     S_d(3, 7) = -s_D_per_along_GF;
-    S_u(0, 0) = t05;
-    S_u(0, 1) = -t09;
-    S_u(0, 2) = -t13;
-    S_u(0, 3) = -t05;
-    S_u(0, 4) = t09;
-    S_u(1, 0) = t06;
-    S_u(1, 1) = -t10;
-    S_u(1, 2) = -t14;
-    S_u(1, 3) = -t06;
-    S_u(1, 4) = t10;
-    S_u(2, 0) = t07;
-    S_u(2, 1) = -t11;
-    S_u(2, 2) = -t15;
-    S_u(2, 3) = -t07;
-    S_u(2, 4) = t11;
-    S_u(3, 0) = t08;
-    S_u(3, 1) = t12;
-    S_u(3, 2) = -t16;
-    S_u(3, 3) = -t08;
-    S_u(3, 4) = -t12;
+    S_u(0, 0) = EDF_per_x_B;
+    S_u(0, 1) = EDF_per_y_B;
+    S_u(0, 2) = EDF_per_phi_B;
+    S_u(0, 3) = -EDF_per_x_B;
+    S_u(0, 4) = -EDF_per_y_B;
+    S_u(1, 0) = GF_per_x_B;
+    S_u(1, 1) = GF_per_y_B;
+    S_u(1, 2) = GF_per_phi_B;
+    S_u(1, 3) = -GF_per_x_B;
+    S_u(1, 4) = -GF_per_y_B;
+    S_u(2, 0) = s_B_per_x_B;
+    S_u(2, 1) = s_B_per_y_B;
+    S_u(2, 2) = s_B_per_phi_B;
+    S_u(2, 3) = -s_B_per_x_B;
+    S_u(2, 4) = -s_B_per_y_B;
+    S_u(3, 0) = s_D_per_x_B;
+    S_u(3, 1) = s_D_per_y_B;
+    S_u(3, 2) = s_D_per_phi_B;
+    S_u(3, 3) = -s_D_per_x_B;
+    S_u(3, 4) = -s_D_per_y_B;
     q_rate(0) = omega_EDF;
     q_rate(1) = omega_GF;
     q_rate(2) = v_s_B;
     q_rate(3) = v_s_D;
-    q_second_rate(0) = EDF_per_x_B * t23 + EDF_per_y_B * t24 + EDF_per_phi_B * alpha_B
+    q_second_rate(0) = EDF_per_x_B * t11 + EDF_per_y_B * t12 + EDF_per_phi_B * alpha_B
         + EDF_per_across_slide_D * centripetal_across_slide_D
         + EDF_per_along_GF * centripetal_along_GF;
-    q_second_rate(1) = GF_per_x_B * t23 + GF_per_y_B * t24 + GF_per_phi_B * alpha_B
+    q_second_rate(1) = GF_per_x_B * t11 + GF_per_y_B * t12 + GF_per_phi_B * alpha_B
         + inverse_GF * centripetal_across_GF + GF_per_across_slide_D * centripetal_across_slide_D
         + GF_per_along_GF * centripetal_along_GF;
-    q_second_rate(2) = s_B_per_x_B * t23 + s_B_per_y_B * t24 + s_B_per_phi_B * alpha_B
+    q_second_rate(2) = s_B_per_x_B * t11 + s_B_per_y_B * t12 + s_B_per_phi_B * alpha_B
         + s_B_per_across_slide_D * centripetal_across_slide_D
         + s_B_per_along_GF * centripetal_along_GF;
-    q_second_rate(3) = s_D_per_x_B * t23 + s_D_per_y_B * t24 + s_D_per_phi_B * alpha_B
+    q_second_rate(3) = s_D_per_x_B * t11 + s_D_per_y_B * t12 + s_D_per_phi_B * alpha_B
         + s_D_per_across_slide_D * centripetal_across_slide_D
         + s_D_per_along_GF * centripetal_along_GF - centripetal_along_slide_D;
   }
@@ -1411,48 +1406,48 @@ struct Model09 {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
     const Scalar b_m1_re = -d.x_F_EDF * u.phi_B.cos - d.y_F_EDF * u.phi_B.sin;
-    const Scalar b_m1_im = u.phi_B.cos * d.y_F_EDF - d.x_F_EDF * u.phi_B.sin;
-    const Scalar t01 = u.phi_B.cos * EB_x + u.phi_B.sin * EB_y;
+    const Scalar b_m1_im = d.y_F_EDF * u.phi_B.cos - d.x_F_EDF * u.phi_B.sin;
+    const Scalar t01 = EB_x * u.phi_B.cos + EB_y * u.phi_B.sin;
     const Scalar b_0_re = Scalar(2) * (d.x_G_BCG + t01);
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar t03 = EB_x + u.phi_B.sin * t02 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar t04 = EB_y + u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t02;
+    const Scalar t03 = EB_x + t02 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar t04 = EB_y + d.x_G_BCG * u.phi_B.sin - t02 * u.phi_B.cos;
     const Scalar c_m1_re = -d.x_F_EDF * t03 - d.y_F_EDF * t04;
     const Scalar c_m1_im = d.y_F_EDF * t03 - d.x_F_EDF * t04;
-    const Scalar t05 = u.phi_B.cos * EB_y - u.phi_B.sin * EB_x;
+    const Scalar t05 = EB_y * u.phi_B.cos - EB_x * u.phi_B.sin;
     const Scalar c_0_re = d.x_F_EDF * d.x_F_EDF + d.y_F_EDF * d.y_F_EDF + EB_x * EB_x + EB_y * EB_y
         + d.x_G_BCG * (d.x_G_BCG + Scalar(2) * t01) + d.h_B_BCG * (d.h_B_BCG - Scalar(2) * d.y_G_BCG
         - Scalar(2) * t05) + d.y_G_BCG * (d.y_G_BCG + Scalar(2) * t05) - d.GF * d.GF;
-    const Scalar f_m1_re = u.phi_B.cos * d.h_B_BCG - EB_y;
-    const Scalar f_m1_im = EB_x + u.phi_B.sin * d.h_B_BCG;
+    const Scalar f_m1_re = d.h_B_BCG * u.phi_B.cos - EB_y;
+    const Scalar f_m1_im = EB_x + d.h_B_BCG * u.phi_B.sin;
     const Scalar f_0_re = Scalar(2) * (d.h_D_EDF - d.h_D_CD);
-    const Scalar t06 = u.phi_B.sin * c_0_re;
+    const Scalar t06 = c_0_re * u.phi_B.sin;
     const Scalar t07 = f_0_re * b_m1_re + b_0_re * f_m1_re;
-    const Scalar t08 = f_m1_re * f_m1_re + u.phi_B.sin * (t06 + t07);
+    const Scalar t08 = f_m1_re * f_m1_re + (t06 + t07) * u.phi_B.sin;
     const Scalar t09 = b_m1_im * f_0_re + b_0_re * f_m1_im;
-    const Scalar t10 = f_m1_im * f_m1_im + u.phi_B.cos * (u.phi_B.cos * c_0_re - t09);
+    const Scalar t10 = f_m1_im * f_m1_im + (c_0_re * u.phi_B.cos - t09) * u.phi_B.cos;
     const Scalar t11 = f_m1_im * b_m1_re + b_m1_im * f_m1_re;
-    const Scalar t12 = u.phi_B.cos * c_m1_re - t11;
-    const Scalar t13 = u.phi_B.cos * c_m1_im;
+    const Scalar t12 = c_m1_re * u.phi_B.cos - t11;
+    const Scalar t13 = c_m1_im * u.phi_B.cos;
     const Scalar t14 = b_m1_im * f_m1_im;
     const Scalar t15 = f_0_re * b_0_re;
-    const Scalar t16 = u.phi_B.sin * c_m1_re;
+    const Scalar t16 = c_m1_re * u.phi_B.sin;
     const Scalar t17 = b_m1_re * f_m1_re;
     const Scalar t18 = t16 + t17;
-    const Scalar t19 = u.phi_B.sin * c_m1_im;
-    const Scalar t20 = u.phi_B.sin * (t19 + t11);
+    const Scalar t19 = c_m1_im * u.phi_B.sin;
+    const Scalar t20 = (t19 + t11) * u.phi_B.sin;
     const Scalar t21 = t13 - t14;
-    const Scalar t22 = t16 + Scalar(1) / Scalar(2) * t17;
+    const Scalar t22 = t16 + Scalar(0.5) * t17;
     T.cosine[0] = f_0_re * f_0_re + Scalar(2) * t08 + Scalar(2) * t10;
-    T.cosine[1] = Scalar(2) * (Scalar(2) * f_0_re * f_m1_re + u.phi_B.cos * t12
-        - u.phi_B.sin * (Scalar(2) * t13 - t14 - t15 - Scalar(3) * t18));
-    T.sine[1] = Scalar(2) * (Scalar(2) * f_0_re * f_m1_im + t20 - u.phi_B.cos * (t15
-        + Scalar(2) * t22 - Scalar(3) * t21));
+    T.cosine[1] = Scalar(2) * (Scalar(2) * f_0_re * f_m1_re + t12 * u.phi_B.cos - (Scalar(2) * t13
+        - t14 - t15 - Scalar(3) * t18) * u.phi_B.sin);
+    T.sine[1] = Scalar(2) * (Scalar(2) * f_0_re * f_m1_im + t20 - (t15 + Scalar(2) * t22
+        - Scalar(3) * t21) * u.phi_B.cos);
     T.cosine[2] = Scalar(2) * (t08 - t10);
-    T.sine[2] = Scalar(2) * (u.phi_B.sin * t09 + Scalar(2) * f_m1_im * f_m1_re
-        - u.phi_B.cos * (Scalar(2) * t06 + t07));
-    T.cosine[3] = -Scalar(2) * (u.phi_B.sin * (t14 - t18) - u.phi_B.cos * (Scalar(2) * t19 - t12));
-    T.sine[3] = Scalar(2) * (t20 - u.phi_B.cos * (t21 + Scalar(2) * t22));
+    T.sine[2] = Scalar(2) * (t09 * u.phi_B.sin + Scalar(2) * f_m1_im * f_m1_re - (Scalar(2) * t06
+        + t07) * u.phi_B.cos);
+    T.cosine[3] = -Scalar(2) * ((t14 - t18) * u.phi_B.sin - (Scalar(2) * t19 - t12) * u.phi_B.cos);
+    T.sine[3] = Scalar(2) * (t20 - (t21 + Scalar(2) * t22) * u.phi_B.cos);
   }
 
   /// The reduced equations, one a row, where theta_EDF is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
@@ -1465,20 +1460,20 @@ struct Model09 {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar t02 = EB_x + u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar t03 = EB_y + u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar t04 = u.phi_B.cos * EB_y - u.phi_B.sin * EB_x;
+    const Scalar t02 = EB_x + t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar t03 = EB_y + d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
+    const Scalar t04 = EB_y * u.phi_B.cos - EB_x * u.phi_B.sin;
     e(0, 1) = -Scalar(2) * (q.theta_EDF.cos * u.phi_B.sin - q.theta_EDF.sin * u.phi_B.cos);
-    e(0, 2) = Scalar(2) * (q.theta_EDF.cos * (u.phi_B.cos * d.h_B_BCG - EB_y)
-        + q.theta_EDF.sin * (u.phi_B.sin * d.h_B_BCG + EB_x) + d.h_D_EDF - d.h_D_CD);
+    e(0, 2) = Scalar(2) * ((d.h_B_BCG * u.phi_B.cos - EB_y) * q.theta_EDF.cos
+        + (d.h_B_BCG * u.phi_B.sin + EB_x) * q.theta_EDF.sin + d.h_D_EDF - d.h_D_CD);
     e(1, 0) = Scalar(1);
-    e(1, 1) = Scalar(2) * (u.phi_B.cos * (EB_x + q.theta_EDF.sin * d.y_F_EDF
-        - q.theta_EDF.cos * d.x_F_EDF) + u.phi_B.sin * (EB_y - q.theta_EDF.cos * d.y_F_EDF
-        - q.theta_EDF.sin * d.x_F_EDF) + d.x_G_BCG);
-    e(1, 2) = d.x_F_EDF * (d.x_F_EDF - Scalar(2) * q.theta_EDF.cos * t02
-        - Scalar(2) * q.theta_EDF.sin * t03) + d.y_F_EDF * (d.y_F_EDF
-        + Scalar(2) * q.theta_EDF.sin * t02 - Scalar(2) * q.theta_EDF.cos * t03)
-        + d.x_G_BCG * (d.x_G_BCG + Scalar(2) * u.phi_B.cos * EB_x + Scalar(2) * u.phi_B.sin * EB_y)
+    e(1, 1) = Scalar(2) * ((EB_x + d.y_F_EDF * q.theta_EDF.sin
+        - d.x_F_EDF * q.theta_EDF.cos) * u.phi_B.cos + (EB_y - d.y_F_EDF * q.theta_EDF.cos
+        - d.x_F_EDF * q.theta_EDF.sin) * u.phi_B.sin + d.x_G_BCG);
+    e(1, 2) = d.x_F_EDF * (d.x_F_EDF - Scalar(2) * t02 * q.theta_EDF.cos
+        - Scalar(2) * t03 * q.theta_EDF.sin) + d.y_F_EDF * (d.y_F_EDF
+        + Scalar(2) * t02 * q.theta_EDF.sin - Scalar(2) * t03 * q.theta_EDF.cos)
+        + d.x_G_BCG * (d.x_G_BCG + Scalar(2) * EB_x * u.phi_B.cos + Scalar(2) * EB_y * u.phi_B.sin)
         + EB_x * EB_x + EB_y * EB_y + d.h_B_BCG * (d.h_B_BCG - Scalar(2) * d.y_G_BCG
         - Scalar(2) * t04) + d.y_G_BCG * (d.y_G_BCG + Scalar(2) * t04) - d.GF * d.GF;
   }
@@ -1495,11 +1490,11 @@ struct Model09 {
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     q.s_D = (q.s_B * u.phi_B.cos + d.h_B_BCG * u.phi_B.sin + EB_x) * q.theta_EDF.cos
-        + (q.s_B * u.phi_B.sin + EB_y - u.phi_B.cos * d.h_B_BCG) * q.theta_EDF.sin;
-    q.theta_GF.cos = -(EB_x + u.phi_B.cos * t01 + u.phi_B.sin * t02 + q.theta_EDF.sin * d.y_F_EDF
-        - q.theta_EDF.cos * d.x_F_EDF) * inverse_theta_GF;
-    q.theta_GF.sin = -inverse_theta_GF * (EB_y + u.phi_B.sin * t01 - u.phi_B.cos * t02
-        - q.theta_EDF.cos * d.y_F_EDF - q.theta_EDF.sin * d.x_F_EDF);
+        + (q.s_B * u.phi_B.sin + EB_y - d.h_B_BCG * u.phi_B.cos) * q.theta_EDF.sin;
+    q.theta_GF.cos = -(EB_x + t01 * u.phi_B.cos + t02 * u.phi_B.sin + d.y_F_EDF * q.theta_EDF.sin
+        - d.x_F_EDF * q.theta_EDF.cos) * inverse_theta_GF;
+    q.theta_GF.sin = -inverse_theta_GF * (EB_y + t01 * u.phi_B.sin - t02 * u.phi_B.cos
+        - d.y_F_EDF * q.theta_EDF.cos - d.x_F_EDF * q.theta_EDF.sin);
   }
 };
 

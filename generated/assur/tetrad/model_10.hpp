@@ -56,7 +56,7 @@ namespace assur::tetrad {
 ///   velocity:                     44, 31, 1
 ///   motion:                       83, 61, 1
 ///   sensitivities_and_motion:     129, 85, 1
-///   position_polynomial:          31, 24, 0
+///   position_polynomial:          33, 24, 0
 ///   second_equations:             26, 21, 0
 ///   complete:                     16, 16, 0
 struct Model10 {
@@ -191,35 +191,33 @@ struct Model10 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar t01 = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar sin_GF = t02;
+    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
-    const Scalar CD_y = q.theta_EDF.cos * d.h_D_CD;
-    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
-    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
-    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
-    const Scalar t03 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t03 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t03;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
+    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
+    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -t02 * d.h_F_EDF;
-    const Scalar EF_y = t01 * d.h_F_EDF;
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
-    const Scalar t04 = slide_B_x + u.x_B - u.x_E;
-    const Scalar t05 = slide_B_y + u.y_B - u.y_E;
-    f(0) = BC_x + CD_x + t04 - ED_x - slide_D_x;
-    f(1) = BC_y + CD_y + t05 - ED_y - slide_D_y;
-    f(2) = BG_x + GF_x + t04 - EF_x - slide_F_x;
-    f(3) = BG_y + GF_y + t05 - EF_y - slide_F_y;
+    const Scalar EF_x = -d.h_F_EDF * sin_GF;
+    const Scalar EF_y = d.h_F_EDF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
+    const Scalar t02 = slide_B_x + u.x_B - u.x_E;
+    const Scalar t03 = slide_B_y + u.y_B - u.y_E;
+    f(0) = BC_x + CD_x + t02 - ED_x - slide_D_x;
+    f(1) = BC_y + CD_y + t03 - ED_y - slide_D_y;
+    f(2) = BG_x + GF_x + t02 - EF_x - slide_F_x;
+    f(3) = BG_y + GF_y + t03 - EF_y - slide_F_y;
   }
 
   /// J = df/dq.
@@ -227,22 +225,20 @@ struct Model10 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar t01 = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar sin_GF = t02;
-    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
-    const Scalar CD_y = q.theta_EDF.cos * d.h_D_CD;
-    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
-    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
-    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
+    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
+    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -t02 * d.h_F_EDF;
-    const Scalar EF_y = t01 * d.h_F_EDF;
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
+    const Scalar EF_x = -d.h_F_EDF * sin_GF;
+    const Scalar EF_y = d.h_F_EDF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
     J(0, 0) = ED_y + slide_D_y - CD_y;
     J(0, 1) = u.phi_B.cos;
     J(0, 2) = -q.theta_EDF.cos;
@@ -262,16 +258,14 @@ struct Model10 {
   static void dimension_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    const Scalar t01 = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar sin_GF = t02;
+    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -t02 * d.h_F_EDF;
-    const Scalar EF_y = t01 * d.h_F_EDF;
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
+    const Scalar EF_x = -d.h_F_EDF * sin_GF;
+    const Scalar EF_y = d.h_F_EDF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
     F_d(0, 0) = u.phi_B.sin;
     F_d(0, 3) = q.theta_EDF.sin;
     F_d(0, 6) = -q.theta_EDF.sin;
@@ -299,11 +293,11 @@ struct Model10 {
     F_u.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     F_u(0, 0) = Scalar(1);
     F_u(0, 2) = -slide_B_y - BC_y;
     F_u(0, 3) = -Scalar(1);
@@ -330,17 +324,17 @@ struct Model10 {
     const Scalar v_y_E = u_rate(4);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = v_x_B - v_x_E;
     const Scalar t03 = v_y_B - v_y_E;
     rhs(0) = (slide_B_y + BC_y) * omega_B - t02;
-    rhs(1) = -omega_B * (slide_B_x + BC_x) - t03;
-    rhs(2) = omega_B * (slide_B_y + BG_y) - t02;
-    rhs(3) = -t03 - omega_B * (slide_B_x + BG_x);
+    rhs(1) = -(slide_B_x + BC_x) * omega_B - t03;
+    rhs(2) = (slide_B_y + BG_y) * omega_B - t02;
+    rhs(3) = -t03 - (slide_B_x + BG_x) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -360,47 +354,45 @@ struct Model10 {
     const Scalar alpha_B = u_second_rate(2);
     const Scalar a_x_E = u_second_rate(3);
     const Scalar a_y_E = u_second_rate(4);
-    const Scalar t01 = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar sin_GF = t02;
+    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
-    const Scalar CD_y = q.theta_EDF.cos * d.h_D_CD;
-    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
-    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
-    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
-    const Scalar t03 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t03 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t03;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
+    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
+    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -t02 * d.h_F_EDF;
-    const Scalar EF_y = t01 * d.h_F_EDF;
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
-    const Scalar t04 = slide_B_x + BC_x;
-    const Scalar t05 = u.phi_B.sin * v_s_B;
-    const Scalar t06 = slide_B_y + BC_y;
-    const Scalar t07 = a_x_B - a_x_E;
-    const Scalar t08 = u.phi_B.cos * v_s_B;
-    const Scalar t09 = a_y_B - a_y_E;
-    const Scalar t10 = slide_B_x + BG_x;
-    const Scalar t11 = slide_B_y + BG_y;
+    const Scalar EF_x = -d.h_F_EDF * sin_GF;
+    const Scalar EF_y = d.h_F_EDF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
+    const Scalar t02 = slide_B_x + BC_x;
+    const Scalar t03 = u.phi_B.sin * v_s_B;
+    const Scalar t04 = slide_B_y + BC_y;
+    const Scalar t05 = a_x_B - a_x_E;
+    const Scalar t06 = u.phi_B.cos * v_s_B;
+    const Scalar t07 = a_y_B - a_y_E;
+    const Scalar t08 = slide_B_x + BG_x;
+    const Scalar t09 = slide_B_y + BG_y;
     rhs(0) = omega_EDF * ((CD_x - ED_x - slide_D_x) * omega_EDF
-        - Scalar(2) * q.theta_EDF.sin * v_s_D) + omega_B * (t04 * omega_B + Scalar(2) * t05)
-        + t06 * alpha_B - t07;
-    rhs(1) = omega_EDF * (omega_EDF * (CD_y - ED_y - slide_D_y)
-        + Scalar(2) * q.theta_EDF.cos * v_s_D) + omega_B * (omega_B * t06 - Scalar(2) * t08)
-        - t04 * alpha_B - t09;
-    rhs(2) = omega_EDF * (omega_EDF * (GF_x - EF_x - slide_F_x) - Scalar(2) * sin_GF * v_s_F)
-        + omega_B * (Scalar(2) * t05 + omega_B * t10) + alpha_B * t11 - t07;
-    rhs(3) = omega_EDF * (omega_EDF * (GF_y - EF_y - slide_F_y) + Scalar(2) * cos_GF * v_s_F) - t09
-        - omega_B * (Scalar(2) * t08 - omega_B * t11) - alpha_B * t10;
+        - Scalar(2) * q.theta_EDF.sin * v_s_D) + omega_B * (t02 * omega_B + Scalar(2) * t03)
+        + t04 * alpha_B - t05;
+    rhs(1) = omega_EDF * ((CD_y - ED_y - slide_D_y) * omega_EDF
+        + Scalar(2) * q.theta_EDF.cos * v_s_D) + omega_B * (t04 * omega_B - Scalar(2) * t06)
+        - t02 * alpha_B - t07;
+    rhs(2) = omega_EDF * ((GF_x - EF_x - slide_F_x) * omega_EDF - Scalar(2) * sin_GF * v_s_F)
+        + omega_B * (Scalar(2) * t03 + t08 * omega_B) + t09 * alpha_B - t05;
+    rhs(3) = omega_EDF * ((GF_y - EF_y - slide_F_y) * omega_EDF + Scalar(2) * cos_GF * v_s_F) - t07
+        - omega_B * (Scalar(2) * t06 - t09 * omega_B) - t08 * alpha_B;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -426,63 +418,61 @@ struct Model10 {
     const Scalar jerk_B = u_third_rate(2);
     const Scalar j_x_E = u_third_rate(3);
     const Scalar j_y_E = u_third_rate(4);
-    const Scalar t01 = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar sin_GF = t02;
+    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
-    const Scalar CD_y = q.theta_EDF.cos * d.h_D_CD;
-    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
-    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
-    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
-    const Scalar t03 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t03 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t03;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
+    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
+    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -t02 * d.h_F_EDF;
-    const Scalar EF_y = t01 * d.h_F_EDF;
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
-    const Scalar t04 = CD_y - ED_y - slide_D_y;
-    const Scalar t05 = q.theta_EDF.cos * v_s_D;
-    const Scalar t06 = CD_x - ED_x - slide_D_x;
-    const Scalar t07 = slide_B_y + BC_y;
-    const Scalar t08 = u.phi_B.cos * v_s_B;
-    const Scalar t09 = slide_B_x + BC_x;
-    const Scalar t10 = u.phi_B.sin * a_s_B;
-    const Scalar t11 = q.theta_EDF.sin * v_s_D;
-    const Scalar t12 = u.phi_B.sin * v_s_B;
-    const Scalar t13 = alpha_B * t12 - Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
-    const Scalar t14 = u.phi_B.cos * a_s_B;
-    const Scalar t15 = t08 * alpha_B + Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
-    const Scalar t16 = GF_y - EF_y - slide_F_y;
-    const Scalar t17 = cos_GF * v_s_F;
-    const Scalar t18 = GF_x - EF_x - slide_F_x;
-    const Scalar t19 = slide_B_y + BG_y;
-    const Scalar t20 = slide_B_x + BG_x;
-    const Scalar t21 = sin_GF * v_s_F;
-    rhs(0) = t07 * jerk_B + Scalar(3) * t13 - omega_EDF * (omega_EDF * (t04 * omega_EDF
-        + Scalar(3) * t05) + Scalar(3) * q.theta_EDF.sin * a_s_D - Scalar(3) * t06 * alpha_EDF)
-        - omega_B * (omega_B * (t07 * omega_B - Scalar(3) * t08) - Scalar(3) * t09 * alpha_B
-        - Scalar(3) * t10) - Scalar(3) * alpha_EDF * t11;
-    rhs(1) = omega_EDF * (omega_EDF * (omega_EDF * t06 - Scalar(3) * t11)
-        + Scalar(3) * t04 * alpha_EDF + Scalar(3) * q.theta_EDF.cos * a_s_D)
-        + omega_B * (omega_B * (omega_B * t09 + Scalar(3) * t12) + Scalar(3) * t07 * alpha_B
-        - Scalar(3) * t14) + Scalar(3) * t05 * alpha_EDF - t09 * jerk_B - Scalar(3) * t15;
-    rhs(2) = omega_B * (Scalar(3) * t10 + omega_B * (Scalar(3) * t08 - omega_B * t19)
-        + Scalar(3) * alpha_B * t20) + jerk_B * t19 + Scalar(3) * t13
-        - omega_EDF * (omega_EDF * (omega_EDF * t16 + Scalar(3) * t17) + Scalar(3) * sin_GF * a_s_F
-        - Scalar(3) * alpha_EDF * t18) - Scalar(3) * alpha_EDF * t21;
-    rhs(3) = omega_EDF * (omega_EDF * (omega_EDF * t18 - Scalar(3) * t21)
-        + Scalar(3) * alpha_EDF * t16 + Scalar(3) * cos_GF * a_s_F) + Scalar(3) * alpha_EDF * t17
-        - omega_B * (Scalar(3) * t14 - omega_B * (Scalar(3) * t12 + omega_B * t20)
-        - Scalar(3) * alpha_B * t19) - jerk_B * t20 - Scalar(3) * t15;
+    const Scalar EF_x = -d.h_F_EDF * sin_GF;
+    const Scalar EF_y = d.h_F_EDF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
+    const Scalar t02 = CD_y - ED_y - slide_D_y;
+    const Scalar t03 = q.theta_EDF.cos * v_s_D;
+    const Scalar t04 = CD_x - ED_x - slide_D_x;
+    const Scalar t05 = slide_B_y + BC_y;
+    const Scalar t06 = u.phi_B.cos * v_s_B;
+    const Scalar t07 = slide_B_x + BC_x;
+    const Scalar t08 = u.phi_B.sin * a_s_B;
+    const Scalar t09 = q.theta_EDF.sin * v_s_D;
+    const Scalar t10 = u.phi_B.sin * v_s_B;
+    const Scalar t11 = alpha_B * t10 - Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
+    const Scalar t12 = u.phi_B.cos * a_s_B;
+    const Scalar t13 = t06 * alpha_B + Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
+    const Scalar t14 = GF_y - EF_y - slide_F_y;
+    const Scalar t15 = cos_GF * v_s_F;
+    const Scalar t16 = GF_x - EF_x - slide_F_x;
+    const Scalar t17 = slide_B_y + BG_y;
+    const Scalar t18 = slide_B_x + BG_x;
+    const Scalar t19 = sin_GF * v_s_F;
+    rhs(0) = t05 * jerk_B + Scalar(3) * t11 - omega_EDF * (omega_EDF * (t02 * omega_EDF
+        + Scalar(3) * t03) + Scalar(3) * q.theta_EDF.sin * a_s_D - Scalar(3) * t04 * alpha_EDF)
+        - omega_B * (omega_B * (t05 * omega_B - Scalar(3) * t06) - Scalar(3) * t07 * alpha_B
+        - Scalar(3) * t08) - Scalar(3) * alpha_EDF * t09;
+    rhs(1) = omega_EDF * (omega_EDF * (t04 * omega_EDF - Scalar(3) * t09)
+        + Scalar(3) * t02 * alpha_EDF + Scalar(3) * q.theta_EDF.cos * a_s_D)
+        + omega_B * (omega_B * (t07 * omega_B + Scalar(3) * t10) + Scalar(3) * t05 * alpha_B
+        - Scalar(3) * t12) + Scalar(3) * t03 * alpha_EDF - t07 * jerk_B - Scalar(3) * t13;
+    rhs(2) = omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t06 - t17 * omega_B)
+        + Scalar(3) * t18 * alpha_B) + t17 * jerk_B + Scalar(3) * t11
+        - omega_EDF * (omega_EDF * (t14 * omega_EDF + Scalar(3) * t15) + Scalar(3) * sin_GF * a_s_F
+        - Scalar(3) * t16 * alpha_EDF) - Scalar(3) * alpha_EDF * t19;
+    rhs(3) = omega_EDF * (omega_EDF * (t16 * omega_EDF - Scalar(3) * t19)
+        + Scalar(3) * t14 * alpha_EDF + Scalar(3) * cos_GF * a_s_F) + Scalar(3) * alpha_EDF * t15
+        - omega_B * (Scalar(3) * t12 - omega_B * (Scalar(3) * t10 + t18 * omega_B)
+        - Scalar(3) * t17 * alpha_B) - t18 * jerk_B - Scalar(3) * t13;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -505,52 +495,50 @@ struct Model10 {
     const Scalar v_h_D_CD = d_rate(6);
     const Scalar v_h_F_GF = d_rate(7);
     const Scalar omega_B = u_rate(2);
-    const Scalar t01 = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar sin_GF = t02;
+    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
-    const Scalar CD_y = q.theta_EDF.cos * d.h_D_CD;
-    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
-    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
-    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
-    const Scalar t03 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t03 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t03;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
+    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
+    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -t02 * d.h_F_EDF;
-    const Scalar EF_y = t01 * d.h_F_EDF;
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
-    const Scalar t04 = v_h_D_EDF - v_h_D_CD;
-    const Scalar t05 = v_h_B_BCG - v_y_G_BCG;
-    const Scalar t06 = v_s_B + v_x_G_BCG;
-    const Scalar t07 = GF_x - EF_x - slide_F_x;
-    const Scalar t08 = t07 * omega_F_EDF;
-    const Scalar t09 = v_h_F_EDF - v_h_F_GF;
-    const Scalar t10 = cos_GF * t09 + sin_GF * v_s_F;
-    const Scalar t11 = GF_y - EF_y - slide_F_y;
-    const Scalar t12 = omega_F_EDF * t11;
-    const Scalar t13 = sin_GF * t09 - cos_GF * v_s_F;
-    rhs(0) = omega_EDF * ((CD_x - ED_x - slide_D_x) * omega_EDF - Scalar(2) * q.theta_EDF.cos * t04
+    const Scalar EF_x = -d.h_F_EDF * sin_GF;
+    const Scalar EF_y = d.h_F_EDF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
+    const Scalar t02 = v_h_D_EDF - v_h_D_CD;
+    const Scalar t03 = v_h_B_BCG - v_y_G_BCG;
+    const Scalar t04 = v_s_B + v_x_G_BCG;
+    const Scalar t05 = GF_x - EF_x - slide_F_x;
+    const Scalar t06 = t05 * omega_F_EDF;
+    const Scalar t07 = v_h_F_EDF - v_h_F_GF;
+    const Scalar t08 = cos_GF * t07 + sin_GF * v_s_F;
+    const Scalar t09 = GF_y - EF_y - slide_F_y;
+    const Scalar t10 = t09 * omega_F_EDF;
+    const Scalar t11 = sin_GF * t07 - cos_GF * v_s_F;
+    rhs(0) = omega_EDF * ((CD_x - ED_x - slide_D_x) * omega_EDF - Scalar(2) * q.theta_EDF.cos * t02
         - Scalar(2) * q.theta_EDF.sin * v_s_D) + omega_B * ((slide_B_x + BC_x) * omega_B
         + Scalar(2) * u.phi_B.sin * v_s_B - Scalar(2) * u.phi_B.cos * v_h_B_BCG);
-    rhs(1) = omega_EDF * (omega_EDF * (CD_y - ED_y - slide_D_y)
-        + Scalar(2) * q.theta_EDF.cos * v_s_D - Scalar(2) * q.theta_EDF.sin * t04)
-        + omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+    rhs(1) = omega_EDF * ((CD_y - ED_y - slide_D_y) * omega_EDF
+        + Scalar(2) * q.theta_EDF.cos * v_s_D - Scalar(2) * q.theta_EDF.sin * t02)
+        + omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BCG);
-    rhs(2) = omega_EDF * (omega_EDF * t07 + Scalar(2) * t08 - Scalar(2) * t10) + omega_F_EDF * (t08
-        - Scalar(2) * t10) - omega_B * (Scalar(2) * u.phi_B.cos * t05
-        - Scalar(2) * u.phi_B.sin * t06 - omega_B * (slide_B_x + BG_x));
-    rhs(3) = omega_EDF * (omega_EDF * t11 + Scalar(2) * t12 - Scalar(2) * t13) + omega_F_EDF * (t12
-        - Scalar(2) * t13) - omega_B * (Scalar(2) * u.phi_B.cos * t06
-        + Scalar(2) * u.phi_B.sin * t05 - omega_B * (slide_B_y + BG_y));
+    rhs(2) = omega_EDF * (t05 * omega_EDF + Scalar(2) * t06 - Scalar(2) * t08) + omega_F_EDF * (t06
+        - Scalar(2) * t08) - omega_B * (Scalar(2) * u.phi_B.cos * t03
+        - Scalar(2) * u.phi_B.sin * t04 - (slide_B_x + BG_x) * omega_B);
+    rhs(3) = omega_EDF * (t09 * omega_EDF + Scalar(2) * t10 - Scalar(2) * t11) + omega_F_EDF * (t10
+        - Scalar(2) * t11) - omega_B * (Scalar(2) * u.phi_B.cos * t04
+        + Scalar(2) * u.phi_B.sin * t03 - (slide_B_y + BG_y) * omega_B);
   }
 
   /// Frames of the links in the fixed frame.
@@ -561,11 +549,11 @@ struct Model10 {
     const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = u.x_B + slide_B_x;
     const Scalar t03 = BC_x + t02;
     const Scalar t04 = u.y_B + slide_B_y;
@@ -600,11 +588,11 @@ struct Model10 {
     P_u.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = slide_B_y + BC_y;
     const Scalar t03 = slide_B_x + BC_x;
     P_q(0, 1) = u.phi_B.cos;
@@ -658,15 +646,15 @@ struct Model10 {
     const Scalar v_y_E = u_rate(4);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = u.phi_B.cos * v_s_B + v_x_B;
     const Scalar t03 = (slide_B_y + BC_y) * omega_B - t02;
     const Scalar t04 = u.phi_B.sin * v_s_B + v_y_B;
-    const Scalar t05 = omega_B * (slide_B_x + BC_x) + t04;
+    const Scalar t05 = (slide_B_x + BC_x) * omega_B + t04;
     v(0, 0) = -t03;
     v(0, 1) = t05;
     v(0, 2) = omega_B;
@@ -676,8 +664,8 @@ struct Model10 {
     v(2, 0) = -t03;
     v(2, 1) = t05;
     v(2, 2) = omega_EDF;
-    v(3, 0) = t02 - omega_B * (slide_B_y + BG_y);
-    v(3, 1) = t04 + omega_B * (slide_B_x + BG_x);
+    v(3, 0) = t02 - (slide_B_y + BG_y) * omega_B;
+    v(3, 1) = t04 + (slide_B_x + BG_x) * omega_B;
     v(3, 2) = omega_EDF;
   }
 
@@ -698,11 +686,11 @@ struct Model10 {
     const Scalar a_y_E = u_second_rate(4);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = slide_B_x + BC_x;
     const Scalar t03 = u.phi_B.sin * v_s_B;
     const Scalar t04 = slide_B_y + BC_y;
@@ -710,7 +698,7 @@ struct Model10 {
     const Scalar t06 = omega_B * (t02 * omega_B + Scalar(2) * t03) + t04 * alpha_B - t05;
     const Scalar t07 = u.phi_B.cos * v_s_B;
     const Scalar t08 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t09 = omega_B * (omega_B * t04 - Scalar(2) * t07) - t02 * alpha_B - t08;
+    const Scalar t09 = omega_B * (t04 * omega_B - Scalar(2) * t07) - t02 * alpha_B - t08;
     const Scalar t10 = slide_B_x + BG_x;
     const Scalar t11 = slide_B_y + BG_y;
     a(0, 0) = -t06;
@@ -722,8 +710,8 @@ struct Model10 {
     a(2, 0) = -t06;
     a(2, 1) = -t09;
     a(2, 2) = alpha_EDF;
-    a(3, 0) = t05 - omega_B * (Scalar(2) * t03 + omega_B * t10) - alpha_B * t11;
-    a(3, 1) = t08 + omega_B * (Scalar(2) * t07 - omega_B * t11) + alpha_B * t10;
+    a(3, 0) = t05 - omega_B * (Scalar(2) * t03 + t10 * omega_B) - t11 * alpha_B;
+    a(3, 1) = t08 + omega_B * (Scalar(2) * t07 - t11 * omega_B) + t10 * alpha_B;
     a(3, 2) = alpha_EDF;
   }
 
@@ -742,14 +730,14 @@ struct Model10 {
     p.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BCG);
-    const Scalar t03 = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+    const Scalar t03 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BCG);
     const Scalar t04 = v_h_B_BCG - v_y_G_BCG;
     const Scalar t05 = v_s_B + v_x_G_BCG;
@@ -757,10 +745,10 @@ struct Model10 {
     p(0, 1) = -t03;
     p(2, 0) = -t02;
     p(2, 1) = -t03;
-    p(3, 0) = omega_B * (Scalar(2) * u.phi_B.cos * t04 - Scalar(2) * u.phi_B.sin * t05
-        - omega_B * (slide_B_x + BG_x));
-    p(3, 1) = omega_B * (Scalar(2) * u.phi_B.cos * t05 + Scalar(2) * u.phi_B.sin * t04
-        - omega_B * (slide_B_y + BG_y));
+    p(3, 0) = omega_B * (Scalar(2) * u.phi_B.cos * t04 - Scalar(2) * u.phi_B.sin * t05 - (slide_B_x
+        + BG_x) * omega_B);
+    p(3, 1) = omega_B * (Scalar(2) * u.phi_B.cos * t05 + Scalar(2) * u.phi_B.sin * t04 - (slide_B_y
+        + BG_y) * omega_B);
   }
 
   /// The lines n . S = c on which the unknowns move a special point in parallel,
@@ -770,33 +758,31 @@ struct Model10 {
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
     lines.setZero();
-    const Scalar t01 = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar sin_GF = t02;
-    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
-    const Scalar CD_y = q.theta_EDF.cos * d.h_D_CD;
-    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
-    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
-    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
+    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
+    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -t02 * d.h_F_EDF;
-    const Scalar EF_y = t01 * d.h_F_EDF;
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
+    const Scalar EF_x = -d.h_F_EDF * sin_GF;
+    const Scalar EF_y = d.h_F_EDF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
     lines(0, 0) = -u.phi_B.cos;
     lines(0, 1) = -u.phi_B.sin;
     lines(1, 0) = -q.theta_EDF.cos;
     lines(1, 1) = -q.theta_EDF.sin;
-    lines(1, 2) = -q.theta_EDF.cos * (CD_x - ED_x - slide_D_x) - q.theta_EDF.sin * (CD_y - ED_y
-        - slide_D_y);
+    lines(1, 2) = -(CD_x - ED_x - slide_D_x) * q.theta_EDF.cos - (CD_y - ED_y
+        - slide_D_y) * q.theta_EDF.sin;
     lines(2, 0) = -u.phi_B.cos;
     lines(2, 1) = -u.phi_B.sin;
     lines(3, 0) = -cos_GF;
     lines(3, 1) = -sin_GF;
-    lines(3, 2) = -cos_GF * (GF_x - EF_x - slide_F_x) - sin_GF * (GF_y - EF_y - slide_F_y);
+    lines(3, 2) = -(GF_x - EF_x - slide_F_x) * cos_GF - (GF_y - EF_y - slide_F_y) * sin_GF;
   }
 
   /// The signed lengths L: on side i of its link a special point at S moves by
@@ -819,32 +805,30 @@ struct Model10 {
     const Scalar n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
-    const Scalar t01 = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar sin_GF = t02;
-    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
-    const Scalar CD_y = q.theta_EDF.cos * d.h_D_CD;
-    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
-    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
-    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
+    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
+    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
+    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -t02 * d.h_F_EDF;
-    const Scalar EF_y = t01 * d.h_F_EDF;
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
+    const Scalar EF_x = -d.h_F_EDF * sin_GF;
+    const Scalar EF_y = d.h_F_EDF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
     L(0, 0) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
     L(0, 1) = n_CD_BCG_x * u.phi_B.cos + n_CD_BCG_y * u.phi_B.sin;
     L(1, 0) = (S_CD_x + ED_x + slide_D_x - CD_x) * n_CD_EDF_y - (S_CD_y + ED_y + slide_D_y
         - CD_y) * n_CD_EDF_x;
-    L(1, 2) = q.theta_EDF.cos * n_CD_EDF_x + q.theta_EDF.sin * n_CD_EDF_y;
+    L(1, 2) = n_CD_EDF_x * q.theta_EDF.cos + n_CD_EDF_y * q.theta_EDF.sin;
     L(2, 0) = S_GF_x * n_GF_BCG_y - S_GF_y * n_GF_BCG_x;
-    L(2, 1) = u.phi_B.cos * n_GF_BCG_x + u.phi_B.sin * n_GF_BCG_y;
+    L(2, 1) = n_GF_BCG_x * u.phi_B.cos + n_GF_BCG_y * u.phi_B.sin;
     L(3, 0) = (S_GF_x + EF_x + slide_F_x - GF_x) * n_GF_EDF_y - (S_GF_y + EF_y + slide_F_y
         - GF_y) * n_GF_EDF_x;
-    L(3, 3) = cos_GF * n_GF_EDF_x + sin_GF * n_GF_EDF_y;
+    L(3, 3) = n_GF_EDF_x * cos_GF + n_GF_EDF_y * sin_GF;
   }
 
   /// The velocity of each special point by each side, less what dq/dt adds.
@@ -859,17 +843,17 @@ struct Model10 {
     const Scalar v_y_E = u_rate(4);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     v(0, 0) = v_x_B - (slide_B_y + BC_y) * omega_B;
-    v(0, 1) = omega_B * (slide_B_x + BC_x) + v_y_B;
+    v(0, 1) = (slide_B_x + BC_x) * omega_B + v_y_B;
     v(1, 0) = v_x_E;
     v(1, 1) = v_y_E;
-    v(2, 0) = v_x_B - omega_B * (slide_B_y + BG_y);
-    v(2, 1) = v_y_B + omega_B * (slide_B_x + BG_x);
+    v(2, 0) = v_x_B - (slide_B_y + BG_y) * omega_B;
+    v(2, 1) = v_y_B + (slide_B_x + BG_x) * omega_B;
     v(3, 0) = v_x_E;
     v(3, 1) = v_y_E;
   }
@@ -896,47 +880,45 @@ struct Model10 {
     const Scalar S_CD_y = S(0, 1);
     const Scalar S_GF_x = S(1, 0);
     const Scalar S_GF_y = S(1, 1);
-    const Scalar t01 = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar sin_GF = t02;
+    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar CD_x = -q.theta_EDF.sin * d.h_D_CD;
-    const Scalar CD_y = q.theta_EDF.cos * d.h_D_CD;
-    const Scalar ED_x = -q.theta_EDF.sin * d.h_D_EDF;
-    const Scalar ED_y = q.theta_EDF.cos * d.h_D_EDF;
-    const Scalar slide_D_x = q.theta_EDF.cos * q.s_D;
-    const Scalar slide_D_y = q.theta_EDF.sin * q.s_D;
-    const Scalar t03 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t03 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t03;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
+    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
+    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
+    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -t02 * d.h_F_EDF;
-    const Scalar EF_y = t01 * d.h_F_EDF;
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
-    const Scalar t04 = slide_B_x + BC_x;
-    const Scalar t05 = u.phi_B.sin * v_s_B;
-    const Scalar t06 = slide_B_y + BC_y;
-    const Scalar t07 = omega_EDF * omega_EDF;
-    const Scalar t08 = u.phi_B.cos * v_s_B;
-    const Scalar t09 = slide_B_x + BG_x;
-    const Scalar t10 = slide_B_y + BG_y;
-    a(0, 0) = a_x_B - omega_B * (t04 * omega_B + Scalar(2) * t05) - t06 * alpha_B - S_CD_x * t07;
-    a(0, 1) = t04 * alpha_B + a_y_B - omega_B * (omega_B * t06 - Scalar(2) * t08) - S_CD_y * t07;
-    a(1, 0) = a_x_E - omega_EDF * (omega_EDF * (S_CD_x + ED_x + slide_D_x - CD_x)
+    const Scalar EF_x = -d.h_F_EDF * sin_GF;
+    const Scalar EF_y = d.h_F_EDF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
+    const Scalar t02 = slide_B_x + BC_x;
+    const Scalar t03 = u.phi_B.sin * v_s_B;
+    const Scalar t04 = slide_B_y + BC_y;
+    const Scalar t05 = omega_EDF * omega_EDF;
+    const Scalar t06 = u.phi_B.cos * v_s_B;
+    const Scalar t07 = slide_B_x + BG_x;
+    const Scalar t08 = slide_B_y + BG_y;
+    a(0, 0) = a_x_B - omega_B * (t02 * omega_B + Scalar(2) * t03) - t04 * alpha_B - S_CD_x * t05;
+    a(0, 1) = t02 * alpha_B + a_y_B - omega_B * (t04 * omega_B - Scalar(2) * t06) - S_CD_y * t05;
+    a(1, 0) = a_x_E - omega_EDF * ((S_CD_x + ED_x + slide_D_x - CD_x) * omega_EDF
         + Scalar(2) * q.theta_EDF.sin * v_s_D);
-    a(1, 1) = a_y_E - omega_EDF * (omega_EDF * (S_CD_y + ED_y + slide_D_y - CD_y)
+    a(1, 1) = a_y_E - omega_EDF * ((S_CD_y + ED_y + slide_D_y - CD_y) * omega_EDF
         - Scalar(2) * q.theta_EDF.cos * v_s_D);
-    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t05 + omega_B * t09) - alpha_B * t10 - S_GF_x * t07;
-    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t08 - omega_B * t10) + alpha_B * t09 - S_GF_y * t07;
-    a(3, 0) = a_x_E - omega_EDF * (omega_EDF * (S_GF_x + EF_x + slide_F_x - GF_x)
+    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t03 + t07 * omega_B) - t08 * alpha_B - S_GF_x * t05;
+    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t06 - t08 * omega_B) + t07 * alpha_B - S_GF_y * t05;
+    a(3, 0) = a_x_E - omega_EDF * ((S_GF_x + EF_x + slide_F_x - GF_x) * omega_EDF
         + Scalar(2) * sin_GF * v_s_F);
-    a(3, 1) = a_y_E - omega_EDF * (omega_EDF * (S_GF_y + EF_y + slide_F_y - GF_y)
+    a(3, 1) = a_y_E - omega_EDF * ((S_GF_y + EF_y + slide_F_y - GF_y) * omega_EDF
         - Scalar(2) * cos_GF * v_s_F);
   }
 
@@ -980,22 +962,22 @@ struct Model10 {
     const Scalar determinant = q.s_F * sin_phi_B_minus_EDF
         - q.s_D * sin_phi_B_minus_psi_F_EDF_minus_EDF;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
-    const Scalar EDF_per_across_slide_D = sin_phi_B_minus_psi_F_EDF_minus_EDF * inverse;
+    const Scalar EDF_per_across_slide_D = inverse * sin_phi_B_minus_psi_F_EDF_minus_EDF;
     const Scalar s_B_per_across_slide_D = q.s_F * inverse;
     const Scalar s_F_per_across_slide_D = cos_phi_B_minus_psi_F_EDF_minus_EDF *
         s_B_per_across_slide_D - EDF_across_slide_F * EDF_per_across_slide_D;
     const Scalar s_D_per_across_slide_D = s_B_per_across_slide_D * cos_phi_B_minus_EDF
         - EDF_per_across_slide_D * EDF_across_slide_D;
-    const Scalar EDF_per_across_slide_F = -sin_phi_B_minus_EDF * inverse;
+    const Scalar EDF_per_across_slide_F = -inverse * sin_phi_B_minus_EDF;
     const Scalar s_B_per_across_slide_F = -q.s_D * inverse;
     const Scalar s_F_per_across_slide_F = cos_phi_B_minus_psi_F_EDF_minus_EDF *
         s_B_per_across_slide_F - EDF_across_slide_F * EDF_per_across_slide_F;
     const Scalar s_D_per_across_slide_F = cos_phi_B_minus_EDF * s_B_per_across_slide_F
         - EDF_across_slide_D * EDF_per_across_slide_F;
-    J_inverse(0, 0) = -q.theta_EDF.sin * EDF_per_across_slide_D;
-    J_inverse(0, 1) = q.theta_EDF.cos * EDF_per_across_slide_D;
-    J_inverse(0, 2) = -sin_GF * EDF_per_across_slide_F;
-    J_inverse(0, 3) = cos_GF * EDF_per_across_slide_F;
+    J_inverse(0, 0) = -EDF_per_across_slide_D * q.theta_EDF.sin;
+    J_inverse(0, 1) = EDF_per_across_slide_D * q.theta_EDF.cos;
+    J_inverse(0, 2) = -EDF_per_across_slide_F * sin_GF;
+    J_inverse(0, 3) = EDF_per_across_slide_F * cos_GF;
     J_inverse(1, 0) = -q.theta_EDF.sin * s_B_per_across_slide_D;
     J_inverse(1, 1) = q.theta_EDF.cos * s_B_per_across_slide_D;
     J_inverse(1, 2) = -sin_GF * s_B_per_across_slide_F;
@@ -1026,104 +1008,107 @@ struct Model10 {
     const Scalar phi_B_along_slide_D = q.s_B * cos_phi_B_minus_EDF
         + d.h_B_BCG * sin_phi_B_minus_EDF;
     const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
-        - cos_phi_B_minus_EDF * d.h_B_BCG;
+        - d.h_B_BCG * cos_phi_B_minus_EDF;
     const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_slide_F = t01 * cos_phi_B_minus_psi_F_EDF_minus_EDF
         + t02 * sin_phi_B_minus_psi_F_EDF_minus_EDF;
     const Scalar phi_B_across_slide_F = t01 * sin_phi_B_minus_psi_F_EDF_minus_EDF
-        - cos_phi_B_minus_psi_F_EDF_minus_EDF * t02;
-    const Scalar t03 = d.h_F_EDF - d.h_F_GF;
-    const Scalar EDF_across_slide_F = -t03;
-    const Scalar determinant = sin_phi_B_minus_EDF * q.s_F
-        - sin_phi_B_minus_psi_F_EDF_minus_EDF * q.s_D;
+        - t02 * cos_phi_B_minus_psi_F_EDF_minus_EDF;
+    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
+    const Scalar determinant = q.s_F * sin_phi_B_minus_EDF
+        - q.s_D * sin_phi_B_minus_psi_F_EDF_minus_EDF;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
-    const Scalar EDF_per_across_slide_D = sin_phi_B_minus_psi_F_EDF_minus_EDF * inverse;
+    const Scalar EDF_per_across_slide_D = inverse * sin_phi_B_minus_psi_F_EDF_minus_EDF;
     const Scalar s_B_per_across_slide_D = q.s_F * inverse;
     const Scalar s_F_per_across_slide_D = cos_phi_B_minus_psi_F_EDF_minus_EDF *
         s_B_per_across_slide_D - EDF_across_slide_F * EDF_per_across_slide_D;
-    const Scalar t04 = cos_phi_B_minus_EDF * s_B_per_across_slide_D;
-    const Scalar s_D_per_across_slide_D = t04 - EDF_per_across_slide_D * EDF_across_slide_D;
-    const Scalar EDF_per_across_slide_F = -sin_phi_B_minus_EDF * inverse;
+    const Scalar t03 = cos_phi_B_minus_EDF * s_B_per_across_slide_D;
+    const Scalar s_D_per_across_slide_D = t03 - EDF_per_across_slide_D * EDF_across_slide_D;
+    const Scalar EDF_per_across_slide_F = -inverse * sin_phi_B_minus_EDF;
     const Scalar s_B_per_across_slide_F = -q.s_D * inverse;
-    const Scalar t05 = cos_phi_B_minus_psi_F_EDF_minus_EDF * s_B_per_across_slide_F;
-    const Scalar s_F_per_across_slide_F = t05 - EDF_across_slide_F * EDF_per_across_slide_F;
+    const Scalar t04 = cos_phi_B_minus_psi_F_EDF_minus_EDF * s_B_per_across_slide_F;
+    const Scalar s_F_per_across_slide_F = t04 - EDF_across_slide_F * EDF_per_across_slide_F;
     const Scalar s_D_per_across_slide_F = cos_phi_B_minus_EDF * s_B_per_across_slide_F
         - EDF_across_slide_D * EDF_per_across_slide_F;
-    const Scalar t06 = cos_phi_B_minus_psi_F_EDF_minus_EDF * EDF_per_across_slide_F;
-    const Scalar t07 = cos_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;
-    const Scalar t08 = sin_phi_B_minus_psi_F_EDF_minus_EDF
-        + cos_phi_B_minus_psi_F_EDF_minus_EDF * s_F_per_across_slide_F;
-    const Scalar t09 = q.theta_EDF.sin * EDF_per_across_slide_D + sin_GF * EDF_per_across_slide_F;
-    const Scalar t10 = q.theta_EDF.cos * EDF_per_across_slide_D + cos_GF * EDF_per_across_slide_F;
-    const Scalar t11 = q.theta_EDF.sin * s_B_per_across_slide_D + sin_GF * s_B_per_across_slide_F;
-    const Scalar t12 = q.theta_EDF.cos * s_B_per_across_slide_D + cos_GF * s_B_per_across_slide_F;
-    const Scalar t13 = q.theta_EDF.cos + q.theta_EDF.sin * s_D_per_across_slide_D
+    const Scalar EDF_per_x_B = EDF_per_across_slide_D * q.theta_EDF.sin
+        + EDF_per_across_slide_F * sin_GF;
+    const Scalar s_B_per_x_B = q.theta_EDF.sin * s_B_per_across_slide_D
+        + sin_GF * s_B_per_across_slide_F;
+    const Scalar s_D_per_x_B = q.theta_EDF.cos + q.theta_EDF.sin * s_D_per_across_slide_D
         + sin_GF * s_D_per_across_slide_F;
-    const Scalar t14 = q.theta_EDF.sin - q.theta_EDF.cos * s_D_per_across_slide_D
-        - cos_GF * s_D_per_across_slide_F;
-    const Scalar t15 = cos_GF + q.theta_EDF.sin * s_F_per_across_slide_D
+    const Scalar s_F_per_x_B = cos_GF + q.theta_EDF.sin * s_F_per_across_slide_D
         + sin_GF * s_F_per_across_slide_F;
-    const Scalar t16 = sin_GF - q.theta_EDF.cos * s_F_per_across_slide_D
+    const Scalar EDF_per_y_B = -EDF_per_across_slide_D * q.theta_EDF.cos
+        - EDF_per_across_slide_F * cos_GF;
+    const Scalar s_B_per_y_B = -q.theta_EDF.cos * s_B_per_across_slide_D
+        - cos_GF * s_B_per_across_slide_F;
+    const Scalar s_D_per_y_B = q.theta_EDF.sin - q.theta_EDF.cos * s_D_per_across_slide_D
+        - cos_GF * s_D_per_across_slide_F;
+    const Scalar s_F_per_y_B = sin_GF - q.theta_EDF.cos * s_F_per_across_slide_D
         - cos_GF * s_F_per_across_slide_F;
-    S_d(0, 0) = cos_phi_B_minus_EDF * EDF_per_across_slide_D + t06;
-    S_d(0, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * EDF_per_across_slide_F;
-    S_d(0, 2) = -t06;
+    const Scalar t05 = EDF_per_across_slide_F * cos_phi_B_minus_psi_F_EDF_minus_EDF;
+    const Scalar t06 = cos_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;
+    const Scalar t07 = sin_phi_B_minus_psi_F_EDF_minus_EDF
+        + cos_phi_B_minus_psi_F_EDF_minus_EDF * s_F_per_across_slide_F;
+    S_d(0, 0) = EDF_per_across_slide_D * cos_phi_B_minus_EDF + t05;
+    S_d(0, 1) = -EDF_per_across_slide_F * sin_phi_B_minus_psi_F_EDF_minus_EDF;
+    S_d(0, 2) = -t05;
     S_d(0, 3) = EDF_per_across_slide_D;
     S_d(0, 4) = q.s_F * EDF_per_across_slide_F;
     S_d(0, 5) = EDF_per_across_slide_F;
     S_d(0, 6) = -EDF_per_across_slide_D;
     S_d(0, 7) = -EDF_per_across_slide_F;
-    S_d(1, 0) = t04 + t05;
+    S_d(1, 0) = t03 + t04;
     S_d(1, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_B_per_across_slide_F;
-    S_d(1, 2) = -t05;
+    S_d(1, 2) = -t04;
     S_d(1, 3) = s_B_per_across_slide_D;
     S_d(1, 4) = q.s_F * s_B_per_across_slide_F;
     S_d(1, 5) = s_B_per_across_slide_F;
     S_d(1, 6) = -s_B_per_across_slide_D;
     S_d(1, 7) = -s_B_per_across_slide_F;
-    S_d(2, 0) = sin_phi_B_minus_EDF + cos_phi_B_minus_EDF * s_D_per_across_slide_D + t07;
+    S_d(2, 0) = sin_phi_B_minus_EDF + cos_phi_B_minus_EDF * s_D_per_across_slide_D + t06;
     S_d(2, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;
-    S_d(2, 2) = -t07;
+    S_d(2, 2) = -t06;
     S_d(2, 3) = s_D_per_across_slide_D;
     S_d(2, 4) = q.s_F * s_D_per_across_slide_F;
     S_d(2, 5) = s_D_per_across_slide_F;
     S_d(2, 6) = -s_D_per_across_slide_D;
     S_d(2, 7) = -s_D_per_across_slide_F;
-    S_d(3, 0) = cos_phi_B_minus_EDF * s_F_per_across_slide_D + t08;
+    S_d(3, 0) = cos_phi_B_minus_EDF * s_F_per_across_slide_D + t07;
     S_d(3, 1) = cos_phi_B_minus_psi_F_EDF_minus_EDF
         - sin_phi_B_minus_psi_F_EDF_minus_EDF * s_F_per_across_slide_F;
-    S_d(3, 2) = -t08;
+    S_d(3, 2) = -t07;
     S_d(3, 3) = s_F_per_across_slide_D;
-    S_d(3, 4) = t03 + q.s_F * s_F_per_across_slide_F;
+    S_d(3, 4) = q.s_F * s_F_per_across_slide_F - EDF_across_slide_F;
     S_d(3, 5) = s_F_per_across_slide_F;
     S_d(3, 6) = -s_F_per_across_slide_D;
     S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = t09;
-    S_u(0, 1) = -t10;
+    S_u(0, 0) = EDF_per_x_B;
+    S_u(0, 1) = EDF_per_y_B;
     S_u(0, 2) = -EDF_per_across_slide_D * phi_B_along_slide_D
         - EDF_per_across_slide_F * phi_B_along_slide_F;
-    S_u(0, 3) = -t09;
-    S_u(0, 4) = t10;
-    S_u(1, 0) = t11;
-    S_u(1, 1) = -t12;
-    S_u(1, 2) = -s_B_per_across_slide_D * phi_B_along_slide_D
-        - s_B_per_across_slide_F * phi_B_along_slide_F;
-    S_u(1, 3) = -t11;
-    S_u(1, 4) = t12;
-    S_u(2, 0) = t13;
-    S_u(2, 1) = t14;
-    S_u(2, 2) = -s_D_per_across_slide_D * phi_B_along_slide_D - phi_B_across_slide_D
-        - s_D_per_across_slide_F * phi_B_along_slide_F;
-    S_u(2, 3) = -t13;
-    S_u(2, 4) = -t14;
-    S_u(3, 0) = t15;
-    S_u(3, 1) = t16;
-    S_u(3, 2) = -s_F_per_across_slide_D * phi_B_along_slide_D
-        - s_F_per_across_slide_F * phi_B_along_slide_F - phi_B_across_slide_F;
-    S_u(3, 3) = -t15;
-    S_u(3, 4) = -t16;
+    S_u(0, 3) = -EDF_per_x_B;
+    S_u(0, 4) = -EDF_per_y_B;
+    S_u(1, 0) = s_B_per_x_B;
+    S_u(1, 1) = s_B_per_y_B;
+    S_u(1, 2) = -phi_B_along_slide_D * s_B_per_across_slide_D
+        - phi_B_along_slide_F * s_B_per_across_slide_F;
+    S_u(1, 3) = -s_B_per_x_B;
+    S_u(1, 4) = -s_B_per_y_B;
+    S_u(2, 0) = s_D_per_x_B;
+    S_u(2, 1) = s_D_per_y_B;
+    S_u(2, 2) = -phi_B_along_slide_D * s_D_per_across_slide_D - phi_B_across_slide_D
+        - phi_B_along_slide_F * s_D_per_across_slide_F;
+    S_u(2, 3) = -s_D_per_x_B;
+    S_u(2, 4) = -s_D_per_y_B;
+    S_u(3, 0) = s_F_per_x_B;
+    S_u(3, 1) = s_F_per_y_B;
+    S_u(3, 2) = -phi_B_along_slide_D * s_F_per_across_slide_D
+        - phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
+    S_u(3, 3) = -s_F_per_x_B;
+    S_u(3, 4) = -s_F_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1147,35 +1132,35 @@ struct Model10 {
     const Scalar phi_B_along_slide_D = q.s_B * cos_phi_B_minus_EDF
         + d.h_B_BCG * sin_phi_B_minus_EDF;
     const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
-        - cos_phi_B_minus_EDF * d.h_B_BCG;
+        - d.h_B_BCG * cos_phi_B_minus_EDF;
     const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_slide_F = t01 * cos_phi_B_minus_psi_F_EDF_minus_EDF
         + t02 * sin_phi_B_minus_psi_F_EDF_minus_EDF;
     const Scalar phi_B_across_slide_F = t01 * sin_phi_B_minus_psi_F_EDF_minus_EDF
-        - cos_phi_B_minus_psi_F_EDF_minus_EDF * t02;
+        - t02 * cos_phi_B_minus_psi_F_EDF_minus_EDF;
     const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
-    const Scalar determinant = sin_phi_B_minus_EDF * q.s_F
-        - sin_phi_B_minus_psi_F_EDF_minus_EDF * q.s_D;
+    const Scalar determinant = q.s_F * sin_phi_B_minus_EDF
+        - q.s_D * sin_phi_B_minus_psi_F_EDF_minus_EDF;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar t03 = v_x_B - v_x_E;
     const Scalar t04 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_D = omega_B * phi_B_across_slide_D - q.theta_EDF.cos * t03
+    const Scalar velocity_along_slide_D = phi_B_across_slide_D * omega_B - q.theta_EDF.cos * t03
         - q.theta_EDF.sin * t04;
     const Scalar velocity_across_slide_D = q.theta_EDF.sin * t03 - q.theta_EDF.cos * t04
-        - omega_B * phi_B_along_slide_D;
-    const Scalar velocity_along_slide_F = omega_B * phi_B_across_slide_F - cos_GF * t03
+        - phi_B_along_slide_D * omega_B;
+    const Scalar velocity_along_slide_F = phi_B_across_slide_F * omega_B - cos_GF * t03
         - sin_GF * t04;
     const Scalar velocity_across_slide_F = sin_GF * t03 - cos_GF * t04
-        - omega_B * phi_B_along_slide_F;
-    const Scalar omega_EDF = -(sin_phi_B_minus_EDF * velocity_across_slide_F
-        - sin_phi_B_minus_psi_F_EDF_minus_EDF * velocity_across_slide_D) * inverse;
+        - phi_B_along_slide_F * omega_B;
+    const Scalar omega_EDF = -inverse * (sin_phi_B_minus_EDF * velocity_across_slide_F
+        - sin_phi_B_minus_psi_F_EDF_minus_EDF * velocity_across_slide_D);
     const Scalar v_s_B = -inverse * (q.s_D * velocity_across_slide_F
         - q.s_F * velocity_across_slide_D);
     const Scalar v_s_F = cos_phi_B_minus_psi_F_EDF_minus_EDF * v_s_B
-        - omega_EDF * EDF_across_slide_F - velocity_along_slide_F;
-    const Scalar v_s_D = cos_phi_B_minus_EDF * v_s_B - omega_EDF * EDF_across_slide_D
+        - EDF_across_slide_F * omega_EDF - velocity_along_slide_F;
+    const Scalar v_s_D = cos_phi_B_minus_EDF * v_s_B - EDF_across_slide_D * omega_EDF
         - velocity_along_slide_D;
     q_rate(0) = omega_EDF;
     q_rate(1) = v_s_B;
@@ -1210,36 +1195,36 @@ struct Model10 {
     const Scalar phi_B_along_slide_D = q.s_B * cos_phi_B_minus_EDF
         + d.h_B_BCG * sin_phi_B_minus_EDF;
     const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
-        - cos_phi_B_minus_EDF * d.h_B_BCG;
+        - d.h_B_BCG * cos_phi_B_minus_EDF;
     const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_slide_F = t01 * cos_phi_B_minus_psi_F_EDF_minus_EDF
         + t02 * sin_phi_B_minus_psi_F_EDF_minus_EDF;
     const Scalar phi_B_across_slide_F = t01 * sin_phi_B_minus_psi_F_EDF_minus_EDF
-        - cos_phi_B_minus_psi_F_EDF_minus_EDF * t02;
+        - t02 * cos_phi_B_minus_psi_F_EDF_minus_EDF;
     const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
-    const Scalar determinant = sin_phi_B_minus_EDF * q.s_F
-        - sin_phi_B_minus_psi_F_EDF_minus_EDF * q.s_D;
+    const Scalar determinant = q.s_F * sin_phi_B_minus_EDF
+        - q.s_D * sin_phi_B_minus_psi_F_EDF_minus_EDF;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar t03 = v_x_B - v_x_E;
     const Scalar t04 = v_y_B - v_y_E;
-    const Scalar t05 = omega_B * phi_B_across_slide_D;
+    const Scalar t05 = phi_B_across_slide_D * omega_B;
     const Scalar velocity_along_slide_D = t05 - q.theta_EDF.cos * t03 - q.theta_EDF.sin * t04;
-    const Scalar t06 = omega_B * phi_B_along_slide_D;
+    const Scalar t06 = phi_B_along_slide_D * omega_B;
     const Scalar velocity_across_slide_D = q.theta_EDF.sin * t03 - q.theta_EDF.cos * t04 - t06;
-    const Scalar t07 = omega_B * phi_B_across_slide_F;
+    const Scalar t07 = phi_B_across_slide_F * omega_B;
     const Scalar velocity_along_slide_F = t07 - cos_GF * t03 - sin_GF * t04;
-    const Scalar t08 = omega_B * phi_B_along_slide_F;
+    const Scalar t08 = phi_B_along_slide_F * omega_B;
     const Scalar velocity_across_slide_F = sin_GF * t03 - cos_GF * t04 - t08;
-    const Scalar omega_EDF = -(sin_phi_B_minus_EDF * velocity_across_slide_F
-        - sin_phi_B_minus_psi_F_EDF_minus_EDF * velocity_across_slide_D) * inverse;
+    const Scalar omega_EDF = -inverse * (sin_phi_B_minus_EDF * velocity_across_slide_F
+        - sin_phi_B_minus_psi_F_EDF_minus_EDF * velocity_across_slide_D);
     const Scalar v_s_B = -inverse * (q.s_D * velocity_across_slide_F
         - q.s_F * velocity_across_slide_D);
-    const Scalar t09 = omega_EDF * EDF_across_slide_F;
+    const Scalar t09 = EDF_across_slide_F * omega_EDF;
     const Scalar t10 = cos_phi_B_minus_psi_F_EDF_minus_EDF * v_s_B;
     const Scalar v_s_F = t10 - t09 - velocity_along_slide_F;
-    const Scalar t11 = omega_EDF * EDF_across_slide_D;
+    const Scalar t11 = EDF_across_slide_D * omega_EDF;
     const Scalar t12 = cos_phi_B_minus_EDF * v_s_B;
     const Scalar v_s_D = t12 - t11 - velocity_along_slide_D;
     const Scalar t13 = a_x_B - a_x_E;
@@ -1304,153 +1289,144 @@ struct Model10 {
     const Scalar phi_B_along_slide_D = q.s_B * cos_phi_B_minus_EDF
         + d.h_B_BCG * sin_phi_B_minus_EDF;
     const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
-        - cos_phi_B_minus_EDF * d.h_B_BCG;
+        - d.h_B_BCG * cos_phi_B_minus_EDF;
     const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_slide_F = t01 * cos_phi_B_minus_psi_F_EDF_minus_EDF
         + t02 * sin_phi_B_minus_psi_F_EDF_minus_EDF;
     const Scalar phi_B_across_slide_F = t01 * sin_phi_B_minus_psi_F_EDF_minus_EDF
-        - cos_phi_B_minus_psi_F_EDF_minus_EDF * t02;
-    const Scalar t03 = d.h_F_EDF - d.h_F_GF;
-    const Scalar EDF_across_slide_F = -t03;
-    const Scalar determinant = sin_phi_B_minus_EDF * q.s_F
-        - sin_phi_B_minus_psi_F_EDF_minus_EDF * q.s_D;
+        - t02 * cos_phi_B_minus_psi_F_EDF_minus_EDF;
+    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
+    const Scalar determinant = q.s_F * sin_phi_B_minus_EDF
+        - q.s_D * sin_phi_B_minus_psi_F_EDF_minus_EDF;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
-    const Scalar EDF_per_across_slide_D = sin_phi_B_minus_psi_F_EDF_minus_EDF * inverse;
+    const Scalar EDF_per_across_slide_D = inverse * sin_phi_B_minus_psi_F_EDF_minus_EDF;
     const Scalar s_B_per_across_slide_D = q.s_F * inverse;
     const Scalar s_F_per_across_slide_D = cos_phi_B_minus_psi_F_EDF_minus_EDF *
         s_B_per_across_slide_D - EDF_across_slide_F * EDF_per_across_slide_D;
-    const Scalar t04 = cos_phi_B_minus_EDF * s_B_per_across_slide_D;
-    const Scalar s_D_per_across_slide_D = t04 - EDF_per_across_slide_D * EDF_across_slide_D;
-    const Scalar EDF_per_across_slide_F = -sin_phi_B_minus_EDF * inverse;
+    const Scalar t03 = cos_phi_B_minus_EDF * s_B_per_across_slide_D;
+    const Scalar s_D_per_across_slide_D = t03 - EDF_per_across_slide_D * EDF_across_slide_D;
+    const Scalar EDF_per_across_slide_F = -inverse * sin_phi_B_minus_EDF;
     const Scalar s_B_per_across_slide_F = -q.s_D * inverse;
-    const Scalar t05 = cos_phi_B_minus_psi_F_EDF_minus_EDF * s_B_per_across_slide_F;
-    const Scalar s_F_per_across_slide_F = t05 - EDF_across_slide_F * EDF_per_across_slide_F;
+    const Scalar t04 = cos_phi_B_minus_psi_F_EDF_minus_EDF * s_B_per_across_slide_F;
+    const Scalar s_F_per_across_slide_F = t04 - EDF_across_slide_F * EDF_per_across_slide_F;
     const Scalar s_D_per_across_slide_F = cos_phi_B_minus_EDF * s_B_per_across_slide_F
         - EDF_across_slide_D * EDF_per_across_slide_F;
-    const Scalar t06 = q.theta_EDF.sin * EDF_per_across_slide_D + sin_GF * EDF_per_across_slide_F;
-    const Scalar EDF_per_x_B = t06;
-    const Scalar t07 = q.theta_EDF.sin * s_B_per_across_slide_D + sin_GF * s_B_per_across_slide_F;
-    const Scalar s_B_per_x_B = t07;
-    const Scalar t08 = q.theta_EDF.cos + q.theta_EDF.sin * s_D_per_across_slide_D
+    const Scalar EDF_per_x_B = EDF_per_across_slide_D * q.theta_EDF.sin
+        + EDF_per_across_slide_F * sin_GF;
+    const Scalar s_B_per_x_B = q.theta_EDF.sin * s_B_per_across_slide_D
+        + sin_GF * s_B_per_across_slide_F;
+    const Scalar s_D_per_x_B = q.theta_EDF.cos + q.theta_EDF.sin * s_D_per_across_slide_D
         + sin_GF * s_D_per_across_slide_F;
-    const Scalar s_D_per_x_B = t08;
-    const Scalar t09 = cos_GF + q.theta_EDF.sin * s_F_per_across_slide_D
+    const Scalar s_F_per_x_B = cos_GF + q.theta_EDF.sin * s_F_per_across_slide_D
         + sin_GF * s_F_per_across_slide_F;
-    const Scalar s_F_per_x_B = t09;
-    const Scalar t10 = q.theta_EDF.cos * EDF_per_across_slide_D + cos_GF * EDF_per_across_slide_F;
-    const Scalar EDF_per_y_B = -t10;
-    const Scalar t11 = q.theta_EDF.cos * s_B_per_across_slide_D + cos_GF * s_B_per_across_slide_F;
-    const Scalar s_B_per_y_B = -t11;
-    const Scalar t12 = q.theta_EDF.sin - q.theta_EDF.cos * s_D_per_across_slide_D
+    const Scalar EDF_per_y_B = -EDF_per_across_slide_D * q.theta_EDF.cos
+        - EDF_per_across_slide_F * cos_GF;
+    const Scalar s_B_per_y_B = -q.theta_EDF.cos * s_B_per_across_slide_D
+        - cos_GF * s_B_per_across_slide_F;
+    const Scalar s_D_per_y_B = q.theta_EDF.sin - q.theta_EDF.cos * s_D_per_across_slide_D
         - cos_GF * s_D_per_across_slide_F;
-    const Scalar s_D_per_y_B = t12;
-    const Scalar t13 = sin_GF - q.theta_EDF.cos * s_F_per_across_slide_D
+    const Scalar s_F_per_y_B = sin_GF - q.theta_EDF.cos * s_F_per_across_slide_D
         - cos_GF * s_F_per_across_slide_F;
-    const Scalar s_F_per_y_B = t13;
-    const Scalar t14 = EDF_per_across_slide_D * phi_B_along_slide_D
-        + EDF_per_across_slide_F * phi_B_along_slide_F;
-    const Scalar EDF_per_phi_B = -t14;
-    const Scalar t15 = s_B_per_across_slide_D * phi_B_along_slide_D
-        + s_B_per_across_slide_F * phi_B_along_slide_F;
-    const Scalar s_B_per_phi_B = -t15;
-    const Scalar t16 = s_D_per_across_slide_D * phi_B_along_slide_D + phi_B_across_slide_D
-        + s_D_per_across_slide_F * phi_B_along_slide_F;
-    const Scalar s_D_per_phi_B = -t16;
-    const Scalar t17 = s_F_per_across_slide_D * phi_B_along_slide_D
-        + s_F_per_across_slide_F * phi_B_along_slide_F + phi_B_across_slide_F;
-    const Scalar s_F_per_phi_B = -t17;
-    const Scalar t18 = v_x_B - v_x_E;
-    const Scalar t19 = v_y_B - v_y_E;
-    const Scalar omega_EDF = t18 * EDF_per_x_B + t19 * EDF_per_y_B + omega_B * EDF_per_phi_B;
-    const Scalar v_s_B = t18 * s_B_per_x_B + t19 * s_B_per_y_B + omega_B * s_B_per_phi_B;
-    const Scalar v_s_D = t18 * s_D_per_x_B + t19 * s_D_per_y_B + omega_B * s_D_per_phi_B;
-    const Scalar v_s_F = t18 * s_F_per_x_B + t19 * s_F_per_y_B + omega_B * s_F_per_phi_B;
-    const Scalar t20 = omega_EDF * omega_EDF;
+    const Scalar EDF_per_phi_B = -EDF_per_across_slide_D * phi_B_along_slide_D
+        - EDF_per_across_slide_F * phi_B_along_slide_F;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_D * s_B_per_across_slide_D
+        - phi_B_along_slide_F * s_B_per_across_slide_F;
+    const Scalar s_D_per_phi_B = -phi_B_along_slide_D * s_D_per_across_slide_D
+        - phi_B_across_slide_D - phi_B_along_slide_F * s_D_per_across_slide_F;
+    const Scalar s_F_per_phi_B = -phi_B_along_slide_D * s_F_per_across_slide_D
+        - phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
+    const Scalar t05 = v_x_B - v_x_E;
+    const Scalar t06 = v_y_B - v_y_E;
+    const Scalar omega_EDF = EDF_per_x_B * t05 + EDF_per_y_B * t06 + EDF_per_phi_B * omega_B;
+    const Scalar v_s_B = s_B_per_x_B * t05 + s_B_per_y_B * t06 + s_B_per_phi_B * omega_B;
+    const Scalar v_s_D = s_D_per_x_B * t05 + s_D_per_y_B * t06 + s_D_per_phi_B * omega_B;
+    const Scalar v_s_F = s_F_per_x_B * t05 + s_F_per_y_B * t06 + s_F_per_phi_B * omega_B;
+    const Scalar t07 = omega_EDF * omega_EDF;
     const Scalar centripetal_along_slide_D = omega_B * (Scalar(2) * sin_phi_B_minus_EDF * v_s_B
-        + phi_B_along_slide_D * omega_B) - q.s_D * t20;
+        + phi_B_along_slide_D * omega_B) - q.s_D * t07;
     const Scalar centripetal_across_slide_D = omega_EDF * (EDF_across_slide_D * omega_EDF
         + Scalar(2) * v_s_D) - omega_B * (Scalar(2) * cos_phi_B_minus_EDF * v_s_B
         - phi_B_across_slide_D * omega_B);
     const Scalar centripetal_along_slide_F = omega_B * (Scalar(2) *
-        sin_phi_B_minus_psi_F_EDF_minus_EDF * v_s_B + phi_B_along_slide_F * omega_B) - q.s_F * t20;
+        sin_phi_B_minus_psi_F_EDF_minus_EDF * v_s_B + phi_B_along_slide_F * omega_B) - q.s_F * t07;
     const Scalar centripetal_across_slide_F = omega_EDF * (EDF_across_slide_F * omega_EDF
         + Scalar(2) * v_s_F) - omega_B * (Scalar(2) * cos_phi_B_minus_psi_F_EDF_minus_EDF * v_s_B
         - phi_B_across_slide_F * omega_B);
-    const Scalar t21 = cos_phi_B_minus_psi_F_EDF_minus_EDF * EDF_per_across_slide_F;
-    const Scalar t22 = cos_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;
-    const Scalar t23 = sin_phi_B_minus_psi_F_EDF_minus_EDF
+    const Scalar t08 = EDF_per_across_slide_F * cos_phi_B_minus_psi_F_EDF_minus_EDF;
+    const Scalar t09 = cos_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;
+    const Scalar t10 = sin_phi_B_minus_psi_F_EDF_minus_EDF
         + cos_phi_B_minus_psi_F_EDF_minus_EDF * s_F_per_across_slide_F;
-    const Scalar t24 = a_x_B - a_x_E;
-    const Scalar t25 = a_y_B - a_y_E;
-    S_d(0, 0) = cos_phi_B_minus_EDF * EDF_per_across_slide_D + t21;
-    S_d(0, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * EDF_per_across_slide_F;
-    S_d(0, 2) = -t21;
+    const Scalar t11 = a_x_B - a_x_E;
+    const Scalar t12 = a_y_B - a_y_E;
+    S_d(0, 0) = EDF_per_across_slide_D * cos_phi_B_minus_EDF + t08;
+    S_d(0, 1) = -EDF_per_across_slide_F * sin_phi_B_minus_psi_F_EDF_minus_EDF;
+    S_d(0, 2) = -t08;
     S_d(0, 3) = EDF_per_across_slide_D;
     S_d(0, 4) = q.s_F * EDF_per_across_slide_F;
     S_d(0, 5) = EDF_per_across_slide_F;
     S_d(0, 6) = -EDF_per_across_slide_D;
     S_d(0, 7) = -EDF_per_across_slide_F;
-    S_d(1, 0) = t04 + t05;
+    S_d(1, 0) = t03 + t04;
     S_d(1, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_B_per_across_slide_F;
-    S_d(1, 2) = -t05;
+    S_d(1, 2) = -t04;
     S_d(1, 3) = s_B_per_across_slide_D;
     S_d(1, 4) = q.s_F * s_B_per_across_slide_F;
     S_d(1, 5) = s_B_per_across_slide_F;
     S_d(1, 6) = -s_B_per_across_slide_D;
     S_d(1, 7) = -s_B_per_across_slide_F;
-    S_d(2, 0) = sin_phi_B_minus_EDF + cos_phi_B_minus_EDF * s_D_per_across_slide_D + t22;
+    S_d(2, 0) = sin_phi_B_minus_EDF + cos_phi_B_minus_EDF * s_D_per_across_slide_D + t09;
     S_d(2, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;
-    S_d(2, 2) = -t22;
+    S_d(2, 2) = -t09;
     S_d(2, 3) = s_D_per_across_slide_D;
     S_d(2, 4) = q.s_F * s_D_per_across_slide_F;
     S_d(2, 5) = s_D_per_across_slide_F;
     S_d(2, 6) = -s_D_per_across_slide_D;
     S_d(2, 7) = -s_D_per_across_slide_F;
-    S_d(3, 0) = cos_phi_B_minus_EDF * s_F_per_across_slide_D + t23;
+    S_d(3, 0) = cos_phi_B_minus_EDF * s_F_per_across_slide_D + t10;
     S_d(3, 1) = cos_phi_B_minus_psi_F_EDF_minus_EDF
         - sin_phi_B_minus_psi_F_EDF_minus_EDF * s_F_per_across_slide_F;
-    S_d(3, 2) = -t23;
+    S_d(3, 2) = -t10;
     S_d(3, 3) = s_F_per_across_slide_D;
-    S_d(3, 4) = t03 + q.s_F * s_F_per_across_slide_F;
+    S_d(3, 4) = q.s_F * s_F_per_across_slide_F - EDF_across_slide_F;
     S_d(3, 5) = s_F_per_across_slide_F;
     S_d(3, 6) = -s_F_per_across_slide_D;
     S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = t06;
-    S_u(0, 1) = -t10;
-    S_u(0, 2) = -t14;
-    S_u(0, 3) = -t06;
-    S_u(0, 4) = t10;
-    S_u(1, 0) = t07;
-    S_u(1, 1) = -t11;
-    S_u(1, 2) = -t15;
-    S_u(1, 3) = -t07;
-    S_u(1, 4) = t11;
-    S_u(2, 0) = t08;
-    S_u(2, 1) = t12;
-    S_u(2, 2) = -t16;
-    S_u(2, 3) = -t08;
-    S_u(2, 4) = -t12;
-    S_u(3, 0) = t09;
-    S_u(3, 1) = t13;
-    S_u(3, 2) = -t17;
-    S_u(3, 3) = -t09;
-    S_u(3, 4) = -t13;
+    S_u(0, 0) = EDF_per_x_B;
+    S_u(0, 1) = EDF_per_y_B;
+    S_u(0, 2) = EDF_per_phi_B;
+    S_u(0, 3) = -EDF_per_x_B;
+    S_u(0, 4) = -EDF_per_y_B;
+    S_u(1, 0) = s_B_per_x_B;
+    S_u(1, 1) = s_B_per_y_B;
+    S_u(1, 2) = s_B_per_phi_B;
+    S_u(1, 3) = -s_B_per_x_B;
+    S_u(1, 4) = -s_B_per_y_B;
+    S_u(2, 0) = s_D_per_x_B;
+    S_u(2, 1) = s_D_per_y_B;
+    S_u(2, 2) = s_D_per_phi_B;
+    S_u(2, 3) = -s_D_per_x_B;
+    S_u(2, 4) = -s_D_per_y_B;
+    S_u(3, 0) = s_F_per_x_B;
+    S_u(3, 1) = s_F_per_y_B;
+    S_u(3, 2) = s_F_per_phi_B;
+    S_u(3, 3) = -s_F_per_x_B;
+    S_u(3, 4) = -s_F_per_y_B;
     q_rate(0) = omega_EDF;
     q_rate(1) = v_s_B;
     q_rate(2) = v_s_D;
     q_rate(3) = v_s_F;
-    q_second_rate(0) = EDF_per_x_B * t24 + EDF_per_y_B * t25 + EDF_per_phi_B * alpha_B
+    q_second_rate(0) = EDF_per_x_B * t11 + EDF_per_y_B * t12 + EDF_per_phi_B * alpha_B
         + EDF_per_across_slide_D * centripetal_across_slide_D
         + EDF_per_across_slide_F * centripetal_across_slide_F;
-    q_second_rate(1) = s_B_per_x_B * t24 + s_B_per_y_B * t25 + s_B_per_phi_B * alpha_B
+    q_second_rate(1) = s_B_per_x_B * t11 + s_B_per_y_B * t12 + s_B_per_phi_B * alpha_B
         + s_B_per_across_slide_D * centripetal_across_slide_D
         + s_B_per_across_slide_F * centripetal_across_slide_F;
-    q_second_rate(2) = s_D_per_x_B * t24 + s_D_per_y_B * t25 + s_D_per_phi_B * alpha_B
+    q_second_rate(2) = s_D_per_x_B * t11 + s_D_per_y_B * t12 + s_D_per_phi_B * alpha_B
         + s_D_per_across_slide_D * centripetal_across_slide_D
         + s_D_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_D;
-    q_second_rate(3) = s_F_per_x_B * t24 + s_F_per_y_B * t25 + s_F_per_phi_B * alpha_B
+    q_second_rate(3) = s_F_per_x_B * t11 + s_F_per_y_B * t12 + s_F_per_phi_B * alpha_B
         + s_F_per_across_slide_D * centripetal_across_slide_D
         + s_F_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_F;
   }
@@ -1468,19 +1444,19 @@ struct Model10 {
     const Scalar e_m1_re = u.phi_B.cos * d.psi_F_EDF.sin - u.phi_B.sin * d.psi_F_EDF.cos;
     const Scalar e_m1_im = u.phi_B.cos * d.psi_F_EDF.cos + u.phi_B.sin * d.psi_F_EDF.sin;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar t02 = EB_y + u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar t03 = EB_x + u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar f_m1_re = d.psi_F_EDF.sin * t03 - d.psi_F_EDF.cos * t02;
-    const Scalar f_m1_im = d.psi_F_EDF.cos * t03 + d.psi_F_EDF.sin * t02;
+    const Scalar t02 = EB_y + d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
+    const Scalar t03 = EB_x + t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar f_m1_re = t03 * d.psi_F_EDF.sin - t02 * d.psi_F_EDF.cos;
+    const Scalar f_m1_im = t03 * d.psi_F_EDF.cos + t02 * d.psi_F_EDF.sin;
     const Scalar f_0_re = Scalar(2) * (d.h_F_EDF - d.h_F_GF);
-    const Scalar t04 = u.phi_B.cos * f_m1_im - c_m1_im * e_m1_im;
-    const Scalar t05 = u.phi_B.sin * f_m1_re + c_m1_re * e_m1_re;
+    const Scalar t04 = f_m1_im * u.phi_B.cos - c_m1_im * e_m1_im;
+    const Scalar t05 = f_m1_re * u.phi_B.sin + c_m1_re * e_m1_re;
     T.cosine[0] = Scalar(2) * (t04 - t05);
-    T.cosine[1] = -Scalar(2) * (u.phi_B.sin * f_0_re + e_m1_re * c_0_re);
-    T.sine[1] = Scalar(2) * (u.phi_B.cos * f_0_re - e_m1_im * c_0_re);
+    T.cosine[1] = -Scalar(2) * (f_0_re * u.phi_B.sin + c_0_re * e_m1_re);
+    T.sine[1] = Scalar(2) * (f_0_re * u.phi_B.cos - c_0_re * e_m1_im);
     T.cosine[2] = -Scalar(2) * (t04 + t05);
-    T.sine[2] = Scalar(2) * (u.phi_B.cos * f_m1_re - u.phi_B.sin * f_m1_im - c_m1_re * e_m1_im
-        - e_m1_re * c_m1_im);
+    T.sine[2] = Scalar(2) * (f_m1_re * u.phi_B.cos - f_m1_im * u.phi_B.sin - c_m1_re * e_m1_im
+        - c_m1_im * e_m1_re);
   }
 
   /// The reduced equations, one a row, where theta_EDF is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
@@ -1493,16 +1469,16 @@ struct Model10 {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar t02 = EB_y + u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar t03 = EB_x + u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
+    const Scalar t02 = EB_y + d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
+    const Scalar t03 = EB_x + t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
     e(0, 1) = -Scalar(2) * (q.theta_EDF.cos * u.phi_B.sin - q.theta_EDF.sin * u.phi_B.cos);
-    e(0, 2) = Scalar(2) * (q.theta_EDF.cos * (u.phi_B.cos * d.h_B_BCG - EB_y)
-        + q.theta_EDF.sin * (u.phi_B.sin * d.h_B_BCG + EB_x) + d.h_D_EDF - d.h_D_CD);
+    e(0, 2) = Scalar(2) * ((d.h_B_BCG * u.phi_B.cos - EB_y) * q.theta_EDF.cos
+        + (d.h_B_BCG * u.phi_B.sin + EB_x) * q.theta_EDF.sin + d.h_D_EDF - d.h_D_CD);
     e(1, 1) = -Scalar(2) * (q.theta_EDF.cos * (u.phi_B.sin * d.psi_F_EDF.cos
         - u.phi_B.cos * d.psi_F_EDF.sin) - q.theta_EDF.sin * (u.phi_B.cos * d.psi_F_EDF.cos
         + u.phi_B.sin * d.psi_F_EDF.sin));
-    e(1, 2) = -Scalar(2) * (q.theta_EDF.cos * (d.psi_F_EDF.cos * t02 - d.psi_F_EDF.sin * t03)
-        + d.h_F_GF - q.theta_EDF.sin * (d.psi_F_EDF.cos * t03 + d.psi_F_EDF.sin * t02) - d.h_F_EDF);
+    e(1, 2) = -Scalar(2) * ((t02 * d.psi_F_EDF.cos - t03 * d.psi_F_EDF.sin) * q.theta_EDF.cos
+        + d.h_F_GF - (t03 * d.psi_F_EDF.cos + t02 * d.psi_F_EDF.sin) * q.theta_EDF.sin - d.h_F_EDF);
   }
 
   /// The other unknowns of a configuration in which those of the reduced
@@ -1514,12 +1490,12 @@ struct Model10 {
     const Scalar EB_y = u.y_B - u.y_E;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar t03 = EB_x + u.phi_B.cos * t01 + u.phi_B.sin * t02;
-    const Scalar t04 = EB_y + u.phi_B.sin * t01 - u.phi_B.cos * t02;
+    const Scalar t03 = EB_x + t01 * u.phi_B.cos + t02 * u.phi_B.sin;
+    const Scalar t04 = EB_y + t01 * u.phi_B.sin - t02 * u.phi_B.cos;
     q.s_D = (q.s_B * u.phi_B.cos + d.h_B_BCG * u.phi_B.sin + EB_x) * q.theta_EDF.cos
-        + (q.s_B * u.phi_B.sin + EB_y - u.phi_B.cos * d.h_B_BCG) * q.theta_EDF.sin;
-    q.s_F = q.theta_EDF.cos * (t03 * d.psi_F_EDF.cos + t04 * d.psi_F_EDF.sin)
-        + q.theta_EDF.sin * (d.psi_F_EDF.cos * t04 - t03 * d.psi_F_EDF.sin);
+        + (q.s_B * u.phi_B.sin + EB_y - d.h_B_BCG * u.phi_B.cos) * q.theta_EDF.sin;
+    q.s_F = (t03 * d.psi_F_EDF.cos + t04 * d.psi_F_EDF.sin) * q.theta_EDF.cos
+        + (t04 * d.psi_F_EDF.cos - t03 * d.psi_F_EDF.sin) * q.theta_EDF.sin;
   }
 };
 

@@ -56,7 +56,7 @@ namespace assur::tetrad {
 ///   velocity:                     74, 42, 1
 ///   motion:                       126, 80, 1
 ///   sensitivities_and_motion:     206, 116, 1
-///   position_polynomial:          77, 63, 0
+///   position_polynomial:          82, 63, 0
 ///   second_equations:             69, 55, 0
 ///   complete:                     20, 22, 2
 struct Model11 {
@@ -197,22 +197,22 @@ struct Model11 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t02 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t02;
+    const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos;
     const Scalar t03 = u.x_B - u.x_E + slide_B_x - slide_E_x;
     const Scalar t04 = u.y_B - u.y_E + slide_B_y - slide_E_y;
     f(0) = BC_x + CD_x + t03 - ED_x;
@@ -226,9 +226,9 @@ struct Model11 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     J(0, 0) = -CD_y;
     J(0, 2) = u.phi_B.cos;
@@ -278,18 +278,18 @@ struct Model11 {
     F_u.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t02 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t02;
+    const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos;
     F_u(0, 0) = Scalar(1);
     F_u(0, 2) = -slide_B_y - BC_y;
     F_u(0, 3) = -Scalar(1);
@@ -321,24 +321,24 @@ struct Model11 {
     const Scalar omega_E = u_rate(5);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t02 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t02;
+    const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos;
     const Scalar t03 = v_x_B - v_x_E;
     const Scalar t04 = v_y_B - v_y_E;
     rhs(0) = (slide_B_y + BC_y) * omega_B - (slide_E_y + ED_y) * omega_E - t03;
-    rhs(1) = omega_E * (slide_E_x + ED_x) - omega_B * (slide_B_x + BC_x) - t04;
-    rhs(2) = omega_B * (slide_B_y + BG_y) - t03 - omega_E * (slide_E_y + EF_y);
-    rhs(3) = omega_E * (slide_E_x + EF_x) - t04 - omega_B * (slide_B_x + BG_x);
+    rhs(1) = (slide_E_x + ED_x) * omega_E - (slide_B_x + BC_x) * omega_B - t04;
+    rhs(2) = (slide_B_y + BG_y) * omega_B - t03 - (slide_E_y + EF_y) * omega_E;
+    rhs(3) = (slide_E_x + EF_x) * omega_E - t04 - (slide_B_x + BG_x) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -362,22 +362,22 @@ struct Model11 {
     const Scalar alpha_E = u_second_rate(5);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t02 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t02;
+    const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos;
     const Scalar t03 = slide_B_x + BC_x;
     const Scalar t04 = u.phi_B.sin * v_s_B;
     const Scalar t05 = slide_E_x + ED_x;
@@ -396,12 +396,12 @@ struct Model11 {
     const Scalar t18 = omega_GF * omega_GF;
     rhs(0) = omega_B * (t03 * omega_B + Scalar(2) * t04) + t07 * alpha_B + CD_x * t09
         - omega_E * (t05 * omega_E + Scalar(2) * t06) - t08 * alpha_E - t10;
-    rhs(1) = omega_B * (omega_B * t07 - Scalar(2) * t11) + t05 * alpha_E + CD_y * t09
-        - omega_E * (omega_E * t08 - Scalar(2) * t12) - t03 * alpha_B - t13;
-    rhs(2) = omega_B * (Scalar(2) * t04 + omega_B * t14) + alpha_B * t16 + GF_x * t18
-        - omega_E * (Scalar(2) * t06 + omega_E * t15) - alpha_E * t17 - t10;
-    rhs(3) = omega_E * (Scalar(2) * t12 - omega_E * t17) + alpha_E * t15 + GF_y * t18
-        - omega_B * (Scalar(2) * t11 - omega_B * t16) - alpha_B * t14 - t13;
+    rhs(1) = omega_B * (t07 * omega_B - Scalar(2) * t11) + t05 * alpha_E + CD_y * t09
+        - omega_E * (t08 * omega_E - Scalar(2) * t12) - t03 * alpha_B - t13;
+    rhs(2) = omega_B * (Scalar(2) * t04 + t14 * omega_B) + t16 * alpha_B + GF_x * t18
+        - omega_E * (Scalar(2) * t06 + t15 * omega_E) - t17 * alpha_E - t10;
+    rhs(3) = omega_E * (Scalar(2) * t12 - t17 * omega_E) + t15 * alpha_E + GF_y * t18
+        - omega_B * (Scalar(2) * t11 - t16 * omega_B) - t14 * alpha_B - t13;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -432,22 +432,22 @@ struct Model11 {
     const Scalar jerk_E = u_third_rate(5);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t02 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t02;
+    const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos;
     const Scalar t03 = slide_B_y + BC_y;
     const Scalar t04 = u.phi_B.cos * v_s_B;
     const Scalar t05 = slide_B_x + BC_x;
@@ -469,21 +469,21 @@ struct Model11 {
     const Scalar t21 = slide_E_x + EF_x;
     const Scalar t22 = omega_GF * omega_GF;
     rhs(0) = omega_E * (omega_E * (t07 * omega_E - Scalar(3) * t08) - Scalar(3) * t09 * alpha_E
-        - Scalar(3) * t10) + t03 * jerk_B + omega_CD * (Scalar(3) * alpha_CD * CD_x - CD_y * t11)
+        - Scalar(3) * t10) + t03 * jerk_B + omega_CD * (Scalar(3) * CD_x * alpha_CD - CD_y * t11)
         - omega_B * (omega_B * (t03 * omega_B - Scalar(3) * t04) - Scalar(3) * t05 * alpha_B
         - Scalar(3) * t06) - t07 * jerk_E - t14;
-    rhs(1) = omega_B * (omega_B * (omega_B * t05 + Scalar(3) * t12) + Scalar(3) * t03 * alpha_B
+    rhs(1) = omega_B * (omega_B * (t05 * omega_B + Scalar(3) * t12) + Scalar(3) * t03 * alpha_B
         - Scalar(3) * t15) + t09 * jerk_E + omega_CD * (Scalar(3) * CD_y * alpha_CD + CD_x * t11)
-        - omega_E * (omega_E * (omega_E * t09 + Scalar(3) * t13) + Scalar(3) * t07 * alpha_E
+        - omega_E * (omega_E * (t09 * omega_E + Scalar(3) * t13) + Scalar(3) * t07 * alpha_E
         - Scalar(3) * t16) - t05 * jerk_B - t17;
-    rhs(2) = omega_B * (Scalar(3) * t06 + omega_B * (Scalar(3) * t04 - omega_B * t18)
-        + Scalar(3) * alpha_B * t19) + jerk_B * t18 + omega_GF * (Scalar(3) * alpha_GF * GF_x
-        - GF_y * t22) - omega_E * (Scalar(3) * t10 + omega_E * (Scalar(3) * t08 - omega_E * t20)
-        + Scalar(3) * alpha_E * t21) - jerk_E * t20 - t14;
-    rhs(3) = omega_E * (Scalar(3) * t16 - omega_E * (Scalar(3) * t13 + omega_E * t21)
-        - Scalar(3) * alpha_E * t20) + jerk_E * t21 + omega_GF * (Scalar(3) * GF_y * alpha_GF
-        + GF_x * t22) - omega_B * (Scalar(3) * t15 - omega_B * (Scalar(3) * t12 + omega_B * t19)
-        - Scalar(3) * alpha_B * t18) - jerk_B * t19 - t17;
+    rhs(2) = omega_B * (Scalar(3) * t06 + omega_B * (Scalar(3) * t04 - t18 * omega_B)
+        + Scalar(3) * t19 * alpha_B) + t18 * jerk_B + omega_GF * (Scalar(3) * GF_x * alpha_GF
+        - GF_y * t22) - omega_E * (Scalar(3) * t10 + omega_E * (Scalar(3) * t08 - t20 * omega_E)
+        + Scalar(3) * t21 * alpha_E) - t20 * jerk_E - t14;
+    rhs(3) = omega_E * (Scalar(3) * t16 - omega_E * (Scalar(3) * t13 + t21 * omega_E)
+        - Scalar(3) * t20 * alpha_E) + t21 * jerk_E + omega_GF * (Scalar(3) * GF_y * alpha_GF
+        + GF_x * t22) - omega_B * (Scalar(3) * t15 - omega_B * (Scalar(3) * t12 + t19 * omega_B)
+        - Scalar(3) * t18 * alpha_B) - t19 * jerk_B - t17;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -509,42 +509,42 @@ struct Model11 {
     const Scalar omega_E = u_rate(5);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t02 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t02;
+    const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos;
     const Scalar t03 = v_h_B_BCG - v_y_G_BCG;
     const Scalar t04 = v_s_B + v_x_G_BCG;
     const Scalar t05 = v_h_E_EDF - v_y_F_EDF;
     const Scalar t06 = v_s_E + v_x_F_EDF;
     rhs(0) = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BCG) + omega_CD * (Scalar(2) * q.theta_CD.sin * v_CD
-        + omega_CD * CD_x) - omega_E * ((slide_E_x + ED_x) * omega_E
+        + CD_x * omega_CD) - omega_E * ((slide_E_x + ED_x) * omega_E
         + Scalar(2) * u.phi_E.sin * v_s_E - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
-    rhs(1) = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
-        - Scalar(2) * u.phi_B.sin * v_h_B_BCG) - omega_E * (omega_E * (slide_E_y + ED_y)
+    rhs(1) = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
+        - Scalar(2) * u.phi_B.sin * v_h_B_BCG) - omega_E * ((slide_E_y + ED_y) * omega_E
         - Scalar(2) * u.phi_E.cos * v_s_E - Scalar(2) * u.phi_E.sin * v_h_E_EDF)
-        - omega_CD * (Scalar(2) * q.theta_CD.cos * v_CD - omega_CD * CD_y);
-    rhs(2) = omega_E * (Scalar(2) * u.phi_E.cos * t05 - Scalar(2) * u.phi_E.sin * t06
-        - omega_E * (slide_E_x + EF_x)) + omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF
-        + omega_GF * GF_x) - omega_B * (Scalar(2) * u.phi_B.cos * t03
-        - Scalar(2) * u.phi_B.sin * t04 - omega_B * (slide_B_x + BG_x));
-    rhs(3) = omega_E * (Scalar(2) * u.phi_E.cos * t06 + Scalar(2) * u.phi_E.sin * t05
-        - omega_E * (slide_E_y + EF_y)) - omega_B * (Scalar(2) * u.phi_B.cos * t04
-        + Scalar(2) * u.phi_B.sin * t03 - omega_B * (slide_B_y + BG_y))
-        - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - omega_GF * GF_y);
+        - omega_CD * (Scalar(2) * q.theta_CD.cos * v_CD - CD_y * omega_CD);
+    rhs(2) = omega_E * (Scalar(2) * u.phi_E.cos * t05 - Scalar(2) * u.phi_E.sin * t06 - (slide_E_x
+        + EF_x) * omega_E) + omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + GF_x * omega_GF)
+        - omega_B * (Scalar(2) * u.phi_B.cos * t03 - Scalar(2) * u.phi_B.sin * t04 - (slide_B_x
+        + BG_x) * omega_B);
+    rhs(3) = omega_E * (Scalar(2) * u.phi_E.cos * t06 + Scalar(2) * u.phi_E.sin * t05 - (slide_E_y
+        + EF_y) * omega_E) - omega_B * (Scalar(2) * u.phi_B.cos * t04
+        + Scalar(2) * u.phi_B.sin * t03 - (slide_B_y + BG_y) * omega_B)
+        - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - GF_y * omega_GF);
   }
 
   /// Frames of the links in the fixed frame.
@@ -553,15 +553,15 @@ struct Model11 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = u.x_B + slide_B_x;
     const Scalar t03 = BC_x + t02;
     const Scalar t04 = u.y_B + slide_B_y;
@@ -596,15 +596,15 @@ struct Model11 {
     P_u.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = slide_B_y + BC_y;
     const Scalar t03 = slide_B_x + BC_x;
     P_q(0, 2) = u.phi_B.cos;
@@ -666,30 +666,30 @@ struct Model11 {
     const Scalar omega_E = u_rate(5);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = u.phi_B.cos * v_s_B + v_x_B;
     const Scalar t03 = (slide_B_y + BC_y) * omega_B - t02;
     const Scalar t04 = u.phi_B.sin * v_s_B + v_y_B;
-    const Scalar t05 = omega_B * (slide_B_x + BC_x) + t04;
+    const Scalar t05 = (slide_B_x + BC_x) * omega_B + t04;
     v(0, 0) = -t03;
     v(0, 1) = t05;
     v(0, 2) = omega_B;
     v(1, 0) = u.phi_E.cos * v_s_E + v_x_E - (slide_E_y + ED_y) * omega_E;
-    v(1, 1) = omega_E * (slide_E_x + ED_x) + u.phi_E.sin * v_s_E + v_y_E;
+    v(1, 1) = (slide_E_x + ED_x) * omega_E + u.phi_E.sin * v_s_E + v_y_E;
     v(1, 2) = omega_E;
     v(2, 0) = -t03;
     v(2, 1) = t05;
     v(2, 2) = omega_CD;
-    v(3, 0) = t02 - omega_B * (slide_B_y + BG_y);
-    v(3, 1) = t04 + omega_B * (slide_B_x + BG_x);
+    v(3, 0) = t02 - (slide_B_y + BG_y) * omega_B;
+    v(3, 1) = t04 + (slide_B_x + BG_x) * omega_B;
     v(3, 2) = omega_GF;
   }
 
@@ -715,15 +715,15 @@ struct Model11 {
     const Scalar alpha_E = u_second_rate(5);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = slide_B_x + BC_x;
     const Scalar t03 = u.phi_B.sin * v_s_B;
     const Scalar t04 = slide_B_y + BC_y;
@@ -731,7 +731,7 @@ struct Model11 {
     const Scalar t06 = omega_B * (t02 * omega_B + Scalar(2) * t03) + t04 * alpha_B - t05;
     const Scalar t07 = u.phi_B.cos * v_s_B;
     const Scalar t08 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t09 = omega_B * (omega_B * t04 - Scalar(2) * t07) - t02 * alpha_B - t08;
+    const Scalar t09 = omega_B * (t04 * omega_B - Scalar(2) * t07) - t02 * alpha_B - t08;
     const Scalar t10 = slide_E_x + ED_x;
     const Scalar t11 = slide_E_y + ED_y;
     const Scalar t12 = slide_B_x + BG_x;
@@ -741,14 +741,14 @@ struct Model11 {
     a(0, 2) = alpha_B;
     a(1, 0) = u.phi_E.cos * a_s_E + a_x_E - omega_E * (t10 * omega_E
         + Scalar(2) * u.phi_E.sin * v_s_E) - t11 * alpha_E;
-    a(1, 1) = t10 * alpha_E + u.phi_E.sin * a_s_E + a_y_E - omega_E * (omega_E * t11
+    a(1, 1) = t10 * alpha_E + u.phi_E.sin * a_s_E + a_y_E - omega_E * (t11 * omega_E
         - Scalar(2) * u.phi_E.cos * v_s_E);
     a(1, 2) = alpha_E;
     a(2, 0) = -t06;
     a(2, 1) = -t09;
     a(2, 2) = alpha_CD;
-    a(3, 0) = t05 - omega_B * (Scalar(2) * t03 + omega_B * t12) - alpha_B * t13;
-    a(3, 1) = t08 + omega_B * (Scalar(2) * t07 - omega_B * t13) + alpha_B * t12;
+    a(3, 0) = t05 - omega_B * (Scalar(2) * t03 + t12 * omega_B) - t13 * alpha_B;
+    a(3, 1) = t08 + omega_B * (Scalar(2) * t07 - t13 * omega_B) + t12 * alpha_B;
     a(3, 2) = alpha_GF;
   }
 
@@ -770,18 +770,18 @@ struct Model11 {
     p.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BCG);
-    const Scalar t03 = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+    const Scalar t03 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BCG);
     const Scalar t04 = v_h_B_BCG - v_y_G_BCG;
     const Scalar t05 = v_s_B + v_x_G_BCG;
@@ -789,14 +789,14 @@ struct Model11 {
     p(0, 1) = -t03;
     p(1, 0) = -omega_E * ((slide_E_x + ED_x) * omega_E + Scalar(2) * u.phi_E.sin * v_s_E
         - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
-    p(1, 1) = -omega_E * (omega_E * (slide_E_y + ED_y) - Scalar(2) * u.phi_E.cos * v_s_E
+    p(1, 1) = -omega_E * ((slide_E_y + ED_y) * omega_E - Scalar(2) * u.phi_E.cos * v_s_E
         - Scalar(2) * u.phi_E.sin * v_h_E_EDF);
     p(2, 0) = -t02;
     p(2, 1) = -t03;
-    p(3, 0) = omega_B * (Scalar(2) * u.phi_B.cos * t04 - Scalar(2) * u.phi_B.sin * t05
-        - omega_B * (slide_B_x + BG_x));
-    p(3, 1) = omega_B * (Scalar(2) * u.phi_B.cos * t05 + Scalar(2) * u.phi_B.sin * t04
-        - omega_B * (slide_B_y + BG_y));
+    p(3, 0) = omega_B * (Scalar(2) * u.phi_B.cos * t04 - Scalar(2) * u.phi_B.sin * t05 - (slide_B_x
+        + BG_x) * omega_B);
+    p(3, 1) = omega_B * (Scalar(2) * u.phi_B.cos * t05 + Scalar(2) * u.phi_B.sin * t04 - (slide_B_y
+        + BG_y) * omega_B);
   }
 
   /// The lines n . S = c on which the unknowns move a special point in parallel,
@@ -806,20 +806,20 @@ struct Model11 {
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
     lines.setZero();
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     lines(0, 0) = -u.phi_B.cos;
     lines(0, 1) = -u.phi_B.sin;
     lines(1, 0) = -u.phi_E.cos;
     lines(1, 1) = -u.phi_E.sin;
-    lines(1, 2) = -u.phi_E.cos * CD_x - u.phi_E.sin * CD_y;
+    lines(1, 2) = -CD_x * u.phi_E.cos - CD_y * u.phi_E.sin;
     lines(2, 0) = -u.phi_B.cos;
     lines(2, 1) = -u.phi_B.sin;
     lines(3, 0) = -u.phi_E.cos;
     lines(3, 1) = -u.phi_E.sin;
-    lines(3, 2) = -u.phi_E.cos * GF_x - u.phi_E.sin * GF_y;
+    lines(3, 2) = -GF_x * u.phi_E.cos - GF_y * u.phi_E.sin;
   }
 
   /// The signed lengths L: on side i of its link a special point at S moves by
@@ -842,18 +842,18 @@ struct Model11 {
     const Scalar n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     L(0, 0) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
     L(0, 2) = n_CD_BCG_x * u.phi_B.cos + n_CD_BCG_y * u.phi_B.sin;
     L(1, 0) = (S_CD_x - CD_x) * n_CD_EDF_y - (S_CD_y - CD_y) * n_CD_EDF_x;
     L(1, 3) = n_CD_EDF_x * u.phi_E.cos + n_CD_EDF_y * u.phi_E.sin;
     L(2, 1) = S_GF_x * n_GF_BCG_y - S_GF_y * n_GF_BCG_x;
-    L(2, 2) = u.phi_B.cos * n_GF_BCG_x + u.phi_B.sin * n_GF_BCG_y;
+    L(2, 2) = n_GF_BCG_x * u.phi_B.cos + n_GF_BCG_y * u.phi_B.sin;
     L(3, 1) = (S_GF_x - GF_x) * n_GF_EDF_y - (S_GF_y - GF_y) * n_GF_EDF_x;
-    L(3, 3) = u.phi_E.cos * n_GF_EDF_x + u.phi_E.sin * n_GF_EDF_y;
+    L(3, 3) = n_GF_EDF_x * u.phi_E.cos + n_GF_EDF_y * u.phi_E.sin;
   }
 
   /// The velocity of each special point by each side, less what dq/dt adds.
@@ -869,26 +869,26 @@ struct Model11 {
     const Scalar omega_E = u_rate(5);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t02 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t02;
+    const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos;
     v(0, 0) = v_x_B - (slide_B_y + BC_y) * omega_B;
-    v(0, 1) = omega_B * (slide_B_x + BC_x) + v_y_B;
+    v(0, 1) = (slide_B_x + BC_x) * omega_B + v_y_B;
     v(1, 0) = v_x_E - (slide_E_y + ED_y) * omega_E;
-    v(1, 1) = omega_E * (slide_E_x + ED_x) + v_y_E;
-    v(2, 0) = v_x_B - omega_B * (slide_B_y + BG_y);
-    v(2, 1) = v_y_B + omega_B * (slide_B_x + BG_x);
-    v(3, 0) = v_x_E - omega_E * (slide_E_y + EF_y);
-    v(3, 1) = v_y_E + omega_E * (slide_E_x + EF_x);
+    v(1, 1) = (slide_E_x + ED_x) * omega_E + v_y_E;
+    v(2, 0) = v_x_B - (slide_B_y + BG_y) * omega_B;
+    v(2, 1) = v_y_B + (slide_B_x + BG_x) * omega_B;
+    v(3, 0) = v_x_E - (slide_E_y + EF_y) * omega_E;
+    v(3, 1) = v_y_E + (slide_E_x + EF_x) * omega_E;
   }
 
   /// The acceleration of each special point by each side, less what d2q/dt2 adds:
@@ -917,22 +917,22 @@ struct Model11 {
     const Scalar S_GF_y = S(1, 1);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BCG;
-    const Scalar CD_x = q.theta_CD.cos * d.CD;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = d.CD * q.theta_CD.cos;
     const Scalar CD_y = d.CD * q.theta_CD.sin;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = u.phi_B.sin * t01 + u.phi_B.cos * d.x_G_BCG;
-    const Scalar BG_y = u.phi_B.sin * d.x_G_BCG - u.phi_B.cos * t01;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t02 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t02;
+    const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos;
     const Scalar t03 = slide_B_x + BC_x;
     const Scalar t04 = u.phi_B.sin * v_s_B;
     const Scalar t05 = slide_B_y + BC_y;
@@ -948,16 +948,16 @@ struct Model11 {
     const Scalar t15 = slide_E_x + EF_x;
     const Scalar t16 = slide_E_y + EF_y;
     a(0, 0) = a_x_B - omega_B * (t03 * omega_B + Scalar(2) * t04) - t05 * alpha_B - S_CD_x * t06;
-    a(0, 1) = t03 * alpha_B + a_y_B - omega_B * (omega_B * t05 - Scalar(2) * t07) - S_CD_y * t06;
+    a(0, 1) = t03 * alpha_B + a_y_B - omega_B * (t05 * omega_B - Scalar(2) * t07) - S_CD_y * t06;
     a(1, 0) = a_x_E - omega_E * (t08 * omega_E + Scalar(2) * t09) - t10 * alpha_E - (S_CD_x
         - CD_x) * t06;
-    a(1, 1) = t08 * alpha_E + a_y_E - omega_E * (omega_E * t10 - Scalar(2) * t11) - (S_CD_y
+    a(1, 1) = t08 * alpha_E + a_y_E - omega_E * (t10 * omega_E - Scalar(2) * t11) - (S_CD_y
         - CD_y) * t06;
-    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t04 + omega_B * t12) - alpha_B * t13 - S_GF_x * t14;
-    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t07 - omega_B * t13) + alpha_B * t12 - S_GF_y * t14;
-    a(3, 0) = a_x_E - omega_E * (Scalar(2) * t09 + omega_E * t15) - alpha_E * t16 - (S_GF_x
+    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t04 + t12 * omega_B) - t13 * alpha_B - S_GF_x * t14;
+    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t07 - t13 * omega_B) + t12 * alpha_B - S_GF_y * t14;
+    a(3, 0) = a_x_E - omega_E * (Scalar(2) * t09 + t15 * omega_E) - t16 * alpha_E - (S_GF_x
         - GF_x) * t14;
-    a(3, 1) = a_y_E + omega_E * (Scalar(2) * t11 - omega_E * t16) + alpha_E * t15 - (S_GF_y
+    a(3, 1) = a_y_E + omega_E * (Scalar(2) * t11 - t16 * omega_E) + t15 * alpha_E - (S_GF_y
         - GF_y) * t14;
   }
 
@@ -1014,24 +1014,24 @@ struct Model11 {
     const Scalar t05 = inverse_sin_phi_B_minus_phi_E * inverse_sin_CD_minus_GF;
     const Scalar s_B_per_along_CD = -cos_phi_E_minus_GF * t05;
     const Scalar s_E_per_along_CD = -cos_phi_B_minus_GF * t05;
-    const Scalar GF_per_along_CD = -(sin_phi_B_minus_GF * s_B_per_along_CD
-        - sin_phi_E_minus_GF * s_E_per_along_CD) * inverse_GF;
-    const Scalar CD_per_along_CD = -(s_B_per_along_CD * sin_phi_B_minus_CD
-        - s_E_per_along_CD * sin_phi_E_minus_CD) * inverse_CD;
+    const Scalar GF_per_along_CD = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_CD
+        - sin_phi_E_minus_GF * s_E_per_along_CD);
+    const Scalar CD_per_along_CD = -inverse_CD * (s_B_per_along_CD * sin_phi_B_minus_CD
+        - s_E_per_along_CD * sin_phi_E_minus_CD);
     const Scalar s_B_per_along_GF = cos_phi_E_minus_CD * t05;
     const Scalar s_E_per_along_GF = cos_phi_B_minus_CD * t05;
     const Scalar GF_per_along_GF = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_GF
         - sin_phi_E_minus_GF * s_E_per_along_GF);
     const Scalar CD_per_along_GF = -inverse_CD * (sin_phi_B_minus_CD * s_B_per_along_GF
         - sin_phi_E_minus_CD * s_E_per_along_GF);
-    J_inverse(0, 0) = q.theta_CD.cos * CD_per_along_CD - q.theta_CD.sin * inverse_CD;
-    J_inverse(0, 1) = q.theta_CD.cos * inverse_CD + q.theta_CD.sin * CD_per_along_CD;
-    J_inverse(0, 2) = q.theta_GF.cos * CD_per_along_GF;
-    J_inverse(0, 3) = q.theta_GF.sin * CD_per_along_GF;
-    J_inverse(1, 0) = q.theta_CD.cos * GF_per_along_CD;
-    J_inverse(1, 1) = q.theta_CD.sin * GF_per_along_CD;
-    J_inverse(1, 2) = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
-    J_inverse(1, 3) = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    J_inverse(0, 0) = CD_per_along_CD * q.theta_CD.cos - inverse_CD * q.theta_CD.sin;
+    J_inverse(0, 1) = inverse_CD * q.theta_CD.cos + CD_per_along_CD * q.theta_CD.sin;
+    J_inverse(0, 2) = CD_per_along_GF * q.theta_GF.cos;
+    J_inverse(0, 3) = CD_per_along_GF * q.theta_GF.sin;
+    J_inverse(1, 0) = GF_per_along_CD * q.theta_CD.cos;
+    J_inverse(1, 1) = GF_per_along_CD * q.theta_CD.sin;
+    J_inverse(1, 2) = GF_per_along_GF * q.theta_GF.cos - inverse_GF * q.theta_GF.sin;
+    J_inverse(1, 3) = inverse_GF * q.theta_GF.cos + GF_per_along_GF * q.theta_GF.sin;
     J_inverse(2, 0) = q.theta_CD.cos * s_B_per_along_CD;
     J_inverse(2, 1) = q.theta_CD.sin * s_B_per_along_CD;
     J_inverse(2, 2) = q.theta_GF.cos * s_B_per_along_GF;
@@ -1056,17 +1056,17 @@ struct Model11 {
     const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
     const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
     const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
-    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - cos_phi_B_minus_CD * d.h_B_BCG;
+    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - d.h_B_BCG * cos_phi_B_minus_CD;
     const Scalar phi_E_along_CD = -q.s_E * cos_phi_E_minus_CD - d.h_E_EDF * sin_phi_E_minus_CD;
-    const Scalar phi_E_across_CD = cos_phi_E_minus_CD * d.h_E_EDF - q.s_E * sin_phi_E_minus_CD;
+    const Scalar phi_E_across_CD = d.h_E_EDF * cos_phi_E_minus_CD - q.s_E * sin_phi_E_minus_CD;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
-    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
     const Scalar t03 = q.s_E + d.x_F_EDF;
     const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_GF = -t03 * cos_phi_E_minus_GF - t04 * sin_phi_E_minus_GF;
-    const Scalar phi_E_across_GF = cos_phi_E_minus_GF * t04 - t03 * sin_phi_E_minus_GF;
+    const Scalar phi_E_across_GF = t04 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_CD_minus_GF = q.theta_CD.sin * q.theta_GF.cos
         - q.theta_CD.cos * q.theta_GF.sin;
@@ -1085,11 +1085,11 @@ struct Model11 {
     const Scalar t09 = inverse_sin_phi_B_minus_phi_E * inverse_sin_CD_minus_GF;
     const Scalar s_B_per_along_CD = -cos_phi_E_minus_GF * t09;
     const Scalar s_E_per_along_CD = -cos_phi_B_minus_GF * t09;
-    const Scalar GF_per_along_CD = -(sin_phi_B_minus_GF * s_B_per_along_CD
-        - sin_phi_E_minus_GF * s_E_per_along_CD) * inverse_GF;
+    const Scalar GF_per_along_CD = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_CD
+        - sin_phi_E_minus_GF * s_E_per_along_CD);
     const Scalar t10 = sin_phi_B_minus_CD * s_B_per_along_CD;
     const Scalar t11 = sin_phi_E_minus_CD * s_E_per_along_CD;
-    const Scalar CD_per_along_CD = -(t10 - t11) * inverse_CD;
+    const Scalar CD_per_along_CD = -inverse_CD * (t10 - t11);
     const Scalar s_B_per_along_GF = cos_phi_E_minus_CD * t09;
     const Scalar s_E_per_along_GF = cos_phi_B_minus_CD * t09;
     const Scalar t12 = sin_phi_B_minus_GF * s_B_per_along_GF;
@@ -1097,37 +1097,41 @@ struct Model11 {
     const Scalar GF_per_along_GF = -inverse_GF * (t12 - t13);
     const Scalar CD_per_along_GF = -inverse_CD * (sin_phi_B_minus_CD * s_B_per_along_GF
         - sin_phi_E_minus_CD * s_E_per_along_GF);
-    const Scalar t14 = sin_phi_B_minus_GF * CD_per_along_GF;
-    const Scalar t15 = sin_phi_E_minus_GF * CD_per_along_GF;
-    const Scalar t16 = cos_phi_B_minus_GF * inverse_GF - sin_phi_B_minus_GF * GF_per_along_GF;
-    const Scalar t17 = cos_phi_E_minus_GF * inverse_GF - sin_phi_E_minus_GF * GF_per_along_GF;
+    const Scalar CD_per_x_B = inverse_CD * q.theta_CD.sin - CD_per_along_CD * q.theta_CD.cos
+        - CD_per_along_GF * q.theta_GF.cos;
+    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_CD * q.theta_CD.cos
+        - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_B_per_x_B = -q.theta_CD.cos * s_B_per_along_CD
+        - q.theta_GF.cos * s_B_per_along_GF;
+    const Scalar s_E_per_x_B = -q.theta_CD.cos * s_E_per_along_CD
+        - q.theta_GF.cos * s_E_per_along_GF;
+    const Scalar CD_per_y_B = -inverse_CD * q.theta_CD.cos - CD_per_along_CD * q.theta_CD.sin
+        - CD_per_along_GF * q.theta_GF.sin;
+    const Scalar GF_per_y_B = -GF_per_along_CD * q.theta_CD.sin - inverse_GF * q.theta_GF.cos
+        - GF_per_along_GF * q.theta_GF.sin;
+    const Scalar s_B_per_y_B = -q.theta_CD.sin * s_B_per_along_CD
+        - q.theta_GF.sin * s_B_per_along_GF;
+    const Scalar s_E_per_y_B = -q.theta_CD.sin * s_E_per_along_CD
+        - q.theta_GF.sin * s_E_per_along_GF;
+    const Scalar t14 = CD_per_along_GF * sin_phi_B_minus_GF;
+    const Scalar t15 = CD_per_along_GF * sin_phi_E_minus_GF;
+    const Scalar t16 = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
+    const Scalar t17 = inverse_GF * cos_phi_E_minus_GF - GF_per_along_GF * sin_phi_E_minus_GF;
     const Scalar t18 = sin_phi_E_minus_GF * s_B_per_along_GF;
     const Scalar t19 = sin_phi_B_minus_GF * s_E_per_along_GF;
-    const Scalar t20 = q.theta_CD.cos * CD_per_along_CD + q.theta_GF.cos * CD_per_along_GF
-        - q.theta_CD.sin * inverse_CD;
-    const Scalar t21 = q.theta_CD.cos * inverse_CD + q.theta_CD.sin * CD_per_along_CD
-        + q.theta_GF.sin * CD_per_along_GF;
-    const Scalar t22 = q.theta_CD.cos * GF_per_along_CD + q.theta_GF.cos * GF_per_along_GF
-        - q.theta_GF.sin * inverse_GF;
-    const Scalar t23 = q.theta_CD.sin * GF_per_along_CD + q.theta_GF.cos * inverse_GF
-        + q.theta_GF.sin * GF_per_along_GF;
-    const Scalar t24 = q.theta_CD.cos * s_B_per_along_CD + q.theta_GF.cos * s_B_per_along_GF;
-    const Scalar t25 = q.theta_CD.sin * s_B_per_along_CD + q.theta_GF.sin * s_B_per_along_GF;
-    const Scalar t26 = q.theta_CD.cos * s_E_per_along_CD + q.theta_GF.cos * s_E_per_along_GF;
-    const Scalar t27 = q.theta_CD.sin * s_E_per_along_CD + q.theta_GF.sin * s_E_per_along_GF;
-    S_d(0, 0) = cos_phi_B_minus_CD * inverse_CD - sin_phi_B_minus_CD * CD_per_along_CD - t14;
-    S_d(0, 1) = -cos_phi_B_minus_GF * CD_per_along_GF;
+    S_d(0, 0) = inverse_CD * cos_phi_B_minus_CD - CD_per_along_CD * sin_phi_B_minus_CD - t14;
+    S_d(0, 1) = -CD_per_along_GF * cos_phi_B_minus_GF;
     S_d(0, 2) = t14;
-    S_d(0, 3) = sin_phi_E_minus_CD * CD_per_along_CD + t15 - cos_phi_E_minus_CD * inverse_CD;
-    S_d(0, 4) = cos_phi_E_minus_GF * CD_per_along_GF;
+    S_d(0, 3) = CD_per_along_CD * sin_phi_E_minus_CD + t15 - inverse_CD * cos_phi_E_minus_CD;
+    S_d(0, 4) = CD_per_along_GF * cos_phi_E_minus_GF;
     S_d(0, 5) = -t15;
     S_d(0, 6) = -CD_per_along_CD;
     S_d(0, 7) = -CD_per_along_GF;
-    S_d(1, 0) = t16 - sin_phi_B_minus_CD * GF_per_along_CD;
-    S_d(1, 1) = -cos_phi_B_minus_GF * GF_per_along_GF - sin_phi_B_minus_GF * inverse_GF;
+    S_d(1, 0) = t16 - GF_per_along_CD * sin_phi_B_minus_CD;
+    S_d(1, 1) = -GF_per_along_GF * cos_phi_B_minus_GF - inverse_GF * sin_phi_B_minus_GF;
     S_d(1, 2) = -t16;
-    S_d(1, 3) = sin_phi_E_minus_CD * GF_per_along_CD - t17;
-    S_d(1, 4) = cos_phi_E_minus_GF * GF_per_along_GF + sin_phi_E_minus_GF * inverse_GF;
+    S_d(1, 3) = GF_per_along_CD * sin_phi_E_minus_CD - t17;
+    S_d(1, 4) = GF_per_along_GF * cos_phi_E_minus_GF + inverse_GF * sin_phi_E_minus_GF;
     S_d(1, 5) = t17;
     S_d(1, 6) = -GF_per_along_CD;
     S_d(1, 7) = -GF_per_along_GF;
@@ -1147,34 +1151,34 @@ struct Model11 {
     S_d(3, 5) = -t13;
     S_d(3, 6) = -s_E_per_along_CD;
     S_d(3, 7) = -s_E_per_along_GF;
-    S_u(0, 0) = -t20;
-    S_u(0, 1) = -t21;
+    S_u(0, 0) = CD_per_x_B;
+    S_u(0, 1) = CD_per_y_B;
     S_u(0, 2) = CD_per_along_CD * phi_B_across_CD + CD_per_along_GF * phi_B_across_GF
         - inverse_CD * phi_B_along_CD;
-    S_u(0, 3) = t20;
-    S_u(0, 4) = t21;
+    S_u(0, 3) = -CD_per_x_B;
+    S_u(0, 4) = -CD_per_y_B;
     S_u(0, 5) = CD_per_along_CD * phi_E_across_CD + CD_per_along_GF * phi_E_across_GF
         - inverse_CD * phi_E_along_CD;
-    S_u(1, 0) = -t22;
-    S_u(1, 1) = -t23;
+    S_u(1, 0) = GF_per_x_B;
+    S_u(1, 1) = GF_per_y_B;
     S_u(1, 2) = GF_per_along_CD * phi_B_across_CD + GF_per_along_GF * phi_B_across_GF
         - inverse_GF * phi_B_along_GF;
-    S_u(1, 3) = t22;
-    S_u(1, 4) = t23;
+    S_u(1, 3) = -GF_per_x_B;
+    S_u(1, 4) = -GF_per_y_B;
     S_u(1, 5) = GF_per_along_CD * phi_E_across_CD + GF_per_along_GF * phi_E_across_GF
         - inverse_GF * phi_E_along_GF;
-    S_u(2, 0) = -t24;
-    S_u(2, 1) = -t25;
-    S_u(2, 2) = s_B_per_along_CD * phi_B_across_CD + s_B_per_along_GF * phi_B_across_GF;
-    S_u(2, 3) = t24;
-    S_u(2, 4) = t25;
-    S_u(2, 5) = s_B_per_along_CD * phi_E_across_CD + s_B_per_along_GF * phi_E_across_GF;
-    S_u(3, 0) = -t26;
-    S_u(3, 1) = -t27;
-    S_u(3, 2) = s_E_per_along_CD * phi_B_across_CD + s_E_per_along_GF * phi_B_across_GF;
-    S_u(3, 3) = t26;
-    S_u(3, 4) = t27;
-    S_u(3, 5) = s_E_per_along_CD * phi_E_across_CD + s_E_per_along_GF * phi_E_across_GF;
+    S_u(2, 0) = s_B_per_x_B;
+    S_u(2, 1) = s_B_per_y_B;
+    S_u(2, 2) = phi_B_across_CD * s_B_per_along_CD + phi_B_across_GF * s_B_per_along_GF;
+    S_u(2, 3) = -s_B_per_x_B;
+    S_u(2, 4) = -s_B_per_y_B;
+    S_u(2, 5) = phi_E_across_CD * s_B_per_along_CD + phi_E_across_GF * s_B_per_along_GF;
+    S_u(3, 0) = s_E_per_x_B;
+    S_u(3, 1) = s_E_per_y_B;
+    S_u(3, 2) = phi_B_across_CD * s_E_per_along_CD + phi_B_across_GF * s_E_per_along_GF;
+    S_u(3, 3) = -s_E_per_x_B;
+    S_u(3, 4) = -s_E_per_y_B;
+    S_u(3, 5) = phi_E_across_CD * s_E_per_along_CD + phi_E_across_GF * s_E_per_along_GF;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1197,17 +1201,17 @@ struct Model11 {
     const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
     const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
     const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
-    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - cos_phi_B_minus_CD * d.h_B_BCG;
+    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - d.h_B_BCG * cos_phi_B_minus_CD;
     const Scalar phi_E_along_CD = -q.s_E * cos_phi_E_minus_CD - d.h_E_EDF * sin_phi_E_minus_CD;
-    const Scalar phi_E_across_CD = cos_phi_E_minus_CD * d.h_E_EDF - q.s_E * sin_phi_E_minus_CD;
+    const Scalar phi_E_across_CD = d.h_E_EDF * cos_phi_E_minus_CD - q.s_E * sin_phi_E_minus_CD;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
-    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
     const Scalar t03 = q.s_E + d.x_F_EDF;
     const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_GF = -t03 * cos_phi_E_minus_GF - t04 * sin_phi_E_minus_GF;
-    const Scalar phi_E_across_GF = cos_phi_E_minus_GF * t04 - t03 * sin_phi_E_minus_GF;
+    const Scalar phi_E_across_GF = t04 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_CD_minus_GF = q.theta_CD.sin * q.theta_GF.cos
         - q.theta_CD.cos * q.theta_GF.sin;
@@ -1225,23 +1229,23 @@ struct Model11 {
     const Scalar inverse_CD = -d.GF * t08;
     const Scalar t09 = v_x_B - v_x_E;
     const Scalar t10 = v_y_B - v_y_E;
-    const Scalar velocity_along_CD = omega_B * phi_B_across_CD + omega_E * phi_E_across_CD
+    const Scalar velocity_along_CD = phi_B_across_CD * omega_B + phi_E_across_CD * omega_E
         - q.theta_CD.cos * t09 - q.theta_CD.sin * t10;
     const Scalar velocity_across_CD = q.theta_CD.sin * t09 - q.theta_CD.cos * t10
-        - omega_B * phi_B_along_CD - omega_E * phi_E_along_CD;
-    const Scalar velocity_along_GF = omega_B * phi_B_across_GF + omega_E * phi_E_across_GF
+        - phi_B_along_CD * omega_B - phi_E_along_CD * omega_E;
+    const Scalar velocity_along_GF = phi_B_across_GF * omega_B + phi_E_across_GF * omega_E
         - q.theta_GF.cos * t09 - q.theta_GF.sin * t10;
     const Scalar velocity_across_GF = q.theta_GF.sin * t09 - q.theta_GF.cos * t10
-        - omega_B * phi_B_along_GF - omega_E * phi_E_along_GF;
+        - phi_B_along_GF * omega_B - phi_E_along_GF * omega_E;
     const Scalar t11 = inverse_sin_CD_minus_GF * inverse_sin_phi_B_minus_phi_E;
-    const Scalar v_s_B = (cos_phi_E_minus_CD * velocity_along_GF
-        - cos_phi_E_minus_GF * velocity_along_CD) * t11;
-    const Scalar v_s_E = (cos_phi_B_minus_CD * velocity_along_GF
-        - cos_phi_B_minus_GF * velocity_along_CD) * t11;
-    const Scalar omega_GF = -(sin_phi_B_minus_GF * v_s_B - sin_phi_E_minus_GF * v_s_E
-        - velocity_across_GF) * inverse_GF;
-    const Scalar omega_CD = -(sin_phi_B_minus_CD * v_s_B - sin_phi_E_minus_CD * v_s_E
-        - velocity_across_CD) * inverse_CD;
+    const Scalar v_s_B = t11 * (cos_phi_E_minus_CD * velocity_along_GF
+        - cos_phi_E_minus_GF * velocity_along_CD);
+    const Scalar v_s_E = t11 * (cos_phi_B_minus_CD * velocity_along_GF
+        - cos_phi_B_minus_GF * velocity_along_CD);
+    const Scalar omega_GF = -inverse_GF * (sin_phi_B_minus_GF * v_s_B - sin_phi_E_minus_GF * v_s_E
+        - velocity_across_GF);
+    const Scalar omega_CD = -inverse_CD * (sin_phi_B_minus_CD * v_s_B - sin_phi_E_minus_CD * v_s_E
+        - velocity_across_CD);
     q_rate(0) = omega_CD;
     q_rate(1) = omega_GF;
     q_rate(2) = v_s_B;
@@ -1275,17 +1279,17 @@ struct Model11 {
     const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
     const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
     const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
-    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - cos_phi_B_minus_CD * d.h_B_BCG;
+    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - d.h_B_BCG * cos_phi_B_minus_CD;
     const Scalar phi_E_along_CD = -q.s_E * cos_phi_E_minus_CD - d.h_E_EDF * sin_phi_E_minus_CD;
-    const Scalar phi_E_across_CD = cos_phi_E_minus_CD * d.h_E_EDF - q.s_E * sin_phi_E_minus_CD;
+    const Scalar phi_E_across_CD = d.h_E_EDF * cos_phi_E_minus_CD - q.s_E * sin_phi_E_minus_CD;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
-    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
     const Scalar t03 = q.s_E + d.x_F_EDF;
     const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_GF = -t03 * cos_phi_E_minus_GF - t04 * sin_phi_E_minus_GF;
-    const Scalar phi_E_across_GF = cos_phi_E_minus_GF * t04 - t03 * sin_phi_E_minus_GF;
+    const Scalar phi_E_across_GF = t04 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_CD_minus_GF = q.theta_CD.sin * q.theta_GF.cos
         - q.theta_CD.cos * q.theta_GF.sin;
@@ -1303,29 +1307,29 @@ struct Model11 {
     const Scalar inverse_CD = -d.GF * t08;
     const Scalar t09 = v_x_B - v_x_E;
     const Scalar t10 = v_y_B - v_y_E;
-    const Scalar t11 = omega_B * phi_B_across_CD;
-    const Scalar t12 = omega_E * phi_E_across_CD;
+    const Scalar t11 = phi_B_across_CD * omega_B;
+    const Scalar t12 = phi_E_across_CD * omega_E;
     const Scalar velocity_along_CD = t11 + t12 - q.theta_CD.cos * t09 - q.theta_CD.sin * t10;
-    const Scalar t13 = omega_B * phi_B_along_CD;
-    const Scalar t14 = omega_E * phi_E_along_CD;
+    const Scalar t13 = phi_B_along_CD * omega_B;
+    const Scalar t14 = phi_E_along_CD * omega_E;
     const Scalar velocity_across_CD = q.theta_CD.sin * t09 - q.theta_CD.cos * t10 - t13 - t14;
-    const Scalar t15 = omega_B * phi_B_across_GF;
-    const Scalar t16 = omega_E * phi_E_across_GF;
+    const Scalar t15 = phi_B_across_GF * omega_B;
+    const Scalar t16 = phi_E_across_GF * omega_E;
     const Scalar velocity_along_GF = t15 + t16 - q.theta_GF.cos * t09 - q.theta_GF.sin * t10;
-    const Scalar t17 = omega_B * phi_B_along_GF;
-    const Scalar t18 = omega_E * phi_E_along_GF;
+    const Scalar t17 = phi_B_along_GF * omega_B;
+    const Scalar t18 = phi_E_along_GF * omega_E;
     const Scalar velocity_across_GF = q.theta_GF.sin * t09 - q.theta_GF.cos * t10 - t17 - t18;
     const Scalar t19 = inverse_sin_CD_minus_GF * inverse_sin_phi_B_minus_phi_E;
-    const Scalar v_s_B = (cos_phi_E_minus_CD * velocity_along_GF
-        - cos_phi_E_minus_GF * velocity_along_CD) * t19;
-    const Scalar v_s_E = (cos_phi_B_minus_CD * velocity_along_GF
-        - cos_phi_B_minus_GF * velocity_along_CD) * t19;
+    const Scalar v_s_B = t19 * (cos_phi_E_minus_CD * velocity_along_GF
+        - cos_phi_E_minus_GF * velocity_along_CD);
+    const Scalar v_s_E = t19 * (cos_phi_B_minus_CD * velocity_along_GF
+        - cos_phi_B_minus_GF * velocity_along_CD);
     const Scalar t20 = sin_phi_B_minus_GF * v_s_B;
     const Scalar t21 = sin_phi_E_minus_GF * v_s_E;
-    const Scalar omega_GF = -(t20 - t21 - velocity_across_GF) * inverse_GF;
+    const Scalar omega_GF = -inverse_GF * (t20 - t21 - velocity_across_GF);
     const Scalar t22 = sin_phi_B_minus_CD * v_s_B;
     const Scalar t23 = sin_phi_E_minus_CD * v_s_E;
-    const Scalar omega_CD = -(t22 - t23 - velocity_across_CD) * inverse_CD;
+    const Scalar omega_CD = -inverse_CD * (t22 - t23 - velocity_across_CD);
     const Scalar t24 = a_x_B - a_x_E;
     const Scalar t25 = a_y_B - a_y_E;
     const Scalar acceleration_along_CD = omega_B * (t13 + Scalar(2) * t22) + omega_E * (t14
@@ -1342,10 +1346,10 @@ struct Model11 {
         - Scalar(2) * cos_phi_B_minus_GF * v_s_B) + omega_E * (t16
         + Scalar(2) * cos_phi_E_minus_GF * v_s_E) - q.theta_GF.cos * t25 - phi_B_along_GF * alpha_B
         - phi_E_along_GF * alpha_E;
-    const Scalar a_s_B = (cos_phi_E_minus_CD * acceleration_along_GF
-        - cos_phi_E_minus_GF * acceleration_along_CD) * t19;
-    const Scalar a_s_E = (cos_phi_B_minus_CD * acceleration_along_GF
-        - cos_phi_B_minus_GF * acceleration_along_CD) * t19;
+    const Scalar a_s_B = t19 * (cos_phi_E_minus_CD * acceleration_along_GF
+        - cos_phi_E_minus_GF * acceleration_along_CD);
+    const Scalar a_s_E = t19 * (cos_phi_B_minus_CD * acceleration_along_GF
+        - cos_phi_B_minus_GF * acceleration_along_CD);
     const Scalar alpha_GF = -inverse_GF * (sin_phi_B_minus_GF * a_s_B - sin_phi_E_minus_GF * a_s_E
         - acceleration_across_GF);
     const Scalar alpha_CD = -inverse_CD * (sin_phi_B_minus_CD * a_s_B - sin_phi_E_minus_CD * a_s_E
@@ -1389,17 +1393,17 @@ struct Model11 {
     const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
     const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
     const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
-    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - cos_phi_B_minus_CD * d.h_B_BCG;
+    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - d.h_B_BCG * cos_phi_B_minus_CD;
     const Scalar phi_E_along_CD = -q.s_E * cos_phi_E_minus_CD - d.h_E_EDF * sin_phi_E_minus_CD;
-    const Scalar phi_E_across_CD = cos_phi_E_minus_CD * d.h_E_EDF - q.s_E * sin_phi_E_minus_CD;
+    const Scalar phi_E_across_CD = d.h_E_EDF * cos_phi_E_minus_CD - q.s_E * sin_phi_E_minus_CD;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
-    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - cos_phi_B_minus_GF * t02;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
     const Scalar t03 = q.s_E + d.x_F_EDF;
     const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_GF = -t03 * cos_phi_E_minus_GF - t04 * sin_phi_E_minus_GF;
-    const Scalar phi_E_across_GF = cos_phi_E_minus_GF * t04 - t03 * sin_phi_E_minus_GF;
+    const Scalar phi_E_across_GF = t04 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_CD_minus_GF = q.theta_CD.sin * q.theta_GF.cos
         - q.theta_CD.cos * q.theta_GF.sin;
@@ -1418,11 +1422,11 @@ struct Model11 {
     const Scalar t09 = inverse_sin_phi_B_minus_phi_E * inverse_sin_CD_minus_GF;
     const Scalar s_B_per_along_CD = -cos_phi_E_minus_GF * t09;
     const Scalar s_E_per_along_CD = -cos_phi_B_minus_GF * t09;
-    const Scalar GF_per_along_CD = -(sin_phi_B_minus_GF * s_B_per_along_CD
-        - sin_phi_E_minus_GF * s_E_per_along_CD) * inverse_GF;
+    const Scalar GF_per_along_CD = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_CD
+        - sin_phi_E_minus_GF * s_E_per_along_CD);
     const Scalar t10 = sin_phi_B_minus_CD * s_B_per_along_CD;
     const Scalar t11 = sin_phi_E_minus_CD * s_E_per_along_CD;
-    const Scalar CD_per_along_CD = -(t10 - t11) * inverse_CD;
+    const Scalar CD_per_along_CD = -inverse_CD * (t10 - t11);
     const Scalar s_B_per_along_GF = cos_phi_E_minus_CD * t09;
     const Scalar s_E_per_along_GF = cos_phi_B_minus_CD * t09;
     const Scalar t12 = sin_phi_B_minus_GF * s_B_per_along_GF;
@@ -1430,56 +1434,48 @@ struct Model11 {
     const Scalar GF_per_along_GF = -inverse_GF * (t12 - t13);
     const Scalar CD_per_along_GF = -inverse_CD * (sin_phi_B_minus_CD * s_B_per_along_GF
         - sin_phi_E_minus_CD * s_E_per_along_GF);
-    const Scalar t14 = q.theta_CD.cos * CD_per_along_CD + q.theta_GF.cos * CD_per_along_GF
-        - q.theta_CD.sin * inverse_CD;
-    const Scalar CD_per_x_B = -t14;
-    const Scalar t15 = q.theta_CD.cos * GF_per_along_CD + q.theta_GF.cos * GF_per_along_GF
-        - q.theta_GF.sin * inverse_GF;
-    const Scalar GF_per_x_B = -t15;
-    const Scalar t16 = q.theta_CD.cos * s_B_per_along_CD + q.theta_GF.cos * s_B_per_along_GF;
-    const Scalar s_B_per_x_B = -t16;
-    const Scalar t17 = q.theta_CD.cos * s_E_per_along_CD + q.theta_GF.cos * s_E_per_along_GF;
-    const Scalar s_E_per_x_B = -t17;
-    const Scalar t18 = q.theta_CD.cos * inverse_CD + q.theta_CD.sin * CD_per_along_CD
-        + q.theta_GF.sin * CD_per_along_GF;
-    const Scalar CD_per_y_B = -t18;
-    const Scalar t19 = q.theta_CD.sin * GF_per_along_CD + q.theta_GF.cos * inverse_GF
-        + q.theta_GF.sin * GF_per_along_GF;
-    const Scalar GF_per_y_B = -t19;
-    const Scalar t20 = q.theta_CD.sin * s_B_per_along_CD + q.theta_GF.sin * s_B_per_along_GF;
-    const Scalar s_B_per_y_B = -t20;
-    const Scalar t21 = q.theta_CD.sin * s_E_per_along_CD + q.theta_GF.sin * s_E_per_along_GF;
-    const Scalar s_E_per_y_B = -t21;
-    const Scalar t22 = inverse_CD * phi_B_along_CD - CD_per_along_CD * phi_B_across_CD
-        - CD_per_along_GF * phi_B_across_GF;
-    const Scalar CD_per_phi_B = -t22;
-    const Scalar t23 = GF_per_along_CD * phi_B_across_CD + GF_per_along_GF * phi_B_across_GF
-        - inverse_GF * phi_B_along_GF;
-    const Scalar GF_per_phi_B = t23;
-    const Scalar t24 = s_B_per_along_CD * phi_B_across_CD + s_B_per_along_GF * phi_B_across_GF;
-    const Scalar s_B_per_phi_B = t24;
-    const Scalar t25 = s_E_per_along_CD * phi_B_across_CD + s_E_per_along_GF * phi_B_across_GF;
-    const Scalar s_E_per_phi_B = t25;
-    const Scalar t26 = inverse_CD * phi_E_along_CD - CD_per_along_CD * phi_E_across_CD
-        - CD_per_along_GF * phi_E_across_GF;
-    const Scalar CD_per_phi_E = -t26;
-    const Scalar t27 = GF_per_along_CD * phi_E_across_CD + GF_per_along_GF * phi_E_across_GF
-        - inverse_GF * phi_E_along_GF;
-    const Scalar GF_per_phi_E = t27;
-    const Scalar t28 = s_B_per_along_CD * phi_E_across_CD + s_B_per_along_GF * phi_E_across_GF;
-    const Scalar s_B_per_phi_E = t28;
-    const Scalar t29 = s_E_per_along_CD * phi_E_across_CD + s_E_per_along_GF * phi_E_across_GF;
-    const Scalar s_E_per_phi_E = t29;
-    const Scalar t30 = v_x_B - v_x_E;
-    const Scalar t31 = v_y_B - v_y_E;
-    const Scalar omega_CD = t30 * CD_per_x_B + t31 * CD_per_y_B + omega_B * CD_per_phi_B
-        + omega_E * CD_per_phi_E;
-    const Scalar omega_GF = t30 * GF_per_x_B + t31 * GF_per_y_B + omega_B * GF_per_phi_B
-        + omega_E * GF_per_phi_E;
-    const Scalar v_s_B = t30 * s_B_per_x_B + t31 * s_B_per_y_B + omega_B * s_B_per_phi_B
-        + omega_E * s_B_per_phi_E;
-    const Scalar v_s_E = t30 * s_E_per_x_B + t31 * s_E_per_y_B + omega_B * s_E_per_phi_B
-        + omega_E * s_E_per_phi_E;
+    const Scalar CD_per_x_B = inverse_CD * q.theta_CD.sin - CD_per_along_CD * q.theta_CD.cos
+        - CD_per_along_GF * q.theta_GF.cos;
+    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_CD * q.theta_CD.cos
+        - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_B_per_x_B = -q.theta_CD.cos * s_B_per_along_CD
+        - q.theta_GF.cos * s_B_per_along_GF;
+    const Scalar s_E_per_x_B = -q.theta_CD.cos * s_E_per_along_CD
+        - q.theta_GF.cos * s_E_per_along_GF;
+    const Scalar CD_per_y_B = -inverse_CD * q.theta_CD.cos - CD_per_along_CD * q.theta_CD.sin
+        - CD_per_along_GF * q.theta_GF.sin;
+    const Scalar GF_per_y_B = -GF_per_along_CD * q.theta_CD.sin - inverse_GF * q.theta_GF.cos
+        - GF_per_along_GF * q.theta_GF.sin;
+    const Scalar s_B_per_y_B = -q.theta_CD.sin * s_B_per_along_CD
+        - q.theta_GF.sin * s_B_per_along_GF;
+    const Scalar s_E_per_y_B = -q.theta_CD.sin * s_E_per_along_CD
+        - q.theta_GF.sin * s_E_per_along_GF;
+    const Scalar CD_per_phi_B = CD_per_along_CD * phi_B_across_CD
+        + CD_per_along_GF * phi_B_across_GF - inverse_CD * phi_B_along_CD;
+    const Scalar GF_per_phi_B = GF_per_along_CD * phi_B_across_CD
+        + GF_per_along_GF * phi_B_across_GF - inverse_GF * phi_B_along_GF;
+    const Scalar s_B_per_phi_B = phi_B_across_CD * s_B_per_along_CD
+        + phi_B_across_GF * s_B_per_along_GF;
+    const Scalar s_E_per_phi_B = phi_B_across_CD * s_E_per_along_CD
+        + phi_B_across_GF * s_E_per_along_GF;
+    const Scalar CD_per_phi_E = CD_per_along_CD * phi_E_across_CD
+        + CD_per_along_GF * phi_E_across_GF - inverse_CD * phi_E_along_CD;
+    const Scalar GF_per_phi_E = GF_per_along_CD * phi_E_across_CD
+        + GF_per_along_GF * phi_E_across_GF - inverse_GF * phi_E_along_GF;
+    const Scalar s_B_per_phi_E = phi_E_across_CD * s_B_per_along_CD
+        + phi_E_across_GF * s_B_per_along_GF;
+    const Scalar s_E_per_phi_E = phi_E_across_CD * s_E_per_along_CD
+        + phi_E_across_GF * s_E_per_along_GF;
+    const Scalar t14 = v_x_B - v_x_E;
+    const Scalar t15 = v_y_B - v_y_E;
+    const Scalar omega_CD = CD_per_x_B * t14 + CD_per_y_B * t15 + CD_per_phi_B * omega_B
+        + CD_per_phi_E * omega_E;
+    const Scalar omega_GF = GF_per_x_B * t14 + GF_per_y_B * t15 + GF_per_phi_B * omega_B
+        + GF_per_phi_E * omega_E;
+    const Scalar v_s_B = s_B_per_x_B * t14 + s_B_per_y_B * t15 + s_B_per_phi_B * omega_B
+        + s_B_per_phi_E * omega_E;
+    const Scalar v_s_E = s_E_per_x_B * t14 + s_E_per_y_B * t15 + s_E_per_phi_B * omega_B
+        + s_E_per_phi_E * omega_E;
     const Scalar centripetal_along_CD = omega_B * (Scalar(2) * sin_phi_B_minus_CD * v_s_B
         + phi_B_along_CD * omega_B) + d.CD * omega_CD * omega_CD
         - omega_E * (Scalar(2) * sin_phi_E_minus_CD * v_s_E - phi_E_along_CD * omega_E);
@@ -1492,84 +1488,84 @@ struct Model11 {
     const Scalar centripetal_across_GF = omega_E * (Scalar(2) * cos_phi_E_minus_GF * v_s_E
         + phi_E_across_GF * omega_E) - omega_B * (Scalar(2) * cos_phi_B_minus_GF * v_s_B
         - phi_B_across_GF * omega_B);
-    const Scalar t32 = sin_phi_B_minus_GF * CD_per_along_GF;
-    const Scalar t33 = sin_phi_E_minus_GF * CD_per_along_GF;
-    const Scalar t34 = cos_phi_B_minus_GF * inverse_GF - sin_phi_B_minus_GF * GF_per_along_GF;
-    const Scalar t35 = cos_phi_E_minus_GF * inverse_GF - sin_phi_E_minus_GF * GF_per_along_GF;
-    const Scalar t36 = sin_phi_E_minus_GF * s_B_per_along_GF;
-    const Scalar t37 = sin_phi_B_minus_GF * s_E_per_along_GF;
-    const Scalar t38 = a_x_B - a_x_E;
-    const Scalar t39 = a_y_B - a_y_E;
-    S_d(0, 0) = cos_phi_B_minus_CD * inverse_CD - sin_phi_B_minus_CD * CD_per_along_CD - t32;
-    S_d(0, 1) = -cos_phi_B_minus_GF * CD_per_along_GF;
-    S_d(0, 2) = t32;
-    S_d(0, 3) = sin_phi_E_minus_CD * CD_per_along_CD + t33 - cos_phi_E_minus_CD * inverse_CD;
-    S_d(0, 4) = cos_phi_E_minus_GF * CD_per_along_GF;
-    S_d(0, 5) = -t33;
+    const Scalar t16 = CD_per_along_GF * sin_phi_B_minus_GF;
+    const Scalar t17 = CD_per_along_GF * sin_phi_E_minus_GF;
+    const Scalar t18 = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
+    const Scalar t19 = inverse_GF * cos_phi_E_minus_GF - GF_per_along_GF * sin_phi_E_minus_GF;
+    const Scalar t20 = sin_phi_E_minus_GF * s_B_per_along_GF;
+    const Scalar t21 = sin_phi_B_minus_GF * s_E_per_along_GF;
+    const Scalar t22 = a_x_B - a_x_E;
+    const Scalar t23 = a_y_B - a_y_E;
+    S_d(0, 0) = inverse_CD * cos_phi_B_minus_CD - CD_per_along_CD * sin_phi_B_minus_CD - t16;
+    S_d(0, 1) = -CD_per_along_GF * cos_phi_B_minus_GF;
+    S_d(0, 2) = t16;
+    S_d(0, 3) = CD_per_along_CD * sin_phi_E_minus_CD + t17 - inverse_CD * cos_phi_E_minus_CD;
+    S_d(0, 4) = CD_per_along_GF * cos_phi_E_minus_GF;
+    S_d(0, 5) = -t17;
     S_d(0, 6) = -CD_per_along_CD;
     S_d(0, 7) = -CD_per_along_GF;
-    S_d(1, 0) = t34 - sin_phi_B_minus_CD * GF_per_along_CD;
-    S_d(1, 1) = -cos_phi_B_minus_GF * GF_per_along_GF - sin_phi_B_minus_GF * inverse_GF;
-    S_d(1, 2) = -t34;
-    S_d(1, 3) = sin_phi_E_minus_CD * GF_per_along_CD - t35;
-    S_d(1, 4) = cos_phi_E_minus_GF * GF_per_along_GF + sin_phi_E_minus_GF * inverse_GF;
-    S_d(1, 5) = t35;
+    S_d(1, 0) = t18 - GF_per_along_CD * sin_phi_B_minus_CD;
+    S_d(1, 1) = -GF_per_along_GF * cos_phi_B_minus_GF - inverse_GF * sin_phi_B_minus_GF;
+    S_d(1, 2) = -t18;
+    S_d(1, 3) = GF_per_along_CD * sin_phi_E_minus_CD - t19;
+    S_d(1, 4) = GF_per_along_GF * cos_phi_E_minus_GF + inverse_GF * sin_phi_E_minus_GF;
+    S_d(1, 5) = t19;
     S_d(1, 6) = -GF_per_along_CD;
     S_d(1, 7) = -GF_per_along_GF;
     S_d(2, 0) = -t10 - t12;
     S_d(2, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;
     S_d(2, 2) = t12;
-    S_d(2, 3) = sin_phi_E_minus_CD * s_B_per_along_CD + t36;
+    S_d(2, 3) = sin_phi_E_minus_CD * s_B_per_along_CD + t20;
     S_d(2, 4) = cos_phi_E_minus_GF * s_B_per_along_GF;
-    S_d(2, 5) = -t36;
+    S_d(2, 5) = -t20;
     S_d(2, 6) = -s_B_per_along_CD;
     S_d(2, 7) = -s_B_per_along_GF;
-    S_d(3, 0) = -sin_phi_B_minus_CD * s_E_per_along_CD - t37;
+    S_d(3, 0) = -sin_phi_B_minus_CD * s_E_per_along_CD - t21;
     S_d(3, 1) = -cos_phi_B_minus_GF * s_E_per_along_GF;
-    S_d(3, 2) = t37;
+    S_d(3, 2) = t21;
     S_d(3, 3) = t11 + t13;
     S_d(3, 4) = cos_phi_E_minus_GF * s_E_per_along_GF;
     S_d(3, 5) = -t13;
     S_d(3, 6) = -s_E_per_along_CD;
     S_d(3, 7) = -s_E_per_along_GF;
-    S_u(0, 0) = -t14;
-    S_u(0, 1) = -t18;
-    S_u(0, 2) = -t22;
-    S_u(0, 3) = t14;
-    S_u(0, 4) = t18;
-    S_u(0, 5) = -t26;
-    S_u(1, 0) = -t15;
-    S_u(1, 1) = -t19;
-    S_u(1, 2) = t23;
-    S_u(1, 3) = t15;
-    S_u(1, 4) = t19;
-    S_u(1, 5) = t27;
-    S_u(2, 0) = -t16;
-    S_u(2, 1) = -t20;
-    S_u(2, 2) = t24;
-    S_u(2, 3) = t16;
-    S_u(2, 4) = t20;
-    S_u(2, 5) = t28;
-    S_u(3, 0) = -t17;
-    S_u(3, 1) = -t21;
-    S_u(3, 2) = t25;
-    S_u(3, 3) = t17;
-    S_u(3, 4) = t21;
-    S_u(3, 5) = t29;
+    S_u(0, 0) = CD_per_x_B;
+    S_u(0, 1) = CD_per_y_B;
+    S_u(0, 2) = CD_per_phi_B;
+    S_u(0, 3) = -CD_per_x_B;
+    S_u(0, 4) = -CD_per_y_B;
+    S_u(0, 5) = CD_per_phi_E;
+    S_u(1, 0) = GF_per_x_B;
+    S_u(1, 1) = GF_per_y_B;
+    S_u(1, 2) = GF_per_phi_B;
+    S_u(1, 3) = -GF_per_x_B;
+    S_u(1, 4) = -GF_per_y_B;
+    S_u(1, 5) = GF_per_phi_E;
+    S_u(2, 0) = s_B_per_x_B;
+    S_u(2, 1) = s_B_per_y_B;
+    S_u(2, 2) = s_B_per_phi_B;
+    S_u(2, 3) = -s_B_per_x_B;
+    S_u(2, 4) = -s_B_per_y_B;
+    S_u(2, 5) = s_B_per_phi_E;
+    S_u(3, 0) = s_E_per_x_B;
+    S_u(3, 1) = s_E_per_y_B;
+    S_u(3, 2) = s_E_per_phi_B;
+    S_u(3, 3) = -s_E_per_x_B;
+    S_u(3, 4) = -s_E_per_y_B;
+    S_u(3, 5) = s_E_per_phi_E;
     q_rate(0) = omega_CD;
     q_rate(1) = omega_GF;
     q_rate(2) = v_s_B;
     q_rate(3) = v_s_E;
-    q_second_rate(0) = CD_per_x_B * t38 + CD_per_y_B * t39 + CD_per_phi_B * alpha_B
+    q_second_rate(0) = CD_per_x_B * t22 + CD_per_y_B * t23 + CD_per_phi_B * alpha_B
         + CD_per_phi_E * alpha_E + inverse_CD * centripetal_across_CD
         + CD_per_along_CD * centripetal_along_CD + CD_per_along_GF * centripetal_along_GF;
-    q_second_rate(1) = GF_per_x_B * t38 + GF_per_y_B * t39 + GF_per_phi_B * alpha_B
+    q_second_rate(1) = GF_per_x_B * t22 + GF_per_y_B * t23 + GF_per_phi_B * alpha_B
         + GF_per_phi_E * alpha_E + inverse_GF * centripetal_across_GF
         + GF_per_along_CD * centripetal_along_CD + GF_per_along_GF * centripetal_along_GF;
-    q_second_rate(2) = s_B_per_x_B * t38 + s_B_per_y_B * t39 + s_B_per_phi_B * alpha_B
+    q_second_rate(2) = s_B_per_x_B * t22 + s_B_per_y_B * t23 + s_B_per_phi_B * alpha_B
         + s_B_per_phi_E * alpha_E + s_B_per_along_CD * centripetal_along_CD
         + s_B_per_along_GF * centripetal_along_GF;
-    q_second_rate(3) = s_E_per_x_B * t38 + s_E_per_y_B * t39 + s_E_per_phi_B * alpha_B
+    q_second_rate(3) = s_E_per_x_B * t22 + s_E_per_y_B * t23 + s_E_per_phi_B * alpha_B
         + s_E_per_phi_E * alpha_E + s_E_per_along_CD * centripetal_along_CD
         + s_E_per_along_GF * centripetal_along_GF;
   }
@@ -1581,43 +1577,41 @@ struct Model11 {
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = u.phi_B.cos * u.phi_E.sin - u.phi_B.sin * u.phi_E.cos;
-    const Scalar t02 = u.phi_E.cos * EB_x + u.phi_E.sin * EB_y;
-    const Scalar b_0_re = Scalar(2) * (t01 * d.h_B_BCG - t02);
-    const Scalar t03 = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
-    const Scalar b_1_re = -Scalar(2) * t03;
-    const Scalar t04 = u.phi_E.cos * EB_y - u.phi_E.sin * EB_x;
-    const Scalar t05 = d.h_E_EDF + Scalar(2) * t04;
-    const Scalar t06 = EB_x * EB_x + EB_y * EB_y;
-    const Scalar c_0_re = d.h_B_BCG * (d.h_B_BCG + Scalar(2) * u.phi_B.sin * EB_x
-        - Scalar(2) * t03 * d.h_E_EDF - Scalar(2) * u.phi_B.cos * EB_y) + d.h_E_EDF * t05 + t06
+    const Scalar t01 = EB_x * u.phi_E.cos + EB_y * u.phi_E.sin;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar b_0_re = -Scalar(2) * (t01 + d.h_B_BCG * sin_phi_B_minus_phi_E);
+    const Scalar t02 = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
+    const Scalar b_1_re = -Scalar(2) * t02;
+    const Scalar t03 = EB_y * u.phi_E.cos - EB_x * u.phi_E.sin;
+    const Scalar t04 = d.h_E_EDF + Scalar(2) * t03;
+    const Scalar t05 = EB_x * EB_x + EB_y * EB_y;
+    const Scalar c_0_re = d.h_B_BCG * (d.h_B_BCG + Scalar(2) * EB_x * u.phi_B.sin
+        - Scalar(2) * d.h_E_EDF * t02 - Scalar(2) * EB_y * u.phi_B.cos) + d.h_E_EDF * t04 + t05
         - d.CD * d.CD;
-    const Scalar c_1_re = -Scalar(2) * (t01 * d.h_E_EDF - u.phi_B.cos * EB_x - u.phi_B.sin * EB_y);
-    const Scalar t07 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar e_0_re = -Scalar(2) * (u.phi_E.cos * (EB_x + u.phi_B.sin * t07
-        + u.phi_B.cos * d.x_G_BCG) + u.phi_E.sin * (EB_y + u.phi_B.sin * d.x_G_BCG
-        - u.phi_B.cos * t07) - d.x_F_EDF);
-    const Scalar t08 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar t09 = d.h_B_BCG * t08 + d.x_G_BCG * d.x_F_EDF - d.y_G_BCG * t08;
-    const Scalar t10 = d.x_G_BCG * t08 - t07 * d.x_F_EDF;
+    const Scalar c_1_re = Scalar(2) * (EB_x * u.phi_B.cos + EB_y * u.phi_B.sin
+        + d.h_E_EDF * sin_phi_B_minus_phi_E);
+    const Scalar t06 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar e_0_re = -Scalar(2) * ((EB_x + t06 * u.phi_B.sin
+        + d.x_G_BCG * u.phi_B.cos) * u.phi_E.cos + (EB_y + d.x_G_BCG * u.phi_B.sin
+        - t06 * u.phi_B.cos) * u.phi_E.sin - d.x_F_EDF);
+    const Scalar t07 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t08 = d.h_B_BCG * t07 + d.x_G_BCG * d.x_F_EDF - d.y_G_BCG * t07;
+    const Scalar t09 = d.x_G_BCG * t07 - t06 * d.x_F_EDF;
     const Scalar f_0_re = d.h_B_BCG * (d.h_B_BCG - Scalar(2) * d.y_G_BCG) + d.x_G_BCG * d.x_G_BCG
-        + d.y_G_BCG * d.y_G_BCG + d.y_F_EDF * (d.y_F_EDF - Scalar(2) * t04) + t06
-        - Scalar(2) * u.phi_B.cos * (u.phi_E.cos * t09 + u.phi_E.sin * t10 + EB_y * t07
-        - EB_x * d.x_G_BCG) - Scalar(2) * u.phi_B.sin * (u.phi_E.sin * t09 - u.phi_E.cos * t10
-        - EB_x * t07 - EB_y * d.x_G_BCG) - d.GF * d.GF - d.x_F_EDF * (Scalar(2) * t02 - d.x_F_EDF)
-        - d.h_E_EDF * (Scalar(2) * d.y_F_EDF - t05);
-    const Scalar f_1_re = Scalar(2) * (d.x_G_BCG + u.phi_B.cos * (EB_x - u.phi_E.sin * t08
-        - u.phi_E.cos * d.x_F_EDF) + u.phi_B.sin * (EB_y + u.phi_E.cos * t08
-        - u.phi_E.sin * d.x_F_EDF));
-    const Scalar t11 = c_0_re - f_0_re;
-    const Scalar M_0_re = -t11;
-    const Scalar t12 = c_1_re - f_1_re;
-    const Scalar M_1_re = -t12;
-    const Scalar t13 = b_0_re - e_0_re;
-    const Scalar N_0_re = -t13;
+        + d.y_G_BCG * d.y_G_BCG + d.y_F_EDF * (d.y_F_EDF - Scalar(2) * t03) + t05
+        - Scalar(2) * (t08 * u.phi_E.cos + t09 * u.phi_E.sin + EB_y * t06
+        - EB_x * d.x_G_BCG) * u.phi_B.cos - Scalar(2) * (t08 * u.phi_E.sin - t09 * u.phi_E.cos
+        - EB_x * t06 - EB_y * d.x_G_BCG) * u.phi_B.sin - d.GF * d.GF - d.x_F_EDF * (Scalar(2) * t01
+        - d.x_F_EDF) - d.h_E_EDF * (Scalar(2) * d.y_F_EDF - t04);
+    const Scalar f_1_re = Scalar(2) * (d.x_G_BCG + (EB_x - t07 * u.phi_E.sin
+        - d.x_F_EDF * u.phi_E.cos) * u.phi_B.cos + (EB_y + t07 * u.phi_E.cos
+        - d.x_F_EDF * u.phi_E.sin) * u.phi_B.sin);
+    const Scalar M_0_re = f_0_re - c_0_re;
+    const Scalar M_1_re = f_1_re - c_1_re;
+    const Scalar N_0_re = e_0_re - b_0_re;
     const Scalar O_0_re = f_0_re * b_0_re - c_0_re * e_0_re;
-    const Scalar O_1_re = f_1_re * b_0_re - t11 * b_1_re - c_1_re * e_0_re;
-    const Scalar O_2_re = t13 - t12 * b_1_re;
+    const Scalar O_1_re = f_1_re * b_0_re + M_0_re * b_1_re - c_1_re * e_0_re;
+    const Scalar O_2_re = M_1_re * b_1_re - N_0_re;
     T(0) = M_0_re * M_0_re - N_0_re * O_0_re;
     T(1) = Scalar(2) * M_0_re * M_1_re - N_0_re * O_1_re;
     T(2) = M_1_re * M_1_re - N_0_re * O_2_re;
@@ -1631,31 +1625,31 @@ struct Model11 {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
     const Scalar t01 = q.s_B * u.phi_B.cos + d.h_B_BCG * u.phi_B.sin + EB_x;
-    const Scalar t02 = q.s_B * u.phi_B.sin + EB_y - u.phi_B.cos * d.h_B_BCG;
+    const Scalar t02 = q.s_B * u.phi_B.sin + EB_y - d.h_B_BCG * u.phi_B.cos;
     const Scalar t03 = EB_x * EB_x + EB_y * EB_y;
     const Scalar t04 = q.s_B + d.x_G_BCG;
     const Scalar t05 = d.h_B_BCG - d.y_G_BCG;
     const Scalar t06 = d.h_E_EDF - d.y_F_EDF;
     const Scalar t07 = d.h_B_BCG * t06 + t04 * d.x_F_EDF - d.y_G_BCG * t06;
     const Scalar t08 = q.s_B * t06 + d.x_G_BCG * t06 - t05 * d.x_F_EDF;
-    const Scalar t09 = u.phi_E.cos * EB_y - EB_x * u.phi_E.sin;
+    const Scalar t09 = EB_y * u.phi_E.cos - EB_x * u.phi_E.sin;
     e(0, 0) = Scalar(1);
     e(0, 1) = -Scalar(2) * (t01 * u.phi_E.cos + t02 * u.phi_E.sin);
-    e(0, 2) = d.h_E_EDF * (Scalar(2) * u.phi_E.cos * t02 + d.h_E_EDF
-        - Scalar(2) * t01 * u.phi_E.sin) + q.s_B * (q.s_B + Scalar(2) * u.phi_B.cos * EB_x
-        + Scalar(2) * u.phi_B.sin * EB_y) + d.h_B_BCG * (d.h_B_BCG + Scalar(2) * u.phi_B.sin * EB_x
-        - Scalar(2) * u.phi_B.cos * EB_y) + t03 - d.CD * d.CD;
+    e(0, 2) = d.h_E_EDF * (Scalar(2) * t02 * u.phi_E.cos + d.h_E_EDF
+        - Scalar(2) * t01 * u.phi_E.sin) + q.s_B * (q.s_B + Scalar(2) * EB_x * u.phi_B.cos
+        + Scalar(2) * EB_y * u.phi_B.sin) + d.h_B_BCG * (d.h_B_BCG + Scalar(2) * EB_x * u.phi_B.sin
+        - Scalar(2) * EB_y * u.phi_B.cos) + t03 - d.CD * d.CD;
     e(1, 0) = Scalar(1);
-    e(1, 1) = -Scalar(2) * (u.phi_E.cos * (EB_x + u.phi_B.cos * t04 + u.phi_B.sin * t05)
-        + u.phi_E.sin * (EB_y + u.phi_B.sin * t04 - u.phi_B.cos * t05) - d.x_F_EDF);
-    e(1, 2) = Scalar(2) * u.phi_B.sin * (u.phi_E.cos * t08 + EB_x * t05 + EB_y * t04
-        - u.phi_E.sin * t07) + d.x_F_EDF * (d.x_F_EDF - Scalar(2) * EB_x * u.phi_E.cos
+    e(1, 1) = -Scalar(2) * ((EB_x + t04 * u.phi_B.cos + t05 * u.phi_B.sin) * u.phi_E.cos + (EB_y
+        + t04 * u.phi_B.sin - t05 * u.phi_B.cos) * u.phi_E.sin - d.x_F_EDF);
+    e(1, 2) = Scalar(2) * (t08 * u.phi_E.cos + EB_x * t05 + EB_y * t04
+        - t07 * u.phi_E.sin) * u.phi_B.sin + d.x_F_EDF * (d.x_F_EDF - Scalar(2) * EB_x * u.phi_E.cos
         - Scalar(2) * EB_y * u.phi_E.sin) + q.s_B * (q.s_B + Scalar(2) * d.x_G_BCG)
         + d.h_B_BCG * (d.h_B_BCG - Scalar(2) * d.y_G_BCG) + d.x_G_BCG * d.x_G_BCG
         + d.y_G_BCG * d.y_G_BCG + t03 + d.h_E_EDF * (d.h_E_EDF + Scalar(2) * t09
         - Scalar(2) * d.y_F_EDF) + d.y_F_EDF * (d.y_F_EDF - Scalar(2) * t09)
-        - Scalar(2) * u.phi_B.cos * (u.phi_E.cos * t07 + u.phi_E.sin * t08 + EB_y * t05
-        - EB_x * t04) - d.GF * d.GF;
+        - Scalar(2) * (t07 * u.phi_E.cos + t08 * u.phi_E.sin + EB_y * t05
+        - EB_x * t04) * u.phi_B.cos - d.GF * d.GF;
   }
 
   /// The other unknowns of a configuration in which those of the reduced
@@ -1675,12 +1669,12 @@ struct Model11 {
     const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
     q.theta_CD.cos = -(q.s_B * u.phi_B.cos + d.h_B_BCG * u.phi_B.sin + EB_x - q.s_E * u.phi_E.cos
         - d.h_E_EDF * u.phi_E.sin) * inverse_theta_CD;
-    q.theta_CD.sin = -inverse_theta_CD * (q.s_B * u.phi_B.sin + u.phi_E.cos * d.h_E_EDF + EB_y
-        - q.s_E * u.phi_E.sin - u.phi_B.cos * d.h_B_BCG);
-    q.theta_GF.cos = -(EB_x + u.phi_B.cos * t01 + u.phi_B.sin * t02 - u.phi_E.cos * t03
-        - u.phi_E.sin * t04) * inverse_theta_GF;
-    q.theta_GF.sin = -inverse_theta_GF * (EB_y + u.phi_B.sin * t01 + u.phi_E.cos * t04
-        - u.phi_B.cos * t02 - u.phi_E.sin * t03);
+    q.theta_CD.sin = -inverse_theta_CD * (q.s_B * u.phi_B.sin + d.h_E_EDF * u.phi_E.cos + EB_y
+        - q.s_E * u.phi_E.sin - d.h_B_BCG * u.phi_B.cos);
+    q.theta_GF.cos = -(EB_x + t01 * u.phi_B.cos + t02 * u.phi_B.sin - t03 * u.phi_E.cos
+        - t04 * u.phi_E.sin) * inverse_theta_GF;
+    q.theta_GF.sin = -inverse_theta_GF * (EB_y + t01 * u.phi_B.sin + t04 * u.phi_E.cos
+        - t02 * u.phi_B.cos - t03 * u.phi_E.sin);
   }
 };
 

@@ -39,19 +39,19 @@ namespace assur::tetrad {
 ///   velocity_rhs:                 18, 18, 0
 ///   acceleration_rhs:             52, 36, 0
 ///   jerk_rhs:                     98, 56, 0
-///   curvature_rhs:                97, 56, 0
+///   curvature_rhs:                99, 54, 0
 ///   link_poses:                   14, 14, 0
 ///   pose_jacobians:               14, 14, 0
 ///   link_velocities:              22, 20, 0
 ///   link_accelerations:           40, 30, 0
-///   pose_curvatures:              61, 40, 0
+///   pose_curvatures:              63, 38, 0
 ///   degeneracies:                 18, 18, 0
 ///   inverse_jacobian:             59, 19, 1
 ///   sensitivities:                101, 50, 1
 ///   velocity:                     58, 34, 1
 ///   motion:                       99, 64, 1
 ///   sensitivities_and_motion:     158, 90, 1
-///   position_polynomial:          63, 39, 0
+///   position_polynomial:          66, 39, 0
 ///   second_equations:             39, 28, 0
 ///   complete:                     22, 19, 1
 struct Model13 {
@@ -189,34 +189,30 @@ struct Model13 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t05 = slide_B_x + u.x_B - u.x_E;
-    const Scalar t06 = slide_B_y + u.y_B - u.y_E;
-    f(0) = BC_x + slide_C_x + CD_x + t05 - ED_x;
-    f(1) = BC_y + slide_C_y + CD_y + t06 - ED_y;
-    f(2) = BG_x + GF_x + t05 - EF_x;
-    f(3) = BG_y + GF_y + t06 - EF_y;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
+    const Scalar t01 = slide_B_x + u.x_B - u.x_E;
+    const Scalar t02 = slide_B_y + u.y_B - u.y_E;
+    f(0) = BC_x + slide_C_x + CD_x + t01 - ED_x;
+    f(1) = BC_y + slide_C_y + CD_y + t02 - ED_y;
+    f(2) = BG_x + GF_x + t01 - EF_x;
+    f(3) = BG_y + GF_y + t02 - EF_y;
   }
 
   /// J = df/dq.
@@ -226,12 +222,12 @@ struct Model13 {
     J.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     J(0, 0) = ED_y;
     J(0, 2) = u.phi_B.cos;
     J(0, 3) = cos_CD;
@@ -251,21 +247,19 @@ struct Model13 {
   static void dimension_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     F_d(0, 0) = u.phi_B.sin;
-    F_d(0, 1) = -t01 * d.h_C_BCG - slide_C_y - CD_y;
+    F_d(0, 1) = -slide_C_y - CD_y - d.h_C_BCG * cos_CD;
     F_d(0, 2) = -sin_CD;
     F_d(0, 3) = -q.theta_EDF.cos;
     F_d(0, 6) = sin_CD;
     F_d(1, 0) = -u.phi_B.cos;
-    F_d(1, 1) = slide_C_x + CD_x - t02 * d.h_C_BCG;
+    F_d(1, 1) = slide_C_x + CD_x - d.h_C_BCG * sin_CD;
     F_d(1, 2) = cos_CD;
     F_d(1, 3) = -q.theta_EDF.sin;
     F_d(1, 6) = -cos_CD;
@@ -284,22 +278,18 @@ struct Model13 {
   static void input_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     F_u(0, 0) = Scalar(1);
     F_u(0, 2) = -slide_B_y - BC_y - slide_C_y - CD_y;
     F_u(0, 3) = -Scalar(1);
@@ -324,28 +314,24 @@ struct Model13 {
     const Scalar omega_B = u_rate(2);
     const Scalar v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar t05 = v_x_B - v_x_E;
-    const Scalar t06 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + BC_y + slide_C_y + CD_y) * omega_B - t05;
-    rhs(1) = -omega_B * (slide_B_x + BC_x + slide_C_x + CD_x) - t06;
-    rhs(2) = omega_B * (slide_B_y + BG_y) - t05;
-    rhs(3) = -t06 - omega_B * (slide_B_x + BG_x);
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    rhs(0) = (slide_B_y + BC_y + slide_C_y + CD_y) * omega_B - t01;
+    rhs(1) = -(slide_B_x + BC_x + slide_C_x + CD_x) * omega_B - t02;
+    rhs(2) = (slide_B_y + BG_y) * omega_B - t01;
+    rhs(3) = -t02 - (slide_B_x + BG_x) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -365,46 +351,42 @@ struct Model13 {
     const Scalar alpha_B = u_second_rate(2);
     const Scalar a_x_E = u_second_rate(3);
     const Scalar a_y_E = u_second_rate(4);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t05 = slide_B_x + BC_x + slide_C_x + CD_x;
-    const Scalar t06 = u.phi_B.sin * v_s_B;
-    const Scalar t07 = slide_B_y + BC_y + slide_C_y + CD_y;
-    const Scalar t08 = omega_EDF * omega_EDF;
-    const Scalar t09 = a_x_B - a_x_E;
-    const Scalar t10 = u.phi_B.cos * v_s_B;
-    const Scalar t11 = a_y_B - a_y_E;
-    const Scalar t12 = slide_B_x + BG_x;
-    const Scalar t13 = slide_B_y + BG_y;
-    const Scalar t14 = omega_GF * omega_GF;
-    rhs(0) = omega_B * (t05 * omega_B + Scalar(2) * t06 + Scalar(2) * sin_CD * v_s_C)
-        + t07 * alpha_B - ED_x * t08 - t09;
-    rhs(1) = omega_B * (omega_B * t07 - Scalar(2) * t10 - Scalar(2) * cos_CD * v_s_C)
-        - t05 * alpha_B - ED_y * t08 - t11;
-    rhs(2) = omega_B * (Scalar(2) * t06 + omega_B * t12) + alpha_B * t13 + GF_x * t14 - EF_x * t08
-        - t09;
-    rhs(3) = GF_y * t14 - omega_B * (Scalar(2) * t10 - omega_B * t13) - alpha_B * t12 - EF_y * t08
-        - t11;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
+    const Scalar t01 = slide_B_x + BC_x + slide_C_x + CD_x;
+    const Scalar t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y + BC_y + slide_C_y + CD_y;
+    const Scalar t04 = omega_EDF * omega_EDF;
+    const Scalar t05 = a_x_B - a_x_E;
+    const Scalar t06 = u.phi_B.cos * v_s_B;
+    const Scalar t07 = a_y_B - a_y_E;
+    const Scalar t08 = slide_B_x + BG_x;
+    const Scalar t09 = slide_B_y + BG_y;
+    const Scalar t10 = omega_GF * omega_GF;
+    rhs(0) = omega_B * (t01 * omega_B + Scalar(2) * t02 + Scalar(2) * sin_CD * v_s_C)
+        + t03 * alpha_B - ED_x * t04 - t05;
+    rhs(1) = omega_B * (t03 * omega_B - Scalar(2) * t06 - Scalar(2) * cos_CD * v_s_C)
+        - t01 * alpha_B - ED_y * t04 - t07;
+    rhs(2) = omega_B * (Scalar(2) * t02 + t08 * omega_B) + t09 * alpha_B + GF_x * t10 - EF_x * t04
+        - t05;
+    rhs(3) = GF_y * t10 - omega_B * (Scalar(2) * t06 - t09 * omega_B) - t08 * alpha_B - EF_y * t04
+        - t07;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -430,56 +412,52 @@ struct Model13 {
     const Scalar jerk_B = u_third_rate(2);
     const Scalar j_x_E = u_third_rate(3);
     const Scalar j_y_E = u_third_rate(4);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t05 = slide_B_y + BC_y + slide_C_y + CD_y;
-    const Scalar t06 = u.phi_B.sin * v_s_B;
-    const Scalar t07 = t06 + sin_CD * v_s_C;
-    const Scalar t08 = j_x_B - j_x_E;
-    const Scalar t09 = omega_EDF * omega_EDF;
-    const Scalar t10 = slide_B_x + BC_x + slide_C_x + CD_x;
-    const Scalar t11 = u.phi_B.sin * a_s_B;
-    const Scalar t12 = u.phi_B.cos * v_s_B;
-    const Scalar t13 = t12 + cos_CD * v_s_C;
-    const Scalar t14 = j_y_B - j_y_E;
-    const Scalar t15 = u.phi_B.cos * a_s_B;
-    const Scalar t16 = slide_B_y + BG_y;
-    const Scalar t17 = slide_B_x + BG_x;
-    const Scalar t18 = omega_GF * omega_GF;
-    rhs(0) = t05 * jerk_B + Scalar(3) * alpha_B * t07 + omega_B * (Scalar(3) * t10 * alpha_B
-        + Scalar(3) * t11 + Scalar(3) * sin_CD * a_s_C - omega_B * (t05 * omega_B
-        - Scalar(3) * t13)) - t08 - omega_EDF * (Scalar(3) * alpha_EDF * ED_x - ED_y * t09);
-    rhs(1) = omega_B * (Scalar(3) * t05 * alpha_B + omega_B * (Scalar(3) * t07 + omega_B * t10)
-        - Scalar(3) * t15 - Scalar(3) * cos_CD * a_s_C) - t10 * jerk_B - Scalar(3) * t13 * alpha_B
-        - t14 - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t09);
-    rhs(2) = omega_B * (Scalar(3) * t11 + omega_B * (Scalar(3) * t12 - omega_B * t16)
-        + Scalar(3) * alpha_B * t17) + jerk_B * t16 + Scalar(3) * alpha_B * t06
-        + omega_GF * (Scalar(3) * alpha_GF * GF_x - GF_y * t18) - t08
-        - omega_EDF * (Scalar(3) * alpha_EDF * EF_x - EF_y * t09);
-    rhs(3) = omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t18) - t14
-        - omega_B * (Scalar(3) * t15 - omega_B * (Scalar(3) * t06 + omega_B * t17)
-        - Scalar(3) * alpha_B * t16) - jerk_B * t17 - omega_EDF * (Scalar(3) * alpha_EDF * EF_y
-        + EF_x * t09) - Scalar(3) * t12 * alpha_B;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
+    const Scalar t01 = slide_B_y + BC_y + slide_C_y + CD_y;
+    const Scalar t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = t02 + sin_CD * v_s_C;
+    const Scalar t04 = j_x_B - j_x_E;
+    const Scalar t05 = omega_EDF * omega_EDF;
+    const Scalar t06 = slide_B_x + BC_x + slide_C_x + CD_x;
+    const Scalar t07 = u.phi_B.sin * a_s_B;
+    const Scalar t08 = u.phi_B.cos * v_s_B;
+    const Scalar t09 = t08 + cos_CD * v_s_C;
+    const Scalar t10 = j_y_B - j_y_E;
+    const Scalar t11 = u.phi_B.cos * a_s_B;
+    const Scalar t12 = slide_B_y + BG_y;
+    const Scalar t13 = slide_B_x + BG_x;
+    const Scalar t14 = omega_GF * omega_GF;
+    rhs(0) = t01 * jerk_B + Scalar(3) * alpha_B * t03 + omega_B * (Scalar(3) * t06 * alpha_B
+        + Scalar(3) * t07 + Scalar(3) * sin_CD * a_s_C - omega_B * (t01 * omega_B
+        - Scalar(3) * t09)) - t04 - omega_EDF * (Scalar(3) * ED_x * alpha_EDF - ED_y * t05);
+    rhs(1) = omega_B * (Scalar(3) * t01 * alpha_B + omega_B * (Scalar(3) * t03 + t06 * omega_B)
+        - Scalar(3) * t11 - Scalar(3) * cos_CD * a_s_C) - t06 * jerk_B - Scalar(3) * t09 * alpha_B
+        - t10 - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t05);
+    rhs(2) = omega_B * (Scalar(3) * t07 + omega_B * (Scalar(3) * t08 - t12 * omega_B)
+        + Scalar(3) * t13 * alpha_B) + t12 * jerk_B + Scalar(3) * alpha_B * t02
+        + omega_GF * (Scalar(3) * GF_x * alpha_GF - GF_y * t14) - t04
+        - omega_EDF * (Scalar(3) * EF_x * alpha_EDF - EF_y * t05);
+    rhs(3) = omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t14) - t10
+        - omega_B * (Scalar(3) * t11 - omega_B * (Scalar(3) * t02 + t13 * omega_B)
+        - Scalar(3) * t12 * alpha_B) - t13 * jerk_B - omega_EDF * (Scalar(3) * EF_y * alpha_EDF
+        + EF_x * t05) - Scalar(3) * t08 * alpha_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -504,96 +482,88 @@ struct Model13 {
     const Scalar omega_B = u_rate(2);
     const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
     const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar t03 = t01 - t02;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = d.psi_C_BCG.cos * u.phi_B.sin;
-    const Scalar t05 = u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t06 = t04 + t05;
-    const Scalar sin_CD = t06;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t07 - t06 * d.h_C_BCG;
-    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar cos_CD = t01 - t02;
+    const Scalar t03 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar sin_CD = t03 + t04;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = t07;
-    const Scalar BG_y = -t08;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t09 = slide_C_x + CD_x;
-    const Scalar t10 = sin_CD * v_s_C;
-    const Scalar t11 = omega_C_BCG + Scalar(2) * omega_B;
-    const Scalar t12 = v_h_C_BCG - v_h_C_CD;
-    const Scalar t13 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
-    const Scalar t14 = slide_C_y + CD_y;
-    const Scalar t15 = cos_CD * v_s_C;
-    const Scalar t16 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
-    rhs(0) = omega_C_BCG * (omega_C_BCG * t09 + Scalar(2) * omega_B * t09 + Scalar(2) * t10
-        + v_h_C_BCG * (t03 + cos_CD) - Scalar(2) * cos_CD * v_h_C_CD - d.h_C_BCG * (t04 * t11
-        + t05 * t11)) + omega_B * (Scalar(2) * t10 + Scalar(2) * cos_CD * t12 + omega_B * (t09
-        + slide_B_x + BC_x) - Scalar(2) * t13) - omega_EDF * (Scalar(2) * q.theta_EDF.sin * v_ED
-        + omega_EDF * ED_x);
-    rhs(1) = omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_ED - omega_EDF * ED_y)
-        + omega_C_BCG * (omega_C_BCG * t14 + Scalar(2) * omega_B * t14 + d.h_C_BCG * (t01 * t11
-        - t02 * t11) + v_h_C_BCG * (t06 + sin_CD) - Scalar(2) * t15 - Scalar(2) * sin_CD * v_h_C_CD)
-        - omega_B * (Scalar(2) * t15 + Scalar(2) * t16 - Scalar(2) * sin_CD * t12 - omega_B * (t14
-        + slide_B_y + BC_y));
-    rhs(2) = omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + omega_GF * GF_x)
-        + omega_B * (omega_B * (slide_B_x + BG_x) - Scalar(2) * t13)
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
+    const Scalar t05 = sin_CD * v_s_C;
+    const Scalar t06 = v_h_C_BCG - v_h_C_CD;
+    const Scalar t07 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t08 = slide_C_x + CD_x;
+    const Scalar t09 = omega_C_BCG + Scalar(2) * omega_B;
+    const Scalar t10 = cos_CD * v_s_C;
+    const Scalar t11 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t12 = slide_C_y + CD_y;
+    rhs(0) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_CD * t06 + (t08 + slide_B_x
+        + BC_x) * omega_B - Scalar(2) * t07) + omega_C_BCG * (t08 * omega_C_BCG
+        + Scalar(2) * t08 * omega_B + Scalar(2) * t05 + Scalar(2) * cos_CD * v_h_C_BCG
+        - Scalar(2) * cos_CD * v_h_C_CD - d.h_C_BCG * (t03 * t09 + t04 * t09))
+        - omega_EDF * (Scalar(2) * q.theta_EDF.sin * v_ED + ED_x * omega_EDF);
+    rhs(1) = omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_ED - ED_y * omega_EDF)
+        + omega_C_BCG * (t12 * omega_C_BCG + Scalar(2) * t12 * omega_B + d.h_C_BCG * (t01 * t09
+        - t02 * t09) + Scalar(2) * sin_CD * v_h_C_BCG - Scalar(2) * t10
+        - Scalar(2) * sin_CD * v_h_C_CD) - omega_B * (Scalar(2) * t10 + Scalar(2) * t11
+        - Scalar(2) * sin_CD * t06 - (t12 + slide_B_y + BC_y) * omega_B);
+    rhs(2) = omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + GF_x * omega_GF)
+        + omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t07)
         - omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_y_F_EDF
-        + Scalar(2) * q.theta_EDF.sin * v_x_F_EDF + omega_EDF * EF_x);
+        + Scalar(2) * q.theta_EDF.sin * v_x_F_EDF + EF_x * omega_EDF);
     rhs(3) = omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_x_F_EDF
-        - Scalar(2) * q.theta_EDF.sin * v_y_F_EDF - omega_EDF * EF_y)
-        + omega_B * (omega_B * (slide_B_y + BG_y) - Scalar(2) * t16)
-        - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - omega_GF * GF_y);
+        - Scalar(2) * q.theta_EDF.sin * v_y_F_EDF - EF_y * omega_EDF) + omega_B * ((slide_B_y
+        + BG_y) * omega_B - Scalar(2) * t11) - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF
+        - GF_y * omega_GF);
   }
 
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar t05 = u.x_B + slide_B_x;
-    const Scalar t06 = BG_x + t05;
-    const Scalar t07 = u.y_B + slide_B_y;
-    const Scalar t08 = BG_y + t07;
-    poses[0].x = t06;
-    poses[0].y = t08;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar t01 = u.x_B + slide_B_x;
+    const Scalar t02 = BG_x + t01;
+    const Scalar t03 = u.y_B + slide_B_y;
+    const Scalar t04 = BG_y + t03;
+    poses[0].x = t02;
+    poses[0].y = t04;
     poses[0].direction.cos = u.phi_B.cos;
     poses[0].direction.sin = u.phi_B.sin;
     poses[1].x = u.x_E;
     poses[1].y = u.y_E;
     poses[1].direction.cos = q.theta_EDF.cos;
     poses[1].direction.sin = q.theta_EDF.sin;
-    poses[2].x = BC_x + slide_C_x + CD_x + t05;
-    poses[2].y = BC_y + slide_C_y + CD_y + t07;
+    poses[2].x = BC_x + slide_C_x + CD_x + t01;
+    poses[2].y = BC_y + slide_C_y + CD_y + t03;
     poses[2].direction.cos = cos_CD;
     poses[2].direction.sin = sin_CD;
-    poses[3].x = t06;
-    poses[3].y = t08;
+    poses[3].x = t02;
+    poses[3].y = t04;
     poses[3].direction.cos = q.theta_GF.cos;
     poses[3].direction.sin = q.theta_GF.sin;
   }
@@ -608,28 +578,24 @@ struct Model13 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t04 - t03;
-    const Scalar t05 = t01 * d.h_C_BCG;
-    const Scalar t06 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t05 - t06;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar t01 = d.h_C_BCG * sin_CD;
+    const Scalar BC_x = BG_x - t01;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t02 = d.h_C_BCG * cos_CD;
+    const Scalar BC_y = BG_y + t02;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar BG_x = t04;
-    const Scalar BG_y = -t06;
-    const Scalar t07 = slide_C_y + CD_y;
-    const Scalar t08 = slide_C_x + CD_x;
-    const Scalar t09 = slide_B_y + BG_y;
-    const Scalar t10 = slide_B_x + BG_x;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar t03 = slide_C_y + CD_y;
+    const Scalar t04 = slide_C_x + CD_x;
+    const Scalar t05 = slide_B_y + BG_y;
+    const Scalar t06 = slide_B_x + BG_x;
     P_q(0, 2) = u.phi_B.cos;
     P_q(1, 2) = u.phi_B.sin;
     P_q(5, 0) = Scalar(1);
@@ -643,32 +609,32 @@ struct Model13 {
     P_d(0, 0) = u.phi_B.sin;
     P_d(1, 0) = -u.phi_B.cos;
     P_d(6, 0) = u.phi_B.sin;
-    P_d(6, 1) = -t05 - t07;
+    P_d(6, 1) = -t03 - t02;
     P_d(6, 2) = -sin_CD;
     P_d(6, 6) = sin_CD;
     P_d(7, 0) = -u.phi_B.cos;
-    P_d(7, 1) = t08 - t03;
+    P_d(7, 1) = t04 - t01;
     P_d(7, 2) = cos_CD;
     P_d(7, 6) = -cos_CD;
     P_d(8, 1) = Scalar(1);
     P_d(9, 0) = u.phi_B.sin;
     P_d(10, 0) = -u.phi_B.cos;
     P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -t09;
+    P_u(0, 2) = -t05;
     P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = t10;
+    P_u(1, 2) = t06;
     P_u(2, 2) = Scalar(1);
     P_u(3, 3) = Scalar(1);
     P_u(4, 4) = Scalar(1);
     P_u(6, 0) = Scalar(1);
-    P_u(6, 2) = -t07 - slide_B_y - BC_y;
+    P_u(6, 2) = -t03 - slide_B_y - BC_y;
     P_u(7, 1) = Scalar(1);
-    P_u(7, 2) = t08 + slide_B_x + BC_x;
+    P_u(7, 2) = t04 + slide_B_x + BC_x;
     P_u(8, 2) = Scalar(1);
     P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -t09;
+    P_u(9, 2) = -t05;
     P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = t10;
+    P_u(10, 2) = t06;
   }
 
   /// Velocity (vx, vy, omega) of each link's frame, one row a link.
@@ -685,37 +651,33 @@ struct Model13 {
     const Scalar omega_B = u_rate(2);
     const Scalar v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar t05 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t06 = (slide_B_y + BG_y) * omega_B - t05;
-    const Scalar t07 = u.phi_B.sin * v_s_B + v_y_B;
-    const Scalar t08 = omega_B * (slide_B_x + BG_x) + t07;
-    v(0, 0) = -t06;
-    v(0, 1) = t08;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
+    const Scalar t02 = (slide_B_y + BG_y) * omega_B - t01;
+    const Scalar t03 = u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar t04 = (slide_B_x + BG_x) * omega_B + t03;
+    v(0, 0) = -t02;
+    v(0, 1) = t04;
     v(0, 2) = omega_B;
     v(1, 0) = v_x_E;
     v(1, 1) = v_y_E;
     v(1, 2) = omega_EDF;
-    v(2, 0) = t05 + cos_CD * v_s_C - omega_B * (slide_B_y + BC_y + slide_C_y + CD_y);
-    v(2, 1) = t07 + omega_B * (slide_B_x + BC_x + slide_C_x + CD_x) + sin_CD * v_s_C;
+    v(2, 0) = t01 + cos_CD * v_s_C - (slide_B_y + BC_y + slide_C_y + CD_y) * omega_B;
+    v(2, 1) = t03 + (slide_B_x + BC_x + slide_C_x + CD_x) * omega_B + sin_CD * v_s_C;
     v(2, 2) = omega_B;
-    v(3, 0) = -t06;
-    v(3, 1) = t08;
+    v(3, 0) = -t02;
+    v(3, 1) = t04;
     v(3, 2) = omega_GF;
   }
 
@@ -737,45 +699,41 @@ struct Model13 {
     const Scalar alpha_B = u_second_rate(2);
     const Scalar a_x_E = u_second_rate(3);
     const Scalar a_y_E = u_second_rate(4);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar t05 = slide_B_x + BG_x;
-    const Scalar t06 = u.phi_B.sin * v_s_B;
-    const Scalar t07 = slide_B_y + BG_y;
-    const Scalar t08 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t09 = omega_B * (t05 * omega_B + Scalar(2) * t06) + t07 * alpha_B - t08;
-    const Scalar t10 = u.phi_B.cos * v_s_B;
-    const Scalar t11 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t12 = omega_B * (omega_B * t07 - Scalar(2) * t10) - t05 * alpha_B - t11;
-    const Scalar t13 = slide_B_x + BC_x + slide_C_x + CD_x;
-    const Scalar t14 = slide_B_y + BC_y + slide_C_y + CD_y;
-    a(0, 0) = -t09;
-    a(0, 1) = -t12;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar t01 = slide_B_x + BG_x;
+    const Scalar t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y + BG_y;
+    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t05 = omega_B * (t01 * omega_B + Scalar(2) * t02) + t03 * alpha_B - t04;
+    const Scalar t06 = u.phi_B.cos * v_s_B;
+    const Scalar t07 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t08 = omega_B * (t03 * omega_B - Scalar(2) * t06) - t01 * alpha_B - t07;
+    const Scalar t09 = slide_B_x + BC_x + slide_C_x + CD_x;
+    const Scalar t10 = slide_B_y + BC_y + slide_C_y + CD_y;
+    a(0, 0) = -t05;
+    a(0, 1) = -t08;
     a(0, 2) = alpha_B;
     a(1, 0) = a_x_E;
     a(1, 1) = a_y_E;
     a(1, 2) = alpha_EDF;
-    a(2, 0) = t08 + cos_CD * a_s_C - omega_B * (Scalar(2) * t06 + omega_B * t13
-        + Scalar(2) * sin_CD * v_s_C) - alpha_B * t14;
-    a(2, 1) = t11 + omega_B * (Scalar(2) * t10 + Scalar(2) * cos_CD * v_s_C - omega_B * t14)
-        + alpha_B * t13 + sin_CD * a_s_C;
+    a(2, 0) = t04 + cos_CD * a_s_C - omega_B * (Scalar(2) * t02 + t09 * omega_B
+        + Scalar(2) * sin_CD * v_s_C) - t10 * alpha_B;
+    a(2, 1) = t07 + omega_B * (Scalar(2) * t06 + Scalar(2) * cos_CD * v_s_C - t10 * omega_B)
+        + t09 * alpha_B + sin_CD * a_s_C;
     a(2, 2) = alpha_B;
-    a(3, 0) = -t09;
-    a(3, 1) = -t12;
+    a(3, 0) = -t05;
+    a(3, 1) = -t08;
     a(3, 2) = alpha_GF;
   }
 
@@ -796,46 +754,42 @@ struct Model13 {
     p.setZero();
     const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
     const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar t03 = t01 - t02;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = d.psi_C_BCG.cos * u.phi_B.sin;
-    const Scalar t05 = u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t06 = t04 + t05;
-    const Scalar sin_CD = t06;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t07 - t06 * d.h_C_BCG;
-    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar cos_CD = t01 - t02;
+    const Scalar t03 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar sin_CD = t03 + t04;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar BG_x = t07;
-    const Scalar BG_y = -t08;
-    const Scalar t09 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
-    const Scalar t10 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t09);
-    const Scalar t11 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
-    const Scalar t12 = omega_B * (omega_B * (slide_B_y + BG_y) - Scalar(2) * t11);
-    const Scalar t13 = slide_C_x + CD_x;
-    const Scalar t14 = sin_CD * v_s_C;
-    const Scalar t15 = Scalar(2) * omega_B + omega_C_BCG;
-    const Scalar t16 = v_h_C_BCG - v_h_C_CD;
-    const Scalar t17 = slide_C_y + CD_y;
-    const Scalar t18 = cos_CD * v_s_C;
-    p(0, 0) = -t10;
-    p(0, 1) = -t12;
-    p(2, 0) = omega_B * (Scalar(2) * t09 - Scalar(2) * t14 - Scalar(2) * cos_CD * t16
-        - omega_B * (slide_B_x + t13 + BC_x)) - omega_C_BCG * (omega_C_BCG * t13
-        + Scalar(2) * omega_B * t13 + Scalar(2) * t14 + v_h_C_BCG * (t03 + cos_CD)
-        - Scalar(2) * cos_CD * v_h_C_CD - d.h_C_BCG * (t04 * t15 + t05 * t15));
-    p(2, 1) = omega_B * (Scalar(2) * t11 + Scalar(2) * t18 - Scalar(2) * sin_CD * t16
-        - omega_B * (slide_B_y + t17 + BC_y)) - omega_C_BCG * (omega_C_BCG * t17
-        + Scalar(2) * omega_B * t17 + d.h_C_BCG * (t01 * t15 - t02 * t15) + v_h_C_BCG * (t06
-        + sin_CD) - Scalar(2) * t18 - Scalar(2) * sin_CD * v_h_C_CD);
-    p(3, 0) = -t10;
-    p(3, 1) = -t12;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar t05 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t06 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t05);
+    const Scalar t07 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t08 = omega_B * ((slide_B_y + BG_y) * omega_B - Scalar(2) * t07);
+    const Scalar t09 = sin_CD * v_s_C;
+    const Scalar t10 = v_h_C_BCG - v_h_C_CD;
+    const Scalar t11 = slide_C_x + CD_x;
+    const Scalar t12 = Scalar(2) * omega_B + omega_C_BCG;
+    const Scalar t13 = cos_CD * v_s_C;
+    const Scalar t14 = slide_C_y + CD_y;
+    p(0, 0) = -t06;
+    p(0, 1) = -t08;
+    p(2, 0) = omega_B * (Scalar(2) * t05 - Scalar(2) * t09 - Scalar(2) * cos_CD * t10 - (slide_B_x
+        + t11 + BC_x) * omega_B) - omega_C_BCG * (t11 * omega_C_BCG + Scalar(2) * t11 * omega_B
+        + Scalar(2) * t09 + Scalar(2) * cos_CD * v_h_C_BCG - Scalar(2) * cos_CD * v_h_C_CD
+        - d.h_C_BCG * (t03 * t12 + t04 * t12));
+    p(2, 1) = omega_B * (Scalar(2) * t07 + Scalar(2) * t13 - Scalar(2) * sin_CD * t10 - (slide_B_y
+        + t14 + BC_y) * omega_B) - omega_C_BCG * (t14 * omega_C_BCG + Scalar(2) * t14 * omega_B
+        + d.h_C_BCG * (t01 * t12 - t02 * t12) + Scalar(2) * sin_CD * v_h_C_BCG - Scalar(2) * t13
+        - Scalar(2) * sin_CD * v_h_C_CD);
+    p(3, 0) = -t06;
+    p(3, 1) = -t08;
   }
 
   /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
@@ -857,8 +811,8 @@ struct Model13 {
         - q.theta_EDF.cos * q.theta_GF.sin;
     const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
-    const Scalar determinant = cos_phi_B_minus_GF * EDF_along_slide_C
-        - d.psi_C_BCG.sin * EDF_across_GF;
+    const Scalar determinant = EDF_along_slide_C * cos_phi_B_minus_GF
+        - EDF_across_GF * d.psi_C_BCG.sin;
     const Scalar t01 = abs(d.x_F_EDF) + abs(d.y_F_EDF);
     const Scalar t02 = abs(d.ED) + t01;
     const Scalar t03 = abs(q.s_B) + abs(d.h_B_BCG);
@@ -888,33 +842,33 @@ struct Model13 {
     const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
     const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
-    const Scalar determinant = cos_phi_B_minus_GF * EDF_along_slide_C
-        - d.psi_C_BCG.sin * EDF_across_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = EDF_along_slide_C * cos_phi_B_minus_GF
+        - EDF_across_GF * d.psi_C_BCG.sin;
     const Scalar pivot_product = d.GF * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
-    const Scalar EDF_per_across_slide_C = cos_phi_B_minus_GF * inverse_determinant;
+    const Scalar EDF_per_across_slide_C = inverse_determinant * cos_phi_B_minus_GF;
     const Scalar s_B_per_across_slide_C = EDF_across_GF * inverse_determinant;
     const Scalar s_C_per_across_slide_C = EDF_across_slide_C * EDF_per_across_slide_C
         - d.psi_C_BCG.cos * s_B_per_across_slide_C;
-    const Scalar GF_per_across_slide_C = -(s_B_per_across_slide_C * sin_phi_B_minus_GF
-        + EDF_per_across_slide_C * EDF_along_GF) * inverse_GF;
-    const Scalar EDF_per_along_GF = d.psi_C_BCG.sin * inverse_determinant;
+    const Scalar GF_per_across_slide_C = -inverse_GF * (s_B_per_across_slide_C * sin_phi_B_minus_GF
+        + EDF_per_across_slide_C * EDF_along_GF);
+    const Scalar EDF_per_along_GF = inverse_determinant * d.psi_C_BCG.sin;
     const Scalar s_B_per_along_GF = EDF_along_slide_C * inverse_determinant;
     const Scalar s_C_per_along_GF = EDF_across_slide_C * EDF_per_along_GF
         - d.psi_C_BCG.cos * s_B_per_along_GF;
     const Scalar GF_per_along_GF = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_GF
         + EDF_along_GF * EDF_per_along_GF);
-    J_inverse(0, 0) = -sin_CD * EDF_per_across_slide_C;
-    J_inverse(0, 1) = cos_CD * EDF_per_across_slide_C;
-    J_inverse(0, 2) = q.theta_GF.cos * EDF_per_along_GF;
-    J_inverse(0, 3) = q.theta_GF.sin * EDF_per_along_GF;
-    J_inverse(1, 0) = -sin_CD * GF_per_across_slide_C;
-    J_inverse(1, 1) = cos_CD * GF_per_across_slide_C;
-    J_inverse(1, 2) = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
-    J_inverse(1, 3) = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    J_inverse(0, 0) = -EDF_per_across_slide_C * sin_CD;
+    J_inverse(0, 1) = EDF_per_across_slide_C * cos_CD;
+    J_inverse(0, 2) = EDF_per_along_GF * q.theta_GF.cos;
+    J_inverse(0, 3) = EDF_per_along_GF * q.theta_GF.sin;
+    J_inverse(1, 0) = -GF_per_across_slide_C * sin_CD;
+    J_inverse(1, 1) = GF_per_across_slide_C * cos_CD;
+    J_inverse(1, 2) = GF_per_along_GF * q.theta_GF.cos - inverse_GF * q.theta_GF.sin;
+    J_inverse(1, 3) = inverse_GF * q.theta_GF.cos + GF_per_along_GF * q.theta_GF.sin;
     J_inverse(2, 0) = -sin_CD * s_B_per_across_slide_C;
     J_inverse(2, 1) = cos_CD * s_B_per_across_slide_C;
     J_inverse(2, 2) = q.theta_GF.cos * s_B_per_along_GF;
@@ -942,59 +896,61 @@ struct Model13 {
         + q.theta_EDF.sin * q.theta_GF.sin;
     const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
         - q.theta_EDF.cos * q.theta_GF.sin;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
-        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
+        - d.h_B_BCG * d.psi_C_BCG.sin;
     const Scalar t01 = d.h_C_BCG - d.h_C_CD;
-    const Scalar phi_B_across_slide_C = t01 - d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG;
+    const Scalar phi_B_across_slide_C = t01 - q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos;
     const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
     const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
     const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
-    const Scalar determinant = cos_phi_B_minus_GF * EDF_along_slide_C
-        - d.psi_C_BCG.sin * EDF_across_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = EDF_along_slide_C * cos_phi_B_minus_GF
+        - EDF_across_GF * d.psi_C_BCG.sin;
     const Scalar pivot_product = d.GF * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
-    const Scalar EDF_per_across_slide_C = cos_phi_B_minus_GF * inverse_determinant;
+    const Scalar EDF_per_across_slide_C = inverse_determinant * cos_phi_B_minus_GF;
     const Scalar s_B_per_across_slide_C = EDF_across_GF * inverse_determinant;
     const Scalar t02 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
     const Scalar s_C_per_across_slide_C = EDF_across_slide_C * EDF_per_across_slide_C - t02;
-    const Scalar GF_per_across_slide_C = -(sin_phi_B_minus_GF * s_B_per_across_slide_C
-        + EDF_per_across_slide_C * EDF_along_GF) * inverse_GF;
-    const Scalar EDF_per_along_GF = d.psi_C_BCG.sin * inverse_determinant;
+    const Scalar GF_per_across_slide_C = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_across_slide_C
+        + EDF_per_across_slide_C * EDF_along_GF);
+    const Scalar EDF_per_along_GF = inverse_determinant * d.psi_C_BCG.sin;
     const Scalar s_B_per_along_GF = EDF_along_slide_C * inverse_determinant;
     const Scalar s_C_per_along_GF = EDF_across_slide_C * EDF_per_along_GF
         - d.psi_C_BCG.cos * s_B_per_along_GF;
     const Scalar t03 = sin_phi_B_minus_GF * s_B_per_along_GF;
     const Scalar GF_per_along_GF = -inverse_GF * (t03 + EDF_along_GF * EDF_per_along_GF);
-    const Scalar t04 = q.theta_GF.cos * EDF_per_along_GF - sin_CD * EDF_per_across_slide_C;
-    const Scalar t05 = q.theta_GF.sin * EDF_per_along_GF + cos_CD * EDF_per_across_slide_C;
-    const Scalar t06 = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF
-        - sin_CD * GF_per_across_slide_C;
-    const Scalar t07 = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF
-        + cos_CD * GF_per_across_slide_C;
-    const Scalar t08 = q.theta_GF.cos * s_B_per_along_GF - sin_CD * s_B_per_across_slide_C;
-    const Scalar t09 = q.theta_GF.sin * s_B_per_along_GF + cos_CD * s_B_per_across_slide_C;
-    const Scalar t10 = cos_CD + q.theta_GF.cos * s_C_per_along_GF - sin_CD * s_C_per_across_slide_C;
-    const Scalar t11 = sin_CD + q.theta_GF.sin * s_C_per_along_GF + cos_CD * s_C_per_across_slide_C;
-    S_d(0, 0) = d.psi_C_BCG.cos * EDF_per_across_slide_C - sin_phi_B_minus_GF * EDF_per_along_GF;
+    const Scalar EDF_per_x_B = EDF_per_across_slide_C * sin_CD - EDF_per_along_GF * q.theta_GF.cos;
+    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin + GF_per_across_slide_C * sin_CD
+        - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C - q.theta_GF.cos * s_B_per_along_GF;
+    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C - cos_CD
+        - q.theta_GF.cos * s_C_per_along_GF;
+    const Scalar EDF_per_y_B = -EDF_per_along_GF * q.theta_GF.sin - EDF_per_across_slide_C * cos_CD;
+    const Scalar GF_per_y_B = -inverse_GF * q.theta_GF.cos - GF_per_along_GF * q.theta_GF.sin
+        - GF_per_across_slide_C * cos_CD;
+    const Scalar s_B_per_y_B = -q.theta_GF.sin * s_B_per_along_GF - cos_CD * s_B_per_across_slide_C;
+    const Scalar s_C_per_y_B = -sin_CD - q.theta_GF.sin * s_C_per_along_GF
+        - cos_CD * s_C_per_across_slide_C;
+    S_d(0, 0) = EDF_per_across_slide_C * d.psi_C_BCG.cos - EDF_per_along_GF * sin_phi_B_minus_GF;
     S_d(0, 1) = -q.s_C * EDF_per_across_slide_C;
     S_d(0, 2) = -EDF_per_across_slide_C;
-    S_d(0, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * EDF_per_across_slide_C;
-    S_d(0, 4) = cos_EDF_minus_GF * EDF_per_along_GF;
-    S_d(0, 5) = -sin_EDF_minus_GF * EDF_per_along_GF;
+    S_d(0, 3) = EDF_per_across_slide_C * sin_EDF_minus_phi_B_minus_psi_C_BCG;
+    S_d(0, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
+    S_d(0, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;
     S_d(0, 6) = EDF_per_across_slide_C;
     S_d(0, 7) = -EDF_per_along_GF;
-    S_d(1, 0) = d.psi_C_BCG.cos * GF_per_across_slide_C + cos_phi_B_minus_GF * inverse_GF
-        - sin_phi_B_minus_GF * GF_per_along_GF;
+    S_d(1, 0) = GF_per_across_slide_C * d.psi_C_BCG.cos + inverse_GF * cos_phi_B_minus_GF
+        - GF_per_along_GF * sin_phi_B_minus_GF;
     S_d(1, 1) = -q.s_C * GF_per_across_slide_C;
     S_d(1, 2) = -GF_per_across_slide_C;
-    S_d(1, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * GF_per_across_slide_C;
-    S_d(1, 4) = cos_EDF_minus_GF * GF_per_along_GF + sin_EDF_minus_GF * inverse_GF;
-    S_d(1, 5) = cos_EDF_minus_GF * inverse_GF - sin_EDF_minus_GF * GF_per_along_GF;
+    S_d(1, 3) = GF_per_across_slide_C * sin_EDF_minus_phi_B_minus_psi_C_BCG;
+    S_d(1, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
+    S_d(1, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
     S_d(1, 6) = GF_per_across_slide_C;
     S_d(1, 7) = -GF_per_along_GF;
     S_d(2, 0) = t02 - t03;
@@ -1015,28 +971,28 @@ struct Model13 {
     S_d(3, 5) = -sin_EDF_minus_GF * s_C_per_along_GF;
     S_d(3, 6) = s_C_per_across_slide_C;
     S_d(3, 7) = -s_C_per_along_GF;
-    S_u(0, 0) = -t04;
-    S_u(0, 1) = -t05;
+    S_u(0, 0) = EDF_per_x_B;
+    S_u(0, 1) = EDF_per_y_B;
     S_u(0, 2) = EDF_per_along_GF * phi_B_across_GF - EDF_per_across_slide_C * phi_B_along_slide_C;
-    S_u(0, 3) = t04;
-    S_u(0, 4) = t05;
-    S_u(1, 0) = -t06;
-    S_u(1, 1) = -t07;
+    S_u(0, 3) = -EDF_per_x_B;
+    S_u(0, 4) = -EDF_per_y_B;
+    S_u(1, 0) = GF_per_x_B;
+    S_u(1, 1) = GF_per_y_B;
     S_u(1, 2) = GF_per_along_GF * phi_B_across_GF - GF_per_across_slide_C * phi_B_along_slide_C
         - inverse_GF * phi_B_along_GF;
-    S_u(1, 3) = t06;
-    S_u(1, 4) = t07;
-    S_u(2, 0) = -t08;
-    S_u(2, 1) = -t09;
-    S_u(2, 2) = s_B_per_along_GF * phi_B_across_GF - s_B_per_across_slide_C * phi_B_along_slide_C;
-    S_u(2, 3) = t08;
-    S_u(2, 4) = t09;
-    S_u(3, 0) = -t10;
-    S_u(3, 1) = -t11;
-    S_u(3, 2) = phi_B_across_slide_C + s_C_per_along_GF * phi_B_across_GF
-        - s_C_per_across_slide_C * phi_B_along_slide_C;
-    S_u(3, 3) = t10;
-    S_u(3, 4) = t11;
+    S_u(1, 3) = -GF_per_x_B;
+    S_u(1, 4) = -GF_per_y_B;
+    S_u(2, 0) = s_B_per_x_B;
+    S_u(2, 1) = s_B_per_y_B;
+    S_u(2, 2) = phi_B_across_GF * s_B_per_along_GF - phi_B_along_slide_C * s_B_per_across_slide_C;
+    S_u(2, 3) = -s_B_per_x_B;
+    S_u(2, 4) = -s_B_per_y_B;
+    S_u(3, 0) = s_C_per_x_B;
+    S_u(3, 1) = s_C_per_y_B;
+    S_u(3, 2) = phi_B_across_slide_C + phi_B_across_GF * s_C_per_along_GF
+        - phi_B_along_slide_C * s_C_per_across_slide_C;
+    S_u(3, 3) = -s_C_per_x_B;
+    S_u(3, 4) = -s_C_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1061,40 +1017,40 @@ struct Model13 {
         + q.theta_EDF.sin * q.theta_GF.sin;
     const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
         - q.theta_EDF.cos * q.theta_GF.sin;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
-        - d.psi_C_BCG.sin * d.h_B_BCG;
-    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B
-        - d.psi_C_BCG.cos * d.h_B_BCG - d.h_C_CD;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
+        - d.h_B_BCG * d.psi_C_BCG.sin;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - q.s_B * d.psi_C_BCG.sin
+        - d.h_B_BCG * d.psi_C_BCG.cos - d.h_C_CD;
     const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
     const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
     const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
-    const Scalar determinant = cos_phi_B_minus_GF * EDF_along_slide_C
-        - d.psi_C_BCG.sin * EDF_across_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = EDF_along_slide_C * cos_phi_B_minus_GF
+        - EDF_across_GF * d.psi_C_BCG.sin;
     const Scalar pivot_product = d.GF * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = omega_B * phi_B_across_slide_C - cos_CD * t01
+    const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B - cos_CD * t01
         - sin_CD * t02;
     const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02
-        - omega_B * phi_B_along_slide_C;
-    const Scalar velocity_along_GF = omega_B * phi_B_across_GF - q.theta_GF.cos * t01
+        - phi_B_along_slide_C * omega_B;
+    const Scalar velocity_along_GF = phi_B_across_GF * omega_B - q.theta_GF.cos * t01
         - q.theta_GF.sin * t02;
     const Scalar velocity_across_GF = q.theta_GF.sin * t01 - q.theta_GF.cos * t02
-        - omega_B * phi_B_along_GF;
-    const Scalar omega_EDF = (d.psi_C_BCG.sin * velocity_along_GF
-        + cos_phi_B_minus_GF * velocity_across_slide_C) * inverse_determinant;
+        - phi_B_along_GF * omega_B;
+    const Scalar omega_EDF = inverse_determinant * (d.psi_C_BCG.sin * velocity_along_GF
+        + cos_phi_B_minus_GF * velocity_across_slide_C);
     const Scalar v_s_B = inverse_determinant * (EDF_along_slide_C * velocity_along_GF
         + EDF_across_GF * velocity_across_slide_C);
-    const Scalar v_s_C = omega_EDF * EDF_across_slide_C + velocity_along_slide_C
+    const Scalar v_s_C = EDF_across_slide_C * omega_EDF + velocity_along_slide_C
         - d.psi_C_BCG.cos * v_s_B;
-    const Scalar omega_GF = -(omega_EDF * EDF_along_GF + sin_phi_B_minus_GF * v_s_B
-        - velocity_across_GF) * inverse_GF;
+    const Scalar omega_GF = -inverse_GF * (EDF_along_GF * omega_EDF + sin_phi_B_minus_GF * v_s_B
+        - velocity_across_GF);
     q_rate(0) = omega_EDF;
     q_rate(1) = omega_GF;
     q_rate(2) = v_s_B;
@@ -1129,40 +1085,40 @@ struct Model13 {
         + q.theta_EDF.sin * q.theta_GF.sin;
     const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
         - q.theta_EDF.cos * q.theta_GF.sin;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
-        - d.psi_C_BCG.sin * d.h_B_BCG;
-    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B
-        - d.psi_C_BCG.cos * d.h_B_BCG - d.h_C_CD;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
+        - d.h_B_BCG * d.psi_C_BCG.sin;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - q.s_B * d.psi_C_BCG.sin
+        - d.h_B_BCG * d.psi_C_BCG.cos - d.h_C_CD;
     const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
     const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
     const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
-    const Scalar determinant = cos_phi_B_minus_GF * EDF_along_slide_C
-        - d.psi_C_BCG.sin * EDF_across_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = EDF_along_slide_C * cos_phi_B_minus_GF
+        - EDF_across_GF * d.psi_C_BCG.sin;
     const Scalar pivot_product = d.GF * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
-    const Scalar t03 = omega_B * phi_B_across_slide_C;
+    const Scalar t03 = phi_B_across_slide_C * omega_B;
     const Scalar velocity_along_slide_C = t03 - cos_CD * t01 - sin_CD * t02;
-    const Scalar t04 = omega_B * phi_B_along_slide_C;
+    const Scalar t04 = phi_B_along_slide_C * omega_B;
     const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02 - t04;
-    const Scalar t05 = omega_B * phi_B_across_GF;
+    const Scalar t05 = phi_B_across_GF * omega_B;
     const Scalar velocity_along_GF = t05 - q.theta_GF.cos * t01 - q.theta_GF.sin * t02;
-    const Scalar t06 = omega_B * phi_B_along_GF;
+    const Scalar t06 = phi_B_along_GF * omega_B;
     const Scalar velocity_across_GF = q.theta_GF.sin * t01 - q.theta_GF.cos * t02 - t06;
-    const Scalar omega_EDF = (d.psi_C_BCG.sin * velocity_along_GF
-        + cos_phi_B_minus_GF * velocity_across_slide_C) * inverse_determinant;
+    const Scalar omega_EDF = inverse_determinant * (d.psi_C_BCG.sin * velocity_along_GF
+        + cos_phi_B_minus_GF * velocity_across_slide_C);
     const Scalar v_s_B = inverse_determinant * (EDF_along_slide_C * velocity_along_GF
         + EDF_across_GF * velocity_across_slide_C);
     const Scalar t07 = d.psi_C_BCG.cos * v_s_B;
-    const Scalar v_s_C = omega_EDF * EDF_across_slide_C + velocity_along_slide_C - t07;
+    const Scalar v_s_C = EDF_across_slide_C * omega_EDF + velocity_along_slide_C - t07;
     const Scalar t08 = sin_phi_B_minus_GF * v_s_B;
-    const Scalar omega_GF = -(omega_EDF * EDF_along_GF + t08 - velocity_across_GF) * inverse_GF;
+    const Scalar omega_GF = -inverse_GF * (EDF_along_GF * omega_EDF + t08 - velocity_across_GF);
     const Scalar t09 = a_x_B - a_x_E;
     const Scalar t10 = a_y_B - a_y_E;
     const Scalar t11 = omega_EDF * omega_EDF;
@@ -1224,97 +1180,87 @@ struct Model13 {
         + q.theta_EDF.sin * q.theta_GF.sin;
     const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
         - q.theta_EDF.cos * q.theta_GF.sin;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
-        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
+        - d.h_B_BCG * d.psi_C_BCG.sin;
     const Scalar t01 = d.h_C_BCG - d.h_C_CD;
-    const Scalar phi_B_across_slide_C = t01 - d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG;
+    const Scalar phi_B_across_slide_C = t01 - q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos;
     const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
     const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
     const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - cos_EDF_minus_GF * d.y_F_EDF;
-    const Scalar determinant = cos_phi_B_minus_GF * EDF_along_slide_C
-        - d.psi_C_BCG.sin * EDF_across_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = EDF_along_slide_C * cos_phi_B_minus_GF
+        - EDF_across_GF * d.psi_C_BCG.sin;
     const Scalar pivot_product = d.GF * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
-    const Scalar EDF_per_across_slide_C = cos_phi_B_minus_GF * inverse_determinant;
+    const Scalar EDF_per_across_slide_C = inverse_determinant * cos_phi_B_minus_GF;
     const Scalar s_B_per_across_slide_C = EDF_across_GF * inverse_determinant;
     const Scalar t02 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
     const Scalar s_C_per_across_slide_C = EDF_across_slide_C * EDF_per_across_slide_C - t02;
-    const Scalar GF_per_across_slide_C = -(sin_phi_B_minus_GF * s_B_per_across_slide_C
-        + EDF_per_across_slide_C * EDF_along_GF) * inverse_GF;
-    const Scalar EDF_per_along_GF = d.psi_C_BCG.sin * inverse_determinant;
+    const Scalar GF_per_across_slide_C = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_across_slide_C
+        + EDF_per_across_slide_C * EDF_along_GF);
+    const Scalar EDF_per_along_GF = inverse_determinant * d.psi_C_BCG.sin;
     const Scalar s_B_per_along_GF = EDF_along_slide_C * inverse_determinant;
     const Scalar s_C_per_along_GF = EDF_across_slide_C * EDF_per_along_GF
         - d.psi_C_BCG.cos * s_B_per_along_GF;
     const Scalar t03 = sin_phi_B_minus_GF * s_B_per_along_GF;
     const Scalar GF_per_along_GF = -inverse_GF * (t03 + EDF_along_GF * EDF_per_along_GF);
-    const Scalar t04 = q.theta_GF.cos * EDF_per_along_GF - sin_CD * EDF_per_across_slide_C;
-    const Scalar EDF_per_x_B = -t04;
-    const Scalar t05 = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF
-        - sin_CD * GF_per_across_slide_C;
-    const Scalar GF_per_x_B = -t05;
-    const Scalar t06 = q.theta_GF.cos * s_B_per_along_GF - sin_CD * s_B_per_across_slide_C;
-    const Scalar s_B_per_x_B = -t06;
-    const Scalar t07 = cos_CD + q.theta_GF.cos * s_C_per_along_GF - sin_CD * s_C_per_across_slide_C;
-    const Scalar s_C_per_x_B = -t07;
-    const Scalar t08 = q.theta_GF.sin * EDF_per_along_GF + cos_CD * EDF_per_across_slide_C;
-    const Scalar EDF_per_y_B = -t08;
-    const Scalar t09 = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF
-        + cos_CD * GF_per_across_slide_C;
-    const Scalar GF_per_y_B = -t09;
-    const Scalar t10 = q.theta_GF.sin * s_B_per_along_GF + cos_CD * s_B_per_across_slide_C;
-    const Scalar s_B_per_y_B = -t10;
-    const Scalar t11 = sin_CD + q.theta_GF.sin * s_C_per_along_GF + cos_CD * s_C_per_across_slide_C;
-    const Scalar s_C_per_y_B = -t11;
-    const Scalar t12 = EDF_per_across_slide_C * phi_B_along_slide_C
-        - EDF_per_along_GF * phi_B_across_GF;
-    const Scalar EDF_per_phi_B = -t12;
-    const Scalar t13 = GF_per_across_slide_C * phi_B_along_slide_C + inverse_GF * phi_B_along_GF
-        - GF_per_along_GF * phi_B_across_GF;
-    const Scalar GF_per_phi_B = -t13;
-    const Scalar t14 = s_B_per_across_slide_C * phi_B_along_slide_C
-        - s_B_per_along_GF * phi_B_across_GF;
-    const Scalar s_B_per_phi_B = -t14;
-    const Scalar t15 = s_C_per_across_slide_C * phi_B_along_slide_C - phi_B_across_slide_C
-        - s_C_per_along_GF * phi_B_across_GF;
-    const Scalar s_C_per_phi_B = -t15;
-    const Scalar t16 = v_x_B - v_x_E;
-    const Scalar t17 = v_y_B - v_y_E;
-    const Scalar omega_EDF = t16 * EDF_per_x_B + t17 * EDF_per_y_B + omega_B * EDF_per_phi_B;
-    const Scalar omega_GF = t16 * GF_per_x_B + t17 * GF_per_y_B + omega_B * GF_per_phi_B;
-    const Scalar v_s_B = t16 * s_B_per_x_B + t17 * s_B_per_y_B + omega_B * s_B_per_phi_B;
-    const Scalar v_s_C = t16 * s_C_per_x_B + t17 * s_C_per_y_B + omega_B * s_C_per_phi_B;
-    const Scalar t18 = omega_EDF * omega_EDF;
-    const Scalar centripetal_along_slide_C = EDF_along_slide_C * t18
+    const Scalar EDF_per_x_B = EDF_per_across_slide_C * sin_CD - EDF_per_along_GF * q.theta_GF.cos;
+    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin + GF_per_across_slide_C * sin_CD
+        - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C - q.theta_GF.cos * s_B_per_along_GF;
+    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C - cos_CD
+        - q.theta_GF.cos * s_C_per_along_GF;
+    const Scalar EDF_per_y_B = -EDF_per_along_GF * q.theta_GF.sin - EDF_per_across_slide_C * cos_CD;
+    const Scalar GF_per_y_B = -inverse_GF * q.theta_GF.cos - GF_per_along_GF * q.theta_GF.sin
+        - GF_per_across_slide_C * cos_CD;
+    const Scalar s_B_per_y_B = -q.theta_GF.sin * s_B_per_along_GF - cos_CD * s_B_per_across_slide_C;
+    const Scalar s_C_per_y_B = -sin_CD - q.theta_GF.sin * s_C_per_along_GF
+        - cos_CD * s_C_per_across_slide_C;
+    const Scalar EDF_per_phi_B = EDF_per_along_GF * phi_B_across_GF
+        - EDF_per_across_slide_C * phi_B_along_slide_C;
+    const Scalar GF_per_phi_B = GF_per_along_GF * phi_B_across_GF
+        - GF_per_across_slide_C * phi_B_along_slide_C - inverse_GF * phi_B_along_GF;
+    const Scalar s_B_per_phi_B = phi_B_across_GF * s_B_per_along_GF
+        - phi_B_along_slide_C * s_B_per_across_slide_C;
+    const Scalar s_C_per_phi_B = phi_B_across_slide_C + phi_B_across_GF * s_C_per_along_GF
+        - phi_B_along_slide_C * s_C_per_across_slide_C;
+    const Scalar t04 = v_x_B - v_x_E;
+    const Scalar t05 = v_y_B - v_y_E;
+    const Scalar omega_EDF = EDF_per_x_B * t04 + EDF_per_y_B * t05 + EDF_per_phi_B * omega_B;
+    const Scalar omega_GF = GF_per_x_B * t04 + GF_per_y_B * t05 + GF_per_phi_B * omega_B;
+    const Scalar v_s_B = s_B_per_x_B * t04 + s_B_per_y_B * t05 + s_B_per_phi_B * omega_B;
+    const Scalar v_s_C = s_C_per_x_B * t04 + s_C_per_y_B * t05 + s_C_per_phi_B * omega_B;
+    const Scalar t06 = omega_EDF * omega_EDF;
+    const Scalar centripetal_along_slide_C = EDF_along_slide_C * t06
         - omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B - phi_B_along_slide_C * omega_B);
-    const Scalar centripetal_across_slide_C = EDF_across_slide_C * t18
+    const Scalar centripetal_across_slide_C = EDF_across_slide_C * t06
         - omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B + Scalar(2) * v_s_C
         - phi_B_across_slide_C * omega_B);
     const Scalar centripetal_along_GF = omega_B * (Scalar(2) * sin_phi_B_minus_GF * v_s_B
-        + phi_B_along_GF * omega_B) + d.GF * omega_GF * omega_GF + EDF_along_GF * t18;
-    const Scalar centripetal_across_GF = EDF_across_GF * t18
+        + phi_B_along_GF * omega_B) + d.GF * omega_GF * omega_GF + EDF_along_GF * t06;
+    const Scalar centripetal_across_GF = EDF_across_GF * t06
         - omega_B * (Scalar(2) * cos_phi_B_minus_GF * v_s_B - phi_B_across_GF * omega_B);
-    const Scalar t19 = a_x_B - a_x_E;
-    const Scalar t20 = a_y_B - a_y_E;
-    S_d(0, 0) = d.psi_C_BCG.cos * EDF_per_across_slide_C - sin_phi_B_minus_GF * EDF_per_along_GF;
+    const Scalar t07 = a_x_B - a_x_E;
+    const Scalar t08 = a_y_B - a_y_E;
+    S_d(0, 0) = EDF_per_across_slide_C * d.psi_C_BCG.cos - EDF_per_along_GF * sin_phi_B_minus_GF;
     S_d(0, 1) = -q.s_C * EDF_per_across_slide_C;
     S_d(0, 2) = -EDF_per_across_slide_C;
-    S_d(0, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * EDF_per_across_slide_C;
-    S_d(0, 4) = cos_EDF_minus_GF * EDF_per_along_GF;
-    S_d(0, 5) = -sin_EDF_minus_GF * EDF_per_along_GF;
+    S_d(0, 3) = EDF_per_across_slide_C * sin_EDF_minus_phi_B_minus_psi_C_BCG;
+    S_d(0, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
+    S_d(0, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;
     S_d(0, 6) = EDF_per_across_slide_C;
     S_d(0, 7) = -EDF_per_along_GF;
-    S_d(1, 0) = d.psi_C_BCG.cos * GF_per_across_slide_C + cos_phi_B_minus_GF * inverse_GF
-        - sin_phi_B_minus_GF * GF_per_along_GF;
+    S_d(1, 0) = GF_per_across_slide_C * d.psi_C_BCG.cos + inverse_GF * cos_phi_B_minus_GF
+        - GF_per_along_GF * sin_phi_B_minus_GF;
     S_d(1, 1) = -q.s_C * GF_per_across_slide_C;
     S_d(1, 2) = -GF_per_across_slide_C;
-    S_d(1, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * GF_per_across_slide_C;
-    S_d(1, 4) = cos_EDF_minus_GF * GF_per_along_GF + sin_EDF_minus_GF * inverse_GF;
-    S_d(1, 5) = cos_EDF_minus_GF * inverse_GF - sin_EDF_minus_GF * GF_per_along_GF;
+    S_d(1, 3) = GF_per_across_slide_C * sin_EDF_minus_phi_B_minus_psi_C_BCG;
+    S_d(1, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
+    S_d(1, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
     S_d(1, 6) = GF_per_across_slide_C;
     S_d(1, 7) = -GF_per_along_GF;
     S_d(2, 0) = t02 - t03;
@@ -1335,40 +1281,40 @@ struct Model13 {
     S_d(3, 5) = -sin_EDF_minus_GF * s_C_per_along_GF;
     S_d(3, 6) = s_C_per_across_slide_C;
     S_d(3, 7) = -s_C_per_along_GF;
-    S_u(0, 0) = -t04;
-    S_u(0, 1) = -t08;
-    S_u(0, 2) = -t12;
-    S_u(0, 3) = t04;
-    S_u(0, 4) = t08;
-    S_u(1, 0) = -t05;
-    S_u(1, 1) = -t09;
-    S_u(1, 2) = -t13;
-    S_u(1, 3) = t05;
-    S_u(1, 4) = t09;
-    S_u(2, 0) = -t06;
-    S_u(2, 1) = -t10;
-    S_u(2, 2) = -t14;
-    S_u(2, 3) = t06;
-    S_u(2, 4) = t10;
-    S_u(3, 0) = -t07;
-    S_u(3, 1) = -t11;
-    S_u(3, 2) = -t15;
-    S_u(3, 3) = t07;
-    S_u(3, 4) = t11;
+    S_u(0, 0) = EDF_per_x_B;
+    S_u(0, 1) = EDF_per_y_B;
+    S_u(0, 2) = EDF_per_phi_B;
+    S_u(0, 3) = -EDF_per_x_B;
+    S_u(0, 4) = -EDF_per_y_B;
+    S_u(1, 0) = GF_per_x_B;
+    S_u(1, 1) = GF_per_y_B;
+    S_u(1, 2) = GF_per_phi_B;
+    S_u(1, 3) = -GF_per_x_B;
+    S_u(1, 4) = -GF_per_y_B;
+    S_u(2, 0) = s_B_per_x_B;
+    S_u(2, 1) = s_B_per_y_B;
+    S_u(2, 2) = s_B_per_phi_B;
+    S_u(2, 3) = -s_B_per_x_B;
+    S_u(2, 4) = -s_B_per_y_B;
+    S_u(3, 0) = s_C_per_x_B;
+    S_u(3, 1) = s_C_per_y_B;
+    S_u(3, 2) = s_C_per_phi_B;
+    S_u(3, 3) = -s_C_per_x_B;
+    S_u(3, 4) = -s_C_per_y_B;
     q_rate(0) = omega_EDF;
     q_rate(1) = omega_GF;
     q_rate(2) = v_s_B;
     q_rate(3) = v_s_C;
-    q_second_rate(0) = EDF_per_x_B * t19 + EDF_per_y_B * t20 + EDF_per_phi_B * alpha_B
+    q_second_rate(0) = EDF_per_x_B * t07 + EDF_per_y_B * t08 + EDF_per_phi_B * alpha_B
         + EDF_per_across_slide_C * centripetal_across_slide_C
         + EDF_per_along_GF * centripetal_along_GF;
-    q_second_rate(1) = GF_per_x_B * t19 + GF_per_y_B * t20 + GF_per_phi_B * alpha_B
+    q_second_rate(1) = GF_per_x_B * t07 + GF_per_y_B * t08 + GF_per_phi_B * alpha_B
         + inverse_GF * centripetal_across_GF + GF_per_across_slide_C * centripetal_across_slide_C
         + GF_per_along_GF * centripetal_along_GF;
-    q_second_rate(2) = s_B_per_x_B * t19 + s_B_per_y_B * t20 + s_B_per_phi_B * alpha_B
+    q_second_rate(2) = s_B_per_x_B * t07 + s_B_per_y_B * t08 + s_B_per_phi_B * alpha_B
         + s_B_per_across_slide_C * centripetal_across_slide_C
         + s_B_per_along_GF * centripetal_along_GF;
-    q_second_rate(3) = s_C_per_x_B * t19 + s_C_per_y_B * t20 + s_C_per_phi_B * alpha_B
+    q_second_rate(3) = s_C_per_x_B * t07 + s_C_per_y_B * t08 + s_C_per_phi_B * alpha_B
         + s_C_per_across_slide_C * centripetal_across_slide_C
         + s_C_per_along_GF * centripetal_along_GF + centripetal_along_slide_C;
   }
@@ -1380,34 +1326,32 @@ struct Model13 {
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = d.x_F_EDF * u.phi_B.cos + d.y_F_EDF * u.phi_B.sin;
-    const Scalar b_m1_re = -t01;
-    const Scalar t02 = d.x_F_EDF * u.phi_B.sin - u.phi_B.cos * d.y_F_EDF;
-    const Scalar b_m1_im = -t02;
-    const Scalar t03 = u.phi_B.cos * EB_x + u.phi_B.sin * EB_y;
-    const Scalar b_0_re = Scalar(2) * t03;
-    const Scalar c_m1_re = -t02 * d.h_B_BCG - d.x_F_EDF * EB_x - d.y_F_EDF * EB_y;
-    const Scalar c_m1_im = t01 * d.h_B_BCG + d.y_F_EDF * EB_x - d.x_F_EDF * EB_y;
-    const Scalar t04 = u.phi_B.cos * EB_y - u.phi_B.sin * EB_x;
+    const Scalar b_m1_re = -d.x_F_EDF * u.phi_B.cos - d.y_F_EDF * u.phi_B.sin;
+    const Scalar b_m1_im = d.y_F_EDF * u.phi_B.cos - d.x_F_EDF * u.phi_B.sin;
+    const Scalar t01 = EB_x * u.phi_B.cos + EB_y * u.phi_B.sin;
+    const Scalar b_0_re = Scalar(2) * t01;
+    const Scalar c_m1_re = d.h_B_BCG * b_m1_im - d.x_F_EDF * EB_x - d.y_F_EDF * EB_y;
+    const Scalar c_m1_im = d.y_F_EDF * EB_x - d.x_F_EDF * EB_y - d.h_B_BCG * b_m1_re;
+    const Scalar t02 = EB_y * u.phi_B.cos - EB_x * u.phi_B.sin;
     const Scalar c_0_re = d.x_F_EDF * d.x_F_EDF + d.y_F_EDF * d.y_F_EDF + EB_x * EB_x + EB_y * EB_y
-        + d.h_B_BCG * (d.h_B_BCG - Scalar(2) * t04) - d.GF * d.GF;
+        + d.h_B_BCG * (d.h_B_BCG - Scalar(2) * t02) - d.GF * d.GF;
     const Scalar e_0_re = -Scalar(2) * d.psi_C_BCG.sin;
-    const Scalar f_m1_re = (u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin) * d.ED;
+    const Scalar f_m1_re = d.ED * (u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin);
     const Scalar f_m1_im = -d.ED * (u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin);
-    const Scalar f_0_re = -Scalar(2) * (t03 * d.psi_C_BCG.sin + d.h_C_CD
-        + d.psi_C_BCG.cos * (d.h_B_BCG - t04) - d.h_C_BCG);
-    const Scalar t05 = b_m1_re * f_m1_re;
-    const Scalar t06 = b_m1_im * f_m1_im;
-    const Scalar t07 = f_m1_re * f_m1_re;
-    const Scalar t08 = f_m1_im * f_m1_im;
-    T.cosine[0] = Scalar(2) * t07 + Scalar(2) * t08 + f_0_re * f_0_re - e_0_re * (Scalar(2) * t05
-        + Scalar(2) * t06 + b_0_re * f_0_re - c_0_re * e_0_re);
-    T.cosine[1] = -Scalar(2) * (e_0_re * (b_m1_re * f_0_re + f_m1_re * b_0_re - e_0_re * c_m1_re)
+    const Scalar f_0_re = -Scalar(2) * (t01 * d.psi_C_BCG.sin + d.h_C_CD + (d.h_B_BCG
+        - t02) * d.psi_C_BCG.cos - d.h_C_BCG);
+    const Scalar t03 = b_m1_re * f_m1_re;
+    const Scalar t04 = b_m1_im * f_m1_im;
+    const Scalar t05 = f_m1_re * f_m1_re;
+    const Scalar t06 = f_m1_im * f_m1_im;
+    T.cosine[0] = Scalar(2) * t05 + Scalar(2) * t06 + f_0_re * f_0_re - (Scalar(2) * t03
+        + Scalar(2) * t04 + b_0_re * f_0_re - c_0_re * e_0_re) * e_0_re;
+    T.cosine[1] = -Scalar(2) * ((b_m1_re * f_0_re + f_m1_re * b_0_re - c_m1_re * e_0_re) * e_0_re
         - Scalar(2) * f_m1_re * f_0_re);
-    T.sine[1] = -Scalar(2) * (e_0_re * (b_m1_im * f_0_re + f_m1_im * b_0_re - e_0_re * c_m1_im)
+    T.sine[1] = -Scalar(2) * ((b_m1_im * f_0_re + f_m1_im * b_0_re - c_m1_im * e_0_re) * e_0_re
         - Scalar(2) * f_m1_im * f_0_re);
-    T.cosine[2] = Scalar(2) * (t07 - t08 - e_0_re * (t05 - t06));
-    T.sine[2] = -Scalar(2) * (e_0_re * (b_m1_re * f_m1_im + f_m1_re * b_m1_im)
+    T.cosine[2] = Scalar(2) * (t05 - t06 - (t03 - t04) * e_0_re);
+    T.sine[2] = -Scalar(2) * ((b_m1_re * f_m1_im + f_m1_re * b_m1_im) * e_0_re
         - Scalar(2) * f_m1_re * f_m1_im);
   }
 
@@ -1420,20 +1364,20 @@ struct Model13 {
     e.setZero();
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = EB_x + q.theta_EDF.sin * d.y_F_EDF - q.theta_EDF.cos * d.x_F_EDF;
-    const Scalar t02 = EB_y - q.theta_EDF.cos * d.y_F_EDF - q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar t01 = EB_x + d.y_F_EDF * q.theta_EDF.sin - d.x_F_EDF * q.theta_EDF.cos;
+    const Scalar t02 = EB_y - d.y_F_EDF * q.theta_EDF.cos - d.x_F_EDF * q.theta_EDF.sin;
     e(0, 1) = -Scalar(2) * d.psi_C_BCG.sin;
-    e(0, 2) = Scalar(2) * (((q.theta_EDF.cos * u.phi_B.sin - q.theta_EDF.sin * u.phi_B.cos) * d.ED
-        + u.phi_B.cos * EB_y - d.h_B_BCG - u.phi_B.sin * EB_x) * d.psi_C_BCG.cos
-        + d.psi_C_BCG.sin * (d.ED * (q.theta_EDF.cos * u.phi_B.cos + u.phi_B.sin * q.theta_EDF.sin)
-        - u.phi_B.cos * EB_x - u.phi_B.sin * EB_y) + d.h_C_BCG - d.h_C_CD);
+    e(0, 2) = Scalar(2) * ((d.ED * (q.theta_EDF.cos * u.phi_B.sin - q.theta_EDF.sin * u.phi_B.cos)
+        + EB_y * u.phi_B.cos - d.h_B_BCG - EB_x * u.phi_B.sin) * d.psi_C_BCG.cos
+        + (d.ED * (q.theta_EDF.cos * u.phi_B.cos + u.phi_B.sin * q.theta_EDF.sin)
+        - EB_x * u.phi_B.cos - EB_y * u.phi_B.sin) * d.psi_C_BCG.sin + d.h_C_BCG - d.h_C_CD);
     e(1, 0) = Scalar(1);
-    e(1, 1) = Scalar(2) * (u.phi_B.cos * t01 + u.phi_B.sin * t02);
-    e(1, 2) = d.h_B_BCG * (d.h_B_BCG + Scalar(2) * u.phi_B.sin * t01
-        - Scalar(2) * u.phi_B.cos * t02) + d.x_F_EDF * (d.x_F_EDF
-        - Scalar(2) * q.theta_EDF.cos * EB_x - Scalar(2) * q.theta_EDF.sin * EB_y)
-        + d.y_F_EDF * (d.y_F_EDF + Scalar(2) * q.theta_EDF.sin * EB_x
-        - Scalar(2) * q.theta_EDF.cos * EB_y) + EB_x * EB_x + EB_y * EB_y - d.GF * d.GF;
+    e(1, 1) = Scalar(2) * (t01 * u.phi_B.cos + t02 * u.phi_B.sin);
+    e(1, 2) = d.h_B_BCG * (d.h_B_BCG + Scalar(2) * t01 * u.phi_B.sin
+        - Scalar(2) * t02 * u.phi_B.cos) + d.x_F_EDF * (d.x_F_EDF
+        - Scalar(2) * EB_x * q.theta_EDF.cos - Scalar(2) * EB_y * q.theta_EDF.sin)
+        + d.y_F_EDF * (d.y_F_EDF + Scalar(2) * EB_x * q.theta_EDF.sin
+        - Scalar(2) * EB_y * q.theta_EDF.cos) + EB_x * EB_x + EB_y * EB_y - d.GF * d.GF;
   }
 
   /// The other unknowns of a configuration in which those of the reduced
@@ -1445,14 +1389,14 @@ struct Model13 {
     const Scalar EB_y = u.y_B - u.y_E;
     const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
                                                        //     no length
-    q.s_C = ((q.theta_EDF.cos * u.phi_B.cos + q.theta_EDF.sin * u.phi_B.sin) * d.ED - q.s_B
-        - u.phi_B.cos * EB_x - u.phi_B.sin * EB_y) * d.psi_C_BCG.cos
+    q.s_C = (d.ED * (q.theta_EDF.cos * u.phi_B.cos + q.theta_EDF.sin * u.phi_B.sin) - q.s_B
+        - EB_x * u.phi_B.cos - EB_y * u.phi_B.sin) * d.psi_C_BCG.cos
         - (d.ED * (q.theta_EDF.cos * u.phi_B.sin - u.phi_B.cos * q.theta_EDF.sin)
-        + u.phi_B.cos * EB_y - d.h_B_BCG - u.phi_B.sin * EB_x) * d.psi_C_BCG.sin;
-    q.theta_GF.cos = -(EB_x + q.theta_EDF.sin * d.y_F_EDF + u.phi_B.cos * q.s_B
-        + u.phi_B.sin * d.h_B_BCG - q.theta_EDF.cos * d.x_F_EDF) * inverse_theta_GF;
-    q.theta_GF.sin = -inverse_theta_GF * (EB_y + u.phi_B.sin * q.s_B - q.theta_EDF.cos * d.y_F_EDF
-        - q.theta_EDF.sin * d.x_F_EDF - u.phi_B.cos * d.h_B_BCG);
+        + EB_y * u.phi_B.cos - d.h_B_BCG - EB_x * u.phi_B.sin) * d.psi_C_BCG.sin;
+    q.theta_GF.cos = -(EB_x + d.y_F_EDF * q.theta_EDF.sin + q.s_B * u.phi_B.cos
+        + d.h_B_BCG * u.phi_B.sin - d.x_F_EDF * q.theta_EDF.cos) * inverse_theta_GF;
+    q.theta_GF.sin = -inverse_theta_GF * (EB_y + q.s_B * u.phi_B.sin - d.y_F_EDF * q.theta_EDF.cos
+        - d.x_F_EDF * q.theta_EDF.sin - d.h_B_BCG * u.phi_B.cos);
   }
 };
 

@@ -39,19 +39,19 @@ namespace assur::tetrad {
 ///   velocity_rhs:                 32, 28, 0
 ///   acceleration_rhs:             59, 42, 0
 ///   jerk_rhs:                     95, 60, 0
-///   curvature_rhs:                107, 74, 0
+///   curvature_rhs:                107, 72, 0
 ///   link_poses:                   20, 16, 0
 ///   pose_jacobians:               12, 12, 0
 ///   link_velocities:              20, 18, 0
 ///   link_accelerations:           38, 28, 0
-///   pose_curvatures:              51, 33, 0
+///   pose_curvatures:              51, 31, 0
 ///   degeneracies:                 2, 5, 0
 ///   inverse_jacobian:             35, 9, 1
 ///   sensitivities:                98, 52, 1
 ///   velocity:                     61, 38, 1
 ///   motion:                       94, 63, 1
 ///   sensitivities_and_motion:     152, 88, 1
-///   position_polynomial:          29, 21, 0
+///   position_polynomial:          30, 21, 0
 ///   complete:                     27, 22, 2
 struct Model14 {
   static constexpr const char* group = "tetrad";
@@ -193,34 +193,30 @@ struct Model14 {
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t05 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t05 - t04 * d.h_C_BCG;
-    const Scalar t06 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t06;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = t05;
-    const Scalar BG_y = -t06;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
-    const Scalar t07 = slide_B_x + u.x_B - u.x_E;
-    const Scalar t08 = slide_B_y + u.y_B - u.y_E;
-    f(0) = BC_x + slide_C_x + t07 - ED_x - slide_D_x;
-    f(1) = BC_y + slide_C_y + t08 - ED_y - slide_D_y;
-    f(2) = BG_x + GF_x + t07 - EF_x;
-    f(3) = BG_y + GF_y + t08 - EF_y;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
+    const Scalar t03 = slide_B_x + u.x_B - u.x_E;
+    const Scalar t04 = slide_B_y + u.y_B - u.y_E;
+    f(0) = BC_x + slide_C_x + t03 - ED_x - slide_D_x;
+    f(1) = BC_y + slide_C_y + t04 - ED_y - slide_D_y;
+    f(2) = BG_x + GF_x + t03 - EF_x;
+    f(3) = BG_y + GF_y + t04 - EF_y;
   }
 
   /// J = df/dq.
@@ -234,7 +230,7 @@ struct Model14 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     J(0, 1) = u.phi_B.cos;
     J(0, 2) = cos_CD;
@@ -257,30 +253,28 @@ struct Model14 {
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t04;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
-    const Scalar t05 = ED_y + slide_D_y;
-    const Scalar t06 = ED_x + slide_D_x;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
+    const Scalar t03 = ED_y + slide_D_y;
+    const Scalar t04 = ED_x + slide_D_x;
     F_d(0, 0) = u.phi_B.sin;
-    F_d(0, 1) = t05 - t03 * d.h_C_BCG - slide_C_y;
+    F_d(0, 1) = t03 - slide_C_y - d.h_C_BCG * cos_CD;
     F_d(0, 2) = -sin_CD;
     F_d(0, 3) = sin_EDF;
-    F_d(0, 6) = t05;
+    F_d(0, 6) = t03;
     F_d(1, 0) = -u.phi_B.cos;
-    F_d(1, 1) = slide_C_x - t04 * d.h_C_BCG - t06;
+    F_d(1, 1) = slide_C_x - t04 - d.h_C_BCG * sin_CD;
     F_d(1, 2) = cos_CD;
     F_d(1, 3) = -cos_EDF;
-    F_d(1, 6) = -t06;
+    F_d(1, 6) = -t04;
     F_d(2, 0) = u.phi_B.sin;
     F_d(2, 1) = EF_y;
     F_d(2, 4) = -cos_EDF;
@@ -304,26 +298,22 @@ struct Model14 {
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t05 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t05 - t04 * d.h_C_BCG;
-    const Scalar t06 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t06;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = t05;
-    const Scalar BG_y = -t06;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
     F_u(0, 0) = Scalar(1);
     F_u(0, 2) = ED_y + slide_D_y - slide_B_y - BC_y - slide_C_y;
     F_u(0, 3) = -Scalar(1);
@@ -352,32 +342,28 @@ struct Model14 {
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t05 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t05 - t04 * d.h_C_BCG;
-    const Scalar t06 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t06;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = t05;
-    const Scalar BG_y = -t06;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
-    const Scalar t07 = v_x_B - v_x_E;
-    const Scalar t08 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y) * omega_B - t07;
-    rhs(1) = -omega_B * (slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x) - t08;
-    rhs(2) = omega_B * (slide_B_y + BG_y - EF_y) - t07;
-    rhs(3) = -t08 - omega_B * (slide_B_x + BG_x - EF_x);
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
+    const Scalar t03 = v_x_B - v_x_E;
+    const Scalar t04 = v_y_B - v_y_E;
+    rhs(0) = (slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y) * omega_B - t03;
+    rhs(1) = -(slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x) * omega_B - t04;
+    rhs(2) = (slide_B_y + BG_y - EF_y) * omega_B - t03;
+    rhs(3) = -t04 - (slide_B_x + BG_x - EF_x) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -401,43 +387,39 @@ struct Model14 {
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t05 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t05 - t04 * d.h_C_BCG;
-    const Scalar t06 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t06;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = t05;
-    const Scalar BG_y = -t06;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
-    const Scalar t07 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t08 = u.phi_B.sin * v_s_B;
-    const Scalar t09 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t10 = a_x_B - a_x_E;
-    const Scalar t11 = u.phi_B.cos * v_s_B;
-    const Scalar t12 = a_y_B - a_y_E;
-    const Scalar t13 = slide_B_x + BG_x - EF_x;
-    const Scalar t14 = slide_B_y + BG_y - EF_y;
-    const Scalar t15 = omega_GF * omega_GF;
-    rhs(0) = omega_B * (t07 * omega_B + Scalar(2) * t08 + Scalar(2) * sin_CD * v_s_C
-        - Scalar(2) * sin_EDF * v_s_D) + t09 * alpha_B - t10;
-    rhs(1) = omega_B * (omega_B * t09 + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * t11
-        - Scalar(2) * cos_CD * v_s_C) - t07 * alpha_B - t12;
-    rhs(2) = omega_B * (Scalar(2) * t08 + omega_B * t13) + alpha_B * t14 + GF_x * t15 - t10;
-    rhs(3) = GF_y * t15 - t12 - omega_B * (Scalar(2) * t11 - omega_B * t14) - alpha_B * t13;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
+    const Scalar t03 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x;
+    const Scalar t04 = u.phi_B.sin * v_s_B;
+    const Scalar t05 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y;
+    const Scalar t06 = a_x_B - a_x_E;
+    const Scalar t07 = u.phi_B.cos * v_s_B;
+    const Scalar t08 = a_y_B - a_y_E;
+    const Scalar t09 = slide_B_x + BG_x - EF_x;
+    const Scalar t10 = slide_B_y + BG_y - EF_y;
+    const Scalar t11 = omega_GF * omega_GF;
+    rhs(0) = omega_B * (t03 * omega_B + Scalar(2) * t04 + Scalar(2) * sin_CD * v_s_C
+        - Scalar(2) * sin_EDF * v_s_D) + t05 * alpha_B - t06;
+    rhs(1) = omega_B * (t05 * omega_B + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * t07
+        - Scalar(2) * cos_CD * v_s_C) - t03 * alpha_B - t08;
+    rhs(2) = omega_B * (Scalar(2) * t04 + t09 * omega_B) + t10 * alpha_B + GF_x * t11 - t06;
+    rhs(3) = GF_y * t11 - t08 - omega_B * (Scalar(2) * t07 - t10 * omega_B) - t09 * alpha_B;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -467,53 +449,49 @@ struct Model14 {
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t05 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t05 - t04 * d.h_C_BCG;
-    const Scalar t06 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t06;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = t05;
-    const Scalar BG_y = -t06;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
-    const Scalar t07 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t08 = j_x_B - j_x_E;
-    const Scalar t09 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t10 = u.phi_B.sin * a_s_B;
-    const Scalar t11 = u.phi_B.cos * v_s_B;
-    const Scalar t12 = cos_EDF * v_s_D - t11 - cos_CD * v_s_C;
-    const Scalar t13 = u.phi_B.sin * v_s_B;
-    const Scalar t14 = sin_EDF * v_s_D - t13 - sin_CD * v_s_C;
-    const Scalar t15 = j_y_B - j_y_E;
-    const Scalar t16 = u.phi_B.cos * a_s_B;
-    const Scalar t17 = slide_B_y + BG_y - EF_y;
-    const Scalar t18 = slide_B_x + BG_x - EF_x;
-    const Scalar t19 = omega_GF * omega_GF;
-    rhs(0) = t07 * jerk_B + omega_B * (Scalar(3) * t09 * alpha_B + Scalar(3) * t10
-        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_EDF * a_s_D - omega_B * (t07 * omega_B
-        + Scalar(3) * t12)) - t08 - Scalar(3) * alpha_B * t14;
-    rhs(1) = Scalar(3) * alpha_B * t12 + omega_B * (Scalar(3) * t07 * alpha_B
-        + Scalar(3) * cos_EDF * a_s_D + omega_B * (omega_B * t09 - Scalar(3) * t14)
-        - Scalar(3) * t16 - Scalar(3) * cos_CD * a_s_C) - t09 * jerk_B - t15;
-    rhs(2) = omega_B * (Scalar(3) * t10 + omega_B * (Scalar(3) * t11 - omega_B * t17)
-        + Scalar(3) * alpha_B * t18) + jerk_B * t17 + Scalar(3) * alpha_B * t13
-        + omega_GF * (Scalar(3) * alpha_GF * GF_x - GF_y * t19) - t08;
-    rhs(3) = omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t19) - t15
-        - omega_B * (Scalar(3) * t16 - omega_B * (Scalar(3) * t13 + omega_B * t18)
-        - Scalar(3) * alpha_B * t17) - jerk_B * t18 - Scalar(3) * t11 * alpha_B;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
+    const Scalar t03 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y;
+    const Scalar t04 = j_x_B - j_x_E;
+    const Scalar t05 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x;
+    const Scalar t06 = u.phi_B.sin * a_s_B;
+    const Scalar t07 = u.phi_B.cos * v_s_B;
+    const Scalar t08 = cos_EDF * v_s_D - t07 - cos_CD * v_s_C;
+    const Scalar t09 = u.phi_B.sin * v_s_B;
+    const Scalar t10 = sin_EDF * v_s_D - t09 - sin_CD * v_s_C;
+    const Scalar t11 = j_y_B - j_y_E;
+    const Scalar t12 = u.phi_B.cos * a_s_B;
+    const Scalar t13 = slide_B_y + BG_y - EF_y;
+    const Scalar t14 = slide_B_x + BG_x - EF_x;
+    const Scalar t15 = omega_GF * omega_GF;
+    rhs(0) = t03 * jerk_B + omega_B * (Scalar(3) * t05 * alpha_B + Scalar(3) * t06
+        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_EDF * a_s_D - omega_B * (t03 * omega_B
+        + Scalar(3) * t08)) - t04 - Scalar(3) * alpha_B * t10;
+    rhs(1) = Scalar(3) * alpha_B * t08 + omega_B * (Scalar(3) * t03 * alpha_B
+        + Scalar(3) * cos_EDF * a_s_D + omega_B * (t05 * omega_B - Scalar(3) * t10)
+        - Scalar(3) * t12 - Scalar(3) * cos_CD * a_s_C) - t05 * jerk_B - t11;
+    rhs(2) = omega_B * (Scalar(3) * t06 + omega_B * (Scalar(3) * t07 - t13 * omega_B)
+        + Scalar(3) * t14 * alpha_B) + t13 * jerk_B + Scalar(3) * alpha_B * t09
+        + omega_GF * (Scalar(3) * GF_x * alpha_GF - GF_y * t15) - t04;
+    rhs(3) = omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t15) - t11
+        - omega_B * (Scalar(3) * t12 - omega_B * (Scalar(3) * t09 + t14 * omega_B)
+        - Scalar(3) * t13 * alpha_B) - t14 * jerk_B - Scalar(3) * t07 * alpha_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -540,64 +518,60 @@ struct Model14 {
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t05 = t04 * d.h_C_BCG;
-    const Scalar t06 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t06 - t05;
-    const Scalar t07 = t03 * d.h_C_BCG;
-    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t07 - t08;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar t03 = d.h_C_BCG * sin_CD;
+    const Scalar BC_x = BG_x - t03;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t04 = d.h_C_BCG * cos_CD;
+    const Scalar BC_y = BG_y + t04;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = t06;
-    const Scalar BG_y = -t08;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
-    const Scalar t09 = ED_x + slide_D_x;
-    const Scalar t10 = t09 * omega_D_CD;
-    const Scalar t11 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
-    const Scalar t12 = slide_C_x - t09;
-    const Scalar t13 = t05 - t12;
-    const Scalar t14 = t11 + t10 - sin_CD * v_s_C;
-    const Scalar t15 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
-    const Scalar t16 = ED_y + slide_D_y;
-    const Scalar t17 = omega_D_CD * t16;
-    const Scalar t18 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
-    const Scalar t19 = slide_C_y - t16;
-    const Scalar t20 = t07 + t19;
-    const Scalar t21 = t18 - t17 - cos_CD * v_s_C;
-    const Scalar t22 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
-    const Scalar t23 = omega_C_BCG + Scalar(2) * omega_D_CD;
-    const Scalar t24 = sin_EDF * v_x_F_EDF + cos_EDF * v_y_F_EDF;
-    const Scalar t25 = omega_C_BCG + omega_D_CD;
-    const Scalar t26 = cos_EDF * v_x_F_EDF - sin_EDF * v_y_F_EDF;
-    rhs(0) = omega_C_BCG * (v_h_C_BCG * (t03 + cos_CD) - omega_C_BCG * t13
-        - Scalar(2) * omega_B * t13 - Scalar(2) * t14) + omega_B * (Scalar(2) * cos_CD * v_h_C_BCG
-        + omega_B * (slide_B_x + BC_x + t12) - Scalar(2) * t15 - Scalar(2) * t14)
-        - omega_D_CD * (t10 + Scalar(2) * t11);
-    rhs(1) = omega_C_BCG * (v_h_C_BCG * (t04 + sin_CD) + omega_C_BCG * t20
-        + Scalar(2) * omega_B * t20 + Scalar(2) * t21) + omega_B * (Scalar(2) * sin_CD * v_h_C_BCG
-        + omega_B * (slide_B_y + BC_y + t19) + Scalar(2) * t21 - Scalar(2) * t22)
-        - omega_D_CD * (t17 - Scalar(2) * t18);
-    rhs(2) = omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + omega_GF * GF_x)
-        + omega_B * (omega_B * (slide_B_x + BG_x - EF_x) - Scalar(2) * EF_x * t25 - Scalar(2) * t24
-        - Scalar(2) * t15) - omega_C_BCG * (EF_x * t23 + Scalar(2) * t24)
-        - omega_D_CD * (Scalar(2) * t24 + omega_D_CD * EF_x);
-    rhs(3) = omega_D_CD * (Scalar(2) * t26 - omega_D_CD * EF_y) + omega_B * (omega_B * (slide_B_y
-        + BG_y - EF_y) + Scalar(2) * t26 - Scalar(2) * t25 * EF_y - Scalar(2) * t22)
-        - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - omega_GF * GF_y)
-        - omega_C_BCG * (t23 * EF_y - Scalar(2) * t26);
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
+    const Scalar t05 = ED_x + slide_D_x;
+    const Scalar t06 = t05 * omega_D_CD;
+    const Scalar t07 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
+    const Scalar t08 = cos_CD * v_h_C_BCG;
+    const Scalar t09 = slide_C_x - t05;
+    const Scalar t10 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t11 = t07 + t06 - sin_CD * v_s_C;
+    const Scalar t12 = t09 - t03;
+    const Scalar t13 = ED_y + slide_D_y;
+    const Scalar t14 = t13 * omega_D_CD;
+    const Scalar t15 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
+    const Scalar t16 = sin_CD * v_h_C_BCG;
+    const Scalar t17 = slide_C_y - t13;
+    const Scalar t18 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t19 = t15 - t14 - cos_CD * v_s_C;
+    const Scalar t20 = t17 + t04;
+    const Scalar t21 = omega_C_BCG + Scalar(2) * omega_D_CD;
+    const Scalar t22 = sin_EDF * v_x_F_EDF + cos_EDF * v_y_F_EDF;
+    const Scalar t23 = omega_C_BCG + omega_D_CD;
+    const Scalar t24 = cos_EDF * v_x_F_EDF - sin_EDF * v_y_F_EDF;
+    rhs(0) = omega_B * (Scalar(2) * t08 + (slide_B_x + BC_x + t09) * omega_B - Scalar(2) * t10
+        - Scalar(2) * t11) + omega_C_BCG * (Scalar(2) * t08 + t12 * omega_C_BCG
+        + Scalar(2) * t12 * omega_B - Scalar(2) * t11) - omega_D_CD * (t06 + Scalar(2) * t07);
+    rhs(1) = omega_B * (Scalar(2) * t16 + (slide_B_y + BC_y + t17) * omega_B + Scalar(2) * t19
+        - Scalar(2) * t18) + omega_C_BCG * (Scalar(2) * t16 + Scalar(2) * t19 + t20 * omega_C_BCG
+        + Scalar(2) * t20 * omega_B) - omega_D_CD * (t14 - Scalar(2) * t15);
+    rhs(2) = omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + GF_x * omega_GF)
+        + omega_B * ((slide_B_x + BG_x - EF_x) * omega_B - Scalar(2) * EF_x * t23 - Scalar(2) * t22
+        - Scalar(2) * t10) - omega_C_BCG * (EF_x * t21 + Scalar(2) * t22)
+        - omega_D_CD * (Scalar(2) * t22 + EF_x * omega_D_CD);
+    rhs(3) = omega_D_CD * (Scalar(2) * t24 - EF_y * omega_D_CD) + omega_B * ((slide_B_y + BG_y
+        - EF_y) * omega_B + Scalar(2) * t24 - Scalar(2) * EF_y * t23 - Scalar(2) * t18)
+        - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - GF_y * omega_GF)
+        - omega_C_BCG * (EF_y * t21 - Scalar(2) * t24);
   }
 
   /// Frames of the links in the fixed frame.
@@ -608,38 +582,34 @@ struct Model14 {
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t05 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t05 - t04 * d.h_C_BCG;
-    const Scalar t06 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t06;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = t05;
-    const Scalar BG_y = -t06;
-    const Scalar t07 = u.x_B + slide_B_x;
-    const Scalar t08 = BG_x + t07;
-    const Scalar t09 = u.y_B + slide_B_y;
-    const Scalar t10 = BG_y + t09;
-    poses[0].x = t08;
-    poses[0].y = t10;
+    const Scalar t03 = u.x_B + slide_B_x;
+    const Scalar t04 = BG_x + t03;
+    const Scalar t05 = u.y_B + slide_B_y;
+    const Scalar t06 = BG_y + t05;
+    poses[0].x = t04;
+    poses[0].y = t06;
     poses[0].direction.cos = u.phi_B.cos;
     poses[0].direction.sin = u.phi_B.sin;
     poses[1].x = u.x_E;
     poses[1].y = u.y_E;
     poses[1].direction.cos = cos_EDF;
     poses[1].direction.sin = sin_EDF;
-    poses[2].x = BC_x + slide_C_x + t07;
-    poses[2].y = BC_y + slide_C_y + t09;
+    poses[2].x = BC_x + slide_C_x + t03;
+    poses[2].y = BC_y + slide_C_y + t05;
     poses[2].direction.cos = cos_CD;
     poses[2].direction.sin = sin_CD;
-    poses[3].x = t08;
-    poses[3].y = t10;
+    poses[3].x = t04;
+    poses[3].y = t06;
     poses[3].direction.cos = q.theta_GF.cos;
     poses[3].direction.sin = q.theta_GF.sin;
   }
@@ -654,24 +624,20 @@ struct Model14 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t04 - t03;
-    const Scalar t05 = t01 * d.h_C_BCG;
-    const Scalar t06 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t05 - t06;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar t01 = d.h_C_BCG * sin_CD;
+    const Scalar BC_x = BG_x - t01;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t02 = d.h_C_BCG * cos_CD;
+    const Scalar BC_y = BG_y + t02;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = t04;
-    const Scalar BG_y = -t06;
-    const Scalar t07 = slide_B_y + BG_y;
-    const Scalar t08 = slide_B_x + BG_x;
+    const Scalar t03 = slide_B_y + BG_y;
+    const Scalar t04 = slide_B_x + BG_x;
     P_q(0, 1) = u.phi_B.cos;
     P_q(1, 1) = u.phi_B.sin;
     P_q(6, 1) = u.phi_B.cos;
@@ -686,18 +652,18 @@ struct Model14 {
     P_d(5, 1) = Scalar(1);
     P_d(5, 6) = Scalar(1);
     P_d(6, 0) = u.phi_B.sin;
-    P_d(6, 1) = -t05 - slide_C_y;
+    P_d(6, 1) = -slide_C_y - t02;
     P_d(6, 2) = -sin_CD;
     P_d(7, 0) = -u.phi_B.cos;
-    P_d(7, 1) = slide_C_x - t03;
+    P_d(7, 1) = slide_C_x - t01;
     P_d(7, 2) = cos_CD;
     P_d(8, 1) = Scalar(1);
     P_d(9, 0) = u.phi_B.sin;
     P_d(10, 0) = -u.phi_B.cos;
     P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -t07;
+    P_u(0, 2) = -t03;
     P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = t08;
+    P_u(1, 2) = t04;
     P_u(2, 2) = Scalar(1);
     P_u(3, 3) = Scalar(1);
     P_u(4, 4) = Scalar(1);
@@ -708,9 +674,9 @@ struct Model14 {
     P_u(7, 2) = slide_C_x + slide_B_x + BC_x;
     P_u(8, 2) = Scalar(1);
     P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -t07;
+    P_u(9, 2) = -t03;
     P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = t08;
+    P_u(10, 2) = t04;
   }
 
   /// Velocity (vx, vy, omega) of each link's frame, one row a link.
@@ -726,35 +692,31 @@ struct Model14 {
     const Scalar omega_B = u_rate(2);
     const Scalar v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar t05 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t06 = (slide_B_y + BG_y) * omega_B - t05;
-    const Scalar t07 = u.phi_B.sin * v_s_B + v_y_B;
-    const Scalar t08 = omega_B * (slide_B_x + BG_x) + t07;
-    v(0, 0) = -t06;
-    v(0, 1) = t08;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
+    const Scalar t02 = (slide_B_y + BG_y) * omega_B - t01;
+    const Scalar t03 = u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar t04 = (slide_B_x + BG_x) * omega_B + t03;
+    v(0, 0) = -t02;
+    v(0, 1) = t04;
     v(0, 2) = omega_B;
     v(1, 0) = v_x_E;
     v(1, 1) = v_y_E;
     v(1, 2) = omega_B;
-    v(2, 0) = t05 + cos_CD * v_s_C - omega_B * (slide_B_y + BC_y + slide_C_y);
-    v(2, 1) = t07 + omega_B * (slide_B_x + BC_x + slide_C_x) + sin_CD * v_s_C;
+    v(2, 0) = t01 + cos_CD * v_s_C - (slide_B_y + BC_y + slide_C_y) * omega_B;
+    v(2, 1) = t03 + (slide_B_x + BC_x + slide_C_x) * omega_B + sin_CD * v_s_C;
     v(2, 2) = omega_B;
-    v(3, 0) = -t06;
-    v(3, 1) = t08;
+    v(3, 0) = -t02;
+    v(3, 1) = t04;
     v(3, 2) = omega_GF;
   }
 
@@ -775,43 +737,39 @@ struct Model14 {
     const Scalar alpha_B = u_second_rate(2);
     const Scalar a_x_E = u_second_rate(3);
     const Scalar a_y_E = u_second_rate(4);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar t05 = slide_B_x + BG_x;
-    const Scalar t06 = u.phi_B.sin * v_s_B;
-    const Scalar t07 = slide_B_y + BG_y;
-    const Scalar t08 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t09 = omega_B * (t05 * omega_B + Scalar(2) * t06) + t07 * alpha_B - t08;
-    const Scalar t10 = u.phi_B.cos * v_s_B;
-    const Scalar t11 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t12 = omega_B * (omega_B * t07 - Scalar(2) * t10) - t05 * alpha_B - t11;
-    const Scalar t13 = slide_B_x + BC_x + slide_C_x;
-    const Scalar t14 = slide_B_y + BC_y + slide_C_y;
-    a(0, 0) = -t09;
-    a(0, 1) = -t12;
+    const Scalar t01 = slide_B_x + BG_x;
+    const Scalar t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y + BG_y;
+    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t05 = omega_B * (t01 * omega_B + Scalar(2) * t02) + t03 * alpha_B - t04;
+    const Scalar t06 = u.phi_B.cos * v_s_B;
+    const Scalar t07 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t08 = omega_B * (t03 * omega_B - Scalar(2) * t06) - t01 * alpha_B - t07;
+    const Scalar t09 = slide_B_x + BC_x + slide_C_x;
+    const Scalar t10 = slide_B_y + BC_y + slide_C_y;
+    a(0, 0) = -t05;
+    a(0, 1) = -t08;
     a(0, 2) = alpha_B;
     a(1, 0) = a_x_E;
     a(1, 1) = a_y_E;
     a(1, 2) = alpha_B;
-    a(2, 0) = t08 + cos_CD * a_s_C - omega_B * (Scalar(2) * t06 + omega_B * t13
-        + Scalar(2) * sin_CD * v_s_C) - alpha_B * t14;
-    a(2, 1) = t11 + omega_B * (Scalar(2) * t10 + Scalar(2) * cos_CD * v_s_C - omega_B * t14)
-        + alpha_B * t13 + sin_CD * a_s_C;
+    a(2, 0) = t04 + cos_CD * a_s_C - omega_B * (Scalar(2) * t02 + t09 * omega_B
+        + Scalar(2) * sin_CD * v_s_C) - t10 * alpha_B;
+    a(2, 1) = t07 + omega_B * (Scalar(2) * t06 + Scalar(2) * cos_CD * v_s_C - t10 * omega_B)
+        + t09 * alpha_B + sin_CD * a_s_C;
     a(2, 2) = alpha_B;
-    a(3, 0) = -t09;
-    a(3, 1) = -t12;
+    a(3, 0) = -t05;
+    a(3, 1) = -t08;
     a(3, 2) = alpha_GF;
   }
 
@@ -831,39 +789,37 @@ struct Model14 {
     p.setZero();
     const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
     const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar t03 = t01 - t02;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = d.psi_C_BCG.cos * u.phi_B.sin;
-    const Scalar t05 = u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t06 = t04 + t05;
-    const Scalar sin_CD = t06;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t07 - t06 * d.h_C_BCG;
-    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar cos_CD = t01 - t02;
+    const Scalar t03 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar sin_CD = t03 + t04;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = t07;
-    const Scalar BG_y = -t08;
-    const Scalar t09 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
-    const Scalar t10 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t09);
-    const Scalar t11 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
-    const Scalar t12 = omega_B * (omega_B * (slide_B_y + BG_y) - Scalar(2) * t11);
-    const Scalar t13 = Scalar(2) * omega_B + omega_C_BCG;
-    const Scalar t14 = sin_CD * v_s_C;
-    const Scalar t15 = cos_CD * v_s_C;
-    p(0, 0) = -t10;
-    p(0, 1) = -t12;
-    p(2, 0) = omega_B * (Scalar(2) * t09 - Scalar(2) * t14 - omega_B * (slide_B_x + slide_C_x
-        + BC_x) - Scalar(2) * cos_CD * v_h_C_BCG) - omega_C_BCG * (t13 * slide_C_x + Scalar(2) * t14
-        + v_h_C_BCG * (t03 + cos_CD) - d.h_C_BCG * (t04 * t13 + t05 * t13));
-    p(2, 1) = omega_B * (Scalar(2) * t11 + Scalar(2) * t15 - omega_B * (slide_B_y + slide_C_y
-        + BC_y) - Scalar(2) * sin_CD * v_h_C_BCG) - omega_C_BCG * (t13 * slide_C_y
-        + d.h_C_BCG * (t01 * t13 - t02 * t13) + v_h_C_BCG * (t06 + sin_CD) - Scalar(2) * t15);
-    p(3, 0) = -t10;
-    p(3, 1) = -t12;
+    const Scalar t05 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t06 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t05);
+    const Scalar t07 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t08 = omega_B * ((slide_B_y + BG_y) * omega_B - Scalar(2) * t07);
+    const Scalar t09 = sin_CD * v_s_C;
+    const Scalar t10 = cos_CD * v_h_C_BCG;
+    const Scalar t11 = Scalar(2) * omega_B + omega_C_BCG;
+    const Scalar t12 = cos_CD * v_s_C;
+    const Scalar t13 = sin_CD * v_h_C_BCG;
+    p(0, 0) = -t06;
+    p(0, 1) = -t08;
+    p(2, 0) = omega_B * (Scalar(2) * t05 - Scalar(2) * t09 - (slide_B_x + slide_C_x
+        + BC_x) * omega_B - Scalar(2) * t10) - omega_C_BCG * (slide_C_x * t11 + Scalar(2) * t09
+        + Scalar(2) * t10 - d.h_C_BCG * (t03 * t11 + t04 * t11));
+    p(2, 1) = omega_B * (Scalar(2) * t07 + Scalar(2) * t12 - (slide_B_y + slide_C_y
+        + BC_y) * omega_B - Scalar(2) * t13) - omega_C_BCG * (slide_C_y * t11 + Scalar(2) * t13
+        + d.h_C_BCG * (t01 * t11 - t02 * t11) - Scalar(2) * t12);
+    p(3, 0) = -t06;
+    p(3, 1) = -t08;
   }
 
   /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
@@ -893,22 +849,22 @@ struct Model14 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
     const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
-    const Scalar t01 = d.psi_D_CD.sin * d.GF;
-    const Scalar pivot_product = -cos_phi_B_minus_GF * t01;
+    const Scalar t01 = d.GF * d.psi_D_CD.sin;
+    const Scalar pivot_product = -t01 * cos_phi_B_minus_GF;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B - theta_GF) = 0, or
                                                        //     sin(psi_D_CD) = 0, or GF = 0
     const Scalar inverse_cos_phi_B_minus_GF = -inverse * t01;
-    const Scalar t02 = cos_phi_B_minus_GF * inverse;
+    const Scalar t02 = inverse * cos_phi_B_minus_GF;
     const Scalar inverse_sin_psi_D_CD = d.GF * t02;
-    const Scalar inverse_GF = -d.psi_D_CD.sin * t02;
+    const Scalar inverse_GF = -t02 * d.psi_D_CD.sin;
     const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
     const Scalar s_D_per_along_GF = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
         inverse_cos_phi_B_minus_GF;
     const Scalar s_C_per_along_GF = d.psi_D_CD.cos * s_D_per_along_GF
         - d.psi_C_BCG.cos * inverse_cos_phi_B_minus_GF;
-    const Scalar GF_per_along_GF = -inverse_cos_phi_B_minus_GF * sin_phi_B_minus_GF * inverse_GF;
-    J_inverse(0, 2) = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
-    J_inverse(0, 3) = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * inverse_cos_phi_B_minus_GF * sin_phi_B_minus_GF;
+    J_inverse(0, 2) = GF_per_along_GF * q.theta_GF.cos - inverse_GF * q.theta_GF.sin;
+    J_inverse(0, 3) = inverse_GF * q.theta_GF.cos + GF_per_along_GF * q.theta_GF.sin;
     J_inverse(1, 2) = q.theta_GF.cos * inverse_cos_phi_B_minus_GF;
     J_inverse(1, 3) = q.theta_GF.sin * inverse_cos_phi_B_minus_GF;
     J_inverse(2, 0) = cos_CD - sin_CD * s_C_per_across_slide_C;
@@ -939,17 +895,17 @@ struct Model14 {
         + q.theta_GF.sin * sin_EDF;
     const Scalar sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * sin_EDF
         - q.theta_GF.sin * cos_EDF;
-    const Scalar t03 = d.psi_D_CD.cos * q.s_D - d.psi_D_CD.sin * d.h_D_EDF;
+    const Scalar t03 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
     const Scalar t04 = q.s_C - t03;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + t04 - d.psi_C_BCG.sin * d.h_B_BCG;
-    const Scalar t05 = d.psi_D_CD.cos * d.h_D_EDF + d.psi_D_CD.sin * q.s_D - d.h_C_BCG;
-    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t04 - d.h_B_BCG * d.psi_C_BCG.sin;
+    const Scalar t05 = d.h_D_EDF * d.psi_D_CD.cos + q.s_D * d.psi_D_CD.sin - d.h_C_BCG;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos
         - t05;
     const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF
         + d.y_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
         - d.x_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
     const Scalar t06 = d.x_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
-        + cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * d.y_F_EDF;
+        + d.y_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF
         - t06;
     const Scalar t07 = d.psi_D_CD.sin * cos_phi_B_minus_GF;
@@ -960,82 +916,83 @@ struct Model14 {
     const Scalar inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t08;
     const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t08;
     const Scalar inverse_GF = -inverse * t07;
-    const Scalar t09 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_C_per_across_slide_C = t09;
+    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
     const Scalar s_D_per_along_GF = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
         inverse_cos_phi_B_minus_GF;
     const Scalar s_C_per_along_GF = d.psi_D_CD.cos * s_D_per_along_GF
         - d.psi_C_BCG.cos * inverse_cos_phi_B_minus_GF;
-    const Scalar t10 = sin_phi_B_minus_GF * inverse_cos_phi_B_minus_GF;
-    const Scalar GF_per_along_GF = -inverse_GF * t10;
-    const Scalar t11 = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_GF
-        - sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * GF_per_along_GF;
-    const Scalar t12 = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * GF_per_along_GF
-        + sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_GF;
-    const Scalar t13 = d.x_F_EDF * t11 - d.y_F_EDF * t12;
-    const Scalar t14 = inverse_cos_phi_B_minus_GF * t06;
-    const Scalar t15 = t06 * s_C_per_along_GF;
-    const Scalar t16 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t17 = s_D_per_along_GF * t06;
-    const Scalar t18 = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
-    const Scalar t19 = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
-    const Scalar t20 = q.theta_GF.cos * inverse_cos_phi_B_minus_GF;
-    const Scalar t21 = q.theta_GF.sin * inverse_cos_phi_B_minus_GF;
-    const Scalar t22 = q.theta_GF.cos * s_C_per_along_GF + cos_CD - s_C_per_across_slide_C * sin_CD;
-    const Scalar t23 = sin_CD + q.theta_GF.sin * s_C_per_along_GF + s_C_per_across_slide_C * cos_CD;
-    const Scalar t24 = q.theta_GF.cos * s_D_per_along_GF - inverse_sin_psi_D_CD * sin_CD;
-    const Scalar t25 = q.theta_GF.sin * s_D_per_along_GF + inverse_sin_psi_D_CD * cos_CD;
-    S_d(0, 0) = cos_phi_B_minus_GF * inverse_GF - sin_phi_B_minus_GF * GF_per_along_GF;
-    S_d(0, 1) = t13;
-    S_d(0, 4) = t12;
-    S_d(0, 5) = t11;
-    S_d(0, 6) = t13;
+    const Scalar t09 = sin_phi_B_minus_GF * inverse_cos_phi_B_minus_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * t09;
+    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_B_per_x_B = -q.theta_GF.cos * inverse_cos_phi_B_minus_GF;
+    const Scalar s_C_per_x_B = s_C_per_across_slide_C * sin_CD - q.theta_GF.cos * s_C_per_along_GF
+        - cos_CD;
+    const Scalar s_D_per_x_B = inverse_sin_psi_D_CD * sin_CD - q.theta_GF.cos * s_D_per_along_GF;
+    const Scalar GF_per_y_B = -inverse_GF * q.theta_GF.cos - GF_per_along_GF * q.theta_GF.sin;
+    const Scalar s_B_per_y_B = -q.theta_GF.sin * inverse_cos_phi_B_minus_GF;
+    const Scalar s_C_per_y_B = -sin_CD - q.theta_GF.sin * s_C_per_along_GF
+        - s_C_per_across_slide_C * cos_CD;
+    const Scalar s_D_per_y_B = -q.theta_GF.sin * s_D_per_along_GF - inverse_sin_psi_D_CD * cos_CD;
+    const Scalar t10 = inverse_GF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
+        - GF_per_along_GF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
+    const Scalar t11 = GF_per_along_GF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
+        + inverse_GF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
+    const Scalar t12 = d.x_F_EDF * t10 - d.y_F_EDF * t11;
+    const Scalar t13 = t06 * inverse_cos_phi_B_minus_GF;
+    const Scalar t14 = t06 * s_C_per_along_GF;
+    const Scalar t15 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t16 = t06 * s_D_per_along_GF;
+    S_d(0, 0) = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
+    S_d(0, 1) = t12;
+    S_d(0, 4) = t11;
+    S_d(0, 5) = t10;
+    S_d(0, 6) = t12;
     S_d(0, 7) = -GF_per_along_GF;
-    S_d(1, 0) = -t10;
-    S_d(1, 1) = -t14;
+    S_d(1, 0) = -t09;
+    S_d(1, 1) = -t13;
     S_d(1, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_cos_phi_B_minus_GF;
     S_d(1, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_cos_phi_B_minus_GF;
-    S_d(1, 6) = -t14;
+    S_d(1, 6) = -t13;
     S_d(1, 7) = -inverse_cos_phi_B_minus_GF;
     S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
         - sin_phi_B_minus_GF * s_C_per_along_GF;
-    S_d(2, 1) = -t15 - s_C_per_across_slide_C * t04 - t05;
+    S_d(2, 1) = -t14 - t04 * s_C_per_across_slide_C - t05;
     S_d(2, 2) = -s_C_per_across_slide_C;
-    S_d(2, 3) = -t16;
+    S_d(2, 3) = -t15;
     S_d(2, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_C_per_along_GF;
     S_d(2, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_C_per_along_GF;
-    S_d(2, 6) = -t15 - q.s_D * t16 - d.h_D_EDF * (d.psi_D_CD.cos
+    S_d(2, 6) = -t14 - q.s_D * t15 - d.h_D_EDF * (d.psi_D_CD.cos
         + d.psi_D_CD.sin * s_C_per_across_slide_C);
     S_d(2, 7) = -s_C_per_along_GF;
     S_d(3, 0) = d.psi_C_BCG.cos * inverse_sin_psi_D_CD - sin_phi_B_minus_GF * s_D_per_along_GF;
-    S_d(3, 1) = -t17 - inverse_sin_psi_D_CD * t04;
+    S_d(3, 1) = -t16 - t04 * inverse_sin_psi_D_CD;
     S_d(3, 2) = -inverse_sin_psi_D_CD;
-    S_d(3, 3) = t09;
+    S_d(3, 3) = s_C_per_across_slide_C;
     S_d(3, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_D_per_along_GF;
     S_d(3, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_D_per_along_GF;
-    S_d(3, 6) = inverse_sin_psi_D_CD * t03 - t17;
+    S_d(3, 6) = t03 * inverse_sin_psi_D_CD - t16;
     S_d(3, 7) = -s_D_per_along_GF;
-    S_u(0, 0) = -t18;
-    S_u(0, 1) = -t19;
+    S_u(0, 0) = GF_per_x_B;
+    S_u(0, 1) = GF_per_y_B;
     S_u(0, 2) = GF_per_along_GF * phi_B_across_GF - inverse_GF * phi_B_along_GF;
-    S_u(0, 3) = t18;
-    S_u(0, 4) = t19;
-    S_u(1, 0) = -t20;
-    S_u(1, 1) = -t21;
-    S_u(1, 2) = inverse_cos_phi_B_minus_GF * phi_B_across_GF;
-    S_u(1, 3) = t20;
-    S_u(1, 4) = t21;
-    S_u(2, 0) = -t22;
-    S_u(2, 1) = -t23;
-    S_u(2, 2) = phi_B_across_slide_C + s_C_per_along_GF * phi_B_across_GF
-        - s_C_per_across_slide_C * phi_B_along_slide_C;
-    S_u(2, 3) = t22;
-    S_u(2, 4) = t23;
-    S_u(3, 0) = -t24;
-    S_u(3, 1) = -t25;
-    S_u(3, 2) = s_D_per_along_GF * phi_B_across_GF - inverse_sin_psi_D_CD * phi_B_along_slide_C;
-    S_u(3, 3) = t24;
-    S_u(3, 4) = t25;
+    S_u(0, 3) = -GF_per_x_B;
+    S_u(0, 4) = -GF_per_y_B;
+    S_u(1, 0) = s_B_per_x_B;
+    S_u(1, 1) = s_B_per_y_B;
+    S_u(1, 2) = phi_B_across_GF * inverse_cos_phi_B_minus_GF;
+    S_u(1, 3) = -s_B_per_x_B;
+    S_u(1, 4) = -s_B_per_y_B;
+    S_u(2, 0) = s_C_per_x_B;
+    S_u(2, 1) = s_C_per_y_B;
+    S_u(2, 2) = phi_B_across_slide_C + phi_B_across_GF * s_C_per_along_GF
+        - phi_B_along_slide_C * s_C_per_across_slide_C;
+    S_u(2, 3) = -s_C_per_x_B;
+    S_u(2, 4) = -s_C_per_y_B;
+    S_u(3, 0) = s_D_per_x_B;
+    S_u(3, 1) = s_D_per_y_B;
+    S_u(3, 2) = phi_B_across_GF * s_D_per_along_GF - phi_B_along_slide_C * inverse_sin_psi_D_CD;
+    S_u(3, 3) = -s_D_per_x_B;
+    S_u(3, 4) = -s_D_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1060,16 +1017,16 @@ struct Model14 {
         + q.theta_GF.sin * sin_EDF;
     const Scalar sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * sin_EDF
         - q.theta_GF.sin * cos_EDF;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C + d.psi_D_CD.sin * d.h_D_EDF
-        - d.psi_D_CD.cos * q.s_D - d.psi_C_BCG.sin * d.h_B_BCG;
-    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B - d.psi_D_CD.sin * q.s_D
-        - d.psi_C_BCG.cos * d.h_B_BCG - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C + d.h_D_EDF * d.psi_D_CD.sin
+        - q.s_D * d.psi_D_CD.cos - d.h_B_BCG * d.psi_C_BCG.sin;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - q.s_B * d.psi_C_BCG.sin - q.s_D * d.psi_D_CD.sin
+        - d.h_B_BCG * d.psi_C_BCG.cos - d.h_D_EDF * d.psi_D_CD.cos;
     const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF
         + d.y_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
         - d.x_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF
         - d.x_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
-        - cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * d.y_F_EDF;
+        - d.y_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
     const Scalar t03 = d.psi_D_CD.sin * cos_phi_B_minus_GF;
     const Scalar pivot_product = -d.GF * t03;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B - theta_GF) = 0, or
@@ -1080,18 +1037,18 @@ struct Model14 {
     const Scalar inverse_GF = -inverse * t03;
     const Scalar t05 = v_x_B - v_x_E;
     const Scalar t06 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = omega_B * phi_B_across_slide_C - t05 * cos_CD
-        - t06 * sin_CD;
-    const Scalar velocity_across_slide_C = t05 * sin_CD - cos_CD * t06
-        - omega_B * phi_B_along_slide_C;
-    const Scalar velocity_along_GF = omega_B * phi_B_across_GF - q.theta_GF.cos * t05
+    const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B - cos_CD * t05
+        - sin_CD * t06;
+    const Scalar velocity_across_slide_C = sin_CD * t05 - cos_CD * t06
+        - phi_B_along_slide_C * omega_B;
+    const Scalar velocity_along_GF = phi_B_across_GF * omega_B - q.theta_GF.cos * t05
         - q.theta_GF.sin * t06;
     const Scalar velocity_across_GF = q.theta_GF.sin * t05 - q.theta_GF.cos * t06
-        - omega_B * phi_B_along_GF;
+        - phi_B_along_GF * omega_B;
     const Scalar v_s_B = inverse_cos_phi_B_minus_GF * velocity_along_GF;
-    const Scalar v_s_D = (d.psi_C_BCG.sin * v_s_B + velocity_across_slide_C) * inverse_sin_psi_D_CD;
+    const Scalar v_s_D = inverse_sin_psi_D_CD * (d.psi_C_BCG.sin * v_s_B + velocity_across_slide_C);
     const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + velocity_along_slide_C - d.psi_C_BCG.cos * v_s_B;
-    const Scalar omega_GF = -(sin_phi_B_minus_GF * v_s_B - velocity_across_GF) * inverse_GF;
+    const Scalar omega_GF = -inverse_GF * (sin_phi_B_minus_GF * v_s_B - velocity_across_GF);
     q_rate(0) = omega_GF;
     q_rate(1) = v_s_B;
     q_rate(2) = v_s_C;
@@ -1126,16 +1083,16 @@ struct Model14 {
         + q.theta_GF.sin * sin_EDF;
     const Scalar sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * sin_EDF
         - q.theta_GF.sin * cos_EDF;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C + d.psi_D_CD.sin * d.h_D_EDF
-        - d.psi_D_CD.cos * q.s_D - d.psi_C_BCG.sin * d.h_B_BCG;
-    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B - d.psi_D_CD.sin * q.s_D
-        - d.psi_C_BCG.cos * d.h_B_BCG - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C + d.h_D_EDF * d.psi_D_CD.sin
+        - q.s_D * d.psi_D_CD.cos - d.h_B_BCG * d.psi_C_BCG.sin;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - q.s_B * d.psi_C_BCG.sin - q.s_D * d.psi_D_CD.sin
+        - d.h_B_BCG * d.psi_C_BCG.cos - d.h_D_EDF * d.psi_D_CD.cos;
     const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF
         + d.y_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
         - d.x_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF
         - d.x_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
-        - cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * d.y_F_EDF;
+        - d.y_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
     const Scalar t03 = d.psi_D_CD.sin * cos_phi_B_minus_GF;
     const Scalar pivot_product = -d.GF * t03;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B - theta_GF) = 0, or
@@ -1146,21 +1103,21 @@ struct Model14 {
     const Scalar inverse_GF = -inverse * t03;
     const Scalar t05 = v_x_B - v_x_E;
     const Scalar t06 = v_y_B - v_y_E;
-    const Scalar t07 = omega_B * phi_B_across_slide_C;
-    const Scalar velocity_along_slide_C = t07 - t05 * cos_CD - t06 * sin_CD;
-    const Scalar t08 = omega_B * phi_B_along_slide_C;
-    const Scalar velocity_across_slide_C = t05 * sin_CD - cos_CD * t06 - t08;
-    const Scalar t09 = omega_B * phi_B_across_GF;
+    const Scalar t07 = phi_B_across_slide_C * omega_B;
+    const Scalar velocity_along_slide_C = t07 - cos_CD * t05 - sin_CD * t06;
+    const Scalar t08 = phi_B_along_slide_C * omega_B;
+    const Scalar velocity_across_slide_C = sin_CD * t05 - cos_CD * t06 - t08;
+    const Scalar t09 = phi_B_across_GF * omega_B;
     const Scalar velocity_along_GF = t09 - q.theta_GF.cos * t05 - q.theta_GF.sin * t06;
-    const Scalar t10 = omega_B * phi_B_along_GF;
+    const Scalar t10 = phi_B_along_GF * omega_B;
     const Scalar velocity_across_GF = q.theta_GF.sin * t05 - q.theta_GF.cos * t06 - t10;
     const Scalar v_s_B = inverse_cos_phi_B_minus_GF * velocity_along_GF;
     const Scalar t11 = d.psi_C_BCG.sin * v_s_B;
-    const Scalar v_s_D = (t11 + velocity_across_slide_C) * inverse_sin_psi_D_CD;
+    const Scalar v_s_D = inverse_sin_psi_D_CD * (t11 + velocity_across_slide_C);
     const Scalar t12 = d.psi_C_BCG.cos * v_s_B - d.psi_D_CD.cos * v_s_D;
     const Scalar v_s_C = velocity_along_slide_C - t12;
     const Scalar t13 = sin_phi_B_minus_GF * v_s_B;
-    const Scalar omega_GF = -(t13 - velocity_across_GF) * inverse_GF;
+    const Scalar omega_GF = -inverse_GF * (t13 - velocity_across_GF);
     const Scalar t14 = a_x_B - a_x_E;
     const Scalar t15 = a_y_B - a_y_E;
     const Scalar acceleration_along_slide_C = omega_B * (t08 - Scalar(2) * t11
@@ -1220,17 +1177,17 @@ struct Model14 {
         + q.theta_GF.sin * sin_EDF;
     const Scalar sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * sin_EDF
         - q.theta_GF.sin * cos_EDF;
-    const Scalar t03 = d.psi_D_CD.cos * q.s_D - d.psi_D_CD.sin * d.h_D_EDF;
+    const Scalar t03 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
     const Scalar t04 = q.s_C - t03;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + t04 - d.psi_C_BCG.sin * d.h_B_BCG;
-    const Scalar t05 = d.psi_D_CD.cos * d.h_D_EDF + d.psi_D_CD.sin * q.s_D - d.h_C_BCG;
-    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t04 - d.h_B_BCG * d.psi_C_BCG.sin;
+    const Scalar t05 = d.h_D_EDF * d.psi_D_CD.cos + q.s_D * d.psi_D_CD.sin - d.h_C_BCG;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos
         - t05;
     const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF
         + d.y_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
         - d.x_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
     const Scalar t06 = d.x_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
-        + cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * d.y_F_EDF;
+        + d.y_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF
         - t06;
     const Scalar t07 = d.psi_D_CD.sin * cos_phi_B_minus_GF;
@@ -1241,46 +1198,35 @@ struct Model14 {
     const Scalar inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t08;
     const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t08;
     const Scalar inverse_GF = -inverse * t07;
-    const Scalar t09 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_C_per_across_slide_C = t09;
+    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
     const Scalar s_D_per_along_GF = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
         inverse_cos_phi_B_minus_GF;
     const Scalar s_C_per_along_GF = d.psi_D_CD.cos * s_D_per_along_GF
         - d.psi_C_BCG.cos * inverse_cos_phi_B_minus_GF;
-    const Scalar t10 = sin_phi_B_minus_GF * inverse_cos_phi_B_minus_GF;
-    const Scalar GF_per_along_GF = -inverse_GF * t10;
-    const Scalar t11 = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
-    const Scalar GF_per_x_B = -t11;
-    const Scalar t12 = q.theta_GF.cos * inverse_cos_phi_B_minus_GF;
-    const Scalar s_B_per_x_B = -t12;
-    const Scalar t13 = q.theta_GF.cos * s_C_per_along_GF + cos_CD - sin_CD * s_C_per_across_slide_C;
-    const Scalar s_C_per_x_B = -t13;
-    const Scalar t14 = q.theta_GF.cos * s_D_per_along_GF - inverse_sin_psi_D_CD * sin_CD;
-    const Scalar s_D_per_x_B = -t14;
-    const Scalar t15 = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
-    const Scalar GF_per_y_B = -t15;
-    const Scalar t16 = q.theta_GF.sin * inverse_cos_phi_B_minus_GF;
-    const Scalar s_B_per_y_B = -t16;
-    const Scalar t17 = sin_CD + q.theta_GF.sin * s_C_per_along_GF + cos_CD * s_C_per_across_slide_C;
-    const Scalar s_C_per_y_B = -t17;
-    const Scalar t18 = q.theta_GF.sin * s_D_per_along_GF + inverse_sin_psi_D_CD * cos_CD;
-    const Scalar s_D_per_y_B = -t18;
-    const Scalar t19 = inverse_GF * phi_B_along_GF - GF_per_along_GF * phi_B_across_GF;
-    const Scalar GF_per_phi_B = -t19;
-    const Scalar t20 = inverse_cos_phi_B_minus_GF * phi_B_across_GF;
-    const Scalar s_B_per_phi_B = t20;
-    const Scalar t21 = s_C_per_across_slide_C * phi_B_along_slide_C - phi_B_across_slide_C
-        - s_C_per_along_GF * phi_B_across_GF;
-    const Scalar s_C_per_phi_B = -t21;
-    const Scalar t22 = inverse_sin_psi_D_CD * phi_B_along_slide_C
-        - s_D_per_along_GF * phi_B_across_GF;
-    const Scalar s_D_per_phi_B = -t22;
-    const Scalar t23 = v_x_B - v_x_E;
-    const Scalar t24 = v_y_B - v_y_E;
-    const Scalar omega_GF = t23 * GF_per_x_B + t24 * GF_per_y_B + omega_B * GF_per_phi_B;
-    const Scalar v_s_B = t23 * s_B_per_x_B + t24 * s_B_per_y_B + omega_B * s_B_per_phi_B;
-    const Scalar v_s_C = t23 * s_C_per_x_B + t24 * s_C_per_y_B + omega_B * s_C_per_phi_B;
-    const Scalar v_s_D = t23 * s_D_per_x_B + t24 * s_D_per_y_B + omega_B * s_D_per_phi_B;
+    const Scalar t09 = sin_phi_B_minus_GF * inverse_cos_phi_B_minus_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * t09;
+    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_B_per_x_B = -q.theta_GF.cos * inverse_cos_phi_B_minus_GF;
+    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C - q.theta_GF.cos * s_C_per_along_GF
+        - cos_CD;
+    const Scalar s_D_per_x_B = inverse_sin_psi_D_CD * sin_CD - q.theta_GF.cos * s_D_per_along_GF;
+    const Scalar GF_per_y_B = -inverse_GF * q.theta_GF.cos - GF_per_along_GF * q.theta_GF.sin;
+    const Scalar s_B_per_y_B = -q.theta_GF.sin * inverse_cos_phi_B_minus_GF;
+    const Scalar s_C_per_y_B = -sin_CD - q.theta_GF.sin * s_C_per_along_GF
+        - cos_CD * s_C_per_across_slide_C;
+    const Scalar s_D_per_y_B = -q.theta_GF.sin * s_D_per_along_GF - inverse_sin_psi_D_CD * cos_CD;
+    const Scalar GF_per_phi_B = GF_per_along_GF * phi_B_across_GF - inverse_GF * phi_B_along_GF;
+    const Scalar s_B_per_phi_B = phi_B_across_GF * inverse_cos_phi_B_minus_GF;
+    const Scalar s_C_per_phi_B = phi_B_across_slide_C + phi_B_across_GF * s_C_per_along_GF
+        - phi_B_along_slide_C * s_C_per_across_slide_C;
+    const Scalar s_D_per_phi_B = phi_B_across_GF * s_D_per_along_GF
+        - phi_B_along_slide_C * inverse_sin_psi_D_CD;
+    const Scalar t10 = v_x_B - v_x_E;
+    const Scalar t11 = v_y_B - v_y_E;
+    const Scalar omega_GF = GF_per_x_B * t10 + GF_per_y_B * t11 + GF_per_phi_B * omega_B;
+    const Scalar v_s_B = s_B_per_x_B * t10 + s_B_per_y_B * t11 + s_B_per_phi_B * omega_B;
+    const Scalar v_s_C = s_C_per_x_B * t10 + s_C_per_y_B * t11 + s_C_per_phi_B * omega_B;
+    const Scalar v_s_D = s_D_per_x_B * t10 + s_D_per_y_B * t11 + s_D_per_phi_B * omega_B;
     const Scalar centripetal_along_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B
         + Scalar(2) * d.psi_D_CD.sin * v_s_D - phi_B_along_slide_C * omega_B);
     const Scalar centripetal_across_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B
@@ -1289,79 +1235,79 @@ struct Model14 {
         + phi_B_along_GF * omega_B) + d.GF * omega_GF * omega_GF;
     const Scalar centripetal_across_GF = -omega_B * (Scalar(2) * cos_phi_B_minus_GF * v_s_B
         - phi_B_across_GF * omega_B);
-    const Scalar t25 = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_GF
-        - sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * GF_per_along_GF;
-    const Scalar t26 = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * GF_per_along_GF
-        + sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_GF;
-    const Scalar t27 = d.x_F_EDF * t25 - d.y_F_EDF * t26;
-    const Scalar t28 = inverse_cos_phi_B_minus_GF * t06;
-    const Scalar t29 = s_C_per_along_GF * t06;
-    const Scalar t30 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t31 = s_D_per_along_GF * t06;
-    const Scalar t32 = a_x_B - a_x_E;
-    const Scalar t33 = a_y_B - a_y_E;
-    S_d(0, 0) = cos_phi_B_minus_GF * inverse_GF - sin_phi_B_minus_GF * GF_per_along_GF;
-    S_d(0, 1) = t27;
-    S_d(0, 4) = t26;
-    S_d(0, 5) = t25;
-    S_d(0, 6) = t27;
+    const Scalar t12 = inverse_GF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
+        - GF_per_along_GF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
+    const Scalar t13 = GF_per_along_GF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
+        + inverse_GF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
+    const Scalar t14 = d.x_F_EDF * t12 - d.y_F_EDF * t13;
+    const Scalar t15 = t06 * inverse_cos_phi_B_minus_GF;
+    const Scalar t16 = t06 * s_C_per_along_GF;
+    const Scalar t17 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t18 = t06 * s_D_per_along_GF;
+    const Scalar t19 = a_x_B - a_x_E;
+    const Scalar t20 = a_y_B - a_y_E;
+    S_d(0, 0) = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
+    S_d(0, 1) = t14;
+    S_d(0, 4) = t13;
+    S_d(0, 5) = t12;
+    S_d(0, 6) = t14;
     S_d(0, 7) = -GF_per_along_GF;
-    S_d(1, 0) = -t10;
-    S_d(1, 1) = -t28;
+    S_d(1, 0) = -t09;
+    S_d(1, 1) = -t15;
     S_d(1, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_cos_phi_B_minus_GF;
     S_d(1, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_cos_phi_B_minus_GF;
-    S_d(1, 6) = -t28;
+    S_d(1, 6) = -t15;
     S_d(1, 7) = -inverse_cos_phi_B_minus_GF;
     S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
         - sin_phi_B_minus_GF * s_C_per_along_GF;
-    S_d(2, 1) = -t29 - s_C_per_across_slide_C * t04 - t05;
+    S_d(2, 1) = -t16 - t04 * s_C_per_across_slide_C - t05;
     S_d(2, 2) = -s_C_per_across_slide_C;
-    S_d(2, 3) = -t30;
+    S_d(2, 3) = -t17;
     S_d(2, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_C_per_along_GF;
     S_d(2, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_C_per_along_GF;
-    S_d(2, 6) = -t29 - q.s_D * t30 - d.h_D_EDF * (d.psi_D_CD.cos
+    S_d(2, 6) = -t16 - q.s_D * t17 - d.h_D_EDF * (d.psi_D_CD.cos
         + d.psi_D_CD.sin * s_C_per_across_slide_C);
     S_d(2, 7) = -s_C_per_along_GF;
     S_d(3, 0) = d.psi_C_BCG.cos * inverse_sin_psi_D_CD - sin_phi_B_minus_GF * s_D_per_along_GF;
-    S_d(3, 1) = -t31 - inverse_sin_psi_D_CD * t04;
+    S_d(3, 1) = -t18 - t04 * inverse_sin_psi_D_CD;
     S_d(3, 2) = -inverse_sin_psi_D_CD;
-    S_d(3, 3) = t09;
+    S_d(3, 3) = s_C_per_across_slide_C;
     S_d(3, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_D_per_along_GF;
     S_d(3, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_D_per_along_GF;
-    S_d(3, 6) = inverse_sin_psi_D_CD * t03 - t31;
+    S_d(3, 6) = t03 * inverse_sin_psi_D_CD - t18;
     S_d(3, 7) = -s_D_per_along_GF;
-    S_u(0, 0) = -t11;
-    S_u(0, 1) = -t15;
-    S_u(0, 2) = -t19;
-    S_u(0, 3) = t11;
-    S_u(0, 4) = t15;
-    S_u(1, 0) = -t12;
-    S_u(1, 1) = -t16;
-    S_u(1, 2) = t20;
-    S_u(1, 3) = t12;
-    S_u(1, 4) = t16;
-    S_u(2, 0) = -t13;
-    S_u(2, 1) = -t17;
-    S_u(2, 2) = -t21;
-    S_u(2, 3) = t13;
-    S_u(2, 4) = t17;
-    S_u(3, 0) = -t14;
-    S_u(3, 1) = -t18;
-    S_u(3, 2) = -t22;
-    S_u(3, 3) = t14;
-    S_u(3, 4) = t18;
+    S_u(0, 0) = GF_per_x_B;
+    S_u(0, 1) = GF_per_y_B;
+    S_u(0, 2) = GF_per_phi_B;
+    S_u(0, 3) = -GF_per_x_B;
+    S_u(0, 4) = -GF_per_y_B;
+    S_u(1, 0) = s_B_per_x_B;
+    S_u(1, 1) = s_B_per_y_B;
+    S_u(1, 2) = s_B_per_phi_B;
+    S_u(1, 3) = -s_B_per_x_B;
+    S_u(1, 4) = -s_B_per_y_B;
+    S_u(2, 0) = s_C_per_x_B;
+    S_u(2, 1) = s_C_per_y_B;
+    S_u(2, 2) = s_C_per_phi_B;
+    S_u(2, 3) = -s_C_per_x_B;
+    S_u(2, 4) = -s_C_per_y_B;
+    S_u(3, 0) = s_D_per_x_B;
+    S_u(3, 1) = s_D_per_y_B;
+    S_u(3, 2) = s_D_per_phi_B;
+    S_u(3, 3) = -s_D_per_x_B;
+    S_u(3, 4) = -s_D_per_y_B;
     q_rate(0) = omega_GF;
     q_rate(1) = v_s_B;
     q_rate(2) = v_s_C;
     q_rate(3) = v_s_D;
-    q_second_rate(0) = GF_per_x_B * t32 + GF_per_y_B * t33 + GF_per_phi_B * alpha_B
+    q_second_rate(0) = GF_per_x_B * t19 + GF_per_y_B * t20 + GF_per_phi_B * alpha_B
         + inverse_GF * centripetal_across_GF + GF_per_along_GF * centripetal_along_GF;
-    q_second_rate(1) = s_B_per_x_B * t32 + s_B_per_y_B * t33 + s_B_per_phi_B * alpha_B
+    q_second_rate(1) = s_B_per_x_B * t19 + s_B_per_y_B * t20 + s_B_per_phi_B * alpha_B
         + inverse_cos_phi_B_minus_GF * centripetal_along_GF;
-    q_second_rate(2) = s_C_per_x_B * t32 + s_C_per_y_B * t33 + s_C_per_phi_B * alpha_B
+    q_second_rate(2) = s_C_per_x_B * t19 + s_C_per_y_B * t20 + s_C_per_phi_B * alpha_B
         + s_C_per_across_slide_C * centripetal_across_slide_C
         + s_C_per_along_GF * centripetal_along_GF + centripetal_along_slide_C;
-    q_second_rate(3) = s_D_per_x_B * t32 + s_D_per_y_B * t33 + s_D_per_phi_B * alpha_B
+    q_second_rate(3) = s_D_per_x_B * t19 + s_D_per_y_B * t20 + s_D_per_phi_B * alpha_B
         + inverse_sin_psi_D_CD * centripetal_across_slide_C
         + s_D_per_along_GF * centripetal_along_GF;
   }
@@ -1373,19 +1319,19 @@ struct Model14 {
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = u.phi_B.cos * EB_x + EB_y * u.phi_B.sin;
-    const Scalar t02 = u.phi_B.cos * EB_y - u.phi_B.sin * EB_x;
+    const Scalar t01 = EB_x * u.phi_B.cos + EB_y * u.phi_B.sin;
+    const Scalar t02 = EB_y * u.phi_B.cos - EB_x * u.phi_B.sin;
     const Scalar t03 = d.h_B_BCG - t02;
-    const Scalar t04 = t01 * d.psi_D_CD.cos - d.psi_D_CD.sin * t03;
-    const Scalar t05 = d.psi_D_CD.sin * t01 + d.psi_D_CD.cos * t03;
+    const Scalar t04 = t01 * d.psi_D_CD.cos - t03 * d.psi_D_CD.sin;
+    const Scalar t05 = t01 * d.psi_D_CD.sin + t03 * d.psi_D_CD.cos;
     const Scalar T_0_re = EB_x * EB_x + EB_y * EB_y + d.x_F_EDF * (d.x_F_EDF
-        + Scalar(2) * d.psi_C_BCG.sin * t05 - Scalar(2) * d.psi_C_BCG.cos * t04)
-        + d.y_F_EDF * (d.y_F_EDF + Scalar(2) * d.psi_C_BCG.cos * t05
-        + Scalar(2) * d.psi_C_BCG.sin * t04) + d.h_B_BCG * (d.h_B_BCG - Scalar(2) * t02)
+        + Scalar(2) * t05 * d.psi_C_BCG.sin - Scalar(2) * t04 * d.psi_C_BCG.cos)
+        + d.y_F_EDF * (d.y_F_EDF + Scalar(2) * t05 * d.psi_C_BCG.cos
+        + Scalar(2) * t04 * d.psi_C_BCG.sin) + d.h_B_BCG * (d.h_B_BCG - Scalar(2) * t02)
         - d.GF * d.GF;
-    const Scalar T_1_re = Scalar(2) * (t01 + d.psi_C_BCG.sin * (d.psi_D_CD.sin * d.x_F_EDF
-        + d.psi_D_CD.cos * d.y_F_EDF) - d.psi_C_BCG.cos * (d.psi_D_CD.cos * d.x_F_EDF
-        - d.psi_D_CD.sin * d.y_F_EDF));
+    const Scalar T_1_re = Scalar(2) * (t01 + (d.x_F_EDF * d.psi_D_CD.sin
+        + d.y_F_EDF * d.psi_D_CD.cos) * d.psi_C_BCG.sin - (d.x_F_EDF * d.psi_D_CD.cos
+        - d.y_F_EDF * d.psi_D_CD.sin) * d.psi_C_BCG.cos);
     T(0) = T_0_re;
     T(1) = T_1_re;
     T(2) = Scalar(1);
@@ -1402,18 +1348,18 @@ struct Model14 {
                                                              //     parallel
     const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
                                                        //     no length
-    const Scalar t01 = q.s_B + u.phi_B.cos * EB_x + EB_y * u.phi_B.sin;
-    const Scalar t02 = d.h_B_BCG + u.phi_B.sin * EB_x - u.phi_B.cos * EB_y;
+    const Scalar t01 = q.s_B + EB_x * u.phi_B.cos + EB_y * u.phi_B.sin;
+    const Scalar t02 = d.h_B_BCG + EB_x * u.phi_B.sin - EB_y * u.phi_B.cos;
     const Scalar t03 = d.h_C_BCG - t02 * d.psi_C_BCG.cos - t01 * d.psi_C_BCG.sin;
-    const Scalar t04 = d.psi_D_CD.cos * d.x_F_EDF - d.psi_D_CD.sin * d.y_F_EDF;
-    const Scalar t05 = d.psi_D_CD.sin * d.x_F_EDF + d.psi_D_CD.cos * d.y_F_EDF;
-    const Scalar t06 = q.s_B + d.psi_C_BCG.sin * t05 - d.psi_C_BCG.cos * t04;
-    const Scalar t07 = d.h_B_BCG + d.psi_C_BCG.cos * t05 + d.psi_C_BCG.sin * t04;
-    q.s_C = inverse_s_C * (d.psi_D_CD.sin * (d.psi_C_BCG.cos * t01 - t02 * d.psi_C_BCG.sin)
-        + d.h_D_EDF - d.psi_D_CD.cos * t03);
-    q.s_D = inverse_s_C * (d.psi_D_CD.cos * d.h_D_EDF - t03);
-    q.theta_GF.cos = -(EB_x + u.phi_B.cos * t06 + u.phi_B.sin * t07) * inverse_theta_GF;
-    q.theta_GF.sin = -inverse_theta_GF * (EB_y + u.phi_B.sin * t06 - u.phi_B.cos * t07);
+    const Scalar t04 = d.x_F_EDF * d.psi_D_CD.cos - d.y_F_EDF * d.psi_D_CD.sin;
+    const Scalar t05 = d.x_F_EDF * d.psi_D_CD.sin + d.y_F_EDF * d.psi_D_CD.cos;
+    const Scalar t06 = q.s_B + t05 * d.psi_C_BCG.sin - t04 * d.psi_C_BCG.cos;
+    const Scalar t07 = d.h_B_BCG + t05 * d.psi_C_BCG.cos + t04 * d.psi_C_BCG.sin;
+    q.s_C = ((t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin) * d.psi_D_CD.sin + d.h_D_EDF
+        - t03 * d.psi_D_CD.cos) * inverse_s_C;
+    q.s_D = (d.h_D_EDF * d.psi_D_CD.cos - t03) * inverse_s_C;
+    q.theta_GF.cos = -(EB_x + t06 * u.phi_B.cos + t07 * u.phi_B.sin) * inverse_theta_GF;
+    q.theta_GF.sin = -inverse_theta_GF * (EB_y + t06 * u.phi_B.sin - t07 * u.phi_B.cos);
   }
 };
 

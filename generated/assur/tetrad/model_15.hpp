@@ -39,19 +39,19 @@ namespace assur::tetrad {
 ///   velocity_rhs:                 46, 36, 0
 ///   acceleration_rhs:             72, 50, 0
 ///   jerk_rhs:                     104, 68, 0
-///   curvature_rhs:                114, 85, 0
+///   curvature_rhs:                114, 83, 0
 ///   link_poses:                   28, 20, 0
 ///   pose_jacobians:               12, 12, 0
 ///   link_velocities:              20, 18, 0
 ///   link_accelerations:           38, 28, 0
-///   pose_curvatures:              51, 33, 0
+///   pose_curvatures:              51, 31, 0
 ///   degeneracies:                 6, 3, 0
 ///   inverse_jacobian:             45, 17, 1
 ///   sensitivities:                79, 51, 1
 ///   velocity:                     57, 39, 1
 ///   motion:                       88, 64, 1
 ///   sensitivities_and_motion:     131, 87, 1
-///   position_polynomial:          20, 15, 0
+///   position_polynomial:          22, 15, 0
 ///   complete:                     23, 17, 1
 struct Model15 {
   static constexpr const char* group = "tetrad";
@@ -192,40 +192,36 @@ struct Model15 {
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t04;
-    const Scalar t05 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
-    const Scalar t06 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
-    const Scalar cos_GF = d.psi_C_BCG.cos * t05 - d.psi_C_BCG.sin * t06;
-    const Scalar sin_GF = d.psi_C_BCG.cos * t06 + d.psi_C_BCG.sin * t05;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t07 - t04 * d.h_C_BCG;
-    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
+    const Scalar t04 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
+    const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
+    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = t07;
-    const Scalar BG_y = -t08;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -(d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF);
     const Scalar EF_y = d.h_F_EDF * (d.psi_F_EDF.cos * cos_EDF - d.psi_F_EDF.sin * sin_EDF);
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
-    const Scalar t09 = slide_B_x + u.x_B - u.x_E;
-    const Scalar t10 = slide_B_y + u.y_B - u.y_E;
-    f(0) = BC_x + slide_C_x + t09 - ED_x - slide_D_x;
-    f(1) = BC_y + slide_C_y + t10 - ED_y - slide_D_y;
-    f(2) = BG_x + GF_x + t09 - EF_x - slide_F_x;
-    f(3) = BG_y + GF_y + t10 - EF_y - slide_F_y;
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
+    const Scalar t05 = slide_B_x + u.x_B - u.x_E;
+    const Scalar t06 = slide_B_y + u.y_B - u.y_E;
+    f(0) = BC_x + slide_C_x + t05 - ED_x - slide_D_x;
+    f(1) = BC_y + slide_C_y + t06 - ED_y - slide_D_y;
+    f(2) = BG_x + GF_x + t05 - EF_x - slide_F_x;
+    f(3) = BG_y + GF_y + t06 - EF_y - slide_F_y;
   }
 
   /// J = df/dq.
@@ -264,51 +260,49 @@ struct Model15 {
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t04;
-    const Scalar t05 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
-    const Scalar t06 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
-    const Scalar cos_GF = d.psi_C_BCG.cos * t05 - d.psi_C_BCG.sin * t06;
-    const Scalar sin_GF = d.psi_C_BCG.cos * t06 + d.psi_C_BCG.sin * t05;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
+    const Scalar t04 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
+    const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
+    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -(d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF);
     const Scalar EF_y = d.h_F_EDF * (d.psi_F_EDF.cos * cos_EDF - d.psi_F_EDF.sin * sin_EDF);
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
-    const Scalar t07 = ED_y + slide_D_y;
-    const Scalar t08 = ED_x + slide_D_x;
-    const Scalar t09 = GF_y - EF_y - slide_F_y;
-    const Scalar t10 = GF_x - EF_x - slide_F_x;
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
+    const Scalar t05 = ED_y + slide_D_y;
+    const Scalar t06 = ED_x + slide_D_x;
+    const Scalar t07 = GF_y - EF_y - slide_F_y;
+    const Scalar t08 = GF_x - EF_x - slide_F_x;
     F_d(0, 0) = u.phi_B.sin;
-    F_d(0, 1) = t07 - t03 * d.h_C_BCG - slide_C_y;
+    F_d(0, 1) = t05 - slide_C_y - d.h_C_BCG * cos_CD;
     F_d(0, 2) = -sin_CD;
     F_d(0, 3) = sin_EDF;
-    F_d(0, 6) = t07;
+    F_d(0, 6) = t05;
     F_d(1, 0) = -u.phi_B.cos;
-    F_d(1, 1) = slide_C_x - t04 * d.h_C_BCG - t08;
+    F_d(1, 1) = slide_C_x - t06 - d.h_C_BCG * sin_CD;
     F_d(1, 2) = cos_CD;
     F_d(1, 3) = -cos_EDF;
-    F_d(1, 6) = -t08;
+    F_d(1, 6) = -t06;
     F_d(2, 0) = u.phi_B.sin;
-    F_d(2, 1) = -t09;
-    F_d(2, 4) = -t09;
+    F_d(2, 1) = -t07;
+    F_d(2, 4) = -t07;
     F_d(2, 5) = sin_GF;
-    F_d(2, 6) = -t09;
+    F_d(2, 6) = -t07;
     F_d(2, 7) = -sin_GF;
     F_d(3, 0) = -u.phi_B.cos;
-    F_d(3, 1) = t10;
-    F_d(3, 4) = t10;
+    F_d(3, 1) = t08;
+    F_d(3, 4) = t08;
     F_d(3, 5) = -cos_GF;
-    F_d(3, 6) = t10;
+    F_d(3, 6) = t08;
     F_d(3, 7) = cos_GF;
   }
 
@@ -321,34 +315,30 @@ struct Model15 {
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t04;
-    const Scalar t05 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
-    const Scalar t06 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
-    const Scalar cos_GF = d.psi_C_BCG.cos * t05 - d.psi_C_BCG.sin * t06;
-    const Scalar sin_GF = d.psi_C_BCG.cos * t06 + d.psi_C_BCG.sin * t05;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t07 - t04 * d.h_C_BCG;
-    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
+    const Scalar t04 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
+    const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
+    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = t07;
-    const Scalar BG_y = -t08;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -(d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF);
     const Scalar EF_y = d.h_F_EDF * (d.psi_F_EDF.cos * cos_EDF - d.psi_F_EDF.sin * sin_EDF);
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
     F_u(0, 0) = Scalar(1);
     F_u(0, 2) = ED_y + slide_D_y - slide_B_y - BC_y - slide_C_y;
     F_u(0, 3) = -Scalar(1);
@@ -377,40 +367,36 @@ struct Model15 {
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t04;
-    const Scalar t05 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
-    const Scalar t06 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
-    const Scalar cos_GF = d.psi_C_BCG.cos * t05 - d.psi_C_BCG.sin * t06;
-    const Scalar sin_GF = d.psi_C_BCG.cos * t06 + d.psi_C_BCG.sin * t05;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t07 - t04 * d.h_C_BCG;
-    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
+    const Scalar t04 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
+    const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
+    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = t07;
-    const Scalar BG_y = -t08;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -(d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF);
     const Scalar EF_y = d.h_F_EDF * (d.psi_F_EDF.cos * cos_EDF - d.psi_F_EDF.sin * sin_EDF);
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
-    const Scalar t09 = v_x_B - v_x_E;
-    const Scalar t10 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y) * omega_B - t09;
-    rhs(1) = -omega_B * (slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x) - t10;
-    rhs(2) = omega_B * (slide_B_y + BG_y + GF_y - EF_y - slide_F_y) - t09;
-    rhs(3) = -t10 - omega_B * (slide_B_x + BG_x + GF_x - EF_x - slide_F_x);
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
+    const Scalar t05 = v_x_B - v_x_E;
+    const Scalar t06 = v_y_B - v_y_E;
+    rhs(0) = (slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y) * omega_B - t05;
+    rhs(1) = -(slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x) * omega_B - t06;
+    rhs(2) = (slide_B_y + BG_y + GF_y - EF_y - slide_F_y) * omega_B - t05;
+    rhs(3) = -t06 - (slide_B_x + BG_x + GF_x - EF_x - slide_F_x) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -434,50 +420,46 @@ struct Model15 {
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t04;
-    const Scalar t05 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
-    const Scalar t06 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
-    const Scalar cos_GF = d.psi_C_BCG.cos * t05 - d.psi_C_BCG.sin * t06;
-    const Scalar sin_GF = d.psi_C_BCG.cos * t06 + d.psi_C_BCG.sin * t05;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t07 - t04 * d.h_C_BCG;
-    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
+    const Scalar t04 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
+    const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
+    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = t07;
-    const Scalar BG_y = -t08;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -(d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF);
     const Scalar EF_y = d.h_F_EDF * (d.psi_F_EDF.cos * cos_EDF - d.psi_F_EDF.sin * sin_EDF);
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
-    const Scalar t09 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t10 = u.phi_B.sin * v_s_B;
-    const Scalar t11 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t12 = a_x_B - a_x_E;
-    const Scalar t13 = u.phi_B.cos * v_s_B;
-    const Scalar t14 = a_y_B - a_y_E;
-    const Scalar t15 = slide_B_x + BG_x + GF_x - EF_x - slide_F_x;
-    const Scalar t16 = slide_B_y + BG_y + GF_y - EF_y - slide_F_y;
-    rhs(0) = omega_B * (t09 * omega_B + Scalar(2) * t10 + Scalar(2) * sin_CD * v_s_C
-        - Scalar(2) * sin_EDF * v_s_D) + t11 * alpha_B - t12;
-    rhs(1) = omega_B * (omega_B * t11 + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * t13
-        - Scalar(2) * cos_CD * v_s_C) - t09 * alpha_B - t14;
-    rhs(2) = omega_B * (Scalar(2) * t10 + omega_B * t15 - Scalar(2) * sin_GF * v_s_F)
-        + alpha_B * t16 - t12;
-    rhs(3) = -t14 - omega_B * (Scalar(2) * t13 - omega_B * t16 - Scalar(2) * cos_GF * v_s_F)
-        - alpha_B * t15;
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
+    const Scalar t05 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x;
+    const Scalar t06 = u.phi_B.sin * v_s_B;
+    const Scalar t07 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y;
+    const Scalar t08 = a_x_B - a_x_E;
+    const Scalar t09 = u.phi_B.cos * v_s_B;
+    const Scalar t10 = a_y_B - a_y_E;
+    const Scalar t11 = slide_B_x + BG_x + GF_x - EF_x - slide_F_x;
+    const Scalar t12 = slide_B_y + BG_y + GF_y - EF_y - slide_F_y;
+    rhs(0) = omega_B * (t05 * omega_B + Scalar(2) * t06 + Scalar(2) * sin_CD * v_s_C
+        - Scalar(2) * sin_EDF * v_s_D) + t07 * alpha_B - t08;
+    rhs(1) = omega_B * (t07 * omega_B + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * t09
+        - Scalar(2) * cos_CD * v_s_C) - t05 * alpha_B - t10;
+    rhs(2) = omega_B * (Scalar(2) * t06 + t11 * omega_B - Scalar(2) * sin_GF * v_s_F)
+        + t12 * alpha_B - t08;
+    rhs(3) = -t10 - omega_B * (Scalar(2) * t09 - t12 * omega_B - Scalar(2) * cos_GF * v_s_F)
+        - t11 * alpha_B;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -507,60 +489,56 @@ struct Model15 {
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t04;
-    const Scalar t05 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
-    const Scalar t06 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
-    const Scalar cos_GF = d.psi_C_BCG.cos * t05 - d.psi_C_BCG.sin * t06;
-    const Scalar sin_GF = d.psi_C_BCG.cos * t06 + d.psi_C_BCG.sin * t05;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t07 - t04 * d.h_C_BCG;
-    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
+    const Scalar t04 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
+    const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
+    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = t07;
-    const Scalar BG_y = -t08;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -(d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF);
     const Scalar EF_y = d.h_F_EDF * (d.psi_F_EDF.cos * cos_EDF - d.psi_F_EDF.sin * sin_EDF);
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
-    const Scalar t09 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t10 = j_x_B - j_x_E;
-    const Scalar t11 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t12 = u.phi_B.sin * a_s_B;
-    const Scalar t13 = u.phi_B.cos * v_s_B;
-    const Scalar t14 = cos_EDF * v_s_D - t13 - cos_CD * v_s_C;
-    const Scalar t15 = u.phi_B.sin * v_s_B;
-    const Scalar t16 = sin_EDF * v_s_D - t15 - sin_CD * v_s_C;
-    const Scalar t17 = j_y_B - j_y_E;
-    const Scalar t18 = u.phi_B.cos * a_s_B;
-    const Scalar t19 = slide_B_y + BG_y + GF_y - EF_y - slide_F_y;
-    const Scalar t20 = t15 - sin_GF * v_s_F;
-    const Scalar t21 = slide_B_x + BG_x + GF_x - EF_x - slide_F_x;
-    const Scalar t22 = t13 - cos_GF * v_s_F;
-    rhs(0) = t09 * jerk_B + omega_B * (Scalar(3) * t11 * alpha_B + Scalar(3) * t12
-        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_EDF * a_s_D - omega_B * (t09 * omega_B
-        + Scalar(3) * t14)) - t10 - Scalar(3) * alpha_B * t16;
-    rhs(1) = Scalar(3) * alpha_B * t14 + omega_B * (Scalar(3) * t09 * alpha_B
-        + Scalar(3) * cos_EDF * a_s_D + omega_B * (omega_B * t11 - Scalar(3) * t16)
-        - Scalar(3) * t18 - Scalar(3) * cos_CD * a_s_C) - t11 * jerk_B - t17;
-    rhs(2) = jerk_B * t19 + Scalar(3) * alpha_B * t20 + omega_B * (Scalar(3) * t12
-        + Scalar(3) * alpha_B * t21 - Scalar(3) * sin_GF * a_s_F - omega_B * (omega_B * t19
-        - Scalar(3) * t22)) - t10;
-    rhs(3) = -t17 - jerk_B * t21 - Scalar(3) * alpha_B * t22 - omega_B * (Scalar(3) * t18
-        - Scalar(3) * alpha_B * t19 - Scalar(3) * cos_GF * a_s_F - omega_B * (Scalar(3) * t20
-        + omega_B * t21));
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
+    const Scalar t05 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y;
+    const Scalar t06 = j_x_B - j_x_E;
+    const Scalar t07 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x;
+    const Scalar t08 = u.phi_B.sin * a_s_B;
+    const Scalar t09 = u.phi_B.cos * v_s_B;
+    const Scalar t10 = cos_EDF * v_s_D - t09 - cos_CD * v_s_C;
+    const Scalar t11 = u.phi_B.sin * v_s_B;
+    const Scalar t12 = sin_EDF * v_s_D - t11 - sin_CD * v_s_C;
+    const Scalar t13 = j_y_B - j_y_E;
+    const Scalar t14 = u.phi_B.cos * a_s_B;
+    const Scalar t15 = slide_B_y + BG_y + GF_y - EF_y - slide_F_y;
+    const Scalar t16 = t11 - sin_GF * v_s_F;
+    const Scalar t17 = slide_B_x + BG_x + GF_x - EF_x - slide_F_x;
+    const Scalar t18 = t09 - cos_GF * v_s_F;
+    rhs(0) = t05 * jerk_B + omega_B * (Scalar(3) * t07 * alpha_B + Scalar(3) * t08
+        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_EDF * a_s_D - omega_B * (t05 * omega_B
+        + Scalar(3) * t10)) - t06 - Scalar(3) * alpha_B * t12;
+    rhs(1) = Scalar(3) * alpha_B * t10 + omega_B * (Scalar(3) * t05 * alpha_B
+        + Scalar(3) * cos_EDF * a_s_D + omega_B * (t07 * omega_B - Scalar(3) * t12)
+        - Scalar(3) * t14 - Scalar(3) * cos_CD * a_s_C) - t07 * jerk_B - t13;
+    rhs(2) = t15 * jerk_B + Scalar(3) * alpha_B * t16 + omega_B * (Scalar(3) * t08
+        + Scalar(3) * t17 * alpha_B - Scalar(3) * sin_GF * a_s_F - omega_B * (t15 * omega_B
+        - Scalar(3) * t18)) - t06;
+    rhs(3) = -t13 - t17 * jerk_B - Scalar(3) * alpha_B * t18 - omega_B * (Scalar(3) * t14
+        - Scalar(3) * t15 * alpha_B - Scalar(3) * cos_GF * a_s_F - omega_B * (Scalar(3) * t16
+        + t17 * omega_B));
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -587,79 +565,75 @@ struct Model15 {
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t04;
-    const Scalar t05 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
-    const Scalar t06 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
-    const Scalar cos_GF = d.psi_C_BCG.cos * t05 - d.psi_C_BCG.sin * t06;
-    const Scalar sin_GF = d.psi_C_BCG.cos * t06 + d.psi_C_BCG.sin * t05;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t07 = t04 * d.h_C_BCG;
-    const Scalar t08 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t08 - t07;
-    const Scalar t09 = t03 * d.h_C_BCG;
-    const Scalar t10 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t09 - t10;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
+    const Scalar t04 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
+    const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
+    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar t05 = d.h_C_BCG * sin_CD;
+    const Scalar BC_x = BG_x - t05;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t06 = d.h_C_BCG * cos_CD;
+    const Scalar BC_y = BG_y + t06;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = t08;
-    const Scalar BG_y = -t10;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -(d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF);
     const Scalar EF_y = d.h_F_EDF * (d.psi_F_EDF.cos * cos_EDF - d.psi_F_EDF.sin * sin_EDF);
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
-    const Scalar t11 = ED_x + slide_D_x;
-    const Scalar t12 = t11 * omega_D_CD;
-    const Scalar t13 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
-    const Scalar t14 = slide_C_x - t11;
-    const Scalar t15 = t07 - t14;
-    const Scalar t16 = t13 + t12 - sin_CD * v_s_C;
-    const Scalar t17 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
-    const Scalar t18 = ED_y + slide_D_y;
-    const Scalar t19 = omega_D_CD * t18;
-    const Scalar t20 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
-    const Scalar t21 = slide_C_y - t18;
-    const Scalar t22 = t09 + t21;
-    const Scalar t23 = t20 - t19 - cos_CD * v_s_C;
-    const Scalar t24 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
-    const Scalar t25 = v_h_F_EDF - v_h_F_GF;
-    const Scalar t26 = cos_GF * t25 + sin_GF * v_s_F;
-    const Scalar t27 = slide_F_x + EF_x - GF_x;
-    const Scalar t28 = omega_D_CD * t27;
-    const Scalar t29 = omega_F_EDF * t27;
-    const Scalar t30 = t26 + t28;
-    const Scalar t31 = omega_C_BCG * t27;
-    const Scalar t32 = t29 + t30;
-    const Scalar t33 = sin_GF * t25 - cos_GF * v_s_F;
-    const Scalar t34 = slide_F_y + EF_y - GF_y;
-    const Scalar t35 = omega_D_CD * t34;
-    const Scalar t36 = omega_F_EDF * t34;
-    const Scalar t37 = t33 + t35;
-    const Scalar t38 = omega_C_BCG * t34;
-    const Scalar t39 = t36 + t37;
-    rhs(0) = omega_C_BCG * (v_h_C_BCG * (t03 + cos_CD) - omega_C_BCG * t15
-        - Scalar(2) * omega_B * t15 - Scalar(2) * t16) + omega_B * (Scalar(2) * cos_CD * v_h_C_BCG
-        + omega_B * (slide_B_x + BC_x + t14) - Scalar(2) * t17 - Scalar(2) * t16)
-        - omega_D_CD * (t12 + Scalar(2) * t13);
-    rhs(1) = omega_C_BCG * (v_h_C_BCG * (t04 + sin_CD) + omega_C_BCG * t22
-        + Scalar(2) * omega_B * t22 + Scalar(2) * t23) + omega_B * (Scalar(2) * sin_CD * v_h_C_BCG
-        + omega_B * (slide_B_y + BC_y + t21) + Scalar(2) * t23 - Scalar(2) * t24)
-        - omega_D_CD * (t19 - Scalar(2) * t20);
-    rhs(2) = -omega_D_CD * (Scalar(2) * t26 + t28) - omega_F_EDF * (t29 + Scalar(2) * t30)
-        - omega_C_BCG * (t31 + Scalar(2) * t32) - omega_B * (Scalar(2) * t17 + Scalar(2) * t31
-        + Scalar(2) * t32 - omega_B * (slide_B_x + BG_x - t27));
-    rhs(3) = -omega_D_CD * (Scalar(2) * t33 + t35) - omega_F_EDF * (t36 + Scalar(2) * t37)
-        - omega_C_BCG * (t38 + Scalar(2) * t39) - omega_B * (Scalar(2) * t24 + Scalar(2) * t38
-        + Scalar(2) * t39 - omega_B * (slide_B_y + BG_y - t34));
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
+    const Scalar t07 = ED_x + slide_D_x;
+    const Scalar t08 = t07 * omega_D_CD;
+    const Scalar t09 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
+    const Scalar t10 = cos_CD * v_h_C_BCG;
+    const Scalar t11 = slide_C_x - t07;
+    const Scalar t12 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t13 = t09 + t08 - sin_CD * v_s_C;
+    const Scalar t14 = t11 - t05;
+    const Scalar t15 = ED_y + slide_D_y;
+    const Scalar t16 = t15 * omega_D_CD;
+    const Scalar t17 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
+    const Scalar t18 = sin_CD * v_h_C_BCG;
+    const Scalar t19 = slide_C_y - t15;
+    const Scalar t20 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t21 = t17 - t16 - cos_CD * v_s_C;
+    const Scalar t22 = t19 + t06;
+    const Scalar t23 = v_h_F_EDF - v_h_F_GF;
+    const Scalar t24 = cos_GF * t23 + sin_GF * v_s_F;
+    const Scalar t25 = slide_F_x + EF_x - GF_x;
+    const Scalar t26 = t25 * omega_D_CD;
+    const Scalar t27 = t25 * omega_F_EDF;
+    const Scalar t28 = t24 + t26;
+    const Scalar t29 = t25 * omega_C_BCG;
+    const Scalar t30 = t27 + t28;
+    const Scalar t31 = sin_GF * t23 - cos_GF * v_s_F;
+    const Scalar t32 = slide_F_y + EF_y - GF_y;
+    const Scalar t33 = t32 * omega_D_CD;
+    const Scalar t34 = t32 * omega_F_EDF;
+    const Scalar t35 = t31 + t33;
+    const Scalar t36 = t32 * omega_C_BCG;
+    const Scalar t37 = t34 + t35;
+    rhs(0) = omega_B * (Scalar(2) * t10 + (slide_B_x + BC_x + t11) * omega_B - Scalar(2) * t12
+        - Scalar(2) * t13) + omega_C_BCG * (Scalar(2) * t10 + t14 * omega_C_BCG
+        + Scalar(2) * t14 * omega_B - Scalar(2) * t13) - omega_D_CD * (t08 + Scalar(2) * t09);
+    rhs(1) = omega_B * (Scalar(2) * t18 + (slide_B_y + BC_y + t19) * omega_B + Scalar(2) * t21
+        - Scalar(2) * t20) + omega_C_BCG * (Scalar(2) * t18 + Scalar(2) * t21 + t22 * omega_C_BCG
+        + Scalar(2) * t22 * omega_B) - omega_D_CD * (t16 - Scalar(2) * t17);
+    rhs(2) = -omega_D_CD * (Scalar(2) * t24 + t26) - omega_F_EDF * (t27 + Scalar(2) * t28)
+        - omega_C_BCG * (t29 + Scalar(2) * t30) - omega_B * (Scalar(2) * t12 + Scalar(2) * t29
+        + Scalar(2) * t30 - (slide_B_x + BG_x - t25) * omega_B);
+    rhs(3) = -omega_D_CD * (Scalar(2) * t31 + t33) - omega_F_EDF * (t34 + Scalar(2) * t35)
+        - omega_C_BCG * (t36 + Scalar(2) * t37) - omega_B * (Scalar(2) * t20 + Scalar(2) * t36
+        + Scalar(2) * t37 - (slide_B_y + BG_y - t32) * omega_B);
   }
 
   /// Frames of the links in the fixed frame.
@@ -670,42 +644,38 @@ struct Model15 {
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t04;
-    const Scalar t05 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
-    const Scalar t06 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
-    const Scalar cos_GF = d.psi_C_BCG.cos * t05 - d.psi_C_BCG.sin * t06;
-    const Scalar sin_GF = d.psi_C_BCG.cos * t06 + d.psi_C_BCG.sin * t05;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t07 - t04 * d.h_C_BCG;
-    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
+    const Scalar t04 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
+    const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
+    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = t07;
-    const Scalar BG_y = -t08;
-    const Scalar t09 = u.x_B + slide_B_x;
-    const Scalar t10 = BG_x + t09;
-    const Scalar t11 = u.y_B + slide_B_y;
-    const Scalar t12 = BG_y + t11;
-    poses[0].x = t10;
-    poses[0].y = t12;
+    const Scalar t05 = u.x_B + slide_B_x;
+    const Scalar t06 = BG_x + t05;
+    const Scalar t07 = u.y_B + slide_B_y;
+    const Scalar t08 = BG_y + t07;
+    poses[0].x = t06;
+    poses[0].y = t08;
     poses[0].direction.cos = u.phi_B.cos;
     poses[0].direction.sin = u.phi_B.sin;
     poses[1].x = u.x_E;
     poses[1].y = u.y_E;
     poses[1].direction.cos = cos_EDF;
     poses[1].direction.sin = sin_EDF;
-    poses[2].x = BC_x + slide_C_x + t09;
-    poses[2].y = BC_y + slide_C_y + t11;
+    poses[2].x = BC_x + slide_C_x + t05;
+    poses[2].y = BC_y + slide_C_y + t07;
     poses[2].direction.cos = cos_CD;
     poses[2].direction.sin = sin_CD;
-    poses[3].x = t10;
-    poses[3].y = t12;
+    poses[3].x = t06;
+    poses[3].y = t08;
     poses[3].direction.cos = cos_GF;
     poses[3].direction.sin = sin_GF;
   }
@@ -720,24 +690,20 @@ struct Model15 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t04 - t03;
-    const Scalar t05 = t01 * d.h_C_BCG;
-    const Scalar t06 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t05 - t06;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar t01 = d.h_C_BCG * sin_CD;
+    const Scalar BC_x = BG_x - t01;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t02 = d.h_C_BCG * cos_CD;
+    const Scalar BC_y = BG_y + t02;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = t04;
-    const Scalar BG_y = -t06;
-    const Scalar t07 = slide_B_y + BG_y;
-    const Scalar t08 = slide_B_x + BG_x;
+    const Scalar t03 = slide_B_y + BG_y;
+    const Scalar t04 = slide_B_x + BG_x;
     P_q(0, 0) = u.phi_B.cos;
     P_q(1, 0) = u.phi_B.sin;
     P_q(6, 0) = u.phi_B.cos;
@@ -751,10 +717,10 @@ struct Model15 {
     P_d(5, 1) = Scalar(1);
     P_d(5, 6) = Scalar(1);
     P_d(6, 0) = u.phi_B.sin;
-    P_d(6, 1) = -t05 - slide_C_y;
+    P_d(6, 1) = -slide_C_y - t02;
     P_d(6, 2) = -sin_CD;
     P_d(7, 0) = -u.phi_B.cos;
-    P_d(7, 1) = slide_C_x - t03;
+    P_d(7, 1) = slide_C_x - t01;
     P_d(7, 2) = cos_CD;
     P_d(8, 1) = Scalar(1);
     P_d(9, 0) = u.phi_B.sin;
@@ -763,9 +729,9 @@ struct Model15 {
     P_d(11, 4) = Scalar(1);
     P_d(11, 6) = Scalar(1);
     P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -t07;
+    P_u(0, 2) = -t03;
     P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = t08;
+    P_u(1, 2) = t04;
     P_u(2, 2) = Scalar(1);
     P_u(3, 3) = Scalar(1);
     P_u(4, 4) = Scalar(1);
@@ -776,9 +742,9 @@ struct Model15 {
     P_u(7, 2) = slide_C_x + slide_B_x + BC_x;
     P_u(8, 2) = Scalar(1);
     P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -t07;
+    P_u(9, 2) = -t03;
     P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = t08;
+    P_u(10, 2) = t04;
     P_u(11, 2) = Scalar(1);
   }
 
@@ -794,35 +760,31 @@ struct Model15 {
     const Scalar omega_B = u_rate(2);
     const Scalar v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar t05 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t06 = (slide_B_y + BG_y) * omega_B - t05;
-    const Scalar t07 = u.phi_B.sin * v_s_B + v_y_B;
-    const Scalar t08 = omega_B * (slide_B_x + BG_x) + t07;
-    v(0, 0) = -t06;
-    v(0, 1) = t08;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
+    const Scalar t02 = (slide_B_y + BG_y) * omega_B - t01;
+    const Scalar t03 = u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar t04 = (slide_B_x + BG_x) * omega_B + t03;
+    v(0, 0) = -t02;
+    v(0, 1) = t04;
     v(0, 2) = omega_B;
     v(1, 0) = v_x_E;
     v(1, 1) = v_y_E;
     v(1, 2) = omega_B;
-    v(2, 0) = t05 + cos_CD * v_s_C - omega_B * (slide_B_y + BC_y + slide_C_y);
-    v(2, 1) = t07 + omega_B * (slide_B_x + BC_x + slide_C_x) + sin_CD * v_s_C;
+    v(2, 0) = t01 + cos_CD * v_s_C - (slide_B_y + BC_y + slide_C_y) * omega_B;
+    v(2, 1) = t03 + (slide_B_x + BC_x + slide_C_x) * omega_B + sin_CD * v_s_C;
     v(2, 2) = omega_B;
-    v(3, 0) = -t06;
-    v(3, 1) = t08;
+    v(3, 0) = -t02;
+    v(3, 1) = t04;
     v(3, 2) = omega_B;
   }
 
@@ -842,43 +804,39 @@ struct Model15 {
     const Scalar alpha_B = u_second_rate(2);
     const Scalar a_x_E = u_second_rate(3);
     const Scalar a_y_E = u_second_rate(4);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar t05 = slide_B_x + BG_x;
-    const Scalar t06 = u.phi_B.sin * v_s_B;
-    const Scalar t07 = slide_B_y + BG_y;
-    const Scalar t08 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t09 = omega_B * (t05 * omega_B + Scalar(2) * t06) + t07 * alpha_B - t08;
-    const Scalar t10 = u.phi_B.cos * v_s_B;
-    const Scalar t11 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t12 = omega_B * (omega_B * t07 - Scalar(2) * t10) - t05 * alpha_B - t11;
-    const Scalar t13 = slide_B_x + BC_x + slide_C_x;
-    const Scalar t14 = slide_B_y + BC_y + slide_C_y;
-    a(0, 0) = -t09;
-    a(0, 1) = -t12;
+    const Scalar t01 = slide_B_x + BG_x;
+    const Scalar t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y + BG_y;
+    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t05 = omega_B * (t01 * omega_B + Scalar(2) * t02) + t03 * alpha_B - t04;
+    const Scalar t06 = u.phi_B.cos * v_s_B;
+    const Scalar t07 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t08 = omega_B * (t03 * omega_B - Scalar(2) * t06) - t01 * alpha_B - t07;
+    const Scalar t09 = slide_B_x + BC_x + slide_C_x;
+    const Scalar t10 = slide_B_y + BC_y + slide_C_y;
+    a(0, 0) = -t05;
+    a(0, 1) = -t08;
     a(0, 2) = alpha_B;
     a(1, 0) = a_x_E;
     a(1, 1) = a_y_E;
     a(1, 2) = alpha_B;
-    a(2, 0) = t08 + cos_CD * a_s_C - omega_B * (Scalar(2) * t06 + omega_B * t13
-        + Scalar(2) * sin_CD * v_s_C) - alpha_B * t14;
-    a(2, 1) = t11 + omega_B * (Scalar(2) * t10 + Scalar(2) * cos_CD * v_s_C - omega_B * t14)
-        + alpha_B * t13 + sin_CD * a_s_C;
+    a(2, 0) = t04 + cos_CD * a_s_C - omega_B * (Scalar(2) * t02 + t09 * omega_B
+        + Scalar(2) * sin_CD * v_s_C) - t10 * alpha_B;
+    a(2, 1) = t07 + omega_B * (Scalar(2) * t06 + Scalar(2) * cos_CD * v_s_C - t10 * omega_B)
+        + t09 * alpha_B + sin_CD * a_s_C;
     a(2, 2) = alpha_B;
-    a(3, 0) = -t09;
-    a(3, 1) = -t12;
+    a(3, 0) = -t05;
+    a(3, 1) = -t08;
     a(3, 2) = alpha_B;
   }
 
@@ -898,39 +856,37 @@ struct Model15 {
     p.setZero();
     const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
     const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar t03 = t01 - t02;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = d.psi_C_BCG.cos * u.phi_B.sin;
-    const Scalar t05 = u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t06 = t04 + t05;
-    const Scalar sin_CD = t06;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t07 - t06 * d.h_C_BCG;
-    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar cos_CD = t01 - t02;
+    const Scalar t03 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar sin_CD = t03 + t04;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = t07;
-    const Scalar BG_y = -t08;
-    const Scalar t09 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
-    const Scalar t10 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t09);
-    const Scalar t11 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
-    const Scalar t12 = omega_B * (omega_B * (slide_B_y + BG_y) - Scalar(2) * t11);
-    const Scalar t13 = Scalar(2) * omega_B + omega_C_BCG;
-    const Scalar t14 = sin_CD * v_s_C;
-    const Scalar t15 = cos_CD * v_s_C;
-    p(0, 0) = -t10;
-    p(0, 1) = -t12;
-    p(2, 0) = omega_B * (Scalar(2) * t09 - Scalar(2) * t14 - omega_B * (slide_B_x + slide_C_x
-        + BC_x) - Scalar(2) * cos_CD * v_h_C_BCG) - omega_C_BCG * (t13 * slide_C_x + Scalar(2) * t14
-        + v_h_C_BCG * (t03 + cos_CD) - d.h_C_BCG * (t04 * t13 + t05 * t13));
-    p(2, 1) = omega_B * (Scalar(2) * t11 + Scalar(2) * t15 - omega_B * (slide_B_y + slide_C_y
-        + BC_y) - Scalar(2) * sin_CD * v_h_C_BCG) - omega_C_BCG * (t13 * slide_C_y
-        + d.h_C_BCG * (t01 * t13 - t02 * t13) + v_h_C_BCG * (t06 + sin_CD) - Scalar(2) * t15);
-    p(3, 0) = -t10;
-    p(3, 1) = -t12;
+    const Scalar t05 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t06 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t05);
+    const Scalar t07 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t08 = omega_B * ((slide_B_y + BG_y) * omega_B - Scalar(2) * t07);
+    const Scalar t09 = sin_CD * v_s_C;
+    const Scalar t10 = cos_CD * v_h_C_BCG;
+    const Scalar t11 = Scalar(2) * omega_B + omega_C_BCG;
+    const Scalar t12 = cos_CD * v_s_C;
+    const Scalar t13 = sin_CD * v_h_C_BCG;
+    p(0, 0) = -t06;
+    p(0, 1) = -t08;
+    p(2, 0) = omega_B * (Scalar(2) * t05 - Scalar(2) * t09 - (slide_B_x + slide_C_x
+        + BC_x) * omega_B - Scalar(2) * t10) - omega_C_BCG * (slide_C_x * t11 + Scalar(2) * t09
+        + Scalar(2) * t10 - d.h_C_BCG * (t03 * t11 + t04 * t11));
+    p(2, 1) = omega_B * (Scalar(2) * t07 + Scalar(2) * t12 - (slide_B_y + slide_C_y
+        + BC_y) * omega_B - Scalar(2) * t13) - omega_C_BCG * (slide_C_y * t11 + Scalar(2) * t13
+        + d.h_C_BCG * (t01 * t11 - t02 * t11) - Scalar(2) * t12);
+    p(3, 0) = -t06;
+    p(3, 1) = -t08;
   }
 
   /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
@@ -1025,11 +981,11 @@ struct Model15 {
         cos_minus_psi_C_BCG_minus_psi_D_CD + d.psi_F_EDF.sin * sin_minus_psi_C_BCG_minus_psi_D_CD;
     const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
         sin_minus_psi_C_BCG_minus_psi_D_CD - d.psi_F_EDF.sin * cos_minus_psi_C_BCG_minus_psi_D_CD;
-    const Scalar t05 = d.psi_D_CD.cos * q.s_D - d.psi_D_CD.sin * d.h_D_EDF;
+    const Scalar t05 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
     const Scalar t06 = q.s_C - t05;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + t06 - d.psi_C_BCG.sin * d.h_B_BCG;
-    const Scalar t07 = d.psi_D_CD.cos * d.h_D_EDF + d.psi_D_CD.sin * q.s_D - d.h_C_BCG;
-    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t06 - d.h_B_BCG * d.psi_C_BCG.sin;
+    const Scalar t07 = d.h_D_EDF * d.psi_D_CD.cos + q.s_D * d.psi_D_CD.sin - d.h_C_BCG;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos
         - t07;
     const Scalar phi_B_along_slide_F = q.s_B * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
         + d.h_B_BCG * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - q.s_F;
@@ -1044,82 +1000,82 @@ struct Model15 {
         inverse;
     const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
         inverse;
-    const Scalar t09 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_C_per_across_slide_C = t09;
-    const Scalar t10 = cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
+    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_F_per_across_slide_F = cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
         inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    const Scalar s_F_per_across_slide_F = t10;
     const Scalar s_D_per_across_slide_F = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
         inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
     const Scalar s_C_per_across_slide_F = d.psi_D_CD.cos * s_D_per_across_slide_F
         - d.psi_C_BCG.cos * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    const Scalar t11 = q.s_F * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    const Scalar t12 = q.s_F * s_C_per_across_slide_F;
-    const Scalar t13 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t14 = q.s_F * s_D_per_across_slide_F;
-    const Scalar t15 = q.s_F * s_F_per_across_slide_F + t08;
-    const Scalar t16 = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * sin_GF;
-    const Scalar t17 = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * cos_GF;
-    const Scalar t18 = cos_CD - s_C_per_across_slide_C * sin_CD - s_C_per_across_slide_F * sin_GF;
-    const Scalar t19 = sin_CD + s_C_per_across_slide_C * cos_CD + s_C_per_across_slide_F * cos_GF;
-    const Scalar t20 = inverse_sin_psi_D_CD * sin_CD + s_D_per_across_slide_F * sin_GF;
-    const Scalar t21 = inverse_sin_psi_D_CD * cos_CD + s_D_per_across_slide_F * cos_GF;
-    const Scalar t22 = cos_GF + s_F_per_across_slide_F * sin_GF;
-    const Scalar t23 = sin_GF - s_F_per_across_slide_F * cos_GF;
-    S_d(0, 0) = t10;
-    S_d(0, 1) = t11;
-    S_d(0, 4) = t11;
+    const Scalar s_B_per_x_B = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * sin_GF;
+    const Scalar s_C_per_x_B = s_C_per_across_slide_C * sin_CD + s_C_per_across_slide_F * sin_GF
+        - cos_CD;
+    const Scalar s_D_per_x_B = inverse_sin_psi_D_CD * sin_CD + s_D_per_across_slide_F * sin_GF;
+    const Scalar s_F_per_x_B = cos_GF + s_F_per_across_slide_F * sin_GF;
+    const Scalar s_B_per_y_B = -inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * cos_GF;
+    const Scalar s_C_per_y_B = -sin_CD - s_C_per_across_slide_C * cos_CD
+        - s_C_per_across_slide_F * cos_GF;
+    const Scalar s_D_per_y_B = -inverse_sin_psi_D_CD * cos_CD - s_D_per_across_slide_F * cos_GF;
+    const Scalar s_F_per_y_B = sin_GF - s_F_per_across_slide_F * cos_GF;
+    const Scalar t09 = q.s_F * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar t10 = q.s_F * s_C_per_across_slide_F;
+    const Scalar t11 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t12 = q.s_F * s_D_per_across_slide_F;
+    const Scalar t13 = q.s_F * s_F_per_across_slide_F + t08;
+    S_d(0, 0) = s_F_per_across_slide_F;
+    S_d(0, 1) = t09;
+    S_d(0, 4) = t09;
     S_d(0, 5) = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    S_d(0, 6) = t11;
+    S_d(0, 6) = t09;
     S_d(0, 7) = -inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
     S_d(1, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
         + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_C_per_across_slide_F;
-    S_d(1, 1) = t12 - s_C_per_across_slide_C * t06 - t07;
+    S_d(1, 1) = t10 - t06 * s_C_per_across_slide_C - t07;
     S_d(1, 2) = -s_C_per_across_slide_C;
-    S_d(1, 3) = -t13;
-    S_d(1, 4) = t12;
+    S_d(1, 3) = -t11;
+    S_d(1, 4) = t10;
     S_d(1, 5) = s_C_per_across_slide_F;
-    S_d(1, 6) = t12 - q.s_D * t13 - d.h_D_EDF * (d.psi_D_CD.cos
+    S_d(1, 6) = t10 - q.s_D * t11 - d.h_D_EDF * (d.psi_D_CD.cos
         + d.psi_D_CD.sin * s_C_per_across_slide_C);
     S_d(1, 7) = -s_C_per_across_slide_F;
     S_d(2, 0) = d.psi_C_BCG.cos * inverse_sin_psi_D_CD
         + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_D_per_across_slide_F;
-    S_d(2, 1) = t14 - inverse_sin_psi_D_CD * t06;
+    S_d(2, 1) = t12 - t06 * inverse_sin_psi_D_CD;
     S_d(2, 2) = -inverse_sin_psi_D_CD;
-    S_d(2, 3) = t09;
-    S_d(2, 4) = t14;
+    S_d(2, 3) = s_C_per_across_slide_C;
+    S_d(2, 4) = t12;
     S_d(2, 5) = s_D_per_across_slide_F;
-    S_d(2, 6) = t14 + inverse_sin_psi_D_CD * t05;
+    S_d(2, 6) = t12 + t05 * inverse_sin_psi_D_CD;
     S_d(2, 7) = -s_D_per_across_slide_F;
     S_d(3, 0) = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
         + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_F_per_across_slide_F;
-    S_d(3, 1) = t15;
-    S_d(3, 4) = t15;
+    S_d(3, 1) = t13;
+    S_d(3, 4) = t13;
     S_d(3, 5) = s_F_per_across_slide_F;
-    S_d(3, 6) = t15;
+    S_d(3, 6) = t13;
     S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = t16;
-    S_u(0, 1) = -t17;
-    S_u(0, 2) = -inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * phi_B_along_slide_F;
-    S_u(0, 3) = -t16;
-    S_u(0, 4) = t17;
-    S_u(1, 0) = -t18;
-    S_u(1, 1) = -t19;
-    S_u(1, 2) = phi_B_across_slide_C - s_C_per_across_slide_C * phi_B_along_slide_C
-        - s_C_per_across_slide_F * phi_B_along_slide_F;
-    S_u(1, 3) = t18;
-    S_u(1, 4) = t19;
-    S_u(2, 0) = t20;
-    S_u(2, 1) = -t21;
-    S_u(2, 2) = -inverse_sin_psi_D_CD * phi_B_along_slide_C
-        - s_D_per_across_slide_F * phi_B_along_slide_F;
-    S_u(2, 3) = -t20;
-    S_u(2, 4) = t21;
-    S_u(3, 0) = t22;
-    S_u(3, 1) = t23;
-    S_u(3, 2) = -s_F_per_across_slide_F * phi_B_along_slide_F - phi_B_across_slide_F;
-    S_u(3, 3) = -t22;
-    S_u(3, 4) = -t23;
+    S_u(0, 0) = s_B_per_x_B;
+    S_u(0, 1) = s_B_per_y_B;
+    S_u(0, 2) = -phi_B_along_slide_F * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    S_u(0, 3) = -s_B_per_x_B;
+    S_u(0, 4) = -s_B_per_y_B;
+    S_u(1, 0) = s_C_per_x_B;
+    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 2) = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
+        - phi_B_along_slide_F * s_C_per_across_slide_F;
+    S_u(1, 3) = -s_C_per_x_B;
+    S_u(1, 4) = -s_C_per_y_B;
+    S_u(2, 0) = s_D_per_x_B;
+    S_u(2, 1) = s_D_per_y_B;
+    S_u(2, 2) = -phi_B_along_slide_C * inverse_sin_psi_D_CD
+        - phi_B_along_slide_F * s_D_per_across_slide_F;
+    S_u(2, 3) = -s_D_per_x_B;
+    S_u(2, 4) = -s_D_per_y_B;
+    S_u(3, 0) = s_F_per_x_B;
+    S_u(3, 1) = s_F_per_y_B;
+    S_u(3, 2) = -phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
+    S_u(3, 3) = -s_F_per_x_B;
+    S_u(3, 4) = -s_F_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1148,10 +1104,10 @@ struct Model15 {
         cos_minus_psi_C_BCG_minus_psi_D_CD + d.psi_F_EDF.sin * sin_minus_psi_C_BCG_minus_psi_D_CD;
     const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
         sin_minus_psi_C_BCG_minus_psi_D_CD - d.psi_F_EDF.sin * cos_minus_psi_C_BCG_minus_psi_D_CD;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C + d.psi_D_CD.sin * d.h_D_EDF
-        - d.psi_D_CD.cos * q.s_D - d.psi_C_BCG.sin * d.h_B_BCG;
-    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B - d.psi_D_CD.sin * q.s_D
-        - d.psi_C_BCG.cos * d.h_B_BCG - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C + d.h_D_EDF * d.psi_D_CD.sin
+        - q.s_D * d.psi_D_CD.cos - d.h_B_BCG * d.psi_C_BCG.sin;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - q.s_B * d.psi_C_BCG.sin - q.s_D * d.psi_D_CD.sin
+        - d.h_B_BCG * d.psi_C_BCG.cos - d.h_D_EDF * d.psi_D_CD.cos;
     const Scalar phi_B_along_slide_F = q.s_B * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
         + d.h_B_BCG * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - q.s_F;
     const Scalar phi_B_across_slide_F = q.s_B * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
@@ -1166,19 +1122,19 @@ struct Model15 {
         inverse;
     const Scalar t05 = v_x_B - v_x_E;
     const Scalar t06 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = omega_B * phi_B_across_slide_C - t05 * cos_CD
-        - t06 * sin_CD;
-    const Scalar velocity_across_slide_C = t05 * sin_CD - cos_CD * t06
-        - omega_B * phi_B_along_slide_C;
-    const Scalar velocity_along_slide_F = omega_B * phi_B_across_slide_F - t05 * cos_GF
-        - t06 * sin_GF;
-    const Scalar velocity_across_slide_F = t05 * sin_GF - t06 * cos_GF
-        - omega_B * phi_B_along_slide_F;
+    const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B - cos_CD * t05
+        - sin_CD * t06;
+    const Scalar velocity_across_slide_C = sin_CD * t05 - cos_CD * t06
+        - phi_B_along_slide_C * omega_B;
+    const Scalar velocity_along_slide_F = phi_B_across_slide_F * omega_B - cos_GF * t05
+        - sin_GF * t06;
+    const Scalar velocity_across_slide_F = sin_GF * t05 - cos_GF * t06
+        - phi_B_along_slide_F * omega_B;
     const Scalar v_s_B = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
         velocity_across_slide_F;
     const Scalar v_s_F = cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * v_s_B
         - velocity_along_slide_F;
-    const Scalar v_s_D = (d.psi_C_BCG.sin * v_s_B + velocity_across_slide_C) * inverse_sin_psi_D_CD;
+    const Scalar v_s_D = inverse_sin_psi_D_CD * (d.psi_C_BCG.sin * v_s_B + velocity_across_slide_C);
     const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + velocity_along_slide_C - d.psi_C_BCG.cos * v_s_B;
     q_rate(0) = v_s_B;
     q_rate(1) = v_s_C;
@@ -1218,10 +1174,10 @@ struct Model15 {
         cos_minus_psi_C_BCG_minus_psi_D_CD + d.psi_F_EDF.sin * sin_minus_psi_C_BCG_minus_psi_D_CD;
     const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
         sin_minus_psi_C_BCG_minus_psi_D_CD - d.psi_F_EDF.sin * cos_minus_psi_C_BCG_minus_psi_D_CD;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C + d.psi_D_CD.sin * d.h_D_EDF
-        - d.psi_D_CD.cos * q.s_D - d.psi_C_BCG.sin * d.h_B_BCG;
-    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B - d.psi_D_CD.sin * q.s_D
-        - d.psi_C_BCG.cos * d.h_B_BCG - d.psi_D_CD.cos * d.h_D_EDF;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C + d.h_D_EDF * d.psi_D_CD.sin
+        - q.s_D * d.psi_D_CD.cos - d.h_B_BCG * d.psi_C_BCG.sin;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - q.s_B * d.psi_C_BCG.sin - q.s_D * d.psi_D_CD.sin
+        - d.h_B_BCG * d.psi_C_BCG.cos - d.h_D_EDF * d.psi_D_CD.cos;
     const Scalar phi_B_along_slide_F = q.s_B * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
         + d.h_B_BCG * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - q.s_F;
     const Scalar phi_B_across_slide_F = q.s_B * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
@@ -1236,20 +1192,20 @@ struct Model15 {
         inverse;
     const Scalar t05 = v_x_B - v_x_E;
     const Scalar t06 = v_y_B - v_y_E;
-    const Scalar t07 = omega_B * phi_B_across_slide_C;
-    const Scalar velocity_along_slide_C = t07 - t05 * cos_CD - t06 * sin_CD;
-    const Scalar t08 = omega_B * phi_B_along_slide_C;
-    const Scalar velocity_across_slide_C = t05 * sin_CD - cos_CD * t06 - t08;
-    const Scalar t09 = omega_B * phi_B_across_slide_F;
-    const Scalar velocity_along_slide_F = t09 - t05 * cos_GF - t06 * sin_GF;
-    const Scalar t10 = omega_B * phi_B_along_slide_F;
-    const Scalar velocity_across_slide_F = t05 * sin_GF - t06 * cos_GF - t10;
+    const Scalar t07 = phi_B_across_slide_C * omega_B;
+    const Scalar velocity_along_slide_C = t07 - cos_CD * t05 - sin_CD * t06;
+    const Scalar t08 = phi_B_along_slide_C * omega_B;
+    const Scalar velocity_across_slide_C = sin_CD * t05 - cos_CD * t06 - t08;
+    const Scalar t09 = phi_B_across_slide_F * omega_B;
+    const Scalar velocity_along_slide_F = t09 - cos_GF * t05 - sin_GF * t06;
+    const Scalar t10 = phi_B_along_slide_F * omega_B;
+    const Scalar velocity_across_slide_F = sin_GF * t05 - cos_GF * t06 - t10;
     const Scalar v_s_B = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
         velocity_across_slide_F;
     const Scalar t11 = cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * v_s_B;
     const Scalar v_s_F = t11 - velocity_along_slide_F;
     const Scalar t12 = d.psi_C_BCG.sin * v_s_B;
-    const Scalar v_s_D = (t12 + velocity_across_slide_C) * inverse_sin_psi_D_CD;
+    const Scalar v_s_D = inverse_sin_psi_D_CD * (t12 + velocity_across_slide_C);
     const Scalar t13 = d.psi_C_BCG.cos * v_s_B - d.psi_D_CD.cos * v_s_D;
     const Scalar v_s_C = velocity_along_slide_C - t13;
     const Scalar t14 = a_x_B - a_x_E;
@@ -1317,11 +1273,11 @@ struct Model15 {
         cos_minus_psi_C_BCG_minus_psi_D_CD + d.psi_F_EDF.sin * sin_minus_psi_C_BCG_minus_psi_D_CD;
     const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
         sin_minus_psi_C_BCG_minus_psi_D_CD - d.psi_F_EDF.sin * cos_minus_psi_C_BCG_minus_psi_D_CD;
-    const Scalar t05 = d.psi_D_CD.cos * q.s_D - d.psi_D_CD.sin * d.h_D_EDF;
+    const Scalar t05 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
     const Scalar t06 = q.s_C - t05;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + t06 - d.psi_C_BCG.sin * d.h_B_BCG;
-    const Scalar t07 = d.psi_D_CD.cos * d.h_D_EDF + d.psi_D_CD.sin * q.s_D - d.h_C_BCG;
-    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t06 - d.h_B_BCG * d.psi_C_BCG.sin;
+    const Scalar t07 = d.h_D_EDF * d.psi_D_CD.cos + q.s_D * d.psi_D_CD.sin - d.h_C_BCG;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos
         - t07;
     const Scalar phi_B_along_slide_F = q.s_B * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
         + d.h_B_BCG * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - q.s_F;
@@ -1336,48 +1292,37 @@ struct Model15 {
         inverse;
     const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
         inverse;
-    const Scalar t09 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_C_per_across_slide_C = t09;
-    const Scalar t10 = cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
+    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_F_per_across_slide_F = cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
         inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    const Scalar s_F_per_across_slide_F = t10;
     const Scalar s_D_per_across_slide_F = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
         inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
     const Scalar s_C_per_across_slide_F = d.psi_D_CD.cos * s_D_per_across_slide_F
         - d.psi_C_BCG.cos * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    const Scalar t11 = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * sin_GF;
-    const Scalar s_B_per_x_B = t11;
-    const Scalar t12 = cos_CD - sin_CD * s_C_per_across_slide_C - sin_GF * s_C_per_across_slide_F;
-    const Scalar s_C_per_x_B = -t12;
-    const Scalar t13 = inverse_sin_psi_D_CD * sin_CD + s_D_per_across_slide_F * sin_GF;
-    const Scalar s_D_per_x_B = t13;
-    const Scalar t14 = cos_GF + sin_GF * s_F_per_across_slide_F;
-    const Scalar s_F_per_x_B = t14;
-    const Scalar t15 = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * cos_GF;
-    const Scalar s_B_per_y_B = -t15;
-    const Scalar t16 = sin_CD + cos_CD * s_C_per_across_slide_C + s_C_per_across_slide_F * cos_GF;
-    const Scalar s_C_per_y_B = -t16;
-    const Scalar t17 = inverse_sin_psi_D_CD * cos_CD + s_D_per_across_slide_F * cos_GF;
-    const Scalar s_D_per_y_B = -t17;
-    const Scalar t18 = sin_GF - cos_GF * s_F_per_across_slide_F;
-    const Scalar s_F_per_y_B = t18;
-    const Scalar t19 = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
-        phi_B_along_slide_F;
-    const Scalar s_B_per_phi_B = -t19;
-    const Scalar t20 = s_C_per_across_slide_C * phi_B_along_slide_C
-        + s_C_per_across_slide_F * phi_B_along_slide_F - phi_B_across_slide_C;
-    const Scalar s_C_per_phi_B = -t20;
-    const Scalar t21 = inverse_sin_psi_D_CD * phi_B_along_slide_C
-        + s_D_per_across_slide_F * phi_B_along_slide_F;
-    const Scalar s_D_per_phi_B = -t21;
-    const Scalar t22 = s_F_per_across_slide_F * phi_B_along_slide_F + phi_B_across_slide_F;
-    const Scalar s_F_per_phi_B = -t22;
-    const Scalar t23 = v_x_B - v_x_E;
-    const Scalar t24 = v_y_B - v_y_E;
-    const Scalar v_s_B = t23 * s_B_per_x_B + t24 * s_B_per_y_B + omega_B * s_B_per_phi_B;
-    const Scalar v_s_C = t23 * s_C_per_x_B + t24 * s_C_per_y_B + omega_B * s_C_per_phi_B;
-    const Scalar v_s_D = t23 * s_D_per_x_B + t24 * s_D_per_y_B + omega_B * s_D_per_phi_B;
-    const Scalar v_s_F = t23 * s_F_per_x_B + t24 * s_F_per_y_B + omega_B * s_F_per_phi_B;
+    const Scalar s_B_per_x_B = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * sin_GF;
+    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_F
+        - cos_CD;
+    const Scalar s_D_per_x_B = inverse_sin_psi_D_CD * sin_CD + s_D_per_across_slide_F * sin_GF;
+    const Scalar s_F_per_x_B = cos_GF + sin_GF * s_F_per_across_slide_F;
+    const Scalar s_B_per_y_B = -inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * cos_GF;
+    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
+        - s_C_per_across_slide_F * cos_GF;
+    const Scalar s_D_per_y_B = -inverse_sin_psi_D_CD * cos_CD - s_D_per_across_slide_F * cos_GF;
+    const Scalar s_F_per_y_B = sin_GF - cos_GF * s_F_per_across_slide_F;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_F *
+        inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar s_C_per_phi_B = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
+        - phi_B_along_slide_F * s_C_per_across_slide_F;
+    const Scalar s_D_per_phi_B = -phi_B_along_slide_C * inverse_sin_psi_D_CD
+        - phi_B_along_slide_F * s_D_per_across_slide_F;
+    const Scalar s_F_per_phi_B = -phi_B_along_slide_F * s_F_per_across_slide_F
+        - phi_B_across_slide_F;
+    const Scalar t09 = v_x_B - v_x_E;
+    const Scalar t10 = v_y_B - v_y_E;
+    const Scalar v_s_B = s_B_per_x_B * t09 + s_B_per_y_B * t10 + s_B_per_phi_B * omega_B;
+    const Scalar v_s_C = s_C_per_x_B * t09 + s_C_per_y_B * t10 + s_C_per_phi_B * omega_B;
+    const Scalar v_s_D = s_D_per_x_B * t09 + s_D_per_y_B * t10 + s_D_per_phi_B * omega_B;
+    const Scalar v_s_F = s_F_per_x_B * t09 + s_F_per_y_B * t10 + s_F_per_phi_B * omega_B;
     const Scalar centripetal_along_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B
         + Scalar(2) * d.psi_D_CD.sin * v_s_D - phi_B_along_slide_C * omega_B);
     const Scalar centripetal_across_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B
@@ -1387,78 +1332,78 @@ struct Model15 {
     const Scalar centripetal_across_slide_F = -omega_B * (Scalar(2) *
         cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * v_s_B - Scalar(2) * v_s_F
         - phi_B_across_slide_F * omega_B);
-    const Scalar t25 = q.s_F * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    const Scalar t26 = q.s_F * s_C_per_across_slide_F;
-    const Scalar t27 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t28 = q.s_F * s_D_per_across_slide_F;
-    const Scalar t29 = q.s_F * s_F_per_across_slide_F + t08;
-    const Scalar t30 = a_x_B - a_x_E;
-    const Scalar t31 = a_y_B - a_y_E;
-    S_d(0, 0) = t10;
-    S_d(0, 1) = t25;
-    S_d(0, 4) = t25;
+    const Scalar t11 = q.s_F * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar t12 = q.s_F * s_C_per_across_slide_F;
+    const Scalar t13 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t14 = q.s_F * s_D_per_across_slide_F;
+    const Scalar t15 = q.s_F * s_F_per_across_slide_F + t08;
+    const Scalar t16 = a_x_B - a_x_E;
+    const Scalar t17 = a_y_B - a_y_E;
+    S_d(0, 0) = s_F_per_across_slide_F;
+    S_d(0, 1) = t11;
+    S_d(0, 4) = t11;
     S_d(0, 5) = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    S_d(0, 6) = t25;
+    S_d(0, 6) = t11;
     S_d(0, 7) = -inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
     S_d(1, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
         + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_C_per_across_slide_F;
-    S_d(1, 1) = t26 - s_C_per_across_slide_C * t06 - t07;
+    S_d(1, 1) = t12 - t06 * s_C_per_across_slide_C - t07;
     S_d(1, 2) = -s_C_per_across_slide_C;
-    S_d(1, 3) = -t27;
-    S_d(1, 4) = t26;
+    S_d(1, 3) = -t13;
+    S_d(1, 4) = t12;
     S_d(1, 5) = s_C_per_across_slide_F;
-    S_d(1, 6) = t26 - q.s_D * t27 - d.h_D_EDF * (d.psi_D_CD.cos
+    S_d(1, 6) = t12 - q.s_D * t13 - d.h_D_EDF * (d.psi_D_CD.cos
         + d.psi_D_CD.sin * s_C_per_across_slide_C);
     S_d(1, 7) = -s_C_per_across_slide_F;
     S_d(2, 0) = d.psi_C_BCG.cos * inverse_sin_psi_D_CD
         + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_D_per_across_slide_F;
-    S_d(2, 1) = t28 - inverse_sin_psi_D_CD * t06;
+    S_d(2, 1) = t14 - t06 * inverse_sin_psi_D_CD;
     S_d(2, 2) = -inverse_sin_psi_D_CD;
-    S_d(2, 3) = t09;
-    S_d(2, 4) = t28;
+    S_d(2, 3) = s_C_per_across_slide_C;
+    S_d(2, 4) = t14;
     S_d(2, 5) = s_D_per_across_slide_F;
-    S_d(2, 6) = t28 + inverse_sin_psi_D_CD * t05;
+    S_d(2, 6) = t14 + t05 * inverse_sin_psi_D_CD;
     S_d(2, 7) = -s_D_per_across_slide_F;
     S_d(3, 0) = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
         + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_F_per_across_slide_F;
-    S_d(3, 1) = t29;
-    S_d(3, 4) = t29;
+    S_d(3, 1) = t15;
+    S_d(3, 4) = t15;
     S_d(3, 5) = s_F_per_across_slide_F;
-    S_d(3, 6) = t29;
+    S_d(3, 6) = t15;
     S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = t11;
-    S_u(0, 1) = -t15;
-    S_u(0, 2) = -t19;
-    S_u(0, 3) = -t11;
-    S_u(0, 4) = t15;
-    S_u(1, 0) = -t12;
-    S_u(1, 1) = -t16;
-    S_u(1, 2) = -t20;
-    S_u(1, 3) = t12;
-    S_u(1, 4) = t16;
-    S_u(2, 0) = t13;
-    S_u(2, 1) = -t17;
-    S_u(2, 2) = -t21;
-    S_u(2, 3) = -t13;
-    S_u(2, 4) = t17;
-    S_u(3, 0) = t14;
-    S_u(3, 1) = t18;
-    S_u(3, 2) = -t22;
-    S_u(3, 3) = -t14;
-    S_u(3, 4) = -t18;
+    S_u(0, 0) = s_B_per_x_B;
+    S_u(0, 1) = s_B_per_y_B;
+    S_u(0, 2) = s_B_per_phi_B;
+    S_u(0, 3) = -s_B_per_x_B;
+    S_u(0, 4) = -s_B_per_y_B;
+    S_u(1, 0) = s_C_per_x_B;
+    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 2) = s_C_per_phi_B;
+    S_u(1, 3) = -s_C_per_x_B;
+    S_u(1, 4) = -s_C_per_y_B;
+    S_u(2, 0) = s_D_per_x_B;
+    S_u(2, 1) = s_D_per_y_B;
+    S_u(2, 2) = s_D_per_phi_B;
+    S_u(2, 3) = -s_D_per_x_B;
+    S_u(2, 4) = -s_D_per_y_B;
+    S_u(3, 0) = s_F_per_x_B;
+    S_u(3, 1) = s_F_per_y_B;
+    S_u(3, 2) = s_F_per_phi_B;
+    S_u(3, 3) = -s_F_per_x_B;
+    S_u(3, 4) = -s_F_per_y_B;
     q_rate(0) = v_s_B;
     q_rate(1) = v_s_C;
     q_rate(2) = v_s_D;
     q_rate(3) = v_s_F;
-    q_second_rate(0) = s_B_per_x_B * t30 + s_B_per_y_B * t31 + s_B_per_phi_B * alpha_B
+    q_second_rate(0) = s_B_per_x_B * t16 + s_B_per_y_B * t17 + s_B_per_phi_B * alpha_B
         + inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * centripetal_across_slide_F;
-    q_second_rate(1) = s_C_per_x_B * t30 + s_C_per_y_B * t31 + s_C_per_phi_B * alpha_B
+    q_second_rate(1) = s_C_per_x_B * t16 + s_C_per_y_B * t17 + s_C_per_phi_B * alpha_B
         + s_C_per_across_slide_C * centripetal_across_slide_C
         + s_C_per_across_slide_F * centripetal_across_slide_F + centripetal_along_slide_C;
-    q_second_rate(2) = s_D_per_x_B * t30 + s_D_per_y_B * t31 + s_D_per_phi_B * alpha_B
+    q_second_rate(2) = s_D_per_x_B * t16 + s_D_per_y_B * t17 + s_D_per_phi_B * alpha_B
         + inverse_sin_psi_D_CD * centripetal_across_slide_C
         + s_D_per_across_slide_F * centripetal_across_slide_F;
-    q_second_rate(3) = s_F_per_x_B * t30 + s_F_per_y_B * t31 + s_F_per_phi_B * alpha_B
+    q_second_rate(3) = s_F_per_x_B * t16 + s_F_per_y_B * t17 + s_F_per_phi_B * alpha_B
         + s_F_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_F;
   }
 
@@ -1469,12 +1414,12 @@ struct Model15 {
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = d.h_B_BCG + u.phi_B.sin * EB_x - u.phi_B.cos * EB_y;
-    const Scalar t02 = u.phi_B.cos * EB_x + EB_y * u.phi_B.sin;
+    const Scalar t01 = d.h_B_BCG + EB_x * u.phi_B.sin - EB_y * u.phi_B.cos;
+    const Scalar t02 = EB_x * u.phi_B.cos + EB_y * u.phi_B.sin;
     const Scalar t03 = t01 * d.psi_D_CD.cos + t02 * d.psi_D_CD.sin;
-    const Scalar t04 = t01 * d.psi_D_CD.sin - d.psi_D_CD.cos * t02;
+    const Scalar t04 = t01 * d.psi_D_CD.sin - t02 * d.psi_D_CD.cos;
     const Scalar T_0_re = Scalar(2) * ((t03 * d.psi_F_EDF.cos
-        - t04 * d.psi_F_EDF.sin) * d.psi_C_BCG.cos + d.h_F_EDF - (d.psi_F_EDF.cos * t04
+        - t04 * d.psi_F_EDF.sin) * d.psi_C_BCG.cos + d.h_F_EDF - (t04 * d.psi_F_EDF.cos
         + t03 * d.psi_F_EDF.sin) * d.psi_C_BCG.sin - d.h_F_GF);
     const Scalar T_1_re = Scalar(2) * (d.psi_C_BCG.cos * (d.psi_D_CD.sin * d.psi_F_EDF.cos
         + d.psi_D_CD.cos * d.psi_F_EDF.sin) + d.psi_C_BCG.sin * (d.psi_D_CD.cos * d.psi_F_EDF.cos
@@ -1492,16 +1437,16 @@ struct Model15 {
     const Scalar EB_y = u.y_B - u.y_E;
     const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;  // zero: the slides of s_C and s_D are
                                                              //     parallel
-    const Scalar t01 = q.s_B + u.phi_B.cos * EB_x + EB_y * u.phi_B.sin;
-    const Scalar t02 = d.h_B_BCG + u.phi_B.sin * EB_x - u.phi_B.cos * EB_y;
+    const Scalar t01 = q.s_B + EB_x * u.phi_B.cos + EB_y * u.phi_B.sin;
+    const Scalar t02 = d.h_B_BCG + EB_x * u.phi_B.sin - EB_y * u.phi_B.cos;
     const Scalar t03 = d.h_C_BCG - t02 * d.psi_C_BCG.cos - t01 * d.psi_C_BCG.sin;
-    const Scalar t04 = t01 * d.psi_D_CD.cos - d.psi_D_CD.sin * t02;
-    const Scalar t05 = t02 * d.psi_D_CD.cos + d.psi_D_CD.sin * t01;
-    q.s_C = inverse_s_C * (d.psi_D_CD.sin * (d.psi_C_BCG.cos * t01 - t02 * d.psi_C_BCG.sin)
-        + d.h_D_EDF - d.psi_D_CD.cos * t03);
-    q.s_D = inverse_s_C * (d.psi_D_CD.cos * d.h_D_EDF - t03);
-    q.s_F = d.psi_C_BCG.cos * (t04 * d.psi_F_EDF.cos - t05 * d.psi_F_EDF.sin)
-        - d.psi_C_BCG.sin * (d.psi_F_EDF.cos * t05 + t04 * d.psi_F_EDF.sin);
+    const Scalar t04 = t01 * d.psi_D_CD.cos - t02 * d.psi_D_CD.sin;
+    const Scalar t05 = t02 * d.psi_D_CD.cos + t01 * d.psi_D_CD.sin;
+    q.s_C = ((t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin) * d.psi_D_CD.sin + d.h_D_EDF
+        - t03 * d.psi_D_CD.cos) * inverse_s_C;
+    q.s_D = (d.h_D_EDF * d.psi_D_CD.cos - t03) * inverse_s_C;
+    q.s_F = (t04 * d.psi_F_EDF.cos - t05 * d.psi_F_EDF.sin) * d.psi_C_BCG.cos
+        - (t05 * d.psi_F_EDF.cos + t04 * d.psi_F_EDF.sin) * d.psi_C_BCG.sin;
   }
 };
 

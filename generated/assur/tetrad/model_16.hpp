@@ -39,19 +39,19 @@ namespace assur::tetrad {
 ///   velocity_rhs:                 30, 29, 0
 ///   acceleration_rhs:             67, 49, 0
 ///   jerk_rhs:                     127, 75, 0
-///   curvature_rhs:                103, 65, 0
+///   curvature_rhs:                105, 63, 0
 ///   link_poses:                   18, 18, 0
 ///   pose_jacobians:               18, 16, 0
 ///   link_velocities:              30, 26, 0
 ///   link_accelerations:           56, 40, 0
-///   pose_curvatures:              77, 46, 0
+///   pose_curvatures:              79, 44, 0
 ///   degeneracies:                 8, 10, 0
 ///   inverse_jacobian:             59, 18, 1
 ///   sensitivities:                116, 65, 1
 ///   velocity:                     70, 43, 1
 ///   motion:                       120, 81, 1
 ///   sensitivities_and_motion:     192, 117, 1
-///   position_polynomial:          53, 42, 0
+///   position_polynomial:          59, 42, 0
 ///   second_equations:             52, 42, 0
 ///   complete:                     20, 21, 1
 struct Model16 {
@@ -192,37 +192,33 @@ struct Model16 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar t05 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t05 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t05;
-    const Scalar t06 = u.x_B - u.x_E + slide_B_x - slide_E_x;
-    const Scalar t07 = u.y_B - u.y_E + slide_B_y - slide_E_y;
-    f(0) = BC_x + slide_C_x + CD_x + t06 - ED_x;
-    f(1) = BC_y + slide_C_y + CD_y + t07 - ED_y;
-    f(2) = BG_x + GF_x + t06 - EF_x;
-    f(3) = BG_y + GF_y + t07 - EF_y;
+    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
+    const Scalar t02 = u.x_B - u.x_E + slide_B_x - slide_E_x;
+    const Scalar t03 = u.y_B - u.y_E + slide_B_y - slide_E_y;
+    f(0) = BC_x + slide_C_x + CD_x + t02 - ED_x;
+    f(1) = BC_y + slide_C_y + CD_y + t03 - ED_y;
+    f(2) = BG_x + GF_x + t02 - EF_x;
+    f(3) = BG_y + GF_y + t03 - EF_y;
   }
 
   /// J = df/dq.
@@ -232,7 +228,7 @@ struct Model16 {
     J.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     J(0, 1) = u.phi_B.cos;
     J(0, 2) = cos_CD;
@@ -253,21 +249,19 @@ struct Model16 {
   static void dimension_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     F_d(0, 0) = u.phi_B.sin;
-    F_d(0, 1) = -t01 * d.h_C_BCG - slide_C_y - CD_y;
+    F_d(0, 1) = -slide_C_y - CD_y - d.h_C_BCG * cos_CD;
     F_d(0, 2) = -sin_CD;
     F_d(0, 3) = -u.phi_E.sin;
     F_d(0, 6) = sin_CD;
     F_d(1, 0) = -u.phi_B.cos;
-    F_d(1, 1) = slide_C_x + CD_x - t02 * d.h_C_BCG;
+    F_d(1, 1) = slide_C_x + CD_x - d.h_C_BCG * sin_CD;
     F_d(1, 2) = cos_CD;
     F_d(1, 3) = u.phi_E.cos;
     F_d(1, 6) = -cos_CD;
@@ -288,29 +282,25 @@ struct Model16 {
   static void input_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar t05 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t05 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t05;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
     F_u(0, 0) = Scalar(1);
     F_u(0, 2) = -slide_B_y - BC_y - slide_C_y - CD_y;
     F_u(0, 3) = -Scalar(1);
@@ -340,35 +330,31 @@ struct Model16 {
     const Scalar v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar omega_E = u_rate(5);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar t05 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t05 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t05;
-    const Scalar t06 = v_x_B - v_x_E;
-    const Scalar t07 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + BC_y + slide_C_y + CD_y) * omega_B - (slide_E_y + ED_y) * omega_E - t06;
-    rhs(1) = omega_E * (slide_E_x + ED_x) - omega_B * (slide_B_x + BC_x + slide_C_x + CD_x) - t07;
-    rhs(2) = omega_B * (slide_B_y + BG_y) - t06 - omega_E * (slide_E_y + EF_y);
-    rhs(3) = omega_E * (slide_E_x + EF_x) - t07 - omega_B * (slide_B_x + BG_x);
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
+    const Scalar t02 = v_x_B - v_x_E;
+    const Scalar t03 = v_y_B - v_y_E;
+    rhs(0) = (slide_B_y + BC_y + slide_C_y + CD_y) * omega_B - (slide_E_y + ED_y) * omega_E - t02;
+    rhs(1) = (slide_E_x + ED_x) * omega_E - (slide_B_x + BC_x + slide_C_x + CD_x) * omega_B - t03;
+    rhs(2) = (slide_B_y + BG_y) * omega_B - t02 - (slide_E_y + EF_y) * omega_E;
+    rhs(3) = (slide_E_x + EF_x) * omega_E - t03 - (slide_B_x + BG_x) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -390,54 +376,50 @@ struct Model16 {
     const Scalar a_y_E = u_second_rate(4);
     const Scalar omega_E = u_rate(5);
     const Scalar alpha_E = u_second_rate(5);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar t05 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t05 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t05;
-    const Scalar t06 = slide_B_x + BC_x + slide_C_x + CD_x;
-    const Scalar t07 = u.phi_B.sin * v_s_B;
-    const Scalar t08 = slide_B_y + BC_y + slide_C_y + CD_y;
-    const Scalar t09 = slide_E_x + ED_x;
-    const Scalar t10 = u.phi_E.sin * v_s_E;
-    const Scalar t11 = slide_E_y + ED_y;
-    const Scalar t12 = a_x_B - a_x_E;
-    const Scalar t13 = u.phi_B.cos * v_s_B;
-    const Scalar t14 = u.phi_E.cos * v_s_E;
-    const Scalar t15 = a_y_B - a_y_E;
-    const Scalar t16 = slide_B_x + BG_x;
-    const Scalar t17 = slide_E_x + EF_x;
-    const Scalar t18 = slide_B_y + BG_y;
-    const Scalar t19 = slide_E_y + EF_y;
-    const Scalar t20 = omega_GF * omega_GF;
-    rhs(0) = omega_B * (t06 * omega_B + Scalar(2) * t07 + Scalar(2) * sin_CD * v_s_C)
-        + t08 * alpha_B - omega_E * (t09 * omega_E + Scalar(2) * t10) - t11 * alpha_E - t12;
-    rhs(1) = omega_B * (omega_B * t08 - Scalar(2) * t13 - Scalar(2) * cos_CD * v_s_C)
-        + t09 * alpha_E - t06 * alpha_B - omega_E * (omega_E * t11 - Scalar(2) * t14) - t15;
-    rhs(2) = omega_B * (Scalar(2) * t07 + omega_B * t16) + alpha_B * t18 + GF_x * t20 - t12
-        - omega_E * (Scalar(2) * t10 + omega_E * t17) - alpha_E * t19;
-    rhs(3) = omega_E * (Scalar(2) * t14 - omega_E * t19) + alpha_E * t17 + GF_y * t20 - t15
-        - omega_B * (Scalar(2) * t13 - omega_B * t18) - alpha_B * t16;
+    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
+    const Scalar t02 = slide_B_x + BC_x + slide_C_x + CD_x;
+    const Scalar t03 = u.phi_B.sin * v_s_B;
+    const Scalar t04 = slide_B_y + BC_y + slide_C_y + CD_y;
+    const Scalar t05 = slide_E_x + ED_x;
+    const Scalar t06 = u.phi_E.sin * v_s_E;
+    const Scalar t07 = slide_E_y + ED_y;
+    const Scalar t08 = a_x_B - a_x_E;
+    const Scalar t09 = u.phi_B.cos * v_s_B;
+    const Scalar t10 = u.phi_E.cos * v_s_E;
+    const Scalar t11 = a_y_B - a_y_E;
+    const Scalar t12 = slide_B_x + BG_x;
+    const Scalar t13 = slide_E_x + EF_x;
+    const Scalar t14 = slide_B_y + BG_y;
+    const Scalar t15 = slide_E_y + EF_y;
+    const Scalar t16 = omega_GF * omega_GF;
+    rhs(0) = omega_B * (t02 * omega_B + Scalar(2) * t03 + Scalar(2) * sin_CD * v_s_C)
+        + t04 * alpha_B - omega_E * (t05 * omega_E + Scalar(2) * t06) - t07 * alpha_E - t08;
+    rhs(1) = omega_B * (t04 * omega_B - Scalar(2) * t09 - Scalar(2) * cos_CD * v_s_C)
+        + t05 * alpha_E - t02 * alpha_B - omega_E * (t07 * omega_E - Scalar(2) * t10) - t11;
+    rhs(2) = omega_B * (Scalar(2) * t03 + t12 * omega_B) + t14 * alpha_B + GF_x * t16 - t08
+        - omega_E * (Scalar(2) * t06 + t13 * omega_E) - t15 * alpha_E;
+    rhs(3) = omega_E * (Scalar(2) * t10 - t15 * omega_E) + t13 * alpha_E + GF_y * t16 - t11
+        - omega_B * (Scalar(2) * t09 - t14 * omega_B) - t12 * alpha_B;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -466,69 +448,65 @@ struct Model16 {
     const Scalar omega_E = u_rate(5);
     const Scalar alpha_E = u_second_rate(5);
     const Scalar jerk_E = u_third_rate(5);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar t05 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t05 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t05;
-    const Scalar t06 = slide_E_y + ED_y;
-    const Scalar t07 = u.phi_E.cos * v_s_E;
-    const Scalar t08 = slide_E_x + ED_x;
-    const Scalar t09 = u.phi_E.sin * a_s_E;
-    const Scalar t10 = slide_B_y + BC_y + slide_C_y + CD_y;
-    const Scalar t11 = u.phi_B.sin * v_s_B;
-    const Scalar t12 = t11 + sin_CD * v_s_C;
-    const Scalar t13 = slide_B_x + BC_x + slide_C_x + CD_x;
-    const Scalar t14 = u.phi_B.sin * a_s_B;
-    const Scalar t15 = u.phi_B.cos * v_s_B;
-    const Scalar t16 = t15 + cos_CD * v_s_C;
-    const Scalar t17 = u.phi_E.sin * v_s_E;
-    const Scalar t18 = alpha_E * t17 + Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
-    const Scalar t19 = u.phi_E.cos * a_s_E;
-    const Scalar t20 = u.phi_B.cos * a_s_B;
-    const Scalar t21 = t07 * alpha_E - Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
-    const Scalar t22 = slide_B_y + BG_y;
-    const Scalar t23 = slide_B_x + BG_x;
-    const Scalar t24 = slide_E_y + EF_y;
-    const Scalar t25 = slide_E_x + EF_x;
-    const Scalar t26 = omega_GF * omega_GF;
-    rhs(0) = omega_E * (omega_E * (t06 * omega_E - Scalar(3) * t07) - Scalar(3) * t08 * alpha_E
-        - Scalar(3) * t09) + t10 * jerk_B + Scalar(3) * alpha_B * t12
-        + omega_B * (Scalar(3) * t13 * alpha_B + Scalar(3) * t14 + Scalar(3) * sin_CD * a_s_C
-        - omega_B * (t10 * omega_B - Scalar(3) * t16)) - t06 * jerk_E - Scalar(3) * t18;
-    rhs(1) = t08 * jerk_E + omega_B * (Scalar(3) * t10 * alpha_B + omega_B * (Scalar(3) * t12
-        + omega_B * t13) - Scalar(3) * t20 - Scalar(3) * cos_CD * a_s_C) + Scalar(3) * t21
-        - omega_E * (omega_E * (omega_E * t08 + Scalar(3) * t17) + Scalar(3) * t06 * alpha_E
-        - Scalar(3) * t19) - t13 * jerk_B - Scalar(3) * t16 * alpha_B;
-    rhs(2) = omega_B * (Scalar(3) * t14 + omega_B * (Scalar(3) * t15 - omega_B * t22)
-        + Scalar(3) * alpha_B * t23) + jerk_B * t22 + Scalar(3) * alpha_B * t11
-        + omega_GF * (Scalar(3) * alpha_GF * GF_x - GF_y * t26) - omega_E * (Scalar(3) * t09
-        + omega_E * (Scalar(3) * t07 - omega_E * t24) + Scalar(3) * alpha_E * t25) - jerk_E * t24
-        - Scalar(3) * t18;
-    rhs(3) = omega_E * (Scalar(3) * t19 - omega_E * (Scalar(3) * t17 + omega_E * t25)
-        - Scalar(3) * alpha_E * t24) + jerk_E * t25 + omega_GF * (Scalar(3) * GF_y * alpha_GF
-        + GF_x * t26) + Scalar(3) * t21 - omega_B * (Scalar(3) * t20 - omega_B * (Scalar(3) * t11
-        + omega_B * t23) - Scalar(3) * alpha_B * t22) - jerk_B * t23 - Scalar(3) * t15 * alpha_B;
+    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
+    const Scalar t02 = slide_E_y + ED_y;
+    const Scalar t03 = u.phi_E.cos * v_s_E;
+    const Scalar t04 = slide_E_x + ED_x;
+    const Scalar t05 = u.phi_E.sin * a_s_E;
+    const Scalar t06 = slide_B_y + BC_y + slide_C_y + CD_y;
+    const Scalar t07 = u.phi_B.sin * v_s_B;
+    const Scalar t08 = t07 + sin_CD * v_s_C;
+    const Scalar t09 = slide_B_x + BC_x + slide_C_x + CD_x;
+    const Scalar t10 = u.phi_B.sin * a_s_B;
+    const Scalar t11 = u.phi_B.cos * v_s_B;
+    const Scalar t12 = t11 + cos_CD * v_s_C;
+    const Scalar t13 = u.phi_E.sin * v_s_E;
+    const Scalar t14 = alpha_E * t13 + Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
+    const Scalar t15 = u.phi_E.cos * a_s_E;
+    const Scalar t16 = u.phi_B.cos * a_s_B;
+    const Scalar t17 = t03 * alpha_E - Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
+    const Scalar t18 = slide_B_y + BG_y;
+    const Scalar t19 = slide_B_x + BG_x;
+    const Scalar t20 = slide_E_y + EF_y;
+    const Scalar t21 = slide_E_x + EF_x;
+    const Scalar t22 = omega_GF * omega_GF;
+    rhs(0) = omega_E * (omega_E * (t02 * omega_E - Scalar(3) * t03) - Scalar(3) * t04 * alpha_E
+        - Scalar(3) * t05) + t06 * jerk_B + Scalar(3) * alpha_B * t08
+        + omega_B * (Scalar(3) * t09 * alpha_B + Scalar(3) * t10 + Scalar(3) * sin_CD * a_s_C
+        - omega_B * (t06 * omega_B - Scalar(3) * t12)) - t02 * jerk_E - Scalar(3) * t14;
+    rhs(1) = t04 * jerk_E + omega_B * (Scalar(3) * t06 * alpha_B + omega_B * (Scalar(3) * t08
+        + t09 * omega_B) - Scalar(3) * t16 - Scalar(3) * cos_CD * a_s_C) + Scalar(3) * t17
+        - omega_E * (omega_E * (t04 * omega_E + Scalar(3) * t13) + Scalar(3) * t02 * alpha_E
+        - Scalar(3) * t15) - t09 * jerk_B - Scalar(3) * t12 * alpha_B;
+    rhs(2) = omega_B * (Scalar(3) * t10 + omega_B * (Scalar(3) * t11 - t18 * omega_B)
+        + Scalar(3) * t19 * alpha_B) + t18 * jerk_B + Scalar(3) * alpha_B * t07
+        + omega_GF * (Scalar(3) * GF_x * alpha_GF - GF_y * t22) - omega_E * (Scalar(3) * t05
+        + omega_E * (Scalar(3) * t03 - t20 * omega_E) + Scalar(3) * t21 * alpha_E) - t20 * jerk_E
+        - Scalar(3) * t14;
+    rhs(3) = omega_E * (Scalar(3) * t15 - omega_E * (Scalar(3) * t13 + t21 * omega_E)
+        - Scalar(3) * t20 * alpha_E) + t21 * jerk_E + omega_GF * (Scalar(3) * GF_y * alpha_GF
+        + GF_x * t22) + Scalar(3) * t17 - omega_B * (Scalar(3) * t16 - omega_B * (Scalar(3) * t07
+        + t19 * omega_B) - Scalar(3) * t18 * alpha_B) - t19 * jerk_B - Scalar(3) * t11 * alpha_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -554,103 +532,97 @@ struct Model16 {
     const Scalar omega_E = u_rate(5);
     const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
     const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar t03 = t01 - t02;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = d.psi_C_BCG.cos * u.phi_B.sin;
-    const Scalar t05 = u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t06 = t04 + t05;
-    const Scalar sin_CD = t06;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t07 - t06 * d.h_C_BCG;
-    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar cos_CD = t01 - t02;
+    const Scalar t03 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar sin_CD = t03 + t04;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = t07;
-    const Scalar BG_y = -t08;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar t09 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t09 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t09;
-    const Scalar t10 = slide_C_x + CD_x;
-    const Scalar t11 = sin_CD * v_s_C;
-    const Scalar t12 = omega_C_BCG + Scalar(2) * omega_B;
-    const Scalar t13 = v_h_C_BCG - v_h_C_CD;
-    const Scalar t14 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
-    const Scalar t15 = slide_C_y + CD_y;
-    const Scalar t16 = cos_CD * v_s_C;
-    const Scalar t17 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
-    const Scalar t18 = v_h_E_EDF - v_y_F_EDF;
-    const Scalar t19 = v_s_E + v_x_F_EDF;
-    rhs(0) = omega_C_BCG * (omega_C_BCG * t10 + Scalar(2) * omega_B * t10 + Scalar(2) * t11
-        + v_h_C_BCG * (t03 + cos_CD) - Scalar(2) * cos_CD * v_h_C_CD - d.h_C_BCG * (t04 * t12
-        + t05 * t12)) + omega_B * (Scalar(2) * t11 + Scalar(2) * cos_CD * t13 + omega_B * (t10
-        + slide_B_x + BC_x) - Scalar(2) * t14) - omega_E * ((slide_E_x + ED_x) * omega_E
-        + Scalar(2) * u.phi_E.sin * v_s_E - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
-    rhs(1) = omega_C_BCG * (omega_C_BCG * t15 + Scalar(2) * omega_B * t15 + d.h_C_BCG * (t01 * t12
-        - t02 * t12) + v_h_C_BCG * (t06 + sin_CD) - Scalar(2) * t16 - Scalar(2) * sin_CD * v_h_C_CD)
-        - omega_E * (omega_E * (slide_E_y + ED_y) - Scalar(2) * u.phi_E.cos * v_s_E
-        - Scalar(2) * u.phi_E.sin * v_h_E_EDF) - omega_B * (Scalar(2) * t16 + Scalar(2) * t17
-        - Scalar(2) * sin_CD * t13 - omega_B * (t15 + slide_B_y + BC_y));
-    rhs(2) = omega_E * (Scalar(2) * u.phi_E.cos * t18 - Scalar(2) * u.phi_E.sin * t19
-        - omega_E * (slide_E_x + EF_x)) + omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF
-        + omega_GF * GF_x) + omega_B * (omega_B * (slide_B_x + BG_x) - Scalar(2) * t14);
-    rhs(3) = omega_E * (Scalar(2) * u.phi_E.cos * t19 + Scalar(2) * u.phi_E.sin * t18
-        - omega_E * (slide_E_y + EF_y)) + omega_B * (omega_B * (slide_B_y + BG_y) - Scalar(2) * t17)
-        - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - omega_GF * GF_y);
+    const Scalar t05 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar EF_x = t05 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t05 * u.phi_E.cos;
+    const Scalar t06 = sin_CD * v_s_C;
+    const Scalar t07 = v_h_C_BCG - v_h_C_CD;
+    const Scalar t08 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t09 = slide_C_x + CD_x;
+    const Scalar t10 = omega_C_BCG + Scalar(2) * omega_B;
+    const Scalar t11 = cos_CD * v_s_C;
+    const Scalar t12 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t13 = slide_C_y + CD_y;
+    const Scalar t14 = v_h_E_EDF - v_y_F_EDF;
+    const Scalar t15 = v_s_E + v_x_F_EDF;
+    rhs(0) = omega_B * (Scalar(2) * t06 + Scalar(2) * cos_CD * t07 + (t09 + slide_B_x
+        + BC_x) * omega_B - Scalar(2) * t08) + omega_C_BCG * (t09 * omega_C_BCG
+        + Scalar(2) * t09 * omega_B + Scalar(2) * t06 + Scalar(2) * cos_CD * v_h_C_BCG
+        - Scalar(2) * cos_CD * v_h_C_CD - d.h_C_BCG * (t03 * t10 + t04 * t10))
+        - omega_E * ((slide_E_x + ED_x) * omega_E + Scalar(2) * u.phi_E.sin * v_s_E
+        - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
+    rhs(1) = omega_C_BCG * (t13 * omega_C_BCG + Scalar(2) * t13 * omega_B + d.h_C_BCG * (t01 * t10
+        - t02 * t10) + Scalar(2) * sin_CD * v_h_C_BCG - Scalar(2) * t11
+        - Scalar(2) * sin_CD * v_h_C_CD) - omega_E * ((slide_E_y + ED_y) * omega_E
+        - Scalar(2) * u.phi_E.cos * v_s_E - Scalar(2) * u.phi_E.sin * v_h_E_EDF)
+        - omega_B * (Scalar(2) * t11 + Scalar(2) * t12 - Scalar(2) * sin_CD * t07 - (t13 + slide_B_y
+        + BC_y) * omega_B);
+    rhs(2) = omega_E * (Scalar(2) * u.phi_E.cos * t14 - Scalar(2) * u.phi_E.sin * t15 - (slide_E_x
+        + EF_x) * omega_E) + omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + GF_x * omega_GF)
+        + omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t08);
+    rhs(3) = omega_E * (Scalar(2) * u.phi_E.cos * t15 + Scalar(2) * u.phi_E.sin * t14 - (slide_E_y
+        + EF_y) * omega_E) + omega_B * ((slide_B_y + BG_y) * omega_B - Scalar(2) * t12)
+        - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - GF_y * omega_GF);
   }
 
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar t05 = u.x_B + slide_B_x;
-    const Scalar t06 = BG_x + t05;
-    const Scalar t07 = u.y_B + slide_B_y;
-    const Scalar t08 = BG_y + t07;
-    poses[0].x = t06;
-    poses[0].y = t08;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = u.x_B + slide_B_x;
+    const Scalar t02 = BG_x + t01;
+    const Scalar t03 = u.y_B + slide_B_y;
+    const Scalar t04 = BG_y + t03;
+    poses[0].x = t02;
+    poses[0].y = t04;
     poses[0].direction.cos = u.phi_B.cos;
     poses[0].direction.sin = u.phi_B.sin;
     poses[1].x = u.x_E + slide_E_x + ED_x;
     poses[1].y = u.y_E + slide_E_y + ED_y;
     poses[1].direction.cos = u.phi_E.cos;
     poses[1].direction.sin = u.phi_E.sin;
-    poses[2].x = BC_x + slide_C_x + CD_x + t05;
-    poses[2].y = BC_y + slide_C_y + CD_y + t07;
+    poses[2].x = BC_x + slide_C_x + CD_x + t01;
+    poses[2].y = BC_y + slide_C_y + CD_y + t03;
     poses[2].direction.cos = cos_CD;
     poses[2].direction.sin = sin_CD;
-    poses[3].x = t06;
-    poses[3].y = t08;
+    poses[3].x = t02;
+    poses[3].y = t04;
     poses[3].direction.cos = q.theta_GF.cos;
     poses[3].direction.sin = q.theta_GF.sin;
   }
@@ -665,32 +637,28 @@ struct Model16 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t04 - t03;
-    const Scalar t05 = t01 * d.h_C_BCG;
-    const Scalar t06 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t05 - t06;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar t01 = d.h_C_BCG * sin_CD;
+    const Scalar BC_x = BG_x - t01;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t02 = d.h_C_BCG * cos_CD;
+    const Scalar BC_y = BG_y + t02;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = t04;
-    const Scalar BG_y = -t06;
-    const Scalar t07 = slide_C_y + CD_y;
-    const Scalar t08 = slide_C_x + CD_x;
-    const Scalar t09 = slide_B_y + BG_y;
-    const Scalar t10 = slide_B_x + BG_x;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t03 = slide_C_y + CD_y;
+    const Scalar t04 = slide_C_x + CD_x;
+    const Scalar t05 = slide_B_y + BG_y;
+    const Scalar t06 = slide_B_x + BG_x;
     P_q(0, 1) = u.phi_B.cos;
     P_q(1, 1) = u.phi_B.sin;
     P_q(3, 3) = u.phi_E.cos;
@@ -707,20 +675,20 @@ struct Model16 {
     P_d(3, 3) = u.phi_E.sin;
     P_d(4, 3) = -u.phi_E.cos;
     P_d(6, 0) = u.phi_B.sin;
-    P_d(6, 1) = -t05 - t07;
+    P_d(6, 1) = -t03 - t02;
     P_d(6, 2) = -sin_CD;
     P_d(6, 6) = sin_CD;
     P_d(7, 0) = -u.phi_B.cos;
-    P_d(7, 1) = t08 - t03;
+    P_d(7, 1) = t04 - t01;
     P_d(7, 2) = cos_CD;
     P_d(7, 6) = -cos_CD;
     P_d(8, 1) = Scalar(1);
     P_d(9, 0) = u.phi_B.sin;
     P_d(10, 0) = -u.phi_B.cos;
     P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -t09;
+    P_u(0, 2) = -t05;
     P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = t10;
+    P_u(1, 2) = t06;
     P_u(2, 2) = Scalar(1);
     P_u(3, 3) = Scalar(1);
     P_u(3, 5) = -slide_E_y - ED_y;
@@ -728,14 +696,14 @@ struct Model16 {
     P_u(4, 5) = slide_E_x + ED_x;
     P_u(5, 5) = Scalar(1);
     P_u(6, 0) = Scalar(1);
-    P_u(6, 2) = -t07 - slide_B_y - BC_y;
+    P_u(6, 2) = -t03 - slide_B_y - BC_y;
     P_u(7, 1) = Scalar(1);
-    P_u(7, 2) = t08 + slide_B_x + BC_x;
+    P_u(7, 2) = t04 + slide_B_x + BC_x;
     P_u(8, 2) = Scalar(1);
     P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -t09;
+    P_u(9, 2) = -t05;
     P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = t10;
+    P_u(10, 2) = t06;
   }
 
   /// Velocity (vx, vy, omega) of each link's frame, one row a link.
@@ -753,41 +721,37 @@ struct Model16 {
     const Scalar v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar omega_E = u_rate(5);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar t05 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t06 = (slide_B_y + BG_y) * omega_B - t05;
-    const Scalar t07 = u.phi_B.sin * v_s_B + v_y_B;
-    const Scalar t08 = omega_B * (slide_B_x + BG_x) + t07;
-    v(0, 0) = -t06;
-    v(0, 1) = t08;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
+    const Scalar t02 = (slide_B_y + BG_y) * omega_B - t01;
+    const Scalar t03 = u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar t04 = (slide_B_x + BG_x) * omega_B + t03;
+    v(0, 0) = -t02;
+    v(0, 1) = t04;
     v(0, 2) = omega_B;
     v(1, 0) = u.phi_E.cos * v_s_E + v_x_E - (slide_E_y + ED_y) * omega_E;
-    v(1, 1) = omega_E * (slide_E_x + ED_x) + u.phi_E.sin * v_s_E + v_y_E;
+    v(1, 1) = (slide_E_x + ED_x) * omega_E + u.phi_E.sin * v_s_E + v_y_E;
     v(1, 2) = omega_E;
-    v(2, 0) = t05 + cos_CD * v_s_C - omega_B * (slide_B_y + BC_y + slide_C_y + CD_y);
-    v(2, 1) = t07 + omega_B * (slide_B_x + BC_x + slide_C_x + CD_x) + sin_CD * v_s_C;
+    v(2, 0) = t01 + cos_CD * v_s_C - (slide_B_y + BC_y + slide_C_y + CD_y) * omega_B;
+    v(2, 1) = t03 + (slide_B_x + BC_x + slide_C_x + CD_x) * omega_B + sin_CD * v_s_C;
     v(2, 2) = omega_B;
-    v(3, 0) = -t06;
-    v(3, 1) = t08;
+    v(3, 0) = -t02;
+    v(3, 1) = t04;
     v(3, 2) = omega_GF;
   }
 
@@ -812,53 +776,49 @@ struct Model16 {
     const Scalar a_y_E = u_second_rate(4);
     const Scalar omega_E = u_rate(5);
     const Scalar alpha_E = u_second_rate(5);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar t05 = slide_B_x + BG_x;
-    const Scalar t06 = u.phi_B.sin * v_s_B;
-    const Scalar t07 = slide_B_y + BG_y;
-    const Scalar t08 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t09 = omega_B * (t05 * omega_B + Scalar(2) * t06) + t07 * alpha_B - t08;
-    const Scalar t10 = u.phi_B.cos * v_s_B;
-    const Scalar t11 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t12 = omega_B * (omega_B * t07 - Scalar(2) * t10) - t05 * alpha_B - t11;
-    const Scalar t13 = slide_E_x + ED_x;
-    const Scalar t14 = slide_E_y + ED_y;
-    const Scalar t15 = slide_B_x + BC_x + slide_C_x + CD_x;
-    const Scalar t16 = slide_B_y + BC_y + slide_C_y + CD_y;
-    a(0, 0) = -t09;
-    a(0, 1) = -t12;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = slide_B_x + BG_x;
+    const Scalar t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y + BG_y;
+    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t05 = omega_B * (t01 * omega_B + Scalar(2) * t02) + t03 * alpha_B - t04;
+    const Scalar t06 = u.phi_B.cos * v_s_B;
+    const Scalar t07 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t08 = omega_B * (t03 * omega_B - Scalar(2) * t06) - t01 * alpha_B - t07;
+    const Scalar t09 = slide_E_x + ED_x;
+    const Scalar t10 = slide_E_y + ED_y;
+    const Scalar t11 = slide_B_x + BC_x + slide_C_x + CD_x;
+    const Scalar t12 = slide_B_y + BC_y + slide_C_y + CD_y;
+    a(0, 0) = -t05;
+    a(0, 1) = -t08;
     a(0, 2) = alpha_B;
-    a(1, 0) = u.phi_E.cos * a_s_E + a_x_E - omega_E * (t13 * omega_E
-        + Scalar(2) * u.phi_E.sin * v_s_E) - t14 * alpha_E;
-    a(1, 1) = t13 * alpha_E + u.phi_E.sin * a_s_E + a_y_E - omega_E * (omega_E * t14
+    a(1, 0) = u.phi_E.cos * a_s_E + a_x_E - omega_E * (t09 * omega_E
+        + Scalar(2) * u.phi_E.sin * v_s_E) - t10 * alpha_E;
+    a(1, 1) = t09 * alpha_E + u.phi_E.sin * a_s_E + a_y_E - omega_E * (t10 * omega_E
         - Scalar(2) * u.phi_E.cos * v_s_E);
     a(1, 2) = alpha_E;
-    a(2, 0) = t08 + cos_CD * a_s_C - omega_B * (Scalar(2) * t06 + omega_B * t15
-        + Scalar(2) * sin_CD * v_s_C) - alpha_B * t16;
-    a(2, 1) = t11 + omega_B * (Scalar(2) * t10 + Scalar(2) * cos_CD * v_s_C - omega_B * t16)
-        + alpha_B * t15 + sin_CD * a_s_C;
+    a(2, 0) = t04 + cos_CD * a_s_C - omega_B * (Scalar(2) * t02 + t11 * omega_B
+        + Scalar(2) * sin_CD * v_s_C) - t12 * alpha_B;
+    a(2, 1) = t07 + omega_B * (Scalar(2) * t06 + Scalar(2) * cos_CD * v_s_C - t12 * omega_B)
+        + t11 * alpha_B + sin_CD * a_s_C;
     a(2, 2) = alpha_B;
-    a(3, 0) = -t09;
-    a(3, 1) = -t12;
+    a(3, 0) = -t05;
+    a(3, 1) = -t08;
     a(3, 2) = alpha_GF;
   }
 
@@ -882,54 +842,50 @@ struct Model16 {
     p.setZero();
     const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
     const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar t03 = t01 - t02;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = d.psi_C_BCG.cos * u.phi_B.sin;
-    const Scalar t05 = u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t06 = t04 + t05;
-    const Scalar sin_CD = t06;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t07 - t06 * d.h_C_BCG;
-    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar cos_CD = t01 - t02;
+    const Scalar t03 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar sin_CD = t03 + t04;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = t07;
-    const Scalar BG_y = -t08;
-    const Scalar t09 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
-    const Scalar t10 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t09);
-    const Scalar t11 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
-    const Scalar t12 = omega_B * (omega_B * (slide_B_y + BG_y) - Scalar(2) * t11);
-    const Scalar t13 = slide_C_x + CD_x;
-    const Scalar t14 = sin_CD * v_s_C;
-    const Scalar t15 = Scalar(2) * omega_B + omega_C_BCG;
-    const Scalar t16 = v_h_C_BCG - v_h_C_CD;
-    const Scalar t17 = slide_C_y + CD_y;
-    const Scalar t18 = cos_CD * v_s_C;
-    p(0, 0) = -t10;
-    p(0, 1) = -t12;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t05 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t06 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t05);
+    const Scalar t07 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t08 = omega_B * ((slide_B_y + BG_y) * omega_B - Scalar(2) * t07);
+    const Scalar t09 = sin_CD * v_s_C;
+    const Scalar t10 = v_h_C_BCG - v_h_C_CD;
+    const Scalar t11 = slide_C_x + CD_x;
+    const Scalar t12 = Scalar(2) * omega_B + omega_C_BCG;
+    const Scalar t13 = cos_CD * v_s_C;
+    const Scalar t14 = slide_C_y + CD_y;
+    p(0, 0) = -t06;
+    p(0, 1) = -t08;
     p(1, 0) = -omega_E * ((slide_E_x + ED_x) * omega_E + Scalar(2) * u.phi_E.sin * v_s_E
         - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
-    p(1, 1) = -omega_E * (omega_E * (slide_E_y + ED_y) - Scalar(2) * u.phi_E.cos * v_s_E
+    p(1, 1) = -omega_E * ((slide_E_y + ED_y) * omega_E - Scalar(2) * u.phi_E.cos * v_s_E
         - Scalar(2) * u.phi_E.sin * v_h_E_EDF);
-    p(2, 0) = omega_B * (Scalar(2) * t09 - Scalar(2) * t14 - Scalar(2) * cos_CD * t16
-        - omega_B * (slide_B_x + t13 + BC_x)) - omega_C_BCG * (omega_C_BCG * t13
-        + Scalar(2) * omega_B * t13 + Scalar(2) * t14 + v_h_C_BCG * (t03 + cos_CD)
-        - Scalar(2) * cos_CD * v_h_C_CD - d.h_C_BCG * (t04 * t15 + t05 * t15));
-    p(2, 1) = omega_B * (Scalar(2) * t11 + Scalar(2) * t18 - Scalar(2) * sin_CD * t16
-        - omega_B * (slide_B_y + t17 + BC_y)) - omega_C_BCG * (omega_C_BCG * t17
-        + Scalar(2) * omega_B * t17 + d.h_C_BCG * (t01 * t15 - t02 * t15) + v_h_C_BCG * (t06
-        + sin_CD) - Scalar(2) * t18 - Scalar(2) * sin_CD * v_h_C_CD);
-    p(3, 0) = -t10;
-    p(3, 1) = -t12;
+    p(2, 0) = omega_B * (Scalar(2) * t05 - Scalar(2) * t09 - Scalar(2) * cos_CD * t10 - (slide_B_x
+        + t11 + BC_x) * omega_B) - omega_C_BCG * (t11 * omega_C_BCG + Scalar(2) * t11 * omega_B
+        + Scalar(2) * t09 + Scalar(2) * cos_CD * v_h_C_BCG - Scalar(2) * cos_CD * v_h_C_CD
+        - d.h_C_BCG * (t03 * t12 + t04 * t12));
+    p(2, 1) = omega_B * (Scalar(2) * t07 + Scalar(2) * t13 - Scalar(2) * sin_CD * t10 - (slide_B_y
+        + t14 + BC_y) * omega_B) - omega_C_BCG * (t14 * omega_C_BCG + Scalar(2) * t14 * omega_B
+        + d.h_C_BCG * (t01 * t12 - t02 * t12) + Scalar(2) * sin_CD * v_h_C_BCG - Scalar(2) * t13
+        - Scalar(2) * sin_CD * v_h_C_CD);
+    p(3, 0) = -t06;
+    p(3, 1) = -t08;
   }
 
   /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
@@ -973,31 +929,31 @@ struct Model16 {
         + sin_CD * q.theta_GF.sin;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t01 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
-    const Scalar pivot_product = -sin_phi_B_minus_phi_E * t01;
+    const Scalar pivot_product = -t01 * sin_phi_B_minus_phi_E;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BCG - theta_GF) =
                                                        //     0, or sin(phi_B - phi_E) = 0, or GF =
                                                        //     0
-    const Scalar t02 = sin_phi_B_minus_phi_E * inverse;
+    const Scalar t02 = inverse * sin_phi_B_minus_phi_E;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t02;
     const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t01;
-    const Scalar inverse_GF = -cos_phi_B_plus_psi_C_BCG_minus_GF * t02;
+    const Scalar inverse_GF = -t02 * cos_phi_B_plus_psi_C_BCG_minus_GF;
     const Scalar t03 = inverse_cos_phi_B_plus_psi_C_BCG_minus_GF * inverse_sin_phi_B_minus_phi_E;
     const Scalar s_B_per_across_slide_C = -cos_phi_E_minus_GF * t03;
     const Scalar s_E_per_across_slide_C = -cos_phi_B_minus_GF * t03;
     const Scalar s_C_per_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG *
         s_E_per_across_slide_C - d.psi_C_BCG.cos * s_B_per_across_slide_C;
-    const Scalar GF_per_across_slide_C = -(s_B_per_across_slide_C * sin_phi_B_minus_GF
-        - s_E_per_across_slide_C * sin_phi_E_minus_GF) * inverse_GF;
+    const Scalar GF_per_across_slide_C = -inverse_GF * (s_B_per_across_slide_C * sin_phi_B_minus_GF
+        - s_E_per_across_slide_C * sin_phi_E_minus_GF);
     const Scalar s_B_per_along_GF = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t03;
     const Scalar s_E_per_along_GF = -d.psi_C_BCG.sin * t03;
     const Scalar s_C_per_along_GF = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_along_GF
         - d.psi_C_BCG.cos * s_B_per_along_GF;
     const Scalar GF_per_along_GF = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_GF
         - sin_phi_E_minus_GF * s_E_per_along_GF);
-    J_inverse(0, 0) = -sin_CD * GF_per_across_slide_C;
-    J_inverse(0, 1) = cos_CD * GF_per_across_slide_C;
-    J_inverse(0, 2) = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF;
-    J_inverse(0, 3) = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF;
+    J_inverse(0, 0) = -GF_per_across_slide_C * sin_CD;
+    J_inverse(0, 1) = GF_per_across_slide_C * cos_CD;
+    J_inverse(0, 2) = GF_per_along_GF * q.theta_GF.cos - inverse_GF * q.theta_GF.sin;
+    J_inverse(0, 3) = inverse_GF * q.theta_GF.cos + GF_per_along_GF * q.theta_GF.sin;
     J_inverse(1, 0) = -sin_CD * s_B_per_across_slide_C;
     J_inverse(1, 1) = cos_CD * s_B_per_across_slide_C;
     J_inverse(1, 2) = q.theta_GF.cos * s_B_per_along_GF;
@@ -1027,40 +983,40 @@ struct Model16 {
     const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
     const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
     const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
-        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
+        - d.h_B_BCG * d.psi_C_BCG.sin;
     const Scalar t01 = d.h_C_BCG - d.h_C_CD;
-    const Scalar phi_B_across_slide_C = t01 - d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG;
+    const Scalar phi_B_across_slide_C = t01 - q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos;
     const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
     const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
     const Scalar t02 = q.s_E + d.x_F_EDF;
     const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_GF = -t02 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
-    const Scalar phi_E_across_GF = cos_phi_E_minus_GF * t03 - t02 * sin_phi_E_minus_GF;
+    const Scalar phi_E_across_GF = t03 * cos_phi_E_minus_GF - t02 * sin_phi_E_minus_GF;
     const Scalar cos_phi_B_plus_psi_C_BCG_minus_GF = cos_CD * q.theta_GF.cos
         + sin_CD * q.theta_GF.sin;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t04 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
-    const Scalar pivot_product = -sin_phi_B_minus_phi_E * t04;
+    const Scalar pivot_product = -t04 * sin_phi_B_minus_phi_E;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BCG - theta_GF) =
                                                        //     0, or sin(phi_B - phi_E) = 0, or GF =
                                                        //     0
-    const Scalar t05 = sin_phi_B_minus_phi_E * inverse;
+    const Scalar t05 = inverse * sin_phi_B_minus_phi_E;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t05;
     const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t04;
-    const Scalar inverse_GF = -cos_phi_B_plus_psi_C_BCG_minus_GF * t05;
+    const Scalar inverse_GF = -t05 * cos_phi_B_plus_psi_C_BCG_minus_GF;
     const Scalar t06 = inverse_cos_phi_B_plus_psi_C_BCG_minus_GF * inverse_sin_phi_B_minus_phi_E;
     const Scalar s_B_per_across_slide_C = -cos_phi_E_minus_GF * t06;
     const Scalar s_E_per_across_slide_C = -cos_phi_B_minus_GF * t06;
     const Scalar t07 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
     const Scalar t08 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_across_slide_C;
     const Scalar s_C_per_across_slide_C = t08 - t07;
-    const Scalar GF_per_across_slide_C = -(sin_phi_B_minus_GF * s_B_per_across_slide_C
-        - sin_phi_E_minus_GF * s_E_per_across_slide_C) * inverse_GF;
+    const Scalar GF_per_across_slide_C = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_across_slide_C
+        - sin_phi_E_minus_GF * s_E_per_across_slide_C);
     const Scalar s_B_per_along_GF = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t06;
     const Scalar s_E_per_along_GF = -d.psi_C_BCG.sin * t06;
     const Scalar s_C_per_along_GF = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_along_GF
@@ -1068,25 +1024,27 @@ struct Model16 {
     const Scalar t09 = sin_phi_B_minus_GF * s_B_per_along_GF;
     const Scalar t10 = sin_phi_E_minus_GF * s_E_per_along_GF;
     const Scalar GF_per_along_GF = -inverse_GF * (t09 - t10);
-    const Scalar t11 = cos_phi_E_minus_GF * inverse_GF - sin_phi_E_minus_GF * GF_per_along_GF;
+    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin + GF_per_across_slide_C * sin_CD
+        - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C - q.theta_GF.cos * s_B_per_along_GF;
+    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C - cos_CD
+        - q.theta_GF.cos * s_C_per_along_GF;
+    const Scalar s_E_per_x_B = sin_CD * s_E_per_across_slide_C - q.theta_GF.cos * s_E_per_along_GF;
+    const Scalar GF_per_y_B = -inverse_GF * q.theta_GF.cos - GF_per_along_GF * q.theta_GF.sin
+        - GF_per_across_slide_C * cos_CD;
+    const Scalar s_B_per_y_B = -q.theta_GF.sin * s_B_per_along_GF - cos_CD * s_B_per_across_slide_C;
+    const Scalar s_C_per_y_B = -sin_CD - q.theta_GF.sin * s_C_per_along_GF
+        - cos_CD * s_C_per_across_slide_C;
+    const Scalar s_E_per_y_B = -q.theta_GF.sin * s_E_per_along_GF - cos_CD * s_E_per_across_slide_C;
+    const Scalar t11 = inverse_GF * cos_phi_E_minus_GF - GF_per_along_GF * sin_phi_E_minus_GF;
     const Scalar t12 = sin_phi_E_minus_GF * s_B_per_along_GF;
     const Scalar t13 = sin_phi_E_minus_GF * s_C_per_along_GF;
-    const Scalar t14 = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF
-        - sin_CD * GF_per_across_slide_C;
-    const Scalar t15 = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF
-        + cos_CD * GF_per_across_slide_C;
-    const Scalar t16 = q.theta_GF.cos * s_B_per_along_GF - sin_CD * s_B_per_across_slide_C;
-    const Scalar t17 = q.theta_GF.sin * s_B_per_along_GF + cos_CD * s_B_per_across_slide_C;
-    const Scalar t18 = cos_CD + q.theta_GF.cos * s_C_per_along_GF - sin_CD * s_C_per_across_slide_C;
-    const Scalar t19 = sin_CD + q.theta_GF.sin * s_C_per_along_GF + cos_CD * s_C_per_across_slide_C;
-    const Scalar t20 = q.theta_GF.cos * s_E_per_along_GF - sin_CD * s_E_per_across_slide_C;
-    const Scalar t21 = q.theta_GF.sin * s_E_per_along_GF + cos_CD * s_E_per_across_slide_C;
-    S_d(0, 0) = d.psi_C_BCG.cos * GF_per_across_slide_C + cos_phi_B_minus_GF * inverse_GF
-        - sin_phi_B_minus_GF * GF_per_along_GF;
+    S_d(0, 0) = GF_per_across_slide_C * d.psi_C_BCG.cos + inverse_GF * cos_phi_B_minus_GF
+        - GF_per_along_GF * sin_phi_B_minus_GF;
     S_d(0, 1) = -q.s_C * GF_per_across_slide_C;
     S_d(0, 2) = -GF_per_across_slide_C;
-    S_d(0, 3) = -cos_phi_E_minus_phi_B_minus_psi_C_BCG * GF_per_across_slide_C - t11;
-    S_d(0, 4) = cos_phi_E_minus_GF * GF_per_along_GF + sin_phi_E_minus_GF * inverse_GF;
+    S_d(0, 3) = -GF_per_across_slide_C * cos_phi_E_minus_phi_B_minus_psi_C_BCG - t11;
+    S_d(0, 4) = GF_per_along_GF * cos_phi_E_minus_GF + inverse_GF * sin_phi_E_minus_GF;
     S_d(0, 5) = t11;
     S_d(0, 6) = GF_per_across_slide_C;
     S_d(0, 7) = -GF_per_along_GF;
@@ -1116,34 +1074,34 @@ struct Model16 {
     S_d(3, 5) = -t10;
     S_d(3, 6) = s_E_per_across_slide_C;
     S_d(3, 7) = -s_E_per_along_GF;
-    S_u(0, 0) = -t14;
-    S_u(0, 1) = -t15;
+    S_u(0, 0) = GF_per_x_B;
+    S_u(0, 1) = GF_per_y_B;
     S_u(0, 2) = GF_per_along_GF * phi_B_across_GF - GF_per_across_slide_C * phi_B_along_slide_C
         - inverse_GF * phi_B_along_GF;
-    S_u(0, 3) = t14;
-    S_u(0, 4) = t15;
+    S_u(0, 3) = -GF_per_x_B;
+    S_u(0, 4) = -GF_per_y_B;
     S_u(0, 5) = GF_per_along_GF * phi_E_across_GF - GF_per_across_slide_C * phi_E_along_slide_C
         - inverse_GF * phi_E_along_GF;
-    S_u(1, 0) = -t16;
-    S_u(1, 1) = -t17;
-    S_u(1, 2) = s_B_per_along_GF * phi_B_across_GF - s_B_per_across_slide_C * phi_B_along_slide_C;
-    S_u(1, 3) = t16;
-    S_u(1, 4) = t17;
-    S_u(1, 5) = s_B_per_along_GF * phi_E_across_GF - s_B_per_across_slide_C * phi_E_along_slide_C;
-    S_u(2, 0) = -t18;
-    S_u(2, 1) = -t19;
-    S_u(2, 2) = phi_B_across_slide_C + s_C_per_along_GF * phi_B_across_GF
-        - s_C_per_across_slide_C * phi_B_along_slide_C;
-    S_u(2, 3) = t18;
-    S_u(2, 4) = t19;
-    S_u(2, 5) = phi_E_across_slide_C + s_C_per_along_GF * phi_E_across_GF
-        - s_C_per_across_slide_C * phi_E_along_slide_C;
-    S_u(3, 0) = -t20;
-    S_u(3, 1) = -t21;
-    S_u(3, 2) = s_E_per_along_GF * phi_B_across_GF - s_E_per_across_slide_C * phi_B_along_slide_C;
-    S_u(3, 3) = t20;
-    S_u(3, 4) = t21;
-    S_u(3, 5) = s_E_per_along_GF * phi_E_across_GF - s_E_per_across_slide_C * phi_E_along_slide_C;
+    S_u(1, 0) = s_B_per_x_B;
+    S_u(1, 1) = s_B_per_y_B;
+    S_u(1, 2) = phi_B_across_GF * s_B_per_along_GF - phi_B_along_slide_C * s_B_per_across_slide_C;
+    S_u(1, 3) = -s_B_per_x_B;
+    S_u(1, 4) = -s_B_per_y_B;
+    S_u(1, 5) = phi_E_across_GF * s_B_per_along_GF - phi_E_along_slide_C * s_B_per_across_slide_C;
+    S_u(2, 0) = s_C_per_x_B;
+    S_u(2, 1) = s_C_per_y_B;
+    S_u(2, 2) = phi_B_across_slide_C + phi_B_across_GF * s_C_per_along_GF
+        - phi_B_along_slide_C * s_C_per_across_slide_C;
+    S_u(2, 3) = -s_C_per_x_B;
+    S_u(2, 4) = -s_C_per_y_B;
+    S_u(2, 5) = phi_E_across_slide_C + phi_E_across_GF * s_C_per_along_GF
+        - phi_E_along_slide_C * s_C_per_across_slide_C;
+    S_u(3, 0) = s_E_per_x_B;
+    S_u(3, 1) = s_E_per_y_B;
+    S_u(3, 2) = phi_B_across_GF * s_E_per_along_GF - phi_B_along_slide_C * s_E_per_across_slide_C;
+    S_u(3, 3) = -s_E_per_x_B;
+    S_u(3, 4) = -s_E_per_y_B;
+    S_u(3, 5) = phi_E_across_GF * s_E_per_along_GF - phi_E_along_slide_C * s_E_per_across_slide_C;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1167,51 +1125,51 @@ struct Model16 {
     const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
     const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
     const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
-        - d.psi_C_BCG.sin * d.h_B_BCG;
-    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B
-        - d.psi_C_BCG.cos * d.h_B_BCG - d.h_C_CD;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
+        - d.h_B_BCG * d.psi_C_BCG.sin;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - q.s_B * d.psi_C_BCG.sin
+        - d.h_B_BCG * d.psi_C_BCG.cos - d.h_C_CD;
     const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
     const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
     const Scalar t01 = q.s_E + d.x_F_EDF;
     const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_GF = -t01 * cos_phi_E_minus_GF - t02 * sin_phi_E_minus_GF;
-    const Scalar phi_E_across_GF = cos_phi_E_minus_GF * t02 - t01 * sin_phi_E_minus_GF;
+    const Scalar phi_E_across_GF = t02 * cos_phi_E_minus_GF - t01 * sin_phi_E_minus_GF;
     const Scalar cos_phi_B_plus_psi_C_BCG_minus_GF = cos_CD * q.theta_GF.cos
         + sin_CD * q.theta_GF.sin;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t03 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
-    const Scalar pivot_product = -sin_phi_B_minus_phi_E * t03;
+    const Scalar pivot_product = -t03 * sin_phi_B_minus_phi_E;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BCG - theta_GF) =
                                                        //     0, or sin(phi_B - phi_E) = 0, or GF =
                                                        //     0
-    const Scalar t04 = sin_phi_B_minus_phi_E * inverse;
+    const Scalar t04 = inverse * sin_phi_B_minus_phi_E;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t04;
     const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t03;
-    const Scalar inverse_GF = -cos_phi_B_plus_psi_C_BCG_minus_GF * t04;
+    const Scalar inverse_GF = -t04 * cos_phi_B_plus_psi_C_BCG_minus_GF;
     const Scalar t05 = v_x_B - v_x_E;
     const Scalar t06 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = omega_B * phi_B_across_slide_C
-        + omega_E * phi_E_across_slide_C - cos_CD * t05 - sin_CD * t06;
+    const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B
+        + phi_E_across_slide_C * omega_E - cos_CD * t05 - sin_CD * t06;
     const Scalar velocity_across_slide_C = sin_CD * t05 - cos_CD * t06
-        - omega_B * phi_B_along_slide_C - omega_E * phi_E_along_slide_C;
-    const Scalar velocity_along_GF = omega_B * phi_B_across_GF + omega_E * phi_E_across_GF
+        - phi_B_along_slide_C * omega_B - phi_E_along_slide_C * omega_E;
+    const Scalar velocity_along_GF = phi_B_across_GF * omega_B + phi_E_across_GF * omega_E
         - q.theta_GF.cos * t05 - q.theta_GF.sin * t06;
     const Scalar velocity_across_GF = q.theta_GF.sin * t05 - q.theta_GF.cos * t06
-        - omega_B * phi_B_along_GF - omega_E * phi_E_along_GF;
+        - phi_B_along_GF * omega_B - phi_E_along_GF * omega_E;
     const Scalar t07 = inverse_sin_phi_B_minus_phi_E * inverse_cos_phi_B_plus_psi_C_BCG_minus_GF;
-    const Scalar v_s_B = (sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_along_GF
-        - cos_phi_E_minus_GF * velocity_across_slide_C) * t07;
-    const Scalar v_s_E = -(d.psi_C_BCG.sin * velocity_along_GF
-        + cos_phi_B_minus_GF * velocity_across_slide_C) * t07;
+    const Scalar v_s_B = t07 * (sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_along_GF
+        - cos_phi_E_minus_GF * velocity_across_slide_C);
+    const Scalar v_s_E = -t07 * (d.psi_C_BCG.sin * velocity_along_GF
+        + cos_phi_B_minus_GF * velocity_across_slide_C);
     const Scalar v_s_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E + velocity_along_slide_C
         - d.psi_C_BCG.cos * v_s_B;
-    const Scalar omega_GF = -(sin_phi_B_minus_GF * v_s_B - sin_phi_E_minus_GF * v_s_E
-        - velocity_across_GF) * inverse_GF;
+    const Scalar omega_GF = -inverse_GF * (sin_phi_B_minus_GF * v_s_B - sin_phi_E_minus_GF * v_s_E
+        - velocity_across_GF);
     q_rate(0) = omega_GF;
     q_rate(1) = v_s_B;
     q_rate(2) = v_s_C;
@@ -1246,57 +1204,57 @@ struct Model16 {
     const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
     const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
     const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
-        - d.psi_C_BCG.sin * d.h_B_BCG;
-    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B
-        - d.psi_C_BCG.cos * d.h_B_BCG - d.h_C_CD;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
+        - d.h_B_BCG * d.psi_C_BCG.sin;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - q.s_B * d.psi_C_BCG.sin
+        - d.h_B_BCG * d.psi_C_BCG.cos - d.h_C_CD;
     const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
     const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
     const Scalar t01 = q.s_E + d.x_F_EDF;
     const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_GF = -t01 * cos_phi_E_minus_GF - t02 * sin_phi_E_minus_GF;
-    const Scalar phi_E_across_GF = cos_phi_E_minus_GF * t02 - t01 * sin_phi_E_minus_GF;
+    const Scalar phi_E_across_GF = t02 * cos_phi_E_minus_GF - t01 * sin_phi_E_minus_GF;
     const Scalar cos_phi_B_plus_psi_C_BCG_minus_GF = cos_CD * q.theta_GF.cos
         + sin_CD * q.theta_GF.sin;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t03 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
-    const Scalar pivot_product = -sin_phi_B_minus_phi_E * t03;
+    const Scalar pivot_product = -t03 * sin_phi_B_minus_phi_E;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BCG - theta_GF) =
                                                        //     0, or sin(phi_B - phi_E) = 0, or GF =
                                                        //     0
-    const Scalar t04 = sin_phi_B_minus_phi_E * inverse;
+    const Scalar t04 = inverse * sin_phi_B_minus_phi_E;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t04;
     const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t03;
-    const Scalar inverse_GF = -cos_phi_B_plus_psi_C_BCG_minus_GF * t04;
+    const Scalar inverse_GF = -t04 * cos_phi_B_plus_psi_C_BCG_minus_GF;
     const Scalar t05 = v_x_B - v_x_E;
     const Scalar t06 = v_y_B - v_y_E;
-    const Scalar t07 = omega_B * phi_B_across_slide_C;
-    const Scalar t08 = omega_E * phi_E_across_slide_C;
+    const Scalar t07 = phi_B_across_slide_C * omega_B;
+    const Scalar t08 = phi_E_across_slide_C * omega_E;
     const Scalar velocity_along_slide_C = t07 + t08 - cos_CD * t05 - sin_CD * t06;
-    const Scalar t09 = omega_B * phi_B_along_slide_C;
-    const Scalar t10 = omega_E * phi_E_along_slide_C;
+    const Scalar t09 = phi_B_along_slide_C * omega_B;
+    const Scalar t10 = phi_E_along_slide_C * omega_E;
     const Scalar velocity_across_slide_C = sin_CD * t05 - cos_CD * t06 - t09 - t10;
-    const Scalar t11 = omega_B * phi_B_across_GF;
-    const Scalar t12 = omega_E * phi_E_across_GF;
+    const Scalar t11 = phi_B_across_GF * omega_B;
+    const Scalar t12 = phi_E_across_GF * omega_E;
     const Scalar velocity_along_GF = t11 + t12 - q.theta_GF.cos * t05 - q.theta_GF.sin * t06;
-    const Scalar t13 = omega_B * phi_B_along_GF;
-    const Scalar t14 = omega_E * phi_E_along_GF;
+    const Scalar t13 = phi_B_along_GF * omega_B;
+    const Scalar t14 = phi_E_along_GF * omega_E;
     const Scalar velocity_across_GF = q.theta_GF.sin * t05 - q.theta_GF.cos * t06 - t13 - t14;
     const Scalar t15 = inverse_sin_phi_B_minus_phi_E * inverse_cos_phi_B_plus_psi_C_BCG_minus_GF;
-    const Scalar v_s_B = (sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_along_GF
-        - cos_phi_E_minus_GF * velocity_across_slide_C) * t15;
-    const Scalar v_s_E = -(d.psi_C_BCG.sin * velocity_along_GF
-        + cos_phi_B_minus_GF * velocity_across_slide_C) * t15;
+    const Scalar v_s_B = t15 * (sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_along_GF
+        - cos_phi_E_minus_GF * velocity_across_slide_C);
+    const Scalar v_s_E = -t15 * (d.psi_C_BCG.sin * velocity_along_GF
+        + cos_phi_B_minus_GF * velocity_across_slide_C);
     const Scalar t16 = d.psi_C_BCG.cos * v_s_B;
     const Scalar t17 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E;
     const Scalar v_s_C = t17 + velocity_along_slide_C - t16;
     const Scalar t18 = sin_phi_B_minus_GF * v_s_B;
     const Scalar t19 = sin_phi_E_minus_GF * v_s_E;
-    const Scalar omega_GF = -(t18 - t19 - velocity_across_GF) * inverse_GF;
+    const Scalar omega_GF = -inverse_GF * (t18 - t19 - velocity_across_GF);
     const Scalar t20 = a_x_B - a_x_E;
     const Scalar t21 = a_y_B - a_y_E;
     const Scalar acceleration_along_slide_C = omega_B * (t09 - Scalar(2) * d.psi_C_BCG.sin * v_s_B)
@@ -1313,10 +1271,10 @@ struct Model16 {
         - Scalar(2) * cos_phi_B_minus_GF * v_s_B) + omega_E * (t12
         + Scalar(2) * cos_phi_E_minus_GF * v_s_E) - q.theta_GF.cos * t21 - phi_B_along_GF * alpha_B
         - phi_E_along_GF * alpha_E;
-    const Scalar a_s_B = (sin_phi_E_minus_phi_B_minus_psi_C_BCG * acceleration_along_GF
-        - cos_phi_E_minus_GF * acceleration_across_slide_C) * t15;
-    const Scalar a_s_E = -(d.psi_C_BCG.sin * acceleration_along_GF
-        + cos_phi_B_minus_GF * acceleration_across_slide_C) * t15;
+    const Scalar a_s_B = t15 * (sin_phi_E_minus_phi_B_minus_psi_C_BCG * acceleration_along_GF
+        - cos_phi_E_minus_GF * acceleration_across_slide_C);
+    const Scalar a_s_E = -t15 * (d.psi_C_BCG.sin * acceleration_along_GF
+        + cos_phi_B_minus_GF * acceleration_across_slide_C);
     const Scalar a_s_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * a_s_E + acceleration_along_slide_C
         - d.psi_C_BCG.cos * a_s_B;
     const Scalar alpha_GF = -inverse_GF * (sin_phi_B_minus_GF * a_s_B - sin_phi_E_minus_GF * a_s_E
@@ -1361,40 +1319,40 @@ struct Model16 {
     const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
     const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
     const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
-        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
+        - d.h_B_BCG * d.psi_C_BCG.sin;
     const Scalar t01 = d.h_C_BCG - d.h_C_CD;
-    const Scalar phi_B_across_slide_C = t01 - d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG;
+    const Scalar phi_B_across_slide_C = t01 - q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos;
     const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
     const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
     const Scalar t02 = q.s_E + d.x_F_EDF;
     const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_GF = -t02 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
-    const Scalar phi_E_across_GF = cos_phi_E_minus_GF * t03 - t02 * sin_phi_E_minus_GF;
+    const Scalar phi_E_across_GF = t03 * cos_phi_E_minus_GF - t02 * sin_phi_E_minus_GF;
     const Scalar cos_phi_B_plus_psi_C_BCG_minus_GF = cos_CD * q.theta_GF.cos
         + sin_CD * q.theta_GF.sin;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t04 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
-    const Scalar pivot_product = -sin_phi_B_minus_phi_E * t04;
+    const Scalar pivot_product = -t04 * sin_phi_B_minus_phi_E;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BCG - theta_GF) =
                                                        //     0, or sin(phi_B - phi_E) = 0, or GF =
                                                        //     0
-    const Scalar t05 = sin_phi_B_minus_phi_E * inverse;
+    const Scalar t05 = inverse * sin_phi_B_minus_phi_E;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t05;
     const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t04;
-    const Scalar inverse_GF = -cos_phi_B_plus_psi_C_BCG_minus_GF * t05;
+    const Scalar inverse_GF = -t05 * cos_phi_B_plus_psi_C_BCG_minus_GF;
     const Scalar t06 = inverse_cos_phi_B_plus_psi_C_BCG_minus_GF * inverse_sin_phi_B_minus_phi_E;
     const Scalar s_B_per_across_slide_C = -cos_phi_E_minus_GF * t06;
     const Scalar s_E_per_across_slide_C = -cos_phi_B_minus_GF * t06;
     const Scalar t07 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
     const Scalar t08 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_across_slide_C;
     const Scalar s_C_per_across_slide_C = t08 - t07;
-    const Scalar GF_per_across_slide_C = -(sin_phi_B_minus_GF * s_B_per_across_slide_C
-        - sin_phi_E_minus_GF * s_E_per_across_slide_C) * inverse_GF;
+    const Scalar GF_per_across_slide_C = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_across_slide_C
+        - sin_phi_E_minus_GF * s_E_per_across_slide_C);
     const Scalar s_B_per_along_GF = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t06;
     const Scalar s_E_per_along_GF = -d.psi_C_BCG.sin * t06;
     const Scalar s_C_per_along_GF = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_along_GF
@@ -1402,58 +1360,44 @@ struct Model16 {
     const Scalar t09 = sin_phi_B_minus_GF * s_B_per_along_GF;
     const Scalar t10 = sin_phi_E_minus_GF * s_E_per_along_GF;
     const Scalar GF_per_along_GF = -inverse_GF * (t09 - t10);
-    const Scalar t11 = q.theta_GF.cos * GF_per_along_GF - q.theta_GF.sin * inverse_GF
-        - sin_CD * GF_per_across_slide_C;
-    const Scalar GF_per_x_B = -t11;
-    const Scalar t12 = q.theta_GF.cos * s_B_per_along_GF - sin_CD * s_B_per_across_slide_C;
-    const Scalar s_B_per_x_B = -t12;
-    const Scalar t13 = cos_CD + q.theta_GF.cos * s_C_per_along_GF - sin_CD * s_C_per_across_slide_C;
-    const Scalar s_C_per_x_B = -t13;
-    const Scalar t14 = q.theta_GF.cos * s_E_per_along_GF - sin_CD * s_E_per_across_slide_C;
-    const Scalar s_E_per_x_B = -t14;
-    const Scalar t15 = q.theta_GF.cos * inverse_GF + q.theta_GF.sin * GF_per_along_GF
-        + cos_CD * GF_per_across_slide_C;
-    const Scalar GF_per_y_B = -t15;
-    const Scalar t16 = q.theta_GF.sin * s_B_per_along_GF + cos_CD * s_B_per_across_slide_C;
-    const Scalar s_B_per_y_B = -t16;
-    const Scalar t17 = sin_CD + q.theta_GF.sin * s_C_per_along_GF + cos_CD * s_C_per_across_slide_C;
-    const Scalar s_C_per_y_B = -t17;
-    const Scalar t18 = q.theta_GF.sin * s_E_per_along_GF + cos_CD * s_E_per_across_slide_C;
-    const Scalar s_E_per_y_B = -t18;
-    const Scalar t19 = GF_per_across_slide_C * phi_B_along_slide_C + inverse_GF * phi_B_along_GF
-        - GF_per_along_GF * phi_B_across_GF;
-    const Scalar GF_per_phi_B = -t19;
-    const Scalar t20 = s_B_per_across_slide_C * phi_B_along_slide_C
-        - s_B_per_along_GF * phi_B_across_GF;
-    const Scalar s_B_per_phi_B = -t20;
-    const Scalar t21 = s_C_per_across_slide_C * phi_B_along_slide_C - phi_B_across_slide_C
-        - s_C_per_along_GF * phi_B_across_GF;
-    const Scalar s_C_per_phi_B = -t21;
-    const Scalar t22 = s_E_per_across_slide_C * phi_B_along_slide_C
-        - s_E_per_along_GF * phi_B_across_GF;
-    const Scalar s_E_per_phi_B = -t22;
-    const Scalar t23 = GF_per_across_slide_C * phi_E_along_slide_C + inverse_GF * phi_E_along_GF
-        - GF_per_along_GF * phi_E_across_GF;
-    const Scalar GF_per_phi_E = -t23;
-    const Scalar t24 = s_B_per_across_slide_C * phi_E_along_slide_C
-        - s_B_per_along_GF * phi_E_across_GF;
-    const Scalar s_B_per_phi_E = -t24;
-    const Scalar t25 = s_C_per_across_slide_C * phi_E_along_slide_C - phi_E_across_slide_C
-        - s_C_per_along_GF * phi_E_across_GF;
-    const Scalar s_C_per_phi_E = -t25;
-    const Scalar t26 = s_E_per_across_slide_C * phi_E_along_slide_C
-        - s_E_per_along_GF * phi_E_across_GF;
-    const Scalar s_E_per_phi_E = -t26;
-    const Scalar t27 = v_x_B - v_x_E;
-    const Scalar t28 = v_y_B - v_y_E;
-    const Scalar omega_GF = t27 * GF_per_x_B + t28 * GF_per_y_B + omega_B * GF_per_phi_B
-        + omega_E * GF_per_phi_E;
-    const Scalar v_s_B = t27 * s_B_per_x_B + t28 * s_B_per_y_B + omega_B * s_B_per_phi_B
-        + omega_E * s_B_per_phi_E;
-    const Scalar v_s_C = t27 * s_C_per_x_B + t28 * s_C_per_y_B + omega_B * s_C_per_phi_B
-        + omega_E * s_C_per_phi_E;
-    const Scalar v_s_E = t27 * s_E_per_x_B + t28 * s_E_per_y_B + omega_B * s_E_per_phi_B
-        + omega_E * s_E_per_phi_E;
+    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin + GF_per_across_slide_C * sin_CD
+        - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C - q.theta_GF.cos * s_B_per_along_GF;
+    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C - cos_CD
+        - q.theta_GF.cos * s_C_per_along_GF;
+    const Scalar s_E_per_x_B = sin_CD * s_E_per_across_slide_C - q.theta_GF.cos * s_E_per_along_GF;
+    const Scalar GF_per_y_B = -inverse_GF * q.theta_GF.cos - GF_per_along_GF * q.theta_GF.sin
+        - GF_per_across_slide_C * cos_CD;
+    const Scalar s_B_per_y_B = -q.theta_GF.sin * s_B_per_along_GF - cos_CD * s_B_per_across_slide_C;
+    const Scalar s_C_per_y_B = -sin_CD - q.theta_GF.sin * s_C_per_along_GF
+        - cos_CD * s_C_per_across_slide_C;
+    const Scalar s_E_per_y_B = -q.theta_GF.sin * s_E_per_along_GF - cos_CD * s_E_per_across_slide_C;
+    const Scalar GF_per_phi_B = GF_per_along_GF * phi_B_across_GF
+        - GF_per_across_slide_C * phi_B_along_slide_C - inverse_GF * phi_B_along_GF;
+    const Scalar s_B_per_phi_B = phi_B_across_GF * s_B_per_along_GF
+        - phi_B_along_slide_C * s_B_per_across_slide_C;
+    const Scalar s_C_per_phi_B = phi_B_across_slide_C + phi_B_across_GF * s_C_per_along_GF
+        - phi_B_along_slide_C * s_C_per_across_slide_C;
+    const Scalar s_E_per_phi_B = phi_B_across_GF * s_E_per_along_GF
+        - phi_B_along_slide_C * s_E_per_across_slide_C;
+    const Scalar GF_per_phi_E = GF_per_along_GF * phi_E_across_GF
+        - GF_per_across_slide_C * phi_E_along_slide_C - inverse_GF * phi_E_along_GF;
+    const Scalar s_B_per_phi_E = phi_E_across_GF * s_B_per_along_GF
+        - phi_E_along_slide_C * s_B_per_across_slide_C;
+    const Scalar s_C_per_phi_E = phi_E_across_slide_C + phi_E_across_GF * s_C_per_along_GF
+        - phi_E_along_slide_C * s_C_per_across_slide_C;
+    const Scalar s_E_per_phi_E = phi_E_across_GF * s_E_per_along_GF
+        - phi_E_along_slide_C * s_E_per_across_slide_C;
+    const Scalar t11 = v_x_B - v_x_E;
+    const Scalar t12 = v_y_B - v_y_E;
+    const Scalar omega_GF = GF_per_x_B * t11 + GF_per_y_B * t12 + GF_per_phi_B * omega_B
+        + GF_per_phi_E * omega_E;
+    const Scalar v_s_B = s_B_per_x_B * t11 + s_B_per_y_B * t12 + s_B_per_phi_B * omega_B
+        + s_B_per_phi_E * omega_E;
+    const Scalar v_s_C = s_C_per_x_B * t11 + s_C_per_y_B * t12 + s_C_per_phi_B * omega_B
+        + s_C_per_phi_E * omega_E;
+    const Scalar v_s_E = s_E_per_x_B * t11 + s_E_per_y_B * t12 + s_E_per_phi_B * omega_B
+        + s_E_per_phi_E * omega_E;
     const Scalar centripetal_along_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B
         - phi_B_along_slide_C * omega_B)
         - omega_E * (Scalar(2) * sin_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E
@@ -1468,36 +1412,36 @@ struct Model16 {
     const Scalar centripetal_across_GF = omega_E * (Scalar(2) * cos_phi_E_minus_GF * v_s_E
         + phi_E_across_GF * omega_E) - omega_B * (Scalar(2) * cos_phi_B_minus_GF * v_s_B
         - phi_B_across_GF * omega_B);
-    const Scalar t29 = cos_phi_E_minus_GF * inverse_GF - sin_phi_E_minus_GF * GF_per_along_GF;
-    const Scalar t30 = sin_phi_E_minus_GF * s_B_per_along_GF;
-    const Scalar t31 = sin_phi_E_minus_GF * s_C_per_along_GF;
-    const Scalar t32 = a_x_B - a_x_E;
-    const Scalar t33 = a_y_B - a_y_E;
-    S_d(0, 0) = d.psi_C_BCG.cos * GF_per_across_slide_C + cos_phi_B_minus_GF * inverse_GF
-        - sin_phi_B_minus_GF * GF_per_along_GF;
+    const Scalar t13 = inverse_GF * cos_phi_E_minus_GF - GF_per_along_GF * sin_phi_E_minus_GF;
+    const Scalar t14 = sin_phi_E_minus_GF * s_B_per_along_GF;
+    const Scalar t15 = sin_phi_E_minus_GF * s_C_per_along_GF;
+    const Scalar t16 = a_x_B - a_x_E;
+    const Scalar t17 = a_y_B - a_y_E;
+    S_d(0, 0) = GF_per_across_slide_C * d.psi_C_BCG.cos + inverse_GF * cos_phi_B_minus_GF
+        - GF_per_along_GF * sin_phi_B_minus_GF;
     S_d(0, 1) = -q.s_C * GF_per_across_slide_C;
     S_d(0, 2) = -GF_per_across_slide_C;
-    S_d(0, 3) = -cos_phi_E_minus_phi_B_minus_psi_C_BCG * GF_per_across_slide_C - t29;
-    S_d(0, 4) = cos_phi_E_minus_GF * GF_per_along_GF + sin_phi_E_minus_GF * inverse_GF;
-    S_d(0, 5) = t29;
+    S_d(0, 3) = -GF_per_across_slide_C * cos_phi_E_minus_phi_B_minus_psi_C_BCG - t13;
+    S_d(0, 4) = GF_per_along_GF * cos_phi_E_minus_GF + inverse_GF * sin_phi_E_minus_GF;
+    S_d(0, 5) = t13;
     S_d(0, 6) = GF_per_across_slide_C;
     S_d(0, 7) = -GF_per_along_GF;
     S_d(1, 0) = t07 - t09;
     S_d(1, 1) = -q.s_C * s_B_per_across_slide_C;
     S_d(1, 2) = -s_B_per_across_slide_C;
-    S_d(1, 3) = t30 - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
+    S_d(1, 3) = t14 - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
     S_d(1, 4) = cos_phi_E_minus_GF * s_B_per_along_GF;
-    S_d(1, 5) = -t30;
+    S_d(1, 5) = -t14;
     S_d(1, 6) = s_B_per_across_slide_C;
     S_d(1, 7) = -s_B_per_along_GF;
     S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
         - sin_phi_B_minus_GF * s_C_per_along_GF;
     S_d(2, 1) = t01 - q.s_C * s_C_per_across_slide_C;
     S_d(2, 2) = -s_C_per_across_slide_C;
-    S_d(2, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG + t31
+    S_d(2, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG + t15
         - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
     S_d(2, 4) = cos_phi_E_minus_GF * s_C_per_along_GF;
-    S_d(2, 5) = -t31;
+    S_d(2, 5) = -t15;
     S_d(2, 6) = s_C_per_across_slide_C;
     S_d(2, 7) = -s_C_per_along_GF;
     S_d(3, 0) = d.psi_C_BCG.cos * s_E_per_across_slide_C - sin_phi_B_minus_GF * s_E_per_along_GF;
@@ -1508,45 +1452,45 @@ struct Model16 {
     S_d(3, 5) = -t10;
     S_d(3, 6) = s_E_per_across_slide_C;
     S_d(3, 7) = -s_E_per_along_GF;
-    S_u(0, 0) = -t11;
-    S_u(0, 1) = -t15;
-    S_u(0, 2) = -t19;
-    S_u(0, 3) = t11;
-    S_u(0, 4) = t15;
-    S_u(0, 5) = -t23;
-    S_u(1, 0) = -t12;
-    S_u(1, 1) = -t16;
-    S_u(1, 2) = -t20;
-    S_u(1, 3) = t12;
-    S_u(1, 4) = t16;
-    S_u(1, 5) = -t24;
-    S_u(2, 0) = -t13;
-    S_u(2, 1) = -t17;
-    S_u(2, 2) = -t21;
-    S_u(2, 3) = t13;
-    S_u(2, 4) = t17;
-    S_u(2, 5) = -t25;
-    S_u(3, 0) = -t14;
-    S_u(3, 1) = -t18;
-    S_u(3, 2) = -t22;
-    S_u(3, 3) = t14;
-    S_u(3, 4) = t18;
-    S_u(3, 5) = -t26;
+    S_u(0, 0) = GF_per_x_B;
+    S_u(0, 1) = GF_per_y_B;
+    S_u(0, 2) = GF_per_phi_B;
+    S_u(0, 3) = -GF_per_x_B;
+    S_u(0, 4) = -GF_per_y_B;
+    S_u(0, 5) = GF_per_phi_E;
+    S_u(1, 0) = s_B_per_x_B;
+    S_u(1, 1) = s_B_per_y_B;
+    S_u(1, 2) = s_B_per_phi_B;
+    S_u(1, 3) = -s_B_per_x_B;
+    S_u(1, 4) = -s_B_per_y_B;
+    S_u(1, 5) = s_B_per_phi_E;
+    S_u(2, 0) = s_C_per_x_B;
+    S_u(2, 1) = s_C_per_y_B;
+    S_u(2, 2) = s_C_per_phi_B;
+    S_u(2, 3) = -s_C_per_x_B;
+    S_u(2, 4) = -s_C_per_y_B;
+    S_u(2, 5) = s_C_per_phi_E;
+    S_u(3, 0) = s_E_per_x_B;
+    S_u(3, 1) = s_E_per_y_B;
+    S_u(3, 2) = s_E_per_phi_B;
+    S_u(3, 3) = -s_E_per_x_B;
+    S_u(3, 4) = -s_E_per_y_B;
+    S_u(3, 5) = s_E_per_phi_E;
     q_rate(0) = omega_GF;
     q_rate(1) = v_s_B;
     q_rate(2) = v_s_C;
     q_rate(3) = v_s_E;
-    q_second_rate(0) = GF_per_x_B * t32 + GF_per_y_B * t33 + GF_per_phi_B * alpha_B
+    q_second_rate(0) = GF_per_x_B * t16 + GF_per_y_B * t17 + GF_per_phi_B * alpha_B
         + GF_per_phi_E * alpha_E + inverse_GF * centripetal_across_GF
         + GF_per_across_slide_C * centripetal_across_slide_C
         + GF_per_along_GF * centripetal_along_GF;
-    q_second_rate(1) = s_B_per_x_B * t32 + s_B_per_y_B * t33 + s_B_per_phi_B * alpha_B
+    q_second_rate(1) = s_B_per_x_B * t16 + s_B_per_y_B * t17 + s_B_per_phi_B * alpha_B
         + s_B_per_phi_E * alpha_E + s_B_per_across_slide_C * centripetal_across_slide_C
         + s_B_per_along_GF * centripetal_along_GF;
-    q_second_rate(2) = s_C_per_x_B * t32 + s_C_per_y_B * t33 + s_C_per_phi_B * alpha_B
+    q_second_rate(2) = s_C_per_x_B * t16 + s_C_per_y_B * t17 + s_C_per_phi_B * alpha_B
         + s_C_per_phi_E * alpha_E + s_C_per_across_slide_C * centripetal_across_slide_C
         + s_C_per_along_GF * centripetal_along_GF + centripetal_along_slide_C;
-    q_second_rate(3) = s_E_per_x_B * t32 + s_E_per_y_B * t33 + s_E_per_phi_B * alpha_B
+    q_second_rate(3) = s_E_per_x_B * t16 + s_E_per_y_B * t17 + s_E_per_phi_B * alpha_B
         + s_E_per_phi_E * alpha_E + s_E_per_across_slide_C * centripetal_across_slide_C
         + s_E_per_along_GF * centripetal_along_GF;
   }
@@ -1558,28 +1502,29 @@ struct Model16 {
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = u.phi_B.cos * u.phi_E.sin - u.phi_B.sin * u.phi_E.cos;
-    const Scalar t02 = u.phi_E.cos * EB_x + u.phi_E.sin * EB_y;
-    const Scalar b_0_re = Scalar(2) * (t01 * d.h_B_BCG + d.x_F_EDF - t02);
-    const Scalar t03 = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
-    const Scalar b_1_re = -Scalar(2) * t03;
-    const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar t05 = EB_y + u.phi_E.cos * t04 - u.phi_E.sin * d.x_F_EDF;
-    const Scalar t06 = EB_x - u.phi_E.sin * t04 - u.phi_E.cos * d.x_F_EDF;
-    const Scalar t07 = u.phi_E.cos * EB_y - u.phi_E.sin * EB_x;
-    const Scalar c_0_re = d.h_B_BCG * (d.h_B_BCG + Scalar(2) * u.phi_B.sin * t06
-        - Scalar(2) * u.phi_B.cos * t05) + EB_x * EB_x + EB_y * EB_y + d.x_F_EDF * (d.x_F_EDF
-        - Scalar(2) * t02) + d.h_E_EDF * (d.h_E_EDF + Scalar(2) * t07 - Scalar(2) * d.y_F_EDF)
-        + d.y_F_EDF * (d.y_F_EDF - Scalar(2) * t07) - d.GF * d.GF;
-    const Scalar c_1_re = Scalar(2) * (u.phi_B.cos * t06 + u.phi_B.sin * t05);
-    const Scalar e_0_re = -Scalar(2) * (t01 * d.psi_C_BCG.cos - t03 * d.psi_C_BCG.sin);
-    const Scalar f_0_re = -Scalar(2) * (d.psi_C_BCG.cos * (d.h_B_BCG + u.phi_B.sin * EB_x
-        - t03 * d.h_E_EDF - u.phi_B.cos * EB_y) + d.h_C_CD - d.psi_C_BCG.sin * (t01 * d.h_E_EDF
-        - u.phi_B.cos * EB_x - u.phi_B.sin * EB_y) - d.h_C_BCG);
+    const Scalar t01 = EB_x * u.phi_E.cos + EB_y * u.phi_E.sin;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar b_0_re = Scalar(2) * (d.x_F_EDF - t01 - d.h_B_BCG * sin_phi_B_minus_phi_E);
+    const Scalar t02 = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
+    const Scalar b_1_re = -Scalar(2) * t02;
+    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t04 = EB_y + t03 * u.phi_E.cos - d.x_F_EDF * u.phi_E.sin;
+    const Scalar t05 = EB_x - t03 * u.phi_E.sin - d.x_F_EDF * u.phi_E.cos;
+    const Scalar t06 = EB_y * u.phi_E.cos - EB_x * u.phi_E.sin;
+    const Scalar c_0_re = d.h_B_BCG * (d.h_B_BCG + Scalar(2) * t05 * u.phi_B.sin
+        - Scalar(2) * t04 * u.phi_B.cos) + EB_x * EB_x + EB_y * EB_y + d.x_F_EDF * (d.x_F_EDF
+        - Scalar(2) * t01) + d.h_E_EDF * (d.h_E_EDF + Scalar(2) * t06 - Scalar(2) * d.y_F_EDF)
+        + d.y_F_EDF * (d.y_F_EDF - Scalar(2) * t06) - d.GF * d.GF;
+    const Scalar c_1_re = Scalar(2) * (t05 * u.phi_B.cos + t04 * u.phi_B.sin);
+    const Scalar e_0_re = Scalar(2) * (t02 * d.psi_C_BCG.sin
+        + d.psi_C_BCG.cos * sin_phi_B_minus_phi_E);
+    const Scalar f_0_re = -Scalar(2) * ((d.h_B_BCG + EB_x * u.phi_B.sin - d.h_E_EDF * t02
+        - EB_y * u.phi_B.cos) * d.psi_C_BCG.cos + d.h_C_CD + (EB_x * u.phi_B.cos
+        + EB_y * u.phi_B.sin + d.h_E_EDF * sin_phi_B_minus_phi_E) * d.psi_C_BCG.sin - d.h_C_BCG);
     const Scalar f_1_re = -Scalar(2) * d.psi_C_BCG.sin;
-    T(0) = f_0_re * f_0_re - e_0_re * (b_0_re * f_0_re - c_0_re * e_0_re);
-    T(1) = Scalar(2) * f_0_re * f_1_re - e_0_re * (b_0_re * f_1_re + f_0_re * b_1_re
-        - e_0_re * c_1_re);
+    T(0) = f_0_re * f_0_re - (b_0_re * f_0_re - c_0_re * e_0_re) * e_0_re;
+    T(1) = Scalar(2) * f_0_re * f_1_re - (b_0_re * f_1_re + f_0_re * b_1_re
+        - c_1_re * e_0_re) * e_0_re;
     T(2) = e_0_re * (e_0_re - f_1_re * b_1_re) + f_1_re * f_1_re;
   }
 
@@ -1591,24 +1536,26 @@ struct Model16 {
     e.setZero();
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = u.phi_B.cos * u.phi_E.sin - u.phi_B.sin * u.phi_E.cos;
-    const Scalar t02 = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
-    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar t04 = EB_x - u.phi_E.sin * t03 - u.phi_E.cos * d.x_F_EDF;
-    const Scalar t05 = EB_y + u.phi_E.cos * t03 - u.phi_E.sin * d.x_F_EDF;
-    const Scalar t06 = u.phi_E.cos * EB_y - u.phi_E.sin * EB_x;
-    e(0, 1) = -Scalar(2) * (t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin);
-    e(0, 2) = Scalar(2) * (d.psi_C_BCG.cos * (t02 * d.h_E_EDF + u.phi_B.cos * EB_y - d.h_B_BCG
-        - u.phi_B.sin * EB_x) + d.psi_C_BCG.sin * (t01 * d.h_E_EDF - q.s_B - u.phi_B.cos * EB_x
-        - u.phi_B.sin * EB_y) + d.h_C_BCG - d.h_C_CD);
+    const Scalar cos_phi_B_minus_phi_E = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t02 = EB_x - t01 * u.phi_E.sin - d.x_F_EDF * u.phi_E.cos;
+    const Scalar t03 = EB_y + t01 * u.phi_E.cos - d.x_F_EDF * u.phi_E.sin;
+    const Scalar t04 = EB_y * u.phi_E.cos - EB_x * u.phi_E.sin;
+    e(0, 1) = Scalar(2) * (d.psi_C_BCG.cos * sin_phi_B_minus_phi_E
+        + d.psi_C_BCG.sin * cos_phi_B_minus_phi_E);
+    e(0, 2) = Scalar(2) * (d.h_C_BCG - d.h_C_CD - (d.h_B_BCG + EB_x * u.phi_B.sin
+        - EB_y * u.phi_B.cos - d.h_E_EDF * cos_phi_B_minus_phi_E) * d.psi_C_BCG.cos - (q.s_B
+        + EB_x * u.phi_B.cos + EB_y * u.phi_B.sin
+        + d.h_E_EDF * sin_phi_B_minus_phi_E) * d.psi_C_BCG.sin);
     e(1, 0) = Scalar(1);
-    e(1, 1) = -Scalar(2) * (u.phi_E.cos * (EB_x + u.phi_B.cos * q.s_B + u.phi_B.sin * d.h_B_BCG)
-        + u.phi_E.sin * (EB_y + u.phi_B.sin * q.s_B - u.phi_B.cos * d.h_B_BCG) - d.x_F_EDF);
-    e(1, 2) = q.s_B * (q.s_B + Scalar(2) * u.phi_B.cos * t04 + Scalar(2) * u.phi_B.sin * t05)
-        + d.h_B_BCG * (d.h_B_BCG + Scalar(2) * u.phi_B.sin * t04 - Scalar(2) * u.phi_B.cos * t05)
-        + d.x_F_EDF * (d.x_F_EDF - Scalar(2) * u.phi_E.cos * EB_x - Scalar(2) * u.phi_E.sin * EB_y)
-        + EB_x * EB_x + EB_y * EB_y + d.h_E_EDF * (d.h_E_EDF + Scalar(2) * t06
-        - Scalar(2) * d.y_F_EDF) + d.y_F_EDF * (d.y_F_EDF - Scalar(2) * t06) - d.GF * d.GF;
+    e(1, 1) = -Scalar(2) * ((EB_x + q.s_B * u.phi_B.cos + d.h_B_BCG * u.phi_B.sin) * u.phi_E.cos
+        + (EB_y + q.s_B * u.phi_B.sin - d.h_B_BCG * u.phi_B.cos) * u.phi_E.sin - d.x_F_EDF);
+    e(1, 2) = q.s_B * (q.s_B + Scalar(2) * t02 * u.phi_B.cos + Scalar(2) * t03 * u.phi_B.sin)
+        + d.h_B_BCG * (d.h_B_BCG + Scalar(2) * t02 * u.phi_B.sin - Scalar(2) * t03 * u.phi_B.cos)
+        + d.x_F_EDF * (d.x_F_EDF - Scalar(2) * EB_x * u.phi_E.cos - Scalar(2) * EB_y * u.phi_E.sin)
+        + EB_x * EB_x + EB_y * EB_y + d.h_E_EDF * (d.h_E_EDF + Scalar(2) * t04
+        - Scalar(2) * d.y_F_EDF) + d.y_F_EDF * (d.y_F_EDF - Scalar(2) * t04) - d.GF * d.GF;
   }
 
   /// The other unknowns of a configuration in which those of the reduced
@@ -1621,15 +1568,15 @@ struct Model16 {
     const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
                                                        //     no length
     const Scalar t01 = q.s_E * u.phi_E.cos + d.h_E_EDF * u.phi_E.sin - EB_x;
-    const Scalar t02 = q.s_E * u.phi_E.sin - u.phi_E.cos * d.h_E_EDF - EB_y;
+    const Scalar t02 = q.s_E * u.phi_E.sin - d.h_E_EDF * u.phi_E.cos - EB_y;
     const Scalar t03 = q.s_E + d.x_F_EDF;
     const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
-    q.s_C = (t01 * u.phi_B.cos + t02 * u.phi_B.sin - q.s_B) * d.psi_C_BCG.cos + (u.phi_B.cos * t02
+    q.s_C = (t01 * u.phi_B.cos + t02 * u.phi_B.sin - q.s_B) * d.psi_C_BCG.cos + (t02 * u.phi_B.cos
         + d.h_B_BCG - t01 * u.phi_B.sin) * d.psi_C_BCG.sin;
-    q.theta_GF.cos = -(EB_x + u.phi_B.cos * q.s_B + u.phi_B.sin * d.h_B_BCG - u.phi_E.cos * t03
-        - u.phi_E.sin * t04) * inverse_theta_GF;
-    q.theta_GF.sin = -inverse_theta_GF * (EB_y + u.phi_E.cos * t04 + u.phi_B.sin * q.s_B
-        - u.phi_E.sin * t03 - u.phi_B.cos * d.h_B_BCG);
+    q.theta_GF.cos = -(EB_x + q.s_B * u.phi_B.cos + d.h_B_BCG * u.phi_B.sin - t03 * u.phi_E.cos
+        - t04 * u.phi_E.sin) * inverse_theta_GF;
+    q.theta_GF.sin = -inverse_theta_GF * (EB_y + t04 * u.phi_E.cos + q.s_B * u.phi_B.sin
+        - t03 * u.phi_E.sin - d.h_B_BCG * u.phi_B.cos);
   }
 };
 

@@ -39,19 +39,19 @@ namespace assur::tetrad {
 ///   velocity_rhs:                 36, 34, 0
 ///   acceleration_rhs:             72, 54, 0
 ///   jerk_rhs:                     128, 82, 0
-///   curvature_rhs:                122, 84, 0
+///   curvature_rhs:                126, 80, 0
 ///   link_poses:                   22, 20, 0
 ///   pose_jacobians:               18, 16, 0
 ///   link_velocities:              30, 26, 0
 ///   link_accelerations:           56, 40, 0
-///   pose_curvatures:              77, 46, 0
+///   pose_curvatures:              79, 44, 0
 ///   degeneracies:                 12, 6, 0
 ///   inverse_jacobian:             52, 18, 1
 ///   sensitivities:                104, 66, 1
 ///   velocity:                     66, 44, 1
 ///   motion:                       114, 82, 1
 ///   sensitivities_and_motion:     178, 118, 1
-///   position_polynomial:          28, 24, 0
+///   position_polynomial:          34, 24, 0
 ///   second_equations:             28, 24, 0
 ///   complete:                     20, 20, 0
 struct Model17 {
@@ -189,44 +189,36 @@ struct Model17 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar t03 = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar sin_GF = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t05 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t05 - t02 * d.h_C_BCG;
-    const Scalar t06 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t06;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
+    const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar slide_E_x = u.phi_E.cos * q.s_E;
-    const Scalar slide_E_y = u.phi_E.sin * q.s_E;
-    const Scalar t07 = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_x = t07;
-    const Scalar t08 = u.phi_E.cos * d.h_E_EDF;
-    const Scalar ED_y = -t08;
-    const Scalar BG_x = t05;
-    const Scalar BG_y = -t06;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = t07 - t04 * d.h_F_EDF;
-    const Scalar EF_y = t03 * d.h_F_EDF - t08;
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
-    const Scalar t09 = u.x_B - u.x_E + slide_B_x - slide_E_x;
-    const Scalar t10 = u.y_B - u.y_E + slide_B_y - slide_E_y;
-    f(0) = BC_x + slide_C_x + CD_x + t09 - ED_x;
-    f(1) = BC_y + slide_C_y + CD_y + t10 - ED_y;
-    f(2) = BG_x + GF_x + t09 - EF_x - slide_F_x;
-    f(3) = BG_y + GF_y + t10 - EF_y - slide_F_y;
+    const Scalar EF_x = ED_x - d.h_F_EDF * sin_GF;
+    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
+    const Scalar t01 = u.x_B - u.x_E + slide_B_x - slide_E_x;
+    const Scalar t02 = u.y_B - u.y_E + slide_B_y - slide_E_y;
+    f(0) = BC_x + slide_C_x + CD_x + t01 - ED_x;
+    f(1) = BC_y + slide_C_y + CD_y + t02 - ED_y;
+    f(2) = BG_x + GF_x + t01 - EF_x - slide_F_x;
+    f(3) = BG_y + GF_y + t02 - EF_y - slide_F_y;
   }
 
   /// J = df/dq.
@@ -257,40 +249,36 @@ struct Model17 {
   static void dimension_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar t03 = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar sin_GF = t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
+    const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
     F_d(0, 0) = u.phi_B.sin;
-    F_d(0, 1) = -t01 * d.h_C_BCG - slide_C_y - CD_y;
+    F_d(0, 1) = -slide_C_y - CD_y - d.h_C_BCG * cos_CD;
     F_d(0, 2) = -sin_CD;
     F_d(0, 3) = -u.phi_E.sin;
     F_d(0, 6) = sin_CD;
     F_d(1, 0) = -u.phi_B.cos;
-    F_d(1, 1) = slide_C_x + CD_x - t02 * d.h_C_BCG;
+    F_d(1, 1) = slide_C_x + CD_x - d.h_C_BCG * sin_CD;
     F_d(1, 2) = cos_CD;
     F_d(1, 3) = u.phi_E.cos;
     F_d(1, 6) = -cos_CD;
     F_d(2, 0) = u.phi_B.sin;
     F_d(2, 3) = -u.phi_E.sin;
-    F_d(2, 4) = t03 * d.h_F_EDF + slide_F_y - GF_y;
+    F_d(2, 4) = slide_F_y + d.h_F_EDF * cos_GF - GF_y;
     F_d(2, 5) = sin_GF;
     F_d(2, 7) = -sin_GF;
     F_d(3, 0) = -u.phi_B.cos;
     F_d(3, 3) = u.phi_E.cos;
-    F_d(3, 4) = t04 * d.h_F_EDF + GF_x - slide_F_x;
+    F_d(3, 4) = GF_x + d.h_F_EDF * sin_GF - slide_F_x;
     F_d(3, 5) = -cos_GF;
     F_d(3, 7) = cos_GF;
   }
@@ -300,38 +288,30 @@ struct Model17 {
   static void input_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar t03 = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar sin_GF = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t05 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t05 - t02 * d.h_C_BCG;
-    const Scalar t06 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t06;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
+    const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar slide_E_x = u.phi_E.cos * q.s_E;
-    const Scalar slide_E_y = u.phi_E.sin * q.s_E;
-    const Scalar t07 = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_x = t07;
-    const Scalar t08 = u.phi_E.cos * d.h_E_EDF;
-    const Scalar ED_y = -t08;
-    const Scalar BG_x = t05;
-    const Scalar BG_y = -t06;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = t07 - t04 * d.h_F_EDF;
-    const Scalar EF_y = t03 * d.h_F_EDF - t08;
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
+    const Scalar EF_x = ED_x - d.h_F_EDF * sin_GF;
+    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
     F_u(0, 0) = Scalar(1);
     F_u(0, 2) = -slide_B_y - BC_y - slide_C_y - CD_y;
     F_u(0, 3) = -Scalar(1);
@@ -361,44 +341,36 @@ struct Model17 {
     const Scalar v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar omega_E = u_rate(5);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar t03 = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar sin_GF = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t05 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t05 - t02 * d.h_C_BCG;
-    const Scalar t06 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t06;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
+    const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar slide_E_x = u.phi_E.cos * q.s_E;
-    const Scalar slide_E_y = u.phi_E.sin * q.s_E;
-    const Scalar t07 = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_x = t07;
-    const Scalar t08 = u.phi_E.cos * d.h_E_EDF;
-    const Scalar ED_y = -t08;
-    const Scalar BG_x = t05;
-    const Scalar BG_y = -t06;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = t07 - t04 * d.h_F_EDF;
-    const Scalar EF_y = t03 * d.h_F_EDF - t08;
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
-    const Scalar t09 = v_x_B - v_x_E;
-    const Scalar t10 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + BC_y + slide_C_y + CD_y) * omega_B - (slide_E_y + ED_y) * omega_E - t09;
-    rhs(1) = omega_E * (slide_E_x + ED_x) - omega_B * (slide_B_x + BC_x + slide_C_x + CD_x) - t10;
-    rhs(2) = omega_B * (slide_B_y + BG_y) - t09 - omega_E * (slide_E_y + EF_y + slide_F_y - GF_y);
-    rhs(3) = omega_E * (slide_E_x + EF_x + slide_F_x - GF_x) - t10 - omega_B * (slide_B_x + BG_x);
+    const Scalar EF_x = ED_x - d.h_F_EDF * sin_GF;
+    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    rhs(0) = (slide_B_y + BC_y + slide_C_y + CD_y) * omega_B - (slide_E_y + ED_y) * omega_E - t01;
+    rhs(1) = (slide_E_x + ED_x) * omega_E - (slide_B_x + BC_x + slide_C_x + CD_x) * omega_B - t02;
+    rhs(2) = (slide_B_y + BG_y) * omega_B - t01 - (slide_E_y + EF_y + slide_F_y - GF_y) * omega_E;
+    rhs(3) = (slide_E_x + EF_x + slide_F_x - GF_x) * omega_E - t02 - (slide_B_x + BG_x) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -420,60 +392,52 @@ struct Model17 {
     const Scalar a_y_E = u_second_rate(4);
     const Scalar omega_E = u_rate(5);
     const Scalar alpha_E = u_second_rate(5);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar t03 = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar sin_GF = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t05 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t05 - t02 * d.h_C_BCG;
-    const Scalar t06 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t06;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
+    const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar slide_E_x = u.phi_E.cos * q.s_E;
-    const Scalar slide_E_y = u.phi_E.sin * q.s_E;
-    const Scalar t07 = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_x = t07;
-    const Scalar t08 = u.phi_E.cos * d.h_E_EDF;
-    const Scalar ED_y = -t08;
-    const Scalar BG_x = t05;
-    const Scalar BG_y = -t06;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = t07 - t04 * d.h_F_EDF;
-    const Scalar EF_y = t03 * d.h_F_EDF - t08;
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
-    const Scalar t09 = slide_B_x + BC_x + slide_C_x + CD_x;
-    const Scalar t10 = u.phi_B.sin * v_s_B;
-    const Scalar t11 = slide_B_y + BC_y + slide_C_y + CD_y;
-    const Scalar t12 = slide_E_x + ED_x;
-    const Scalar t13 = u.phi_E.sin * v_s_E;
-    const Scalar t14 = slide_E_y + ED_y;
-    const Scalar t15 = a_x_B - a_x_E;
-    const Scalar t16 = u.phi_B.cos * v_s_B;
-    const Scalar t17 = u.phi_E.cos * v_s_E;
-    const Scalar t18 = a_y_B - a_y_E;
-    const Scalar t19 = slide_E_x + EF_x + slide_F_x - GF_x;
-    const Scalar t20 = slide_E_y + EF_y + slide_F_y - GF_y;
-    const Scalar t21 = slide_B_x + BG_x;
-    const Scalar t22 = slide_B_y + BG_y;
-    rhs(0) = omega_B * (t09 * omega_B + Scalar(2) * t10 + Scalar(2) * sin_CD * v_s_C)
-        + t11 * alpha_B - omega_E * (t12 * omega_E + Scalar(2) * t13) - t14 * alpha_E - t15;
-    rhs(1) = omega_B * (omega_B * t11 - Scalar(2) * t16 - Scalar(2) * cos_CD * v_s_C)
-        + t12 * alpha_E - t09 * alpha_B - omega_E * (omega_E * t14 - Scalar(2) * t17) - t18;
-    rhs(2) = omega_B * (Scalar(2) * t10 + omega_B * t21) + alpha_B * t22 - t15
-        - omega_E * (Scalar(2) * t13 + omega_E * t19 + Scalar(2) * sin_GF * v_s_F) - alpha_E * t20;
-    rhs(3) = omega_E * (Scalar(2) * t17 + Scalar(2) * cos_GF * v_s_F - omega_E * t20)
-        + alpha_E * t19 - t18 - omega_B * (Scalar(2) * t16 - omega_B * t22) - alpha_B * t21;
+    const Scalar EF_x = ED_x - d.h_F_EDF * sin_GF;
+    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
+    const Scalar t01 = slide_B_x + BC_x + slide_C_x + CD_x;
+    const Scalar t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y + BC_y + slide_C_y + CD_y;
+    const Scalar t04 = slide_E_x + ED_x;
+    const Scalar t05 = u.phi_E.sin * v_s_E;
+    const Scalar t06 = slide_E_y + ED_y;
+    const Scalar t07 = a_x_B - a_x_E;
+    const Scalar t08 = u.phi_B.cos * v_s_B;
+    const Scalar t09 = u.phi_E.cos * v_s_E;
+    const Scalar t10 = a_y_B - a_y_E;
+    const Scalar t11 = slide_E_x + EF_x + slide_F_x - GF_x;
+    const Scalar t12 = slide_E_y + EF_y + slide_F_y - GF_y;
+    const Scalar t13 = slide_B_x + BG_x;
+    const Scalar t14 = slide_B_y + BG_y;
+    rhs(0) = omega_B * (t01 * omega_B + Scalar(2) * t02 + Scalar(2) * sin_CD * v_s_C)
+        + t03 * alpha_B - omega_E * (t04 * omega_E + Scalar(2) * t05) - t06 * alpha_E - t07;
+    rhs(1) = omega_B * (t03 * omega_B - Scalar(2) * t08 - Scalar(2) * cos_CD * v_s_C)
+        + t04 * alpha_E - t01 * alpha_B - omega_E * (t06 * omega_E - Scalar(2) * t09) - t10;
+    rhs(2) = omega_B * (Scalar(2) * t02 + t13 * omega_B) + t14 * alpha_B - t07
+        - omega_E * (Scalar(2) * t05 + t11 * omega_E + Scalar(2) * sin_GF * v_s_F) - t12 * alpha_E;
+    rhs(3) = omega_E * (Scalar(2) * t09 + Scalar(2) * cos_GF * v_s_F - t12 * omega_E)
+        + t11 * alpha_E - t10 - omega_B * (Scalar(2) * t08 - t14 * omega_B) - t13 * alpha_B;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -502,78 +466,70 @@ struct Model17 {
     const Scalar omega_E = u_rate(5);
     const Scalar alpha_E = u_second_rate(5);
     const Scalar jerk_E = u_third_rate(5);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar t03 = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar sin_GF = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t05 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t05 - t02 * d.h_C_BCG;
-    const Scalar t06 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t06;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
+    const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar slide_E_x = u.phi_E.cos * q.s_E;
-    const Scalar slide_E_y = u.phi_E.sin * q.s_E;
-    const Scalar t07 = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_x = t07;
-    const Scalar t08 = u.phi_E.cos * d.h_E_EDF;
-    const Scalar ED_y = -t08;
-    const Scalar BG_x = t05;
-    const Scalar BG_y = -t06;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = t07 - t04 * d.h_F_EDF;
-    const Scalar EF_y = t03 * d.h_F_EDF - t08;
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
-    const Scalar t09 = slide_E_y + ED_y;
-    const Scalar t10 = u.phi_E.cos * v_s_E;
-    const Scalar t11 = slide_E_x + ED_x;
-    const Scalar t12 = u.phi_E.sin * a_s_E;
-    const Scalar t13 = slide_B_y + BC_y + slide_C_y + CD_y;
-    const Scalar t14 = u.phi_B.sin * v_s_B;
-    const Scalar t15 = t14 + sin_CD * v_s_C;
-    const Scalar t16 = u.phi_E.sin * v_s_E;
-    const Scalar t17 = slide_B_x + BC_x + slide_C_x + CD_x;
-    const Scalar t18 = u.phi_B.sin * a_s_B;
-    const Scalar t19 = u.phi_B.cos * v_s_B;
-    const Scalar t20 = t19 + cos_CD * v_s_C;
-    const Scalar t21 = j_x_B - j_x_E;
-    const Scalar t22 = u.phi_E.cos * a_s_E;
-    const Scalar t23 = u.phi_B.cos * a_s_B;
-    const Scalar t24 = j_y_B - j_y_E;
-    const Scalar t25 = slide_B_y + BG_y;
-    const Scalar t26 = slide_B_x + BG_x;
-    const Scalar t27 = slide_E_y + EF_y + slide_F_y - GF_y;
-    const Scalar t28 = t16 + sin_GF * v_s_F;
-    const Scalar t29 = slide_E_x + EF_x + slide_F_x - GF_x;
-    const Scalar t30 = t10 + cos_GF * v_s_F;
-    rhs(0) = omega_E * (omega_E * (t09 * omega_E - Scalar(3) * t10) - Scalar(3) * t11 * alpha_E
-        - Scalar(3) * t12) + t13 * jerk_B + Scalar(3) * alpha_B * t15
-        + omega_B * (Scalar(3) * t17 * alpha_B + Scalar(3) * t18 + Scalar(3) * sin_CD * a_s_C
-        - omega_B * (t13 * omega_B - Scalar(3) * t20)) - t09 * jerk_E - Scalar(3) * alpha_E * t16
-        - t21;
-    rhs(1) = t11 * jerk_E + Scalar(3) * t10 * alpha_E + omega_B * (Scalar(3) * t13 * alpha_B
-        + omega_B * (Scalar(3) * t15 + omega_B * t17) - Scalar(3) * t23
-        - Scalar(3) * cos_CD * a_s_C) - omega_E * (omega_E * (omega_E * t11 + Scalar(3) * t16)
-        + Scalar(3) * t09 * alpha_E - Scalar(3) * t22) - t17 * jerk_B - Scalar(3) * t20 * alpha_B
-        - t24;
-    rhs(2) = omega_B * (Scalar(3) * t18 + omega_B * (Scalar(3) * t19 - omega_B * t25)
-        + Scalar(3) * alpha_B * t26) + jerk_B * t25 + Scalar(3) * alpha_B * t14 - jerk_E * t27
-        - Scalar(3) * alpha_E * t28 - omega_E * (Scalar(3) * t12 + Scalar(3) * alpha_E * t29
-        + Scalar(3) * sin_GF * a_s_F - omega_E * (omega_E * t27 - Scalar(3) * t30)) - t21;
-    rhs(3) = jerk_E * t29 + Scalar(3) * alpha_E * t30 + omega_E * (Scalar(3) * t22
-        + Scalar(3) * cos_GF * a_s_F - Scalar(3) * alpha_E * t27 - omega_E * (Scalar(3) * t28
-        + omega_E * t29)) - omega_B * (Scalar(3) * t23 - omega_B * (Scalar(3) * t14 + omega_B * t26)
-        - Scalar(3) * alpha_B * t25) - jerk_B * t26 - Scalar(3) * t19 * alpha_B - t24;
+    const Scalar EF_x = ED_x - d.h_F_EDF * sin_GF;
+    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
+    const Scalar t01 = slide_E_y + ED_y;
+    const Scalar t02 = u.phi_E.cos * v_s_E;
+    const Scalar t03 = slide_E_x + ED_x;
+    const Scalar t04 = u.phi_E.sin * a_s_E;
+    const Scalar t05 = slide_B_y + BC_y + slide_C_y + CD_y;
+    const Scalar t06 = u.phi_B.sin * v_s_B;
+    const Scalar t07 = t06 + sin_CD * v_s_C;
+    const Scalar t08 = u.phi_E.sin * v_s_E;
+    const Scalar t09 = slide_B_x + BC_x + slide_C_x + CD_x;
+    const Scalar t10 = u.phi_B.sin * a_s_B;
+    const Scalar t11 = u.phi_B.cos * v_s_B;
+    const Scalar t12 = t11 + cos_CD * v_s_C;
+    const Scalar t13 = j_x_B - j_x_E;
+    const Scalar t14 = u.phi_E.cos * a_s_E;
+    const Scalar t15 = u.phi_B.cos * a_s_B;
+    const Scalar t16 = j_y_B - j_y_E;
+    const Scalar t17 = slide_B_y + BG_y;
+    const Scalar t18 = slide_B_x + BG_x;
+    const Scalar t19 = slide_E_y + EF_y + slide_F_y - GF_y;
+    const Scalar t20 = t08 + sin_GF * v_s_F;
+    const Scalar t21 = slide_E_x + EF_x + slide_F_x - GF_x;
+    const Scalar t22 = t02 + cos_GF * v_s_F;
+    rhs(0) = omega_E * (omega_E * (t01 * omega_E - Scalar(3) * t02) - Scalar(3) * t03 * alpha_E
+        - Scalar(3) * t04) + t05 * jerk_B + Scalar(3) * alpha_B * t07
+        + omega_B * (Scalar(3) * t09 * alpha_B + Scalar(3) * t10 + Scalar(3) * sin_CD * a_s_C
+        - omega_B * (t05 * omega_B - Scalar(3) * t12)) - t01 * jerk_E - Scalar(3) * alpha_E * t08
+        - t13;
+    rhs(1) = t03 * jerk_E + Scalar(3) * t02 * alpha_E + omega_B * (Scalar(3) * t05 * alpha_B
+        + omega_B * (Scalar(3) * t07 + t09 * omega_B) - Scalar(3) * t15
+        - Scalar(3) * cos_CD * a_s_C) - omega_E * (omega_E * (t03 * omega_E + Scalar(3) * t08)
+        + Scalar(3) * t01 * alpha_E - Scalar(3) * t14) - t09 * jerk_B - Scalar(3) * t12 * alpha_B
+        - t16;
+    rhs(2) = omega_B * (Scalar(3) * t10 + omega_B * (Scalar(3) * t11 - t17 * omega_B)
+        + Scalar(3) * t18 * alpha_B) + t17 * jerk_B + Scalar(3) * alpha_B * t06 - t19 * jerk_E
+        - Scalar(3) * alpha_E * t20 - omega_E * (Scalar(3) * t04 + Scalar(3) * t21 * alpha_E
+        + Scalar(3) * sin_GF * a_s_F - omega_E * (t19 * omega_E - Scalar(3) * t22)) - t13;
+    rhs(3) = t21 * jerk_E + Scalar(3) * alpha_E * t22 + omega_E * (Scalar(3) * t14
+        + Scalar(3) * cos_GF * a_s_F - Scalar(3) * t19 * alpha_E - omega_E * (Scalar(3) * t20
+        + t21 * omega_E)) - omega_B * (Scalar(3) * t15 - omega_B * (Scalar(3) * t06 + t18 * omega_B)
+        - Scalar(3) * t17 * alpha_B) - t18 * jerk_B - Scalar(3) * t11 * alpha_B - t16;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -599,125 +555,114 @@ struct Model17 {
     const Scalar omega_E = u_rate(5);
     const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
     const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar t03 = t01 - t02;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = d.psi_C_BCG.cos * u.phi_B.sin;
-    const Scalar t05 = u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t06 = t04 + t05;
-    const Scalar sin_CD = t06;
-    const Scalar t07 = d.psi_F_EDF.cos * u.phi_E.cos;
-    const Scalar t08 = d.psi_F_EDF.sin * u.phi_E.sin;
-    const Scalar t09 = t07 - t08;
-    const Scalar cos_GF = t09;
-    const Scalar t10 = d.psi_F_EDF.cos * u.phi_E.sin;
-    const Scalar t11 = u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar t12 = t10 + t11;
-    const Scalar sin_GF = t12;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t13 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t13 - t06 * d.h_C_BCG;
-    const Scalar t14 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t14;
+    const Scalar cos_CD = t01 - t02;
+    const Scalar t03 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar sin_CD = t03 + t04;
+    const Scalar t05 = d.psi_F_EDF.cos * u.phi_E.cos;
+    const Scalar t06 = d.psi_F_EDF.sin * u.phi_E.sin;
+    const Scalar cos_GF = t05 - t06;
+    const Scalar t07 = d.psi_F_EDF.cos * u.phi_E.sin;
+    const Scalar t08 = u.phi_E.cos * d.psi_F_EDF.sin;
+    const Scalar sin_GF = t07 + t08;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar slide_E_x = u.phi_E.cos * q.s_E;
-    const Scalar slide_E_y = u.phi_E.sin * q.s_E;
-    const Scalar t15 = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_x = t15;
-    const Scalar t16 = u.phi_E.cos * d.h_E_EDF;
-    const Scalar ED_y = -t16;
-    const Scalar BG_x = t13;
-    const Scalar BG_y = -t14;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar GF_x = -d.h_F_GF * sin_GF;
     const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = t15 - t12 * d.h_F_EDF;
-    const Scalar EF_y = t09 * d.h_F_EDF - t16;
-    const Scalar slide_F_x = cos_GF * q.s_F;
-    const Scalar slide_F_y = sin_GF * q.s_F;
-    const Scalar t17 = slide_C_x + CD_x;
-    const Scalar t18 = sin_CD * v_s_C;
-    const Scalar t19 = omega_C_BCG + Scalar(2) * omega_B;
-    const Scalar t20 = v_h_C_BCG - v_h_C_CD;
-    const Scalar t21 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
-    const Scalar t22 = u.phi_E.cos * v_h_E_EDF - u.phi_E.sin * v_s_E;
-    const Scalar t23 = slide_C_y + CD_y;
-    const Scalar t24 = cos_CD * v_s_C;
-    const Scalar t25 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
-    const Scalar t26 = u.phi_E.cos * v_s_E + u.phi_E.sin * v_h_E_EDF;
-    const Scalar t27 = GF_x - slide_F_x;
-    const Scalar t28 = sin_GF * v_s_F;
-    const Scalar t29 = Scalar(2) * omega_E + omega_F_EDF;
-    const Scalar t30 = v_h_F_EDF - v_h_F_GF;
-    const Scalar t31 = GF_y - slide_F_y;
-    const Scalar t32 = cos_GF * v_s_F;
-    rhs(0) = omega_C_BCG * (omega_C_BCG * t17 + Scalar(2) * omega_B * t17 + Scalar(2) * t18
-        + v_h_C_BCG * (t03 + cos_CD) - Scalar(2) * cos_CD * v_h_C_CD - d.h_C_BCG * (t04 * t19
-        + t05 * t19)) + omega_B * (Scalar(2) * t18 + Scalar(2) * cos_CD * t20 + omega_B * (t17
-        + slide_B_x + BC_x) - Scalar(2) * t21) - omega_E * ((slide_E_x + ED_x) * omega_E
-        - Scalar(2) * t22);
-    rhs(1) = omega_C_BCG * (omega_C_BCG * t23 + Scalar(2) * omega_B * t23 + d.h_C_BCG * (t01 * t19
-        - t02 * t19) + v_h_C_BCG * (t06 + sin_CD) - Scalar(2) * t24 - Scalar(2) * sin_CD * v_h_C_CD)
-        - omega_B * (Scalar(2) * t24 + Scalar(2) * t25 - Scalar(2) * sin_CD * t20 - omega_B * (t23
-        + slide_B_y + BC_y)) - omega_E * (omega_E * (slide_E_y + ED_y) - Scalar(2) * t26);
-    rhs(2) = omega_F_EDF * (omega_F_EDF * t27 + Scalar(2) * omega_E * t27
-        + Scalar(2) * cos_GF * v_h_F_GF + d.h_F_EDF * (t10 * t29 + t11 * t29) - Scalar(2) * t28
-        - v_h_F_EDF * (t09 + cos_GF)) + omega_B * (omega_B * (slide_B_x + BG_x) - Scalar(2) * t21)
-        + omega_E * (Scalar(2) * t22 - Scalar(2) * t28 - Scalar(2) * cos_GF * t30
-        - omega_E * (slide_E_x + EF_x - t27));
-    rhs(3) = omega_F_EDF * (omega_F_EDF * t31 + Scalar(2) * omega_E * t31 + Scalar(2) * t32
-        + Scalar(2) * sin_GF * v_h_F_GF - d.h_F_EDF * (t07 * t29 - t08 * t29) - v_h_F_EDF * (t12
-        + sin_GF)) + omega_B * (omega_B * (slide_B_y + BG_y) - Scalar(2) * t25)
-        + omega_E * (Scalar(2) * t26 + Scalar(2) * t32 - Scalar(2) * sin_GF * t30
-        - omega_E * (slide_E_y + EF_y - t31));
+    const Scalar EF_x = ED_x - d.h_F_EDF * sin_GF;
+    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF;
+    const Scalar t09 = sin_CD * v_s_C;
+    const Scalar t10 = v_h_C_BCG - v_h_C_CD;
+    const Scalar t11 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t12 = slide_C_x + CD_x;
+    const Scalar t13 = u.phi_E.cos * v_h_E_EDF - u.phi_E.sin * v_s_E;
+    const Scalar t14 = omega_C_BCG + Scalar(2) * omega_B;
+    const Scalar t15 = cos_CD * v_s_C;
+    const Scalar t16 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t17 = slide_C_y + CD_y;
+    const Scalar t18 = u.phi_E.cos * v_s_E + u.phi_E.sin * v_h_E_EDF;
+    const Scalar t19 = sin_GF * v_s_F;
+    const Scalar t20 = v_h_F_EDF - v_h_F_GF;
+    const Scalar t21 = GF_x - slide_F_x;
+    const Scalar t22 = Scalar(2) * omega_E + omega_F_EDF;
+    const Scalar t23 = cos_GF * v_s_F;
+    const Scalar t24 = GF_y - slide_F_y;
+    rhs(0) = omega_B * (Scalar(2) * t09 + Scalar(2) * cos_CD * t10 + (t12 + slide_B_x
+        + BC_x) * omega_B - Scalar(2) * t11) + omega_C_BCG * (t12 * omega_C_BCG
+        + Scalar(2) * t12 * omega_B + Scalar(2) * t09 + Scalar(2) * cos_CD * v_h_C_BCG
+        - Scalar(2) * cos_CD * v_h_C_CD - d.h_C_BCG * (t03 * t14 + t04 * t14))
+        - omega_E * ((slide_E_x + ED_x) * omega_E - Scalar(2) * t13);
+    rhs(1) = omega_C_BCG * (t17 * omega_C_BCG + Scalar(2) * t17 * omega_B + d.h_C_BCG * (t01 * t14
+        - t02 * t14) + Scalar(2) * sin_CD * v_h_C_BCG - Scalar(2) * t15
+        - Scalar(2) * sin_CD * v_h_C_CD) - omega_B * (Scalar(2) * t15 + Scalar(2) * t16
+        - Scalar(2) * sin_CD * t10 - (t17 + slide_B_y + BC_y) * omega_B) - omega_E * ((slide_E_y
+        + ED_y) * omega_E - Scalar(2) * t18);
+    rhs(2) = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t11) + omega_E * (Scalar(2) * t13
+        - Scalar(2) * t19 - Scalar(2) * cos_GF * t20 - (slide_E_x + EF_x - t21) * omega_E)
+        + omega_F_EDF * (t21 * omega_F_EDF + Scalar(2) * t21 * omega_E
+        + Scalar(2) * cos_GF * v_h_F_GF + d.h_F_EDF * (t07 * t22 + t08 * t22) - Scalar(2) * t19
+        - Scalar(2) * cos_GF * v_h_F_EDF);
+    rhs(3) = omega_B * ((slide_B_y + BG_y) * omega_B - Scalar(2) * t16) + omega_E * (Scalar(2) * t18
+        + Scalar(2) * t23 - Scalar(2) * sin_GF * t20 - (slide_E_y + EF_y - t24) * omega_E)
+        + omega_F_EDF * (t24 * omega_F_EDF + Scalar(2) * t24 * omega_E + Scalar(2) * t23
+        + Scalar(2) * sin_GF * v_h_F_GF - d.h_F_EDF * (t05 * t22 - t06 * t22)
+        - Scalar(2) * sin_GF * v_h_F_EDF);
   }
 
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
     const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar slide_E_x = u.phi_E.cos * q.s_E;
-    const Scalar slide_E_y = u.phi_E.sin * q.s_E;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar t05 = u.x_B + slide_B_x;
-    const Scalar t06 = BG_x + t05;
-    const Scalar t07 = u.y_B + slide_B_y;
-    const Scalar t08 = BG_y + t07;
-    poses[0].x = t06;
-    poses[0].y = t08;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = u.x_B + slide_B_x;
+    const Scalar t02 = BG_x + t01;
+    const Scalar t03 = u.y_B + slide_B_y;
+    const Scalar t04 = BG_y + t03;
+    poses[0].x = t02;
+    poses[0].y = t04;
     poses[0].direction.cos = u.phi_B.cos;
     poses[0].direction.sin = u.phi_B.sin;
     poses[1].x = u.x_E + slide_E_x + ED_x;
     poses[1].y = u.y_E + slide_E_y + ED_y;
     poses[1].direction.cos = u.phi_E.cos;
     poses[1].direction.sin = u.phi_E.sin;
-    poses[2].x = BC_x + slide_C_x + CD_x + t05;
-    poses[2].y = BC_y + slide_C_y + CD_y + t07;
+    poses[2].x = BC_x + slide_C_x + CD_x + t01;
+    poses[2].y = BC_y + slide_C_y + CD_y + t03;
     poses[2].direction.cos = cos_CD;
     poses[2].direction.sin = sin_CD;
-    poses[3].x = t06;
-    poses[3].y = t08;
+    poses[3].x = t02;
+    poses[3].y = t04;
     poses[3].direction.cos = cos_GF;
     poses[3].direction.sin = sin_GF;
   }
@@ -732,32 +677,28 @@ struct Model17 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t04 - t03;
-    const Scalar t05 = t01 * d.h_C_BCG;
-    const Scalar t06 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t05 - t06;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar t01 = d.h_C_BCG * sin_CD;
+    const Scalar BC_x = BG_x - t01;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t02 = d.h_C_BCG * cos_CD;
+    const Scalar BC_y = BG_y + t02;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = t04;
-    const Scalar BG_y = -t06;
-    const Scalar t07 = slide_C_y + CD_y;
-    const Scalar t08 = slide_C_x + CD_x;
-    const Scalar t09 = slide_B_y + BG_y;
-    const Scalar t10 = slide_B_x + BG_x;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t03 = slide_C_y + CD_y;
+    const Scalar t04 = slide_C_x + CD_x;
+    const Scalar t05 = slide_B_y + BG_y;
+    const Scalar t06 = slide_B_x + BG_x;
     P_q(0, 0) = u.phi_B.cos;
     P_q(1, 0) = u.phi_B.sin;
     P_q(3, 2) = u.phi_E.cos;
@@ -773,11 +714,11 @@ struct Model17 {
     P_d(3, 3) = u.phi_E.sin;
     P_d(4, 3) = -u.phi_E.cos;
     P_d(6, 0) = u.phi_B.sin;
-    P_d(6, 1) = -t05 - t07;
+    P_d(6, 1) = -t03 - t02;
     P_d(6, 2) = -sin_CD;
     P_d(6, 6) = sin_CD;
     P_d(7, 0) = -u.phi_B.cos;
-    P_d(7, 1) = t08 - t03;
+    P_d(7, 1) = t04 - t01;
     P_d(7, 2) = cos_CD;
     P_d(7, 6) = -cos_CD;
     P_d(8, 1) = Scalar(1);
@@ -785,9 +726,9 @@ struct Model17 {
     P_d(10, 0) = -u.phi_B.cos;
     P_d(11, 4) = Scalar(1);
     P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -t09;
+    P_u(0, 2) = -t05;
     P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = t10;
+    P_u(1, 2) = t06;
     P_u(2, 2) = Scalar(1);
     P_u(3, 3) = Scalar(1);
     P_u(3, 5) = -slide_E_y - ED_y;
@@ -795,14 +736,14 @@ struct Model17 {
     P_u(4, 5) = slide_E_x + ED_x;
     P_u(5, 5) = Scalar(1);
     P_u(6, 0) = Scalar(1);
-    P_u(6, 2) = -t07 - slide_B_y - BC_y;
+    P_u(6, 2) = -t03 - slide_B_y - BC_y;
     P_u(7, 1) = Scalar(1);
-    P_u(7, 2) = t08 + slide_B_x + BC_x;
+    P_u(7, 2) = t04 + slide_B_x + BC_x;
     P_u(8, 2) = Scalar(1);
     P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -t09;
+    P_u(9, 2) = -t05;
     P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = t10;
+    P_u(10, 2) = t06;
     P_u(11, 5) = Scalar(1);
   }
 
@@ -820,41 +761,37 @@ struct Model17 {
     const Scalar v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar omega_E = u_rate(5);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar t05 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t06 = (slide_B_y + BG_y) * omega_B - t05;
-    const Scalar t07 = u.phi_B.sin * v_s_B + v_y_B;
-    const Scalar t08 = omega_B * (slide_B_x + BG_x) + t07;
-    v(0, 0) = -t06;
-    v(0, 1) = t08;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
+    const Scalar t02 = (slide_B_y + BG_y) * omega_B - t01;
+    const Scalar t03 = u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar t04 = (slide_B_x + BG_x) * omega_B + t03;
+    v(0, 0) = -t02;
+    v(0, 1) = t04;
     v(0, 2) = omega_B;
     v(1, 0) = u.phi_E.cos * v_s_E + v_x_E - (slide_E_y + ED_y) * omega_E;
-    v(1, 1) = omega_E * (slide_E_x + ED_x) + u.phi_E.sin * v_s_E + v_y_E;
+    v(1, 1) = (slide_E_x + ED_x) * omega_E + u.phi_E.sin * v_s_E + v_y_E;
     v(1, 2) = omega_E;
-    v(2, 0) = t05 + cos_CD * v_s_C - omega_B * (slide_B_y + BC_y + slide_C_y + CD_y);
-    v(2, 1) = t07 + omega_B * (slide_B_x + BC_x + slide_C_x + CD_x) + sin_CD * v_s_C;
+    v(2, 0) = t01 + cos_CD * v_s_C - (slide_B_y + BC_y + slide_C_y + CD_y) * omega_B;
+    v(2, 1) = t03 + (slide_B_x + BC_x + slide_C_x + CD_x) * omega_B + sin_CD * v_s_C;
     v(2, 2) = omega_B;
-    v(3, 0) = -t06;
-    v(3, 1) = t08;
+    v(3, 0) = -t02;
+    v(3, 1) = t04;
     v(3, 2) = omega_E;
   }
 
@@ -878,53 +815,49 @@ struct Model17 {
     const Scalar a_y_E = u_second_rate(4);
     const Scalar omega_E = u_rate(5);
     const Scalar alpha_E = u_second_rate(5);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar t05 = slide_B_x + BG_x;
-    const Scalar t06 = u.phi_B.sin * v_s_B;
-    const Scalar t07 = slide_B_y + BG_y;
-    const Scalar t08 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t09 = omega_B * (t05 * omega_B + Scalar(2) * t06) + t07 * alpha_B - t08;
-    const Scalar t10 = u.phi_B.cos * v_s_B;
-    const Scalar t11 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t12 = omega_B * (omega_B * t07 - Scalar(2) * t10) - t05 * alpha_B - t11;
-    const Scalar t13 = slide_E_x + ED_x;
-    const Scalar t14 = slide_E_y + ED_y;
-    const Scalar t15 = slide_B_x + BC_x + slide_C_x + CD_x;
-    const Scalar t16 = slide_B_y + BC_y + slide_C_y + CD_y;
-    a(0, 0) = -t09;
-    a(0, 1) = -t12;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = slide_B_x + BG_x;
+    const Scalar t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y + BG_y;
+    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t05 = omega_B * (t01 * omega_B + Scalar(2) * t02) + t03 * alpha_B - t04;
+    const Scalar t06 = u.phi_B.cos * v_s_B;
+    const Scalar t07 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t08 = omega_B * (t03 * omega_B - Scalar(2) * t06) - t01 * alpha_B - t07;
+    const Scalar t09 = slide_E_x + ED_x;
+    const Scalar t10 = slide_E_y + ED_y;
+    const Scalar t11 = slide_B_x + BC_x + slide_C_x + CD_x;
+    const Scalar t12 = slide_B_y + BC_y + slide_C_y + CD_y;
+    a(0, 0) = -t05;
+    a(0, 1) = -t08;
     a(0, 2) = alpha_B;
-    a(1, 0) = u.phi_E.cos * a_s_E + a_x_E - omega_E * (t13 * omega_E
-        + Scalar(2) * u.phi_E.sin * v_s_E) - t14 * alpha_E;
-    a(1, 1) = t13 * alpha_E + u.phi_E.sin * a_s_E + a_y_E - omega_E * (omega_E * t14
+    a(1, 0) = u.phi_E.cos * a_s_E + a_x_E - omega_E * (t09 * omega_E
+        + Scalar(2) * u.phi_E.sin * v_s_E) - t10 * alpha_E;
+    a(1, 1) = t09 * alpha_E + u.phi_E.sin * a_s_E + a_y_E - omega_E * (t10 * omega_E
         - Scalar(2) * u.phi_E.cos * v_s_E);
     a(1, 2) = alpha_E;
-    a(2, 0) = t08 + cos_CD * a_s_C - omega_B * (Scalar(2) * t06 + omega_B * t15
-        + Scalar(2) * sin_CD * v_s_C) - alpha_B * t16;
-    a(2, 1) = t11 + omega_B * (Scalar(2) * t10 + Scalar(2) * cos_CD * v_s_C - omega_B * t16)
-        + alpha_B * t15 + sin_CD * a_s_C;
+    a(2, 0) = t04 + cos_CD * a_s_C - omega_B * (Scalar(2) * t02 + t11 * omega_B
+        + Scalar(2) * sin_CD * v_s_C) - t12 * alpha_B;
+    a(2, 1) = t07 + omega_B * (Scalar(2) * t06 + Scalar(2) * cos_CD * v_s_C - t12 * omega_B)
+        + t11 * alpha_B + sin_CD * a_s_C;
     a(2, 2) = alpha_B;
-    a(3, 0) = -t09;
-    a(3, 1) = -t12;
+    a(3, 0) = -t05;
+    a(3, 1) = -t08;
     a(3, 2) = alpha_E;
   }
 
@@ -948,54 +881,50 @@ struct Model17 {
     p.setZero();
     const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
     const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar t03 = t01 - t02;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = d.psi_C_BCG.cos * u.phi_B.sin;
-    const Scalar t05 = u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t06 = t04 + t05;
-    const Scalar sin_CD = t06;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t07 - t06 * d.h_C_BCG;
-    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar cos_CD = t01 - t02;
+    const Scalar t03 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar sin_CD = t03 + t04;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = t07;
-    const Scalar BG_y = -t08;
-    const Scalar t09 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
-    const Scalar t10 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t09);
-    const Scalar t11 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
-    const Scalar t12 = omega_B * (omega_B * (slide_B_y + BG_y) - Scalar(2) * t11);
-    const Scalar t13 = slide_C_x + CD_x;
-    const Scalar t14 = sin_CD * v_s_C;
-    const Scalar t15 = Scalar(2) * omega_B + omega_C_BCG;
-    const Scalar t16 = v_h_C_BCG - v_h_C_CD;
-    const Scalar t17 = slide_C_y + CD_y;
-    const Scalar t18 = cos_CD * v_s_C;
-    p(0, 0) = -t10;
-    p(0, 1) = -t12;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t05 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t06 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t05);
+    const Scalar t07 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t08 = omega_B * ((slide_B_y + BG_y) * omega_B - Scalar(2) * t07);
+    const Scalar t09 = sin_CD * v_s_C;
+    const Scalar t10 = v_h_C_BCG - v_h_C_CD;
+    const Scalar t11 = slide_C_x + CD_x;
+    const Scalar t12 = Scalar(2) * omega_B + omega_C_BCG;
+    const Scalar t13 = cos_CD * v_s_C;
+    const Scalar t14 = slide_C_y + CD_y;
+    p(0, 0) = -t06;
+    p(0, 1) = -t08;
     p(1, 0) = -omega_E * ((slide_E_x + ED_x) * omega_E + Scalar(2) * u.phi_E.sin * v_s_E
         - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
-    p(1, 1) = -omega_E * (omega_E * (slide_E_y + ED_y) - Scalar(2) * u.phi_E.cos * v_s_E
+    p(1, 1) = -omega_E * ((slide_E_y + ED_y) * omega_E - Scalar(2) * u.phi_E.cos * v_s_E
         - Scalar(2) * u.phi_E.sin * v_h_E_EDF);
-    p(2, 0) = omega_B * (Scalar(2) * t09 - Scalar(2) * t14 - Scalar(2) * cos_CD * t16
-        - omega_B * (slide_B_x + t13 + BC_x)) - omega_C_BCG * (omega_C_BCG * t13
-        + Scalar(2) * omega_B * t13 + Scalar(2) * t14 + v_h_C_BCG * (t03 + cos_CD)
-        - Scalar(2) * cos_CD * v_h_C_CD - d.h_C_BCG * (t04 * t15 + t05 * t15));
-    p(2, 1) = omega_B * (Scalar(2) * t11 + Scalar(2) * t18 - Scalar(2) * sin_CD * t16
-        - omega_B * (slide_B_y + t17 + BC_y)) - omega_C_BCG * (omega_C_BCG * t17
-        + Scalar(2) * omega_B * t17 + d.h_C_BCG * (t01 * t15 - t02 * t15) + v_h_C_BCG * (t06
-        + sin_CD) - Scalar(2) * t18 - Scalar(2) * sin_CD * v_h_C_CD);
-    p(3, 0) = -t10;
-    p(3, 1) = -t12;
+    p(2, 0) = omega_B * (Scalar(2) * t05 - Scalar(2) * t09 - Scalar(2) * cos_CD * t10 - (slide_B_x
+        + t11 + BC_x) * omega_B) - omega_C_BCG * (t11 * omega_C_BCG + Scalar(2) * t11 * omega_B
+        + Scalar(2) * t09 + Scalar(2) * cos_CD * v_h_C_BCG - Scalar(2) * cos_CD * v_h_C_CD
+        - d.h_C_BCG * (t03 * t12 + t04 * t12));
+    p(2, 1) = omega_B * (Scalar(2) * t07 + Scalar(2) * t13 - Scalar(2) * sin_CD * t10 - (slide_B_y
+        + t14 + BC_y) * omega_B) - omega_C_BCG * (t14 * omega_C_BCG + Scalar(2) * t14 * omega_B
+        + d.h_C_BCG * (t01 * t12 - t02 * t12) + Scalar(2) * sin_CD * v_h_C_BCG - Scalar(2) * t13
+        - Scalar(2) * sin_CD * v_h_C_CD);
+    p(3, 0) = -t06;
+    p(3, 1) = -t08;
   }
 
   /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
@@ -1095,22 +1024,22 @@ struct Model17 {
         + u.phi_B.sin * sin_GF;
     const Scalar sin_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.sin * cos_GF
         - u.phi_B.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
-        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
+        - d.h_B_BCG * d.psi_C_BCG.sin;
     const Scalar t01 = d.h_C_BCG - d.h_C_CD;
-    const Scalar phi_B_across_slide_C = t01 - d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG;
+    const Scalar phi_B_across_slide_C = t01 - q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos;
     const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
     const Scalar phi_B_along_slide_F = q.s_B * cos_phi_B_minus_phi_E_minus_psi_F_EDF
         + d.h_B_BCG * sin_phi_B_minus_phi_E_minus_psi_F_EDF;
     const Scalar phi_B_across_slide_F = q.s_B * sin_phi_B_minus_phi_E_minus_psi_F_EDF
         - d.h_B_BCG * cos_phi_B_minus_phi_E_minus_psi_F_EDF;
-    const Scalar phi_E_along_slide_F = d.psi_F_EDF.sin * d.h_E_EDF - d.psi_F_EDF.cos * q.s_E
+    const Scalar phi_E_along_slide_F = d.h_E_EDF * d.psi_F_EDF.sin - q.s_E * d.psi_F_EDF.cos
         - q.s_F;
     const Scalar t02 = d.h_F_EDF - d.h_F_GF;
-    const Scalar phi_E_across_slide_F = d.psi_F_EDF.sin * q.s_E + d.psi_F_EDF.cos * d.h_E_EDF - t02;
+    const Scalar phi_E_across_slide_F = q.s_E * d.psi_F_EDF.sin + d.h_E_EDF * d.psi_F_EDF.cos - t02;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF = sin_CD * cos_GF
         - cos_CD * sin_GF;
@@ -1138,14 +1067,18 @@ struct Model17 {
     const Scalar s_F_per_across_slide_F = t07 - t06;
     const Scalar s_C_per_across_slide_F = cos_phi_E_minus_phi_B_minus_psi_C_BCG *
         s_E_per_across_slide_F - d.psi_C_BCG.cos * s_B_per_across_slide_F;
-    const Scalar t08 = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_F;
-    const Scalar t09 = cos_CD * s_B_per_across_slide_C + cos_GF * s_B_per_across_slide_F;
-    const Scalar t10 = cos_CD - sin_CD * s_C_per_across_slide_C - sin_GF * s_C_per_across_slide_F;
-    const Scalar t11 = sin_CD + cos_CD * s_C_per_across_slide_C + cos_GF * s_C_per_across_slide_F;
-    const Scalar t12 = sin_CD * s_E_per_across_slide_C + sin_GF * s_E_per_across_slide_F;
-    const Scalar t13 = cos_CD * s_E_per_across_slide_C + cos_GF * s_E_per_across_slide_F;
-    const Scalar t14 = cos_GF + sin_CD * s_F_per_across_slide_C + sin_GF * s_F_per_across_slide_F;
-    const Scalar t15 = sin_GF - cos_CD * s_F_per_across_slide_C - cos_GF * s_F_per_across_slide_F;
+    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_F;
+    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_F
+        - cos_CD;
+    const Scalar s_E_per_x_B = sin_CD * s_E_per_across_slide_C + sin_GF * s_E_per_across_slide_F;
+    const Scalar s_F_per_x_B = cos_GF + sin_CD * s_F_per_across_slide_C
+        + sin_GF * s_F_per_across_slide_F;
+    const Scalar s_B_per_y_B = -cos_CD * s_B_per_across_slide_C - cos_GF * s_B_per_across_slide_F;
+    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
+        - cos_GF * s_C_per_across_slide_F;
+    const Scalar s_E_per_y_B = -cos_CD * s_E_per_across_slide_C - cos_GF * s_E_per_across_slide_F;
+    const Scalar s_F_per_y_B = sin_GF - cos_CD * s_F_per_across_slide_C
+        - cos_GF * s_F_per_across_slide_F;
     S_d(0, 0) = t04 + t07;
     S_d(0, 1) = -q.s_C * s_B_per_across_slide_C;
     S_d(0, 2) = -s_B_per_across_slide_C;
@@ -1184,38 +1117,38 @@ struct Model17 {
     S_d(3, 5) = s_F_per_across_slide_F;
     S_d(3, 6) = s_F_per_across_slide_C;
     S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = t08;
-    S_u(0, 1) = -t09;
-    S_u(0, 2) = -s_B_per_across_slide_C * phi_B_along_slide_C
-        - s_B_per_across_slide_F * phi_B_along_slide_F;
-    S_u(0, 3) = -t08;
-    S_u(0, 4) = t09;
-    S_u(0, 5) = -s_B_per_across_slide_C * phi_E_along_slide_C
-        - s_B_per_across_slide_F * phi_E_along_slide_F;
-    S_u(1, 0) = -t10;
-    S_u(1, 1) = -t11;
-    S_u(1, 2) = phi_B_across_slide_C - s_C_per_across_slide_C * phi_B_along_slide_C
-        - s_C_per_across_slide_F * phi_B_along_slide_F;
-    S_u(1, 3) = t10;
-    S_u(1, 4) = t11;
-    S_u(1, 5) = phi_E_across_slide_C - s_C_per_across_slide_C * phi_E_along_slide_C
-        - s_C_per_across_slide_F * phi_E_along_slide_F;
-    S_u(2, 0) = t12;
-    S_u(2, 1) = -t13;
-    S_u(2, 2) = -s_E_per_across_slide_C * phi_B_along_slide_C
-        - s_E_per_across_slide_F * phi_B_along_slide_F;
-    S_u(2, 3) = -t12;
-    S_u(2, 4) = t13;
-    S_u(2, 5) = -s_E_per_across_slide_C * phi_E_along_slide_C
-        - s_E_per_across_slide_F * phi_E_along_slide_F;
-    S_u(3, 0) = t14;
-    S_u(3, 1) = t15;
-    S_u(3, 2) = -s_F_per_across_slide_C * phi_B_along_slide_C
-        - s_F_per_across_slide_F * phi_B_along_slide_F - phi_B_across_slide_F;
-    S_u(3, 3) = -t14;
-    S_u(3, 4) = -t15;
-    S_u(3, 5) = -s_F_per_across_slide_C * phi_E_along_slide_C
-        - s_F_per_across_slide_F * phi_E_along_slide_F - phi_E_across_slide_F;
+    S_u(0, 0) = s_B_per_x_B;
+    S_u(0, 1) = s_B_per_y_B;
+    S_u(0, 2) = -phi_B_along_slide_C * s_B_per_across_slide_C
+        - phi_B_along_slide_F * s_B_per_across_slide_F;
+    S_u(0, 3) = -s_B_per_x_B;
+    S_u(0, 4) = -s_B_per_y_B;
+    S_u(0, 5) = -phi_E_along_slide_C * s_B_per_across_slide_C
+        - phi_E_along_slide_F * s_B_per_across_slide_F;
+    S_u(1, 0) = s_C_per_x_B;
+    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 2) = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
+        - phi_B_along_slide_F * s_C_per_across_slide_F;
+    S_u(1, 3) = -s_C_per_x_B;
+    S_u(1, 4) = -s_C_per_y_B;
+    S_u(1, 5) = phi_E_across_slide_C - phi_E_along_slide_C * s_C_per_across_slide_C
+        - phi_E_along_slide_F * s_C_per_across_slide_F;
+    S_u(2, 0) = s_E_per_x_B;
+    S_u(2, 1) = s_E_per_y_B;
+    S_u(2, 2) = -phi_B_along_slide_C * s_E_per_across_slide_C
+        - phi_B_along_slide_F * s_E_per_across_slide_F;
+    S_u(2, 3) = -s_E_per_x_B;
+    S_u(2, 4) = -s_E_per_y_B;
+    S_u(2, 5) = -phi_E_along_slide_C * s_E_per_across_slide_C
+        - phi_E_along_slide_F * s_E_per_across_slide_F;
+    S_u(3, 0) = s_F_per_x_B;
+    S_u(3, 1) = s_F_per_y_B;
+    S_u(3, 2) = -phi_B_along_slide_C * s_F_per_across_slide_C
+        - phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
+    S_u(3, 3) = -s_F_per_x_B;
+    S_u(3, 4) = -s_F_per_y_B;
+    S_u(3, 5) = -phi_E_along_slide_C * s_F_per_across_slide_C
+        - phi_E_along_slide_F * s_F_per_across_slide_F - phi_E_across_slide_F;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1241,21 +1174,21 @@ struct Model17 {
         + u.phi_B.sin * sin_GF;
     const Scalar sin_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.sin * cos_GF
         - u.phi_B.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
-        - d.psi_C_BCG.sin * d.h_B_BCG;
-    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B
-        - d.psi_C_BCG.cos * d.h_B_BCG - d.h_C_CD;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
+        - d.h_B_BCG * d.psi_C_BCG.sin;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - q.s_B * d.psi_C_BCG.sin
+        - d.h_B_BCG * d.psi_C_BCG.cos - d.h_C_CD;
     const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
     const Scalar phi_B_along_slide_F = q.s_B * cos_phi_B_minus_phi_E_minus_psi_F_EDF
         + d.h_B_BCG * sin_phi_B_minus_phi_E_minus_psi_F_EDF;
     const Scalar phi_B_across_slide_F = q.s_B * sin_phi_B_minus_phi_E_minus_psi_F_EDF
         - d.h_B_BCG * cos_phi_B_minus_phi_E_minus_psi_F_EDF;
-    const Scalar phi_E_along_slide_F = d.psi_F_EDF.sin * d.h_E_EDF - d.psi_F_EDF.cos * q.s_E
+    const Scalar phi_E_along_slide_F = d.h_E_EDF * d.psi_F_EDF.sin - q.s_E * d.psi_F_EDF.cos
         - q.s_F;
-    const Scalar phi_E_across_slide_F = d.psi_F_EDF.sin * q.s_E + d.psi_F_EDF.cos * d.h_E_EDF
+    const Scalar phi_E_across_slide_F = q.s_E * d.psi_F_EDF.sin + d.h_E_EDF * d.psi_F_EDF.cos
         + d.h_F_GF - d.h_F_EDF;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF = sin_CD * cos_GF
@@ -1270,20 +1203,20 @@ struct Model17 {
         -sin_phi_B_minus_phi_E * inverse;
     const Scalar t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = omega_B * phi_B_across_slide_C
-        + omega_E * phi_E_across_slide_C - cos_CD * t01 - sin_CD * t02;
+    const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B
+        + phi_E_across_slide_C * omega_E - cos_CD * t01 - sin_CD * t02;
     const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02
-        - omega_B * phi_B_along_slide_C - omega_E * phi_E_along_slide_C;
-    const Scalar velocity_along_slide_F = omega_B * phi_B_across_slide_F
-        + omega_E * phi_E_across_slide_F - cos_GF * t01 - sin_GF * t02;
+        - phi_B_along_slide_C * omega_B - phi_E_along_slide_C * omega_E;
+    const Scalar velocity_along_slide_F = phi_B_across_slide_F * omega_B
+        + phi_E_across_slide_F * omega_E - cos_GF * t01 - sin_GF * t02;
     const Scalar velocity_across_slide_F = sin_GF * t01 - cos_GF * t02
-        - omega_B * phi_B_along_slide_F - omega_E * phi_E_along_slide_F;
+        - phi_B_along_slide_F * omega_B - phi_E_along_slide_F * omega_E;
     const Scalar t03 = inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF *
         inverse_sin_phi_B_minus_phi_E;
-    const Scalar v_s_B = (d.psi_F_EDF.sin * velocity_across_slide_C
-        + sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_across_slide_F) * t03;
-    const Scalar v_s_E = -(d.psi_C_BCG.sin * velocity_across_slide_F
-        + sin_phi_B_minus_phi_E_minus_psi_F_EDF * velocity_across_slide_C) * t03;
+    const Scalar v_s_B = t03 * (d.psi_F_EDF.sin * velocity_across_slide_C
+        + sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_across_slide_F);
+    const Scalar v_s_E = -t03 * (d.psi_C_BCG.sin * velocity_across_slide_F
+        + sin_phi_B_minus_phi_E_minus_psi_F_EDF * velocity_across_slide_C);
     const Scalar v_s_F = cos_phi_B_minus_phi_E_minus_psi_F_EDF * v_s_B - d.psi_F_EDF.cos * v_s_E
         - velocity_along_slide_F;
     const Scalar v_s_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E + velocity_along_slide_C
@@ -1324,21 +1257,21 @@ struct Model17 {
         + u.phi_B.sin * sin_GF;
     const Scalar sin_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.sin * cos_GF
         - u.phi_B.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
-        - d.psi_C_BCG.sin * d.h_B_BCG;
-    const Scalar phi_B_across_slide_C = d.h_C_BCG - d.psi_C_BCG.sin * q.s_B
-        - d.psi_C_BCG.cos * d.h_B_BCG - d.h_C_CD;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
+        - d.h_B_BCG * d.psi_C_BCG.sin;
+    const Scalar phi_B_across_slide_C = d.h_C_BCG - q.s_B * d.psi_C_BCG.sin
+        - d.h_B_BCG * d.psi_C_BCG.cos - d.h_C_CD;
     const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
     const Scalar phi_B_along_slide_F = q.s_B * cos_phi_B_minus_phi_E_minus_psi_F_EDF
         + d.h_B_BCG * sin_phi_B_minus_phi_E_minus_psi_F_EDF;
     const Scalar phi_B_across_slide_F = q.s_B * sin_phi_B_minus_phi_E_minus_psi_F_EDF
         - d.h_B_BCG * cos_phi_B_minus_phi_E_minus_psi_F_EDF;
-    const Scalar phi_E_along_slide_F = d.psi_F_EDF.sin * d.h_E_EDF - d.psi_F_EDF.cos * q.s_E
+    const Scalar phi_E_along_slide_F = d.h_E_EDF * d.psi_F_EDF.sin - q.s_E * d.psi_F_EDF.cos
         - q.s_F;
-    const Scalar phi_E_across_slide_F = d.psi_F_EDF.sin * q.s_E + d.psi_F_EDF.cos * d.h_E_EDF
+    const Scalar phi_E_across_slide_F = q.s_E * d.psi_F_EDF.sin + d.h_E_EDF * d.psi_F_EDF.cos
         + d.h_F_GF - d.h_F_EDF;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF = sin_CD * cos_GF
@@ -1353,24 +1286,24 @@ struct Model17 {
         -sin_phi_B_minus_phi_E * inverse;
     const Scalar t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
-    const Scalar t03 = omega_B * phi_B_across_slide_C;
-    const Scalar t04 = omega_E * phi_E_across_slide_C;
+    const Scalar t03 = phi_B_across_slide_C * omega_B;
+    const Scalar t04 = phi_E_across_slide_C * omega_E;
     const Scalar velocity_along_slide_C = t03 + t04 - cos_CD * t01 - sin_CD * t02;
-    const Scalar t05 = omega_B * phi_B_along_slide_C;
-    const Scalar t06 = omega_E * phi_E_along_slide_C;
+    const Scalar t05 = phi_B_along_slide_C * omega_B;
+    const Scalar t06 = phi_E_along_slide_C * omega_E;
     const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02 - t05 - t06;
-    const Scalar t07 = omega_B * phi_B_across_slide_F;
-    const Scalar t08 = omega_E * phi_E_across_slide_F;
+    const Scalar t07 = phi_B_across_slide_F * omega_B;
+    const Scalar t08 = phi_E_across_slide_F * omega_E;
     const Scalar velocity_along_slide_F = t07 + t08 - cos_GF * t01 - sin_GF * t02;
-    const Scalar t09 = omega_B * phi_B_along_slide_F;
-    const Scalar t10 = omega_E * phi_E_along_slide_F;
+    const Scalar t09 = phi_B_along_slide_F * omega_B;
+    const Scalar t10 = phi_E_along_slide_F * omega_E;
     const Scalar velocity_across_slide_F = sin_GF * t01 - cos_GF * t02 - t09 - t10;
     const Scalar t11 = inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF *
         inverse_sin_phi_B_minus_phi_E;
-    const Scalar v_s_B = (d.psi_F_EDF.sin * velocity_across_slide_C
-        + sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_across_slide_F) * t11;
-    const Scalar v_s_E = -(d.psi_C_BCG.sin * velocity_across_slide_F
-        + sin_phi_B_minus_phi_E_minus_psi_F_EDF * velocity_across_slide_C) * t11;
+    const Scalar v_s_B = t11 * (d.psi_F_EDF.sin * velocity_across_slide_C
+        + sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_across_slide_F);
+    const Scalar v_s_E = -t11 * (d.psi_C_BCG.sin * velocity_across_slide_F
+        + sin_phi_B_minus_phi_E_minus_psi_F_EDF * velocity_across_slide_C);
     const Scalar t12 = d.psi_F_EDF.cos * v_s_E;
     const Scalar t13 = cos_phi_B_minus_phi_E_minus_psi_F_EDF * v_s_B;
     const Scalar v_s_F = t13 - t12 - velocity_along_slide_F;
@@ -1393,10 +1326,10 @@ struct Model17 {
     const Scalar acceleration_across_slide_F = omega_E * (t08 + Scalar(2) * t12 + Scalar(2) * v_s_F)
         + omega_B * (t07 - Scalar(2) * t13) + sin_GF * t16 - cos_GF * t17
         - phi_B_along_slide_F * alpha_B - phi_E_along_slide_F * alpha_E;
-    const Scalar a_s_B = (d.psi_F_EDF.sin * acceleration_across_slide_C
-        + sin_phi_E_minus_phi_B_minus_psi_C_BCG * acceleration_across_slide_F) * t11;
-    const Scalar a_s_E = -(d.psi_C_BCG.sin * acceleration_across_slide_F
-        + sin_phi_B_minus_phi_E_minus_psi_F_EDF * acceleration_across_slide_C) * t11;
+    const Scalar a_s_B = t11 * (d.psi_F_EDF.sin * acceleration_across_slide_C
+        + sin_phi_E_minus_phi_B_minus_psi_C_BCG * acceleration_across_slide_F);
+    const Scalar a_s_E = -t11 * (d.psi_C_BCG.sin * acceleration_across_slide_F
+        + sin_phi_B_minus_phi_E_minus_psi_F_EDF * acceleration_across_slide_C);
     const Scalar a_s_F = cos_phi_B_minus_phi_E_minus_psi_F_EDF * a_s_B - d.psi_F_EDF.cos * a_s_E
         - acceleration_along_slide_F;
     const Scalar a_s_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * a_s_E + acceleration_along_slide_C
@@ -1443,22 +1376,22 @@ struct Model17 {
         + u.phi_B.sin * sin_GF;
     const Scalar sin_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.sin * cos_GF
         - u.phi_B.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C
-        - d.psi_C_BCG.sin * d.h_B_BCG;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
+        - d.h_B_BCG * d.psi_C_BCG.sin;
     const Scalar t01 = d.h_C_BCG - d.h_C_CD;
-    const Scalar phi_B_across_slide_C = t01 - d.psi_C_BCG.sin * q.s_B - d.psi_C_BCG.cos * d.h_B_BCG;
+    const Scalar phi_B_across_slide_C = t01 - q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos;
     const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
     const Scalar phi_B_along_slide_F = q.s_B * cos_phi_B_minus_phi_E_minus_psi_F_EDF
         + d.h_B_BCG * sin_phi_B_minus_phi_E_minus_psi_F_EDF;
     const Scalar phi_B_across_slide_F = q.s_B * sin_phi_B_minus_phi_E_minus_psi_F_EDF
         - d.h_B_BCG * cos_phi_B_minus_phi_E_minus_psi_F_EDF;
-    const Scalar phi_E_along_slide_F = d.psi_F_EDF.sin * d.h_E_EDF - d.psi_F_EDF.cos * q.s_E
+    const Scalar phi_E_along_slide_F = d.h_E_EDF * d.psi_F_EDF.sin - q.s_E * d.psi_F_EDF.cos
         - q.s_F;
     const Scalar t02 = d.h_F_EDF - d.h_F_GF;
-    const Scalar phi_E_across_slide_F = d.psi_F_EDF.sin * q.s_E + d.psi_F_EDF.cos * d.h_E_EDF - t02;
+    const Scalar phi_E_across_slide_F = q.s_E * d.psi_F_EDF.sin + d.h_E_EDF * d.psi_F_EDF.cos - t02;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF = sin_CD * cos_GF
         - cos_CD * sin_GF;
@@ -1486,56 +1419,44 @@ struct Model17 {
     const Scalar s_F_per_across_slide_F = t07 - t06;
     const Scalar s_C_per_across_slide_F = cos_phi_E_minus_phi_B_minus_psi_C_BCG *
         s_E_per_across_slide_F - d.psi_C_BCG.cos * s_B_per_across_slide_F;
-    const Scalar t08 = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_F;
-    const Scalar s_B_per_x_B = t08;
-    const Scalar t09 = cos_CD - sin_CD * s_C_per_across_slide_C - sin_GF * s_C_per_across_slide_F;
-    const Scalar s_C_per_x_B = -t09;
-    const Scalar t10 = sin_CD * s_E_per_across_slide_C + sin_GF * s_E_per_across_slide_F;
-    const Scalar s_E_per_x_B = t10;
-    const Scalar t11 = cos_GF + sin_CD * s_F_per_across_slide_C + sin_GF * s_F_per_across_slide_F;
-    const Scalar s_F_per_x_B = t11;
-    const Scalar t12 = cos_CD * s_B_per_across_slide_C + cos_GF * s_B_per_across_slide_F;
-    const Scalar s_B_per_y_B = -t12;
-    const Scalar t13 = sin_CD + cos_CD * s_C_per_across_slide_C + cos_GF * s_C_per_across_slide_F;
-    const Scalar s_C_per_y_B = -t13;
-    const Scalar t14 = cos_CD * s_E_per_across_slide_C + cos_GF * s_E_per_across_slide_F;
-    const Scalar s_E_per_y_B = -t14;
-    const Scalar t15 = sin_GF - cos_CD * s_F_per_across_slide_C - cos_GF * s_F_per_across_slide_F;
-    const Scalar s_F_per_y_B = t15;
-    const Scalar t16 = s_B_per_across_slide_C * phi_B_along_slide_C
-        + s_B_per_across_slide_F * phi_B_along_slide_F;
-    const Scalar s_B_per_phi_B = -t16;
-    const Scalar t17 = s_C_per_across_slide_C * phi_B_along_slide_C
-        + s_C_per_across_slide_F * phi_B_along_slide_F - phi_B_across_slide_C;
-    const Scalar s_C_per_phi_B = -t17;
-    const Scalar t18 = s_E_per_across_slide_C * phi_B_along_slide_C
-        + s_E_per_across_slide_F * phi_B_along_slide_F;
-    const Scalar s_E_per_phi_B = -t18;
-    const Scalar t19 = s_F_per_across_slide_C * phi_B_along_slide_C
-        + s_F_per_across_slide_F * phi_B_along_slide_F + phi_B_across_slide_F;
-    const Scalar s_F_per_phi_B = -t19;
-    const Scalar t20 = s_B_per_across_slide_C * phi_E_along_slide_C
-        + s_B_per_across_slide_F * phi_E_along_slide_F;
-    const Scalar s_B_per_phi_E = -t20;
-    const Scalar t21 = s_C_per_across_slide_C * phi_E_along_slide_C
-        + s_C_per_across_slide_F * phi_E_along_slide_F - phi_E_across_slide_C;
-    const Scalar s_C_per_phi_E = -t21;
-    const Scalar t22 = s_E_per_across_slide_C * phi_E_along_slide_C
-        + s_E_per_across_slide_F * phi_E_along_slide_F;
-    const Scalar s_E_per_phi_E = -t22;
-    const Scalar t23 = s_F_per_across_slide_C * phi_E_along_slide_C
-        + s_F_per_across_slide_F * phi_E_along_slide_F + phi_E_across_slide_F;
-    const Scalar s_F_per_phi_E = -t23;
-    const Scalar t24 = v_x_B - v_x_E;
-    const Scalar t25 = v_y_B - v_y_E;
-    const Scalar v_s_B = t24 * s_B_per_x_B + t25 * s_B_per_y_B + omega_B * s_B_per_phi_B
-        + omega_E * s_B_per_phi_E;
-    const Scalar v_s_C = t24 * s_C_per_x_B + t25 * s_C_per_y_B + omega_B * s_C_per_phi_B
-        + omega_E * s_C_per_phi_E;
-    const Scalar v_s_E = t24 * s_E_per_x_B + t25 * s_E_per_y_B + omega_B * s_E_per_phi_B
-        + omega_E * s_E_per_phi_E;
-    const Scalar v_s_F = t24 * s_F_per_x_B + t25 * s_F_per_y_B + omega_B * s_F_per_phi_B
-        + omega_E * s_F_per_phi_E;
+    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_F;
+    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_F
+        - cos_CD;
+    const Scalar s_E_per_x_B = sin_CD * s_E_per_across_slide_C + sin_GF * s_E_per_across_slide_F;
+    const Scalar s_F_per_x_B = cos_GF + sin_CD * s_F_per_across_slide_C
+        + sin_GF * s_F_per_across_slide_F;
+    const Scalar s_B_per_y_B = -cos_CD * s_B_per_across_slide_C - cos_GF * s_B_per_across_slide_F;
+    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
+        - cos_GF * s_C_per_across_slide_F;
+    const Scalar s_E_per_y_B = -cos_CD * s_E_per_across_slide_C - cos_GF * s_E_per_across_slide_F;
+    const Scalar s_F_per_y_B = sin_GF - cos_CD * s_F_per_across_slide_C
+        - cos_GF * s_F_per_across_slide_F;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_C * s_B_per_across_slide_C
+        - phi_B_along_slide_F * s_B_per_across_slide_F;
+    const Scalar s_C_per_phi_B = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
+        - phi_B_along_slide_F * s_C_per_across_slide_F;
+    const Scalar s_E_per_phi_B = -phi_B_along_slide_C * s_E_per_across_slide_C
+        - phi_B_along_slide_F * s_E_per_across_slide_F;
+    const Scalar s_F_per_phi_B = -phi_B_along_slide_C * s_F_per_across_slide_C
+        - phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
+    const Scalar s_B_per_phi_E = -phi_E_along_slide_C * s_B_per_across_slide_C
+        - phi_E_along_slide_F * s_B_per_across_slide_F;
+    const Scalar s_C_per_phi_E = phi_E_across_slide_C - phi_E_along_slide_C * s_C_per_across_slide_C
+        - phi_E_along_slide_F * s_C_per_across_slide_F;
+    const Scalar s_E_per_phi_E = -phi_E_along_slide_C * s_E_per_across_slide_C
+        - phi_E_along_slide_F * s_E_per_across_slide_F;
+    const Scalar s_F_per_phi_E = -phi_E_along_slide_C * s_F_per_across_slide_C
+        - phi_E_along_slide_F * s_F_per_across_slide_F - phi_E_across_slide_F;
+    const Scalar t08 = v_x_B - v_x_E;
+    const Scalar t09 = v_y_B - v_y_E;
+    const Scalar v_s_B = s_B_per_x_B * t08 + s_B_per_y_B * t09 + s_B_per_phi_B * omega_B
+        + s_B_per_phi_E * omega_E;
+    const Scalar v_s_C = s_C_per_x_B * t08 + s_C_per_y_B * t09 + s_C_per_phi_B * omega_B
+        + s_C_per_phi_E * omega_E;
+    const Scalar v_s_E = s_E_per_x_B * t08 + s_E_per_y_B * t09 + s_E_per_phi_B * omega_B
+        + s_E_per_phi_E * omega_E;
+    const Scalar v_s_F = s_F_per_x_B * t08 + s_F_per_y_B * t09 + s_F_per_phi_B * omega_B
+        + s_F_per_phi_E * omega_E;
     const Scalar centripetal_along_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B
         - phi_B_along_slide_C * omega_B)
         - omega_E * (Scalar(2) * sin_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E
@@ -1551,8 +1472,8 @@ struct Model17 {
         + Scalar(2) * v_s_F + phi_E_across_slide_F * omega_E)
         - omega_B * (Scalar(2) * cos_phi_B_minus_phi_E_minus_psi_F_EDF * v_s_B
         - phi_B_across_slide_F * omega_B);
-    const Scalar t26 = a_x_B - a_x_E;
-    const Scalar t27 = a_y_B - a_y_E;
+    const Scalar t10 = a_x_B - a_x_E;
+    const Scalar t11 = a_y_B - a_y_E;
     S_d(0, 0) = t04 + t07;
     S_d(0, 1) = -q.s_C * s_B_per_across_slide_C;
     S_d(0, 2) = -s_B_per_across_slide_C;
@@ -1591,44 +1512,44 @@ struct Model17 {
     S_d(3, 5) = s_F_per_across_slide_F;
     S_d(3, 6) = s_F_per_across_slide_C;
     S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = t08;
-    S_u(0, 1) = -t12;
-    S_u(0, 2) = -t16;
-    S_u(0, 3) = -t08;
-    S_u(0, 4) = t12;
-    S_u(0, 5) = -t20;
-    S_u(1, 0) = -t09;
-    S_u(1, 1) = -t13;
-    S_u(1, 2) = -t17;
-    S_u(1, 3) = t09;
-    S_u(1, 4) = t13;
-    S_u(1, 5) = -t21;
-    S_u(2, 0) = t10;
-    S_u(2, 1) = -t14;
-    S_u(2, 2) = -t18;
-    S_u(2, 3) = -t10;
-    S_u(2, 4) = t14;
-    S_u(2, 5) = -t22;
-    S_u(3, 0) = t11;
-    S_u(3, 1) = t15;
-    S_u(3, 2) = -t19;
-    S_u(3, 3) = -t11;
-    S_u(3, 4) = -t15;
-    S_u(3, 5) = -t23;
+    S_u(0, 0) = s_B_per_x_B;
+    S_u(0, 1) = s_B_per_y_B;
+    S_u(0, 2) = s_B_per_phi_B;
+    S_u(0, 3) = -s_B_per_x_B;
+    S_u(0, 4) = -s_B_per_y_B;
+    S_u(0, 5) = s_B_per_phi_E;
+    S_u(1, 0) = s_C_per_x_B;
+    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 2) = s_C_per_phi_B;
+    S_u(1, 3) = -s_C_per_x_B;
+    S_u(1, 4) = -s_C_per_y_B;
+    S_u(1, 5) = s_C_per_phi_E;
+    S_u(2, 0) = s_E_per_x_B;
+    S_u(2, 1) = s_E_per_y_B;
+    S_u(2, 2) = s_E_per_phi_B;
+    S_u(2, 3) = -s_E_per_x_B;
+    S_u(2, 4) = -s_E_per_y_B;
+    S_u(2, 5) = s_E_per_phi_E;
+    S_u(3, 0) = s_F_per_x_B;
+    S_u(3, 1) = s_F_per_y_B;
+    S_u(3, 2) = s_F_per_phi_B;
+    S_u(3, 3) = -s_F_per_x_B;
+    S_u(3, 4) = -s_F_per_y_B;
+    S_u(3, 5) = s_F_per_phi_E;
     q_rate(0) = v_s_B;
     q_rate(1) = v_s_C;
     q_rate(2) = v_s_E;
     q_rate(3) = v_s_F;
-    q_second_rate(0) = s_B_per_x_B * t26 + s_B_per_y_B * t27 + s_B_per_phi_B * alpha_B
+    q_second_rate(0) = s_B_per_x_B * t10 + s_B_per_y_B * t11 + s_B_per_phi_B * alpha_B
         + s_B_per_phi_E * alpha_E + s_B_per_across_slide_C * centripetal_across_slide_C
         + s_B_per_across_slide_F * centripetal_across_slide_F;
-    q_second_rate(1) = s_C_per_x_B * t26 + s_C_per_y_B * t27 + s_C_per_phi_B * alpha_B
+    q_second_rate(1) = s_C_per_x_B * t10 + s_C_per_y_B * t11 + s_C_per_phi_B * alpha_B
         + s_C_per_phi_E * alpha_E + s_C_per_across_slide_C * centripetal_across_slide_C
         + s_C_per_across_slide_F * centripetal_across_slide_F + centripetal_along_slide_C;
-    q_second_rate(2) = s_E_per_x_B * t26 + s_E_per_y_B * t27 + s_E_per_phi_B * alpha_B
+    q_second_rate(2) = s_E_per_x_B * t10 + s_E_per_y_B * t11 + s_E_per_phi_B * alpha_B
         + s_E_per_phi_E * alpha_E + s_E_per_across_slide_C * centripetal_across_slide_C
         + s_E_per_across_slide_F * centripetal_across_slide_F;
-    q_second_rate(3) = s_F_per_x_B * t26 + s_F_per_y_B * t27 + s_F_per_phi_B * alpha_B
+    q_second_rate(3) = s_F_per_x_B * t10 + s_F_per_y_B * t11 + s_F_per_phi_B * alpha_B
         + s_F_per_phi_E * alpha_E + s_F_per_across_slide_C * centripetal_across_slide_C
         + s_F_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_F;
   }
@@ -1640,19 +1561,23 @@ struct Model17 {
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = u.phi_B.cos * u.phi_E.sin - u.phi_B.sin * u.phi_E.cos;
-    const Scalar t02 = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
-    const Scalar b_0_re = -Scalar(2) * (t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin);
-    const Scalar c_0_re = Scalar(2) * (d.psi_C_BCG.cos * (t02 * d.h_E_EDF + u.phi_B.cos * EB_y
-        - d.h_B_BCG - u.phi_B.sin * EB_x) + d.psi_C_BCG.sin * (t01 * d.h_E_EDF - u.phi_B.cos * EB_x
-        - u.phi_B.sin * EB_y) + d.h_C_BCG - d.h_C_CD);
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar cos_phi_B_minus_phi_E = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
+    const Scalar b_0_re = Scalar(2) * (d.psi_C_BCG.cos * sin_phi_B_minus_phi_E
+        + d.psi_C_BCG.sin * cos_phi_B_minus_phi_E);
+    const Scalar c_0_re = Scalar(2) * (d.h_C_BCG - d.h_C_CD - (d.h_B_BCG + EB_x * u.phi_B.sin
+        - EB_y * u.phi_B.cos - d.h_E_EDF * cos_phi_B_minus_phi_E) * d.psi_C_BCG.cos
+        - (EB_x * u.phi_B.cos + EB_y * u.phi_B.sin
+        + d.h_E_EDF * sin_phi_B_minus_phi_E) * d.psi_C_BCG.sin);
     const Scalar c_1_re = -Scalar(2) * d.psi_C_BCG.sin;
     const Scalar e_0_re = -Scalar(2) * d.psi_F_EDF.sin;
-    const Scalar f_0_re = -Scalar(2) * ((d.h_E_EDF + u.phi_E.cos * EB_y - t02 * d.h_B_BCG
-        - u.phi_E.sin * EB_x) * d.psi_F_EDF.cos + d.psi_F_EDF.sin * (t01 * d.h_B_BCG
-        - u.phi_E.cos * EB_x - u.phi_E.sin * EB_y) + d.h_F_GF - d.h_F_EDF);
-    const Scalar f_1_re = Scalar(2) * (t01 * d.psi_F_EDF.cos + t02 * d.psi_F_EDF.sin);
-    T(0) = b_0_re * f_0_re - c_0_re * e_0_re;
+    const Scalar f_0_re = Scalar(2) * (d.h_F_EDF + (EB_x * u.phi_E.cos + EB_y * u.phi_E.sin
+        + d.h_B_BCG * sin_phi_B_minus_phi_E) * d.psi_F_EDF.sin - d.h_F_GF - (d.h_E_EDF
+        + EB_y * u.phi_E.cos - EB_x * u.phi_E.sin
+        - d.h_B_BCG * cos_phi_B_minus_phi_E) * d.psi_F_EDF.cos);
+    const Scalar f_1_re = -Scalar(2) * (d.psi_F_EDF.cos * sin_phi_B_minus_phi_E
+        - d.psi_F_EDF.sin * cos_phi_B_minus_phi_E);
+    T(0) = f_0_re * b_0_re - c_0_re * e_0_re;
     T(1) = b_0_re * f_1_re - e_0_re * c_1_re;
   }
 
@@ -1664,17 +1589,19 @@ struct Model17 {
     e.setZero();
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = u.phi_B.cos * u.phi_E.sin - u.phi_B.sin * u.phi_E.cos;
-    const Scalar t02 = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
-    const Scalar t03 = EB_y + u.phi_B.sin * q.s_B - u.phi_B.cos * d.h_B_BCG;
-    const Scalar t04 = EB_x + u.phi_B.cos * q.s_B + u.phi_B.sin * d.h_B_BCG;
-    e(0, 1) = -Scalar(2) * (t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin);
-    e(0, 2) = Scalar(2) * (d.psi_C_BCG.cos * (t02 * d.h_E_EDF + u.phi_B.cos * EB_y - d.h_B_BCG
-        - u.phi_B.sin * EB_x) + d.psi_C_BCG.sin * (t01 * d.h_E_EDF - q.s_B - u.phi_B.cos * EB_x
-        - u.phi_B.sin * EB_y) + d.h_C_BCG - d.h_C_CD);
+    const Scalar cos_phi_B_minus_phi_E = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar t01 = EB_y + q.s_B * u.phi_B.sin - d.h_B_BCG * u.phi_B.cos;
+    const Scalar t02 = EB_x + q.s_B * u.phi_B.cos + d.h_B_BCG * u.phi_B.sin;
+    e(0, 1) = Scalar(2) * (d.psi_C_BCG.cos * sin_phi_B_minus_phi_E
+        + d.psi_C_BCG.sin * cos_phi_B_minus_phi_E);
+    e(0, 2) = Scalar(2) * (d.h_C_BCG - d.h_C_CD - (d.h_B_BCG + EB_x * u.phi_B.sin
+        - EB_y * u.phi_B.cos - d.h_E_EDF * cos_phi_B_minus_phi_E) * d.psi_C_BCG.cos - (q.s_B
+        + EB_x * u.phi_B.cos + EB_y * u.phi_B.sin
+        + d.h_E_EDF * sin_phi_B_minus_phi_E) * d.psi_C_BCG.sin);
     e(1, 1) = -Scalar(2) * d.psi_F_EDF.sin;
-    e(1, 2) = -Scalar(2) * ((d.h_E_EDF + u.phi_E.cos * t03 - u.phi_E.sin * t04) * d.psi_F_EDF.cos
-        + d.h_F_GF - d.psi_F_EDF.sin * (u.phi_E.cos * t04 + u.phi_E.sin * t03) - d.h_F_EDF);
+    e(1, 2) = -Scalar(2) * ((d.h_E_EDF + t01 * u.phi_E.cos - t02 * u.phi_E.sin) * d.psi_F_EDF.cos
+        + d.h_F_GF - (t02 * u.phi_E.cos + t01 * u.phi_E.sin) * d.psi_F_EDF.sin - d.h_F_EDF);
   }
 
   /// The other unknowns of a configuration in which those of the reduced
@@ -1685,13 +1612,13 @@ struct Model17 {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
     const Scalar t01 = q.s_E * u.phi_E.cos + d.h_E_EDF * u.phi_E.sin - EB_x;
-    const Scalar t02 = q.s_E * u.phi_E.sin - u.phi_E.cos * d.h_E_EDF - EB_y;
-    const Scalar t03 = EB_x + u.phi_B.cos * q.s_B + u.phi_B.sin * d.h_B_BCG;
-    const Scalar t04 = EB_y + u.phi_B.sin * q.s_B - u.phi_B.cos * d.h_B_BCG;
-    q.s_C = (t01 * u.phi_B.cos + t02 * u.phi_B.sin - q.s_B) * d.psi_C_BCG.cos + (u.phi_B.cos * t02
+    const Scalar t02 = q.s_E * u.phi_E.sin - d.h_E_EDF * u.phi_E.cos - EB_y;
+    const Scalar t03 = EB_x + q.s_B * u.phi_B.cos + d.h_B_BCG * u.phi_B.sin;
+    const Scalar t04 = EB_y + q.s_B * u.phi_B.sin - d.h_B_BCG * u.phi_B.cos;
+    q.s_C = (t01 * u.phi_B.cos + t02 * u.phi_B.sin - q.s_B) * d.psi_C_BCG.cos + (t02 * u.phi_B.cos
         + d.h_B_BCG - t01 * u.phi_B.sin) * d.psi_C_BCG.sin;
-    q.s_F = (d.h_E_EDF + u.phi_E.cos * t04 - u.phi_E.sin * t03) * d.psi_F_EDF.sin - (q.s_E
-        - u.phi_E.cos * t03 - u.phi_E.sin * t04) * d.psi_F_EDF.cos;
+    q.s_F = (d.h_E_EDF + t04 * u.phi_E.cos - t03 * u.phi_E.sin) * d.psi_F_EDF.sin - (q.s_E
+        - t03 * u.phi_E.cos - t04 * u.phi_E.sin) * d.psi_F_EDF.cos;
   }
 };
 

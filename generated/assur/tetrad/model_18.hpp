@@ -39,12 +39,12 @@ namespace assur::tetrad {
 ///   velocity_rhs:                 40, 34, 0
 ///   acceleration_rhs:             81, 56, 0
 ///   jerk_rhs:                     143, 84, 0
-///   curvature_rhs:                135, 84, 0
+///   curvature_rhs:                135, 82, 0
 ///   link_poses:                   16, 16, 0
 ///   pose_jacobians:               16, 14, 0
 ///   link_velocities:              28, 24, 0
 ///   link_accelerations:           54, 38, 0
-///   pose_curvatures:              67, 39, 0
+///   pose_curvatures:              67, 37, 0
 ///   compatibility:                16, 8, 0
 struct Model18 {
   static constexpr const char* group = "tetrad";
@@ -170,44 +170,38 @@ struct Model18 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar t05 = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_x = t05 - (u.phi_E.sin * d.psi_D_EDF.cos
-        + u.phi_E.cos * d.psi_D_EDF.sin) * d.h_D_EDF;
-    const Scalar t06 = u.phi_E.cos * d.h_E_EDF;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
+        + u.phi_E.cos * d.psi_D_EDF.sin);
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
-        - t06;
-    const Scalar t07 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t08 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t07 - d.psi_C_BCG.sin * t08;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t08 + d.psi_C_BCG.sin * t07;
+        + EF_y;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = t05;
-    const Scalar EF_y = -t06;
-    const Scalar t09 = u.x_B - u.x_E + slide_B_x - slide_E_x;
-    const Scalar t10 = u.y_B - u.y_E + slide_B_y - slide_E_y;
-    f(0) = BC_x + slide_C_x + t09 - ED_x - slide_D_x;
-    f(1) = BC_y + slide_C_y + t10 - ED_y - slide_D_y;
-    f(2) = BG_x + GF_x + t09 - EF_x;
-    f(3) = BG_y + GF_y + t10 - EF_y;
+    const Scalar t03 = u.x_B - u.x_E + slide_B_x - slide_E_x;
+    const Scalar t04 = u.y_B - u.y_E + slide_B_y - slide_E_y;
+    f(0) = BC_x + slide_C_x + t03 - ED_x - slide_D_x;
+    f(1) = BC_y + slide_C_y + t04 - ED_y - slide_D_y;
+    f(2) = BG_x + GF_x + t03 - EF_x;
+    f(3) = BG_y + GF_y + t04 - EF_y;
   }
 
   /// J = df/dq.
@@ -221,7 +215,7 @@ struct Model18 {
     const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
     const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     J(0, 1) = u.phi_B.cos;
     J(0, 2) = cos_CD;
@@ -244,33 +238,31 @@ struct Model18 {
   static void dimension_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar t03 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t04 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar t05 = d.psi_D_EDF.cos * u.phi_E.cos - u.phi_E.sin * d.psi_D_EDF.sin;
-    const Scalar t06 = u.phi_E.sin * d.psi_D_EDF.cos + u.phi_E.cos * d.psi_D_EDF.sin;
+    const Scalar t03 = d.psi_D_EDF.cos * u.phi_E.cos - u.phi_E.sin * d.psi_D_EDF.sin;
+    const Scalar t04 = u.phi_E.sin * d.psi_D_EDF.cos + u.phi_E.cos * d.psi_D_EDF.sin;
     F_d(0, 0) = u.phi_B.sin;
-    F_d(0, 1) = slide_D_y - t01 * d.h_C_BCG - slide_C_y;
+    F_d(0, 1) = slide_D_y - slide_C_y - d.h_C_BCG * cos_CD;
     F_d(0, 2) = -sin_CD;
     F_d(0, 3) = -u.phi_E.sin;
-    F_d(0, 4) = t05 * d.h_D_EDF;
-    F_d(0, 5) = t06;
+    F_d(0, 4) = d.h_D_EDF * t03;
+    F_d(0, 5) = t04;
     F_d(0, 6) = slide_D_y;
     F_d(1, 0) = -u.phi_B.cos;
-    F_d(1, 1) = slide_C_x - t02 * d.h_C_BCG - slide_D_x;
+    F_d(1, 1) = slide_C_x - slide_D_x - d.h_C_BCG * sin_CD;
     F_d(1, 2) = cos_CD;
     F_d(1, 3) = u.phi_E.cos;
-    F_d(1, 4) = d.h_D_EDF * t06;
-    F_d(1, 5) = -t05;
+    F_d(1, 4) = d.h_D_EDF * t04;
+    F_d(1, 5) = -t03;
     F_d(1, 6) = -slide_D_x;
     F_d(2, 0) = u.phi_B.sin;
     F_d(2, 3) = -u.phi_E.sin;
@@ -285,36 +277,30 @@ struct Model18 {
   static void input_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar t05 = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_x = t05 - (u.phi_E.sin * d.psi_D_EDF.cos
-        + u.phi_E.cos * d.psi_D_EDF.sin) * d.h_D_EDF;
-    const Scalar t06 = u.phi_E.cos * d.h_E_EDF;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
+        + u.phi_E.cos * d.psi_D_EDF.sin);
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
-        - t06;
-    const Scalar t07 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t08 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t07 - d.psi_C_BCG.sin * t08;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t08 + d.psi_C_BCG.sin * t07;
+        + EF_y;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar EF_x = t05;
-    const Scalar EF_y = -t06;
     F_u(0, 0) = Scalar(1);
     F_u(0, 2) = slide_D_y - slide_B_y - BC_y - slide_C_y;
     F_u(0, 3) = -Scalar(1);
@@ -344,44 +330,38 @@ struct Model18 {
     const Scalar v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar omega_E = u_rate(5);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar t05 = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_x = t05 - (u.phi_E.sin * d.psi_D_EDF.cos
-        + u.phi_E.cos * d.psi_D_EDF.sin) * d.h_D_EDF;
-    const Scalar t06 = u.phi_E.cos * d.h_E_EDF;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
+        + u.phi_E.cos * d.psi_D_EDF.sin);
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
-        - t06;
-    const Scalar t07 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t08 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t07 - d.psi_C_BCG.sin * t08;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t08 + d.psi_C_BCG.sin * t07;
+        + EF_y;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar EF_x = t05;
-    const Scalar EF_y = -t06;
-    const Scalar t09 = v_x_B - v_x_E;
-    const Scalar t10 = v_y_B - v_y_E;
+    const Scalar t03 = v_x_B - v_x_E;
+    const Scalar t04 = v_y_B - v_y_E;
     rhs(0) = (slide_B_y + BC_y + slide_C_y - slide_D_y) * omega_B - (slide_E_y + ED_y) * omega_E
-        - t09;
-    rhs(1) = omega_E * (slide_E_x + ED_x) - omega_B * (slide_B_x + BC_x + slide_C_x - slide_D_x)
-        - t10;
-    rhs(2) = omega_B * (slide_B_y + BG_y) - t09 - omega_E * (slide_E_y + EF_y);
-    rhs(3) = omega_E * (slide_E_x + EF_x) - t10 - omega_B * (slide_B_x + BG_x);
+        - t03;
+    rhs(1) = (slide_E_x + ED_x) * omega_E - (slide_B_x + BC_x + slide_C_x - slide_D_x) * omega_B
+        - t04;
+    rhs(2) = (slide_B_y + BG_y) * omega_B - t03 - (slide_E_y + EF_y) * omega_E;
+    rhs(3) = (slide_E_x + EF_x) * omega_E - t04 - (slide_B_x + BG_x) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -404,63 +384,57 @@ struct Model18 {
     const Scalar a_y_E = u_second_rate(4);
     const Scalar omega_E = u_rate(5);
     const Scalar alpha_E = u_second_rate(5);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar t05 = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_x = t05 - (u.phi_E.sin * d.psi_D_EDF.cos
-        + u.phi_E.cos * d.psi_D_EDF.sin) * d.h_D_EDF;
-    const Scalar t06 = u.phi_E.cos * d.h_E_EDF;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
+        + u.phi_E.cos * d.psi_D_EDF.sin);
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
-        - t06;
-    const Scalar t07 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t08 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t07 - d.psi_C_BCG.sin * t08;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t08 + d.psi_C_BCG.sin * t07;
+        + EF_y;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = t05;
-    const Scalar EF_y = -t06;
-    const Scalar t09 = slide_B_x + BC_x + slide_C_x - slide_D_x;
-    const Scalar t10 = u.phi_B.sin * v_s_B;
-    const Scalar t11 = slide_B_y + BC_y + slide_C_y - slide_D_y;
-    const Scalar t12 = slide_E_x + ED_x;
-    const Scalar t13 = u.phi_E.sin * v_s_E;
-    const Scalar t14 = slide_E_y + ED_y;
-    const Scalar t15 = a_x_B - a_x_E;
-    const Scalar t16 = u.phi_B.cos * v_s_B;
-    const Scalar t17 = u.phi_E.cos * v_s_E;
-    const Scalar t18 = a_y_B - a_y_E;
-    const Scalar t19 = slide_B_x + BG_x;
-    const Scalar t20 = slide_E_x + EF_x;
-    const Scalar t21 = slide_B_y + BG_y;
-    const Scalar t22 = slide_E_y + EF_y;
-    const Scalar t23 = omega_GF * omega_GF;
-    rhs(0) = omega_B * (t09 * omega_B + Scalar(2) * t10 + Scalar(2) * sin_CD * v_s_C
-        - Scalar(2) * sin_slide_D * v_s_D) + t11 * alpha_B - omega_E * (t12 * omega_E
-        + Scalar(2) * t13) - t14 * alpha_E - t15;
-    rhs(1) = omega_B * (omega_B * t11 + Scalar(2) * cos_slide_D * v_s_D - Scalar(2) * t16
-        - Scalar(2) * cos_CD * v_s_C) + t12 * alpha_E - t09 * alpha_B - omega_E * (omega_E * t14
-        - Scalar(2) * t17) - t18;
-    rhs(2) = omega_B * (Scalar(2) * t10 + omega_B * t19) + alpha_B * t21 + GF_x * t23 - t15
-        - omega_E * (Scalar(2) * t13 + omega_E * t20) - alpha_E * t22;
-    rhs(3) = omega_E * (Scalar(2) * t17 - omega_E * t22) + alpha_E * t20 + GF_y * t23 - t18
-        - omega_B * (Scalar(2) * t16 - omega_B * t21) - alpha_B * t19;
+    const Scalar t03 = slide_B_x + BC_x + slide_C_x - slide_D_x;
+    const Scalar t04 = u.phi_B.sin * v_s_B;
+    const Scalar t05 = slide_B_y + BC_y + slide_C_y - slide_D_y;
+    const Scalar t06 = slide_E_x + ED_x;
+    const Scalar t07 = u.phi_E.sin * v_s_E;
+    const Scalar t08 = slide_E_y + ED_y;
+    const Scalar t09 = a_x_B - a_x_E;
+    const Scalar t10 = u.phi_B.cos * v_s_B;
+    const Scalar t11 = u.phi_E.cos * v_s_E;
+    const Scalar t12 = a_y_B - a_y_E;
+    const Scalar t13 = slide_B_x + BG_x;
+    const Scalar t14 = slide_E_x + EF_x;
+    const Scalar t15 = slide_B_y + BG_y;
+    const Scalar t16 = slide_E_y + EF_y;
+    const Scalar t17 = omega_GF * omega_GF;
+    rhs(0) = omega_B * (t03 * omega_B + Scalar(2) * t04 + Scalar(2) * sin_CD * v_s_C
+        - Scalar(2) * sin_slide_D * v_s_D) + t05 * alpha_B - omega_E * (t06 * omega_E
+        + Scalar(2) * t07) - t08 * alpha_E - t09;
+    rhs(1) = omega_B * (t05 * omega_B + Scalar(2) * cos_slide_D * v_s_D - Scalar(2) * t10
+        - Scalar(2) * cos_CD * v_s_C) + t06 * alpha_E - t03 * alpha_B - omega_E * (t08 * omega_E
+        - Scalar(2) * t11) - t12;
+    rhs(2) = omega_B * (Scalar(2) * t04 + t13 * omega_B) + t15 * alpha_B + GF_x * t17 - t09
+        - omega_E * (Scalar(2) * t07 + t14 * omega_E) - t16 * alpha_E;
+    rhs(3) = omega_E * (Scalar(2) * t11 - t16 * omega_E) + t14 * alpha_E + GF_y * t17 - t12
+        - omega_B * (Scalar(2) * t10 - t15 * omega_B) - t13 * alpha_B;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -491,77 +465,71 @@ struct Model18 {
     const Scalar omega_E = u_rate(5);
     const Scalar alpha_E = u_second_rate(5);
     const Scalar jerk_E = u_third_rate(5);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar t05 = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_x = t05 - (u.phi_E.sin * d.psi_D_EDF.cos
-        + u.phi_E.cos * d.psi_D_EDF.sin) * d.h_D_EDF;
-    const Scalar t06 = u.phi_E.cos * d.h_E_EDF;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
+        + u.phi_E.cos * d.psi_D_EDF.sin);
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
-        - t06;
-    const Scalar t07 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t08 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t07 - d.psi_C_BCG.sin * t08;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t08 + d.psi_C_BCG.sin * t07;
+        + EF_y;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = t05;
-    const Scalar EF_y = -t06;
-    const Scalar t09 = slide_E_y + ED_y;
-    const Scalar t10 = u.phi_E.cos * v_s_E;
-    const Scalar t11 = slide_E_x + ED_x;
-    const Scalar t12 = u.phi_E.sin * a_s_E;
-    const Scalar t13 = slide_B_y + BC_y + slide_C_y - slide_D_y;
-    const Scalar t14 = slide_B_x + BC_x + slide_C_x - slide_D_x;
-    const Scalar t15 = u.phi_B.sin * a_s_B;
-    const Scalar t16 = u.phi_B.cos * v_s_B;
-    const Scalar t17 = cos_slide_D * v_s_D - t16 - cos_CD * v_s_C;
-    const Scalar t18 = u.phi_B.sin * v_s_B;
-    const Scalar t19 = sin_slide_D * v_s_D - t18 - sin_CD * v_s_C;
-    const Scalar t20 = u.phi_E.sin * v_s_E;
-    const Scalar t21 = alpha_E * t20 + Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
-    const Scalar t22 = u.phi_E.cos * a_s_E;
-    const Scalar t23 = u.phi_B.cos * a_s_B;
-    const Scalar t24 = t10 * alpha_E - Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
-    const Scalar t25 = slide_B_y + BG_y;
-    const Scalar t26 = slide_B_x + BG_x;
-    const Scalar t27 = slide_E_y + EF_y;
-    const Scalar t28 = slide_E_x + EF_x;
-    const Scalar t29 = omega_GF * omega_GF;
-    rhs(0) = omega_E * (omega_E * (t09 * omega_E - Scalar(3) * t10) - Scalar(3) * t11 * alpha_E
-        - Scalar(3) * t12) + t13 * jerk_B + omega_B * (Scalar(3) * t14 * alpha_B + Scalar(3) * t15
-        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_slide_D * a_s_D - omega_B * (t13 * omega_B
-        + Scalar(3) * t17)) - t09 * jerk_E - Scalar(3) * alpha_B * t19 - Scalar(3) * t21;
-    rhs(1) = t11 * jerk_E + Scalar(3) * alpha_B * t17 + omega_B * (Scalar(3) * t13 * alpha_B
-        + Scalar(3) * cos_slide_D * a_s_D + omega_B * (omega_B * t14 - Scalar(3) * t19)
-        - Scalar(3) * t23 - Scalar(3) * cos_CD * a_s_C) + Scalar(3) * t24
-        - omega_E * (omega_E * (omega_E * t11 + Scalar(3) * t20) + Scalar(3) * t09 * alpha_E
-        - Scalar(3) * t22) - t14 * jerk_B;
-    rhs(2) = omega_B * (Scalar(3) * t15 + omega_B * (Scalar(3) * t16 - omega_B * t25)
-        + Scalar(3) * alpha_B * t26) + jerk_B * t25 + Scalar(3) * alpha_B * t18
-        + omega_GF * (Scalar(3) * alpha_GF * GF_x - GF_y * t29) - omega_E * (Scalar(3) * t12
-        + omega_E * (Scalar(3) * t10 - omega_E * t27) + Scalar(3) * alpha_E * t28) - jerk_E * t27
-        - Scalar(3) * t21;
-    rhs(3) = omega_E * (Scalar(3) * t22 - omega_E * (Scalar(3) * t20 + omega_E * t28)
-        - Scalar(3) * alpha_E * t27) + jerk_E * t28 + omega_GF * (Scalar(3) * GF_y * alpha_GF
-        + GF_x * t29) + Scalar(3) * t24 - omega_B * (Scalar(3) * t23 - omega_B * (Scalar(3) * t18
-        + omega_B * t26) - Scalar(3) * alpha_B * t25) - jerk_B * t26 - Scalar(3) * t16 * alpha_B;
+    const Scalar t03 = slide_E_y + ED_y;
+    const Scalar t04 = u.phi_E.cos * v_s_E;
+    const Scalar t05 = slide_E_x + ED_x;
+    const Scalar t06 = u.phi_E.sin * a_s_E;
+    const Scalar t07 = slide_B_y + BC_y + slide_C_y - slide_D_y;
+    const Scalar t08 = slide_B_x + BC_x + slide_C_x - slide_D_x;
+    const Scalar t09 = u.phi_B.sin * a_s_B;
+    const Scalar t10 = u.phi_B.cos * v_s_B;
+    const Scalar t11 = cos_slide_D * v_s_D - t10 - cos_CD * v_s_C;
+    const Scalar t12 = u.phi_B.sin * v_s_B;
+    const Scalar t13 = sin_slide_D * v_s_D - t12 - sin_CD * v_s_C;
+    const Scalar t14 = u.phi_E.sin * v_s_E;
+    const Scalar t15 = alpha_E * t14 + Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
+    const Scalar t16 = u.phi_E.cos * a_s_E;
+    const Scalar t17 = u.phi_B.cos * a_s_B;
+    const Scalar t18 = t04 * alpha_E - Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
+    const Scalar t19 = slide_B_y + BG_y;
+    const Scalar t20 = slide_B_x + BG_x;
+    const Scalar t21 = slide_E_y + EF_y;
+    const Scalar t22 = slide_E_x + EF_x;
+    const Scalar t23 = omega_GF * omega_GF;
+    rhs(0) = omega_E * (omega_E * (t03 * omega_E - Scalar(3) * t04) - Scalar(3) * t05 * alpha_E
+        - Scalar(3) * t06) + t07 * jerk_B + omega_B * (Scalar(3) * t08 * alpha_B + Scalar(3) * t09
+        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_slide_D * a_s_D - omega_B * (t07 * omega_B
+        + Scalar(3) * t11)) - t03 * jerk_E - Scalar(3) * alpha_B * t13 - Scalar(3) * t15;
+    rhs(1) = t05 * jerk_E + Scalar(3) * alpha_B * t11 + omega_B * (Scalar(3) * t07 * alpha_B
+        + Scalar(3) * cos_slide_D * a_s_D + omega_B * (t08 * omega_B - Scalar(3) * t13)
+        - Scalar(3) * t17 - Scalar(3) * cos_CD * a_s_C) + Scalar(3) * t18
+        - omega_E * (omega_E * (t05 * omega_E + Scalar(3) * t14) + Scalar(3) * t03 * alpha_E
+        - Scalar(3) * t16) - t08 * jerk_B;
+    rhs(2) = omega_B * (Scalar(3) * t09 + omega_B * (Scalar(3) * t10 - t19 * omega_B)
+        + Scalar(3) * t20 * alpha_B) + t19 * jerk_B + Scalar(3) * alpha_B * t12
+        + omega_GF * (Scalar(3) * GF_x * alpha_GF - GF_y * t23) - omega_E * (Scalar(3) * t06
+        + omega_E * (Scalar(3) * t04 - t21 * omega_E) + Scalar(3) * t22 * alpha_E) - t21 * jerk_E
+        - Scalar(3) * t15;
+    rhs(3) = omega_E * (Scalar(3) * t16 - omega_E * (Scalar(3) * t14 + t22 * omega_E)
+        - Scalar(3) * t21 * alpha_E) + t22 * jerk_E + omega_GF * (Scalar(3) * GF_y * alpha_GF
+        + GF_x * t23) + Scalar(3) * t18 - omega_B * (Scalar(3) * t17 - omega_B * (Scalar(3) * t12
+        + t20 * omega_B) - Scalar(3) * t19 * alpha_B) - t20 * jerk_B - Scalar(3) * t10 * alpha_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -588,118 +556,107 @@ struct Model18 {
     const Scalar omega_E = u_rate(5);
     const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
     const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar t03 = t01 - t02;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = d.psi_C_BCG.cos * u.phi_B.sin;
-    const Scalar t05 = u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t06 = t04 + t05;
-    const Scalar sin_CD = t06;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t07 - t06 * d.h_C_BCG;
-    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar cos_CD = t01 - t02;
+    const Scalar t03 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar sin_CD = t03 + t04;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar t09 = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_x = t09 - (u.phi_E.sin * d.psi_D_EDF.cos
-        + u.phi_E.cos * d.psi_D_EDF.sin) * d.h_D_EDF;
-    const Scalar t10 = u.phi_E.cos * d.h_E_EDF;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
+        + u.phi_E.cos * d.psi_D_EDF.sin);
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
-        - t10;
-    const Scalar t11 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t12 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t11 - d.psi_C_BCG.sin * t12;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t12 + d.psi_C_BCG.sin * t11;
+        + EF_y;
+    const Scalar t05 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t06 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t05 - d.psi_C_BCG.sin * t06;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t06 + d.psi_C_BCG.sin * t05;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = t07;
-    const Scalar BG_y = -t08;
-    const Scalar GF_x = q.theta_GF.cos * d.GF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = t09;
-    const Scalar EF_y = -t10;
-    const Scalar t13 = sin_slide_D * v_s_D;
-    const Scalar t14 = omega_D_CD * slide_D_x;
-    const Scalar t15 = d.h_D_EDF * omega_D_EDF;
-    const Scalar t16 = d.psi_D_EDF.cos * v_h_D_EDF - v_h_E_EDF - d.psi_D_EDF.sin * t15;
-    const Scalar t17 = d.psi_D_EDF.sin * v_h_D_EDF + d.psi_D_EDF.cos * t15 - v_s_E;
-    const Scalar t18 = Scalar(2) * u.phi_E.cos * v_h_D_EDF - u.phi_E.sin * t15;
-    const Scalar t19 = Scalar(2) * u.phi_E.sin * v_h_D_EDF + u.phi_E.cos * t15;
-    const Scalar t20 = omega_C_BCG + Scalar(2) * omega_B;
-    const Scalar t21 = sin_CD * v_s_C - t13;
-    const Scalar t22 = t20 + Scalar(2) * omega_D_CD;
-    const Scalar t23 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
-    const Scalar t24 = cos_slide_D * v_s_D;
-    const Scalar t25 = omega_D_CD * slide_D_y;
-    const Scalar t26 = cos_CD * v_s_C - t24;
-    const Scalar t27 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
-    rhs(0) = omega_C_BCG * (t20 * slide_C_x + Scalar(2) * t21 + v_h_C_BCG * (t03 + cos_CD)
-        - d.h_C_BCG * (t04 * t20 + t05 * t20) - slide_D_x * t22) + omega_B * (Scalar(2) * t21
-        + Scalar(2) * cos_CD * v_h_C_BCG - omega_B * (slide_D_x - slide_C_x - slide_B_x - BC_x)
-        - Scalar(2) * t14 - Scalar(2) * t23) - omega_D_CD * (Scalar(2) * t13 + t14)
-        - omega_E * ((slide_E_x + ED_x) * omega_E + Scalar(2) * u.phi_E.cos * t16
-        - Scalar(2) * u.phi_E.sin * t17) - omega_D_EDF * (d.psi_D_EDF.cos * t18
-        - d.psi_D_EDF.sin * t19);
-    rhs(1) = omega_D_CD * (Scalar(2) * t24 - t25) + omega_C_BCG * (t20 * slide_C_y
-        + d.h_C_BCG * (t01 * t20 - t02 * t20) + v_h_C_BCG * (t06 + sin_CD) - Scalar(2) * t26
-        - slide_D_y * t22) - omega_E * (omega_E * (slide_E_y + ED_y) + Scalar(2) * u.phi_E.cos * t17
-        + Scalar(2) * u.phi_E.sin * t16) - omega_D_EDF * (d.psi_D_EDF.cos * t19
-        + d.psi_D_EDF.sin * t18) - omega_B * (Scalar(2) * t26 + omega_B * (slide_D_y - slide_C_y
-        - slide_B_y - BC_y) + Scalar(2) * t25 + Scalar(2) * t27 - Scalar(2) * sin_CD * v_h_C_BCG);
-    rhs(2) = omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + omega_GF * GF_x)
-        + omega_B * (omega_B * (slide_B_x + BG_x) - Scalar(2) * t23)
-        - omega_E * (omega_E * (slide_E_x + EF_x) + Scalar(2) * u.phi_E.sin * v_s_E
-        - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
-    rhs(3) = omega_B * (omega_B * (slide_B_y + BG_y) - Scalar(2) * t27)
-        - omega_E * (omega_E * (slide_E_y + EF_y) - Scalar(2) * u.phi_E.cos * v_s_E
-        - Scalar(2) * u.phi_E.sin * v_h_E_EDF) - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF
-        - omega_GF * GF_y);
+    const Scalar t07 = sin_slide_D * v_s_D;
+    const Scalar t08 = slide_D_x * omega_D_CD;
+    const Scalar t09 = d.h_D_EDF * omega_D_EDF;
+    const Scalar t10 = d.psi_D_EDF.cos * v_h_D_EDF - v_h_E_EDF - d.psi_D_EDF.sin * t09;
+    const Scalar t11 = d.psi_D_EDF.sin * v_h_D_EDF + d.psi_D_EDF.cos * t09 - v_s_E;
+    const Scalar t12 = Scalar(2) * u.phi_E.cos * v_h_D_EDF - u.phi_E.sin * t09;
+    const Scalar t13 = Scalar(2) * u.phi_E.sin * v_h_D_EDF + u.phi_E.cos * t09;
+    const Scalar t14 = sin_CD * v_s_C - t07;
+    const Scalar t15 = cos_CD * v_h_C_BCG;
+    const Scalar t16 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t17 = omega_C_BCG + Scalar(2) * omega_B;
+    const Scalar t18 = t17 + Scalar(2) * omega_D_CD;
+    const Scalar t19 = cos_slide_D * v_s_D;
+    const Scalar t20 = slide_D_y * omega_D_CD;
+    const Scalar t21 = cos_CD * v_s_C - t19;
+    const Scalar t22 = sin_CD * v_h_C_BCG;
+    const Scalar t23 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    rhs(0) = omega_B * (Scalar(2) * t14 + Scalar(2) * t15 - (slide_D_x - slide_C_x - slide_B_x
+        - BC_x) * omega_B - Scalar(2) * t08 - Scalar(2) * t16) + omega_C_BCG * (slide_C_x * t17
+        + Scalar(2) * t14 + Scalar(2) * t15 - d.h_C_BCG * (t03 * t17 + t04 * t17) - slide_D_x * t18)
+        - omega_D_CD * (Scalar(2) * t07 + t08) - omega_E * ((slide_E_x + ED_x) * omega_E
+        + Scalar(2) * u.phi_E.cos * t10 - Scalar(2) * u.phi_E.sin * t11)
+        - omega_D_EDF * (d.psi_D_EDF.cos * t12 - d.psi_D_EDF.sin * t13);
+    rhs(1) = omega_D_CD * (Scalar(2) * t19 - t20) + omega_C_BCG * (slide_C_y * t17 + Scalar(2) * t22
+        + d.h_C_BCG * (t01 * t17 - t02 * t17) - Scalar(2) * t21 - slide_D_y * t18)
+        - omega_E * ((slide_E_y + ED_y) * omega_E + Scalar(2) * u.phi_E.cos * t11
+        + Scalar(2) * u.phi_E.sin * t10) - omega_D_EDF * (d.psi_D_EDF.cos * t13
+        + d.psi_D_EDF.sin * t12) - omega_B * (Scalar(2) * t21 + (slide_D_y - slide_C_y - slide_B_y
+        - BC_y) * omega_B + Scalar(2) * t20 + Scalar(2) * t23 - Scalar(2) * t22);
+    rhs(2) = omega_GF * (Scalar(2) * q.theta_GF.sin * v_GF + GF_x * omega_GF)
+        + omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t16) - omega_E * ((slide_E_x
+        + EF_x) * omega_E + Scalar(2) * u.phi_E.sin * v_s_E - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
+    rhs(3) = omega_B * ((slide_B_y + BG_y) * omega_B - Scalar(2) * t23) - omega_E * ((slide_E_y
+        + EF_y) * omega_E - Scalar(2) * u.phi_E.cos * v_s_E - Scalar(2) * u.phi_E.sin * v_h_E_EDF)
+        - omega_GF * (Scalar(2) * q.theta_GF.cos * v_GF - GF_y * omega_GF);
   }
 
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar EF_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar EF_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar t05 = u.x_B + slide_B_x;
-    const Scalar t06 = BG_x + t05;
-    const Scalar t07 = u.y_B + slide_B_y;
-    const Scalar t08 = BG_y + t07;
-    poses[0].x = t06;
-    poses[0].y = t08;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = u.x_B + slide_B_x;
+    const Scalar t02 = BG_x + t01;
+    const Scalar t03 = u.y_B + slide_B_y;
+    const Scalar t04 = BG_y + t03;
+    poses[0].x = t02;
+    poses[0].y = t04;
     poses[0].direction.cos = u.phi_B.cos;
     poses[0].direction.sin = u.phi_B.sin;
     poses[1].x = u.x_E + slide_E_x + EF_x;
     poses[1].y = u.y_E + slide_E_y + EF_y;
     poses[1].direction.cos = u.phi_E.cos;
     poses[1].direction.sin = u.phi_E.sin;
-    poses[2].x = BC_x + slide_C_x + t05;
-    poses[2].y = BC_y + slide_C_y + t07;
+    poses[2].x = BC_x + slide_C_x + t01;
+    poses[2].y = BC_y + slide_C_y + t03;
     poses[2].direction.cos = cos_CD;
     poses[2].direction.sin = sin_CD;
-    poses[3].x = t06;
-    poses[3].y = t08;
+    poses[3].x = t02;
+    poses[3].y = t04;
     poses[3].direction.cos = q.theta_GF.cos;
     poses[3].direction.sin = q.theta_GF.sin;
   }
@@ -714,28 +671,24 @@ struct Model18 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t04 - t03;
-    const Scalar t05 = t01 * d.h_C_BCG;
-    const Scalar t06 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t05 - t06;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar t01 = d.h_C_BCG * sin_CD;
+    const Scalar BC_x = BG_x - t01;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t02 = d.h_C_BCG * cos_CD;
+    const Scalar BC_y = BG_y + t02;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar BG_x = t04;
-    const Scalar BG_y = -t06;
-    const Scalar EF_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar EF_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar t07 = slide_B_y + BG_y;
-    const Scalar t08 = slide_B_x + BG_x;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t03 = slide_B_y + BG_y;
+    const Scalar t04 = slide_B_x + BG_x;
     P_q(0, 1) = u.phi_B.cos;
     P_q(1, 1) = u.phi_B.sin;
     P_q(3, 3) = u.phi_E.cos;
@@ -752,18 +705,18 @@ struct Model18 {
     P_d(3, 3) = u.phi_E.sin;
     P_d(4, 3) = -u.phi_E.cos;
     P_d(6, 0) = u.phi_B.sin;
-    P_d(6, 1) = -t05 - slide_C_y;
+    P_d(6, 1) = -slide_C_y - t02;
     P_d(6, 2) = -sin_CD;
     P_d(7, 0) = -u.phi_B.cos;
-    P_d(7, 1) = slide_C_x - t03;
+    P_d(7, 1) = slide_C_x - t01;
     P_d(7, 2) = cos_CD;
     P_d(8, 1) = Scalar(1);
     P_d(9, 0) = u.phi_B.sin;
     P_d(10, 0) = -u.phi_B.cos;
     P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -t07;
+    P_u(0, 2) = -t03;
     P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = t08;
+    P_u(1, 2) = t04;
     P_u(2, 2) = Scalar(1);
     P_u(3, 3) = Scalar(1);
     P_u(3, 5) = -slide_E_y - EF_y;
@@ -776,9 +729,9 @@ struct Model18 {
     P_u(7, 2) = slide_C_x + slide_B_x + BC_x;
     P_u(8, 2) = Scalar(1);
     P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -t07;
+    P_u(9, 2) = -t03;
     P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = t08;
+    P_u(10, 2) = t04;
   }
 
   /// Velocity (vx, vy, omega) of each link's frame, one row a link.
@@ -796,39 +749,35 @@ struct Model18 {
     const Scalar v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar omega_E = u_rate(5);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar EF_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar EF_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar t05 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t06 = (slide_B_y + BG_y) * omega_B - t05;
-    const Scalar t07 = u.phi_B.sin * v_s_B + v_y_B;
-    const Scalar t08 = omega_B * (slide_B_x + BG_x) + t07;
-    v(0, 0) = -t06;
-    v(0, 1) = t08;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
+    const Scalar t02 = (slide_B_y + BG_y) * omega_B - t01;
+    const Scalar t03 = u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar t04 = (slide_B_x + BG_x) * omega_B + t03;
+    v(0, 0) = -t02;
+    v(0, 1) = t04;
     v(0, 2) = omega_B;
     v(1, 0) = u.phi_E.cos * v_s_E + v_x_E - (slide_E_y + EF_y) * omega_E;
-    v(1, 1) = omega_E * (slide_E_x + EF_x) + u.phi_E.sin * v_s_E + v_y_E;
+    v(1, 1) = (slide_E_x + EF_x) * omega_E + u.phi_E.sin * v_s_E + v_y_E;
     v(1, 2) = omega_E;
-    v(2, 0) = t05 + cos_CD * v_s_C - omega_B * (slide_B_y + BC_y + slide_C_y);
-    v(2, 1) = t07 + omega_B * (slide_B_x + BC_x + slide_C_x) + sin_CD * v_s_C;
+    v(2, 0) = t01 + cos_CD * v_s_C - (slide_B_y + BC_y + slide_C_y) * omega_B;
+    v(2, 1) = t03 + (slide_B_x + BC_x + slide_C_x) * omega_B + sin_CD * v_s_C;
     v(2, 2) = omega_B;
-    v(3, 0) = -t06;
-    v(3, 1) = t08;
+    v(3, 0) = -t02;
+    v(3, 1) = t04;
     v(3, 2) = omega_GF;
   }
 
@@ -853,51 +802,47 @@ struct Model18 {
     const Scalar a_y_E = u_second_rate(4);
     const Scalar omega_E = u_rate(5);
     const Scalar alpha_E = u_second_rate(5);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01;
-    const Scalar t02 = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t03 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t03 - t02 * d.h_C_BCG;
-    const Scalar t04 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t01 * d.h_C_BCG - t04;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar BG_x = t03;
-    const Scalar BG_y = -t04;
-    const Scalar EF_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar EF_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar t05 = slide_B_x + BG_x;
-    const Scalar t06 = u.phi_B.sin * v_s_B;
-    const Scalar t07 = slide_B_y + BG_y;
-    const Scalar t08 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t09 = omega_B * (t05 * omega_B + Scalar(2) * t06) + t07 * alpha_B - t08;
-    const Scalar t10 = u.phi_B.cos * v_s_B;
-    const Scalar t11 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t12 = omega_B * (omega_B * t07 - Scalar(2) * t10) - t05 * alpha_B - t11;
-    const Scalar t13 = slide_E_x + EF_x;
-    const Scalar t14 = slide_E_y + EF_y;
-    const Scalar t15 = slide_B_x + BC_x + slide_C_x;
-    const Scalar t16 = slide_B_y + BC_y + slide_C_y;
-    a(0, 0) = -t09;
-    a(0, 1) = -t12;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = slide_B_x + BG_x;
+    const Scalar t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y + BG_y;
+    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t05 = omega_B * (t01 * omega_B + Scalar(2) * t02) + t03 * alpha_B - t04;
+    const Scalar t06 = u.phi_B.cos * v_s_B;
+    const Scalar t07 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t08 = omega_B * (t03 * omega_B - Scalar(2) * t06) - t01 * alpha_B - t07;
+    const Scalar t09 = slide_E_x + EF_x;
+    const Scalar t10 = slide_E_y + EF_y;
+    const Scalar t11 = slide_B_x + BC_x + slide_C_x;
+    const Scalar t12 = slide_B_y + BC_y + slide_C_y;
+    a(0, 0) = -t05;
+    a(0, 1) = -t08;
     a(0, 2) = alpha_B;
-    a(1, 0) = u.phi_E.cos * a_s_E + a_x_E - omega_E * (t13 * omega_E
-        + Scalar(2) * u.phi_E.sin * v_s_E) - t14 * alpha_E;
-    a(1, 1) = t13 * alpha_E + u.phi_E.sin * a_s_E + a_y_E - omega_E * (omega_E * t14
+    a(1, 0) = u.phi_E.cos * a_s_E + a_x_E - omega_E * (t09 * omega_E
+        + Scalar(2) * u.phi_E.sin * v_s_E) - t10 * alpha_E;
+    a(1, 1) = t09 * alpha_E + u.phi_E.sin * a_s_E + a_y_E - omega_E * (t10 * omega_E
         - Scalar(2) * u.phi_E.cos * v_s_E);
     a(1, 2) = alpha_E;
-    a(2, 0) = t08 + cos_CD * a_s_C - omega_B * (Scalar(2) * t06 + omega_B * t15
-        + Scalar(2) * sin_CD * v_s_C) - alpha_B * t16;
-    a(2, 1) = t11 + omega_B * (Scalar(2) * t10 + Scalar(2) * cos_CD * v_s_C - omega_B * t16)
-        + alpha_B * t15 + sin_CD * a_s_C;
+    a(2, 0) = t04 + cos_CD * a_s_C - omega_B * (Scalar(2) * t02 + t11 * omega_B
+        + Scalar(2) * sin_CD * v_s_C) - t12 * alpha_B;
+    a(2, 1) = t07 + omega_B * (Scalar(2) * t06 + Scalar(2) * cos_CD * v_s_C - t12 * omega_B)
+        + t11 * alpha_B + sin_CD * a_s_C;
     a(2, 2) = alpha_B;
-    a(3, 0) = -t09;
-    a(3, 1) = -t12;
+    a(3, 0) = -t05;
+    a(3, 1) = -t08;
     a(3, 2) = alpha_GF;
   }
 
@@ -920,47 +865,45 @@ struct Model18 {
     p.setZero();
     const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
     const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar t03 = t01 - t02;
-    const Scalar cos_CD = t03;
-    const Scalar t04 = d.psi_C_BCG.cos * u.phi_B.sin;
-    const Scalar t05 = u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t06 = t04 + t05;
-    const Scalar sin_CD = t06;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar t07 = u.phi_B.sin * d.h_B_BCG;
-    const Scalar BC_x = t07 - t06 * d.h_C_BCG;
-    const Scalar t08 = u.phi_B.cos * d.h_B_BCG;
-    const Scalar BC_y = t03 * d.h_C_BCG - t08;
+    const Scalar cos_CD = t01 - t02;
+    const Scalar t03 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar sin_CD = t03 + t04;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
+    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar BG_x = t07;
-    const Scalar BG_y = -t08;
-    const Scalar EF_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar EF_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar t09 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
-    const Scalar t10 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t09);
-    const Scalar t11 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
-    const Scalar t12 = omega_B * (omega_B * (slide_B_y + BG_y) - Scalar(2) * t11);
-    const Scalar t13 = Scalar(2) * omega_B + omega_C_BCG;
-    const Scalar t14 = sin_CD * v_s_C;
-    const Scalar t15 = cos_CD * v_s_C;
-    p(0, 0) = -t10;
-    p(0, 1) = -t12;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t05 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t06 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t05);
+    const Scalar t07 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t08 = omega_B * ((slide_B_y + BG_y) * omega_B - Scalar(2) * t07);
+    const Scalar t09 = sin_CD * v_s_C;
+    const Scalar t10 = cos_CD * v_h_C_BCG;
+    const Scalar t11 = Scalar(2) * omega_B + omega_C_BCG;
+    const Scalar t12 = cos_CD * v_s_C;
+    const Scalar t13 = sin_CD * v_h_C_BCG;
+    p(0, 0) = -t06;
+    p(0, 1) = -t08;
     p(1, 0) = -omega_E * ((slide_E_x + EF_x) * omega_E + Scalar(2) * u.phi_E.sin * v_s_E
         - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
-    p(1, 1) = -omega_E * (omega_E * (slide_E_y + EF_y) - Scalar(2) * u.phi_E.cos * v_s_E
+    p(1, 1) = -omega_E * ((slide_E_y + EF_y) * omega_E - Scalar(2) * u.phi_E.cos * v_s_E
         - Scalar(2) * u.phi_E.sin * v_h_E_EDF);
-    p(2, 0) = omega_B * (Scalar(2) * t09 - Scalar(2) * t14 - omega_B * (slide_B_x + slide_C_x
-        + BC_x) - Scalar(2) * cos_CD * v_h_C_BCG) - omega_C_BCG * (t13 * slide_C_x + Scalar(2) * t14
-        + v_h_C_BCG * (t03 + cos_CD) - d.h_C_BCG * (t04 * t13 + t05 * t13));
-    p(2, 1) = omega_B * (Scalar(2) * t11 + Scalar(2) * t15 - omega_B * (slide_B_y + slide_C_y
-        + BC_y) - Scalar(2) * sin_CD * v_h_C_BCG) - omega_C_BCG * (t13 * slide_C_y
-        + d.h_C_BCG * (t01 * t13 - t02 * t13) + v_h_C_BCG * (t06 + sin_CD) - Scalar(2) * t15);
-    p(3, 0) = -t10;
-    p(3, 1) = -t12;
+    p(2, 0) = omega_B * (Scalar(2) * t05 - Scalar(2) * t09 - (slide_B_x + slide_C_x
+        + BC_x) * omega_B - Scalar(2) * t10) - omega_C_BCG * (slide_C_x * t11 + Scalar(2) * t09
+        + Scalar(2) * t10 - d.h_C_BCG * (t03 * t11 + t04 * t11));
+    p(2, 1) = omega_B * (Scalar(2) * t07 + Scalar(2) * t12 - (slide_B_y + slide_C_y
+        + BC_y) * omega_B - Scalar(2) * t13) - omega_C_BCG * (slide_C_y * t11 + Scalar(2) * t13
+        + d.h_C_BCG * (t01 * t11 - t02 * t11) - Scalar(2) * t12);
+    p(3, 0) = -t06;
+    p(3, 1) = -t08;
   }
 
   /// (cos, sin) of each sum of angles that must vanish: assembled only at (1, 0).

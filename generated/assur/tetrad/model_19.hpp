@@ -51,7 +51,7 @@ namespace assur::tetrad {
 ///   velocity:                     50, 32, 1
 ///   motion:                       89, 62, 1
 ///   sensitivities_and_motion:     139, 83, 1
-///   position_polynomial:          30, 18, 0
+///   position_polynomial:          34, 18, 0
 ///   second_equations:             26, 19, 0
 ///   complete:                     22, 18, 0
 struct Model19 {
@@ -188,32 +188,30 @@ struct Model19 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t03 = slide_B_x + u.x_B - u.x_E;
-    const Scalar t04 = slide_B_y + u.y_B - u.y_E;
-    f(0) = slide_C_x + CD_x + t03 - ED_x;
-    f(1) = slide_C_y + CD_y + t04 - ED_y;
-    f(2) = BG_x + slide_G_x + GF_x + t03 - EF_x;
-    f(3) = BG_y + slide_G_y + GF_y + t04 - EF_y;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
+    const Scalar t01 = slide_B_x + u.x_B - u.x_E;
+    const Scalar t02 = slide_B_y + u.y_B - u.y_E;
+    f(0) = slide_C_x + CD_x + t01 - ED_x;
+    f(1) = slide_C_y + CD_y + t02 - ED_y;
+    f(2) = BG_x + slide_G_x + GF_x + t01 - EF_x;
+    f(3) = BG_y + slide_G_y + GF_y + t02 - EF_y;
   }
 
   /// J = df/dq.
@@ -225,10 +223,10 @@ struct Model19 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     J(0, 0) = ED_y;
     J(0, 1) = u.phi_B.cos;
     J(0, 2) = cos_CD;
@@ -250,20 +248,18 @@ struct Model19 {
     F_d.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
     F_d(0, 0) = -slide_C_y - CD_y;
     F_d(0, 3) = -q.theta_EDF.cos;
     F_d(0, 6) = sin_CD;
@@ -289,22 +285,20 @@ struct Model19 {
     F_u.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
     F_u(0, 0) = Scalar(1);
     F_u(0, 2) = -slide_B_y - slide_C_y - CD_y;
     F_u(0, 3) = -Scalar(1);
@@ -331,28 +325,26 @@ struct Model19 {
     const Scalar v_y_E = u_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = v_x_B - v_x_E;
-    const Scalar t04 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + slide_C_y + CD_y) * omega_B - t03;
-    rhs(1) = -omega_B * (slide_B_x + slide_C_x + CD_x) - t04;
-    rhs(2) = omega_B * (slide_B_y + BG_y + slide_G_y + GF_y) - t03;
-    rhs(3) = -t04 - omega_B * (slide_B_x + BG_x + slide_G_x + GF_x);
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E;
+    rhs(0) = (slide_B_y + slide_C_y + CD_y) * omega_B - t01;
+    rhs(1) = -(slide_B_x + slide_C_x + CD_x) * omega_B - t02;
+    rhs(2) = (slide_B_y + BG_y + slide_G_y + GF_y) * omega_B - t01;
+    rhs(3) = -t02 - (slide_B_x + BG_x + slide_G_x + GF_x) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -374,43 +366,41 @@ struct Model19 {
     const Scalar a_y_E = u_second_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t03 = slide_B_x + slide_C_x + CD_x;
-    const Scalar t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = slide_B_y + slide_C_y + CD_y;
-    const Scalar t06 = omega_EDF * omega_EDF;
-    const Scalar t07 = a_x_B - a_x_E;
-    const Scalar t08 = u.phi_B.cos * v_s_B;
-    const Scalar t09 = a_y_B - a_y_E;
-    const Scalar t10 = slide_B_x + BG_x + slide_G_x + GF_x;
-    const Scalar t11 = slide_B_y + BG_y + slide_G_y + GF_y;
-    rhs(0) = omega_B * (t03 * omega_B + Scalar(2) * t04 + Scalar(2) * sin_CD * v_s_C)
-        + t05 * alpha_B - ED_x * t06 - t07;
-    rhs(1) = omega_B * (omega_B * t05 - Scalar(2) * t08 - Scalar(2) * cos_CD * v_s_C)
-        - t03 * alpha_B - ED_y * t06 - t09;
-    rhs(2) = omega_B * (Scalar(2) * t04 + omega_B * t10 + Scalar(2) * sin_GF * v_s_G)
-        + alpha_B * t11 - EF_x * t06 - t07;
-    rhs(3) = -omega_B * (Scalar(2) * t08 + Scalar(2) * cos_GF * v_s_G - omega_B * t11)
-        - alpha_B * t10 - EF_y * t06 - t09;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
+    const Scalar t01 = slide_B_x + slide_C_x + CD_x;
+    const Scalar t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y + slide_C_y + CD_y;
+    const Scalar t04 = omega_EDF * omega_EDF;
+    const Scalar t05 = a_x_B - a_x_E;
+    const Scalar t06 = u.phi_B.cos * v_s_B;
+    const Scalar t07 = a_y_B - a_y_E;
+    const Scalar t08 = slide_B_x + BG_x + slide_G_x + GF_x;
+    const Scalar t09 = slide_B_y + BG_y + slide_G_y + GF_y;
+    rhs(0) = omega_B * (t01 * omega_B + Scalar(2) * t02 + Scalar(2) * sin_CD * v_s_C)
+        + t03 * alpha_B - ED_x * t04 - t05;
+    rhs(1) = omega_B * (t03 * omega_B - Scalar(2) * t06 - Scalar(2) * cos_CD * v_s_C)
+        - t01 * alpha_B - ED_y * t04 - t07;
+    rhs(2) = omega_B * (Scalar(2) * t02 + t08 * omega_B + Scalar(2) * sin_GF * v_s_G)
+        + t09 * alpha_B - EF_x * t04 - t05;
+    rhs(3) = -omega_B * (Scalar(2) * t06 + Scalar(2) * cos_GF * v_s_G - t09 * omega_B)
+        - t08 * alpha_B - EF_y * t04 - t07;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -438,54 +428,52 @@ struct Model19 {
     const Scalar j_y_E = u_third_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t03 = slide_B_y + slide_C_y + CD_y;
-    const Scalar t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = t04 + sin_CD * v_s_C;
-    const Scalar t06 = j_x_B - j_x_E;
-    const Scalar t07 = omega_EDF * omega_EDF;
-    const Scalar t08 = slide_B_x + slide_C_x + CD_x;
-    const Scalar t09 = u.phi_B.sin * a_s_B;
-    const Scalar t10 = u.phi_B.cos * v_s_B;
-    const Scalar t11 = t10 + cos_CD * v_s_C;
-    const Scalar t12 = j_y_B - j_y_E;
-    const Scalar t13 = u.phi_B.cos * a_s_B;
-    const Scalar t14 = slide_B_y + BG_y + slide_G_y + GF_y;
-    const Scalar t15 = t04 + sin_GF * v_s_G;
-    const Scalar t16 = slide_B_x + BG_x + slide_G_x + GF_x;
-    const Scalar t17 = t10 + cos_GF * v_s_G;
-    rhs(0) = t03 * jerk_B + Scalar(3) * alpha_B * t05 + omega_B * (Scalar(3) * t08 * alpha_B
-        + Scalar(3) * t09 + Scalar(3) * sin_CD * a_s_C - omega_B * (t03 * omega_B
-        - Scalar(3) * t11)) - t06 - omega_EDF * (Scalar(3) * alpha_EDF * ED_x - ED_y * t07);
-    rhs(1) = omega_B * (Scalar(3) * t03 * alpha_B + omega_B * (Scalar(3) * t05 + omega_B * t08)
-        - Scalar(3) * t13 - Scalar(3) * cos_CD * a_s_C) - t08 * jerk_B - Scalar(3) * t11 * alpha_B
-        - t12 - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t07);
-    rhs(2) = jerk_B * t14 + Scalar(3) * alpha_B * t15 + omega_B * (Scalar(3) * t09
-        + Scalar(3) * alpha_B * t16 + Scalar(3) * sin_GF * a_s_G - omega_B * (omega_B * t14
-        - Scalar(3) * t17)) - t06 - omega_EDF * (Scalar(3) * alpha_EDF * EF_x - EF_y * t07);
-    rhs(3) = -t12 - jerk_B * t16 - Scalar(3) * alpha_B * t17
-        - omega_EDF * (Scalar(3) * alpha_EDF * EF_y + EF_x * t07) - omega_B * (Scalar(3) * t13
-        + Scalar(3) * cos_GF * a_s_G - Scalar(3) * alpha_B * t14 - omega_B * (Scalar(3) * t15
-        + omega_B * t16));
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
+    const Scalar t01 = slide_B_y + slide_C_y + CD_y;
+    const Scalar t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = t02 + sin_CD * v_s_C;
+    const Scalar t04 = j_x_B - j_x_E;
+    const Scalar t05 = omega_EDF * omega_EDF;
+    const Scalar t06 = slide_B_x + slide_C_x + CD_x;
+    const Scalar t07 = u.phi_B.sin * a_s_B;
+    const Scalar t08 = u.phi_B.cos * v_s_B;
+    const Scalar t09 = t08 + cos_CD * v_s_C;
+    const Scalar t10 = j_y_B - j_y_E;
+    const Scalar t11 = u.phi_B.cos * a_s_B;
+    const Scalar t12 = slide_B_y + BG_y + slide_G_y + GF_y;
+    const Scalar t13 = t02 + sin_GF * v_s_G;
+    const Scalar t14 = slide_B_x + BG_x + slide_G_x + GF_x;
+    const Scalar t15 = t08 + cos_GF * v_s_G;
+    rhs(0) = t01 * jerk_B + Scalar(3) * alpha_B * t03 + omega_B * (Scalar(3) * t06 * alpha_B
+        + Scalar(3) * t07 + Scalar(3) * sin_CD * a_s_C - omega_B * (t01 * omega_B
+        - Scalar(3) * t09)) - t04 - omega_EDF * (Scalar(3) * ED_x * alpha_EDF - ED_y * t05);
+    rhs(1) = omega_B * (Scalar(3) * t01 * alpha_B + omega_B * (Scalar(3) * t03 + t06 * omega_B)
+        - Scalar(3) * t11 - Scalar(3) * cos_CD * a_s_C) - t06 * jerk_B - Scalar(3) * t09 * alpha_B
+        - t10 - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t05);
+    rhs(2) = t12 * jerk_B + Scalar(3) * alpha_B * t13 + omega_B * (Scalar(3) * t07
+        + Scalar(3) * t14 * alpha_B + Scalar(3) * sin_GF * a_s_G - omega_B * (t12 * omega_B
+        - Scalar(3) * t15)) - t04 - omega_EDF * (Scalar(3) * EF_x * alpha_EDF - EF_y * t05);
+    rhs(3) = -t10 - t14 * jerk_B - Scalar(3) * alpha_B * t15
+        - omega_EDF * (Scalar(3) * EF_y * alpha_EDF + EF_x * t05) - omega_B * (Scalar(3) * t11
+        + Scalar(3) * cos_GF * a_s_G - Scalar(3) * t12 * alpha_B - omega_B * (Scalar(3) * t13
+        + t14 * omega_B));
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -510,55 +498,53 @@ struct Model19 {
     const Scalar omega_B = u_rate(2);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar ED_x = q.theta_EDF.cos * d.ED;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos;
     const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = q.theta_EDF.cos * d.x_F_EDF - q.theta_EDF.sin * d.y_F_EDF;
-    const Scalar EF_y = q.theta_EDF.cos * d.y_F_EDF + q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t03 = slide_C_x + CD_x;
-    const Scalar t04 = t03 * omega_C_BCG;
-    const Scalar t05 = sin_CD * v_s_C - cos_CD * v_h_C_CD;
-    const Scalar t06 = u.phi_B.sin * v_s_B;
-    const Scalar t07 = slide_C_y + CD_y;
-    const Scalar t08 = omega_C_BCG * t07;
-    const Scalar t09 = cos_CD * v_s_C + sin_CD * v_h_C_CD;
-    const Scalar t10 = u.phi_B.cos * v_s_B;
-    const Scalar t11 = v_h_G_BCG - v_h_G_GF;
-    const Scalar t12 = cos_GF * t11 + sin_GF * v_s_G;
-    const Scalar t13 = GF_x + BG_x + slide_G_x;
-    const Scalar t14 = omega_G_BCG * t13;
-    const Scalar t15 = sin_GF * t11 - cos_GF * v_s_G;
-    const Scalar t16 = GF_y + BG_y + slide_G_y;
-    const Scalar t17 = omega_G_BCG * t16;
-    rhs(0) = omega_C_BCG * (t04 + Scalar(2) * t05) + omega_B * (Scalar(2) * t04 + Scalar(2) * t06
-        + Scalar(2) * t05 + omega_B * (slide_B_x + t03))
-        - omega_EDF * (Scalar(2) * q.theta_EDF.sin * v_ED + omega_EDF * ED_x);
-    rhs(1) = omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_ED - omega_EDF * ED_y)
-        + omega_C_BCG * (t08 - Scalar(2) * t09) + omega_B * (Scalar(2) * t08 + omega_B * (slide_B_y
-        + t07) - Scalar(2) * t10 - Scalar(2) * t09);
-    rhs(2) = omega_G_BCG * (Scalar(2) * t12 + t14) + omega_B * (Scalar(2) * t06 + Scalar(2) * t12
-        + Scalar(2) * t14 + omega_B * (slide_B_x + t13))
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
+    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
+    const Scalar t01 = slide_C_x + CD_x;
+    const Scalar t02 = t01 * omega_C_BCG;
+    const Scalar t03 = sin_CD * v_s_C - cos_CD * v_h_C_CD;
+    const Scalar t04 = u.phi_B.sin * v_s_B;
+    const Scalar t05 = slide_C_y + CD_y;
+    const Scalar t06 = t05 * omega_C_BCG;
+    const Scalar t07 = cos_CD * v_s_C + sin_CD * v_h_C_CD;
+    const Scalar t08 = u.phi_B.cos * v_s_B;
+    const Scalar t09 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t10 = cos_GF * t09 + sin_GF * v_s_G;
+    const Scalar t11 = GF_x + BG_x + slide_G_x;
+    const Scalar t12 = t11 * omega_G_BCG;
+    const Scalar t13 = sin_GF * t09 - cos_GF * v_s_G;
+    const Scalar t14 = GF_y + BG_y + slide_G_y;
+    const Scalar t15 = t14 * omega_G_BCG;
+    rhs(0) = omega_C_BCG * (t02 + Scalar(2) * t03) + omega_B * (Scalar(2) * t02 + Scalar(2) * t04
+        + Scalar(2) * t03 + (slide_B_x + t01) * omega_B)
+        - omega_EDF * (Scalar(2) * q.theta_EDF.sin * v_ED + ED_x * omega_EDF);
+    rhs(1) = omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_ED - ED_y * omega_EDF)
+        + omega_C_BCG * (t06 - Scalar(2) * t07) + omega_B * (Scalar(2) * t06 + (slide_B_y
+        + t05) * omega_B - Scalar(2) * t08 - Scalar(2) * t07);
+    rhs(2) = omega_G_BCG * (Scalar(2) * t10 + t12) + omega_B * (Scalar(2) * t04 + Scalar(2) * t10
+        + Scalar(2) * t12 + (slide_B_x + t11) * omega_B)
         - omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_y_F_EDF
-        + Scalar(2) * q.theta_EDF.sin * v_x_F_EDF + omega_EDF * EF_x);
+        + Scalar(2) * q.theta_EDF.sin * v_x_F_EDF + EF_x * omega_EDF);
     rhs(3) = omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_x_F_EDF
-        - Scalar(2) * q.theta_EDF.sin * v_y_F_EDF - omega_EDF * EF_y)
-        + omega_G_BCG * (Scalar(2) * t15 + t17) - omega_B * (Scalar(2) * t10 - Scalar(2) * t15
-        - Scalar(2) * t17 - omega_B * (slide_B_y + t16));
+        - Scalar(2) * q.theta_EDF.sin * v_y_F_EDF - EF_y * omega_EDF)
+        + omega_G_BCG * (Scalar(2) * t13 + t15) - omega_B * (Scalar(2) * t08 - Scalar(2) * t13
+        - Scalar(2) * t15 - (slide_B_y + t14) * omega_B);
   }
 
   /// Frames of the links in the fixed frame.
@@ -567,38 +553,36 @@ struct Model19 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = u.x_B + slide_B_x;
-    const Scalar t04 = u.y_B + slide_B_y;
-    poses[0].x = t03;
-    poses[0].y = t04;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = u.x_B + slide_B_x;
+    const Scalar t02 = u.y_B + slide_B_y;
+    poses[0].x = t01;
+    poses[0].y = t02;
     poses[0].direction.cos = u.phi_B.cos;
     poses[0].direction.sin = u.phi_B.sin;
     poses[1].x = u.x_E;
     poses[1].y = u.y_E;
     poses[1].direction.cos = q.theta_EDF.cos;
     poses[1].direction.sin = q.theta_EDF.sin;
-    poses[2].x = t03 + slide_C_x + CD_x;
-    poses[2].y = t04 + slide_C_y + CD_y;
+    poses[2].x = t01 + slide_C_x + CD_x;
+    poses[2].y = t02 + slide_C_y + CD_y;
     poses[2].direction.cos = cos_CD;
     poses[2].direction.sin = sin_CD;
-    poses[3].x = t03 + BG_x + slide_G_x + GF_x;
-    poses[3].y = t04 + BG_y + slide_G_y + GF_y;
+    poses[3].x = t01 + BG_x + slide_G_x + GF_x;
+    poses[3].y = t02 + BG_y + slide_G_y + GF_y;
     poses[3].direction.cos = cos_GF;
     poses[3].direction.sin = sin_GF;
   }
@@ -615,26 +599,24 @@ struct Model19 {
     P_u.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = slide_C_y + CD_y;
-    const Scalar t04 = slide_C_x + CD_x;
-    const Scalar t05 = GF_y + BG_y + slide_G_y;
-    const Scalar t06 = GF_x + BG_x + slide_G_x;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = slide_C_y + CD_y;
+    const Scalar t02 = slide_C_x + CD_x;
+    const Scalar t03 = GF_y + BG_y + slide_G_y;
+    const Scalar t04 = GF_x + BG_x + slide_G_x;
     P_q(0, 1) = u.phi_B.cos;
     P_q(1, 1) = u.phi_B.sin;
     P_q(5, 0) = Scalar(1);
@@ -646,15 +628,15 @@ struct Model19 {
     P_q(9, 3) = cos_GF;
     P_q(10, 1) = u.phi_B.sin;
     P_q(10, 3) = sin_GF;
-    P_d(6, 0) = -t03;
+    P_d(6, 0) = -t01;
     P_d(6, 6) = sin_CD;
-    P_d(7, 0) = t04;
+    P_d(7, 0) = t02;
     P_d(7, 6) = -cos_CD;
     P_d(8, 0) = Scalar(1);
-    P_d(9, 1) = -t05;
+    P_d(9, 1) = -t03;
     P_d(9, 2) = -sin_GF;
     P_d(9, 7) = sin_GF;
-    P_d(10, 1) = t06;
+    P_d(10, 1) = t04;
     P_d(10, 2) = cos_GF;
     P_d(10, 7) = -cos_GF;
     P_d(11, 1) = Scalar(1);
@@ -666,14 +648,14 @@ struct Model19 {
     P_u(3, 3) = Scalar(1);
     P_u(4, 4) = Scalar(1);
     P_u(6, 0) = Scalar(1);
-    P_u(6, 2) = -t03 - slide_B_y;
+    P_u(6, 2) = -t01 - slide_B_y;
     P_u(7, 1) = Scalar(1);
-    P_u(7, 2) = t04 + slide_B_x;
+    P_u(7, 2) = t02 + slide_B_x;
     P_u(8, 2) = Scalar(1);
     P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -slide_B_y - t05;
+    P_u(9, 2) = -slide_B_y - t03;
     P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = slide_B_x + t06;
+    P_u(10, 2) = slide_B_x + t04;
     P_u(11, 2) = Scalar(1);
   }
 
@@ -693,35 +675,33 @@ struct Model19 {
     const Scalar v_y_E = u_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t04 = u.phi_B.sin * v_s_B + v_y_B;
-    v(0, 0) = t03 - omega_B * slide_B_y;
-    v(0, 1) = omega_B * slide_B_x + t04;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
+    const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
+    v(0, 0) = t01 - slide_B_y * omega_B;
+    v(0, 1) = slide_B_x * omega_B + t02;
     v(0, 2) = omega_B;
     v(1, 0) = v_x_E;
     v(1, 1) = v_y_E;
     v(1, 2) = omega_EDF;
-    v(2, 0) = cos_CD * v_s_C + t03 - omega_B * (slide_B_y + slide_C_y + CD_y);
-    v(2, 1) = omega_B * (slide_B_x + slide_C_x + CD_x) + sin_CD * v_s_C + t04;
+    v(2, 0) = cos_CD * v_s_C + t01 - (slide_B_y + slide_C_y + CD_y) * omega_B;
+    v(2, 1) = (slide_B_x + slide_C_x + CD_x) * omega_B + sin_CD * v_s_C + t02;
     v(2, 2) = omega_B;
-    v(3, 0) = cos_GF * v_s_G + t03 - omega_B * (slide_B_y + BG_y + slide_G_y + GF_y);
-    v(3, 1) = omega_B * (slide_B_x + BG_x + slide_G_x + GF_x) + sin_GF * v_s_G + t04;
+    v(3, 0) = cos_GF * v_s_G + t01 - (slide_B_y + BG_y + slide_G_y + GF_y) * omega_B;
+    v(3, 1) = (slide_B_x + BG_x + slide_G_x + GF_x) * omega_B + sin_GF * v_s_G + t02;
     v(3, 2) = omega_B;
   }
 
@@ -746,45 +726,43 @@ struct Model19 {
     const Scalar a_y_E = u_second_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t05 = u.phi_B.cos * v_s_B;
-    const Scalar t06 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t07 = slide_B_x + slide_C_x + CD_x;
-    const Scalar t08 = slide_B_y + slide_C_y + CD_y;
-    const Scalar t09 = slide_B_x + BG_x + slide_G_x + GF_x;
-    const Scalar t10 = slide_B_y + BG_y + slide_G_y + GF_y;
-    a(0, 0) = t04 - omega_B * (Scalar(2) * t03 + omega_B * slide_B_x) - alpha_B * slide_B_y;
-    a(0, 1) = omega_B * (Scalar(2) * t05 - omega_B * slide_B_y) + slide_B_x * alpha_B + t06;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = u.phi_B.sin * v_s_B;
+    const Scalar t02 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t03 = u.phi_B.cos * v_s_B;
+    const Scalar t04 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t05 = slide_B_x + slide_C_x + CD_x;
+    const Scalar t06 = slide_B_y + slide_C_y + CD_y;
+    const Scalar t07 = slide_B_x + BG_x + slide_G_x + GF_x;
+    const Scalar t08 = slide_B_y + BG_y + slide_G_y + GF_y;
+    a(0, 0) = t02 - omega_B * (Scalar(2) * t01 + slide_B_x * omega_B) - slide_B_y * alpha_B;
+    a(0, 1) = omega_B * (Scalar(2) * t03 - slide_B_y * omega_B) + slide_B_x * alpha_B + t04;
     a(0, 2) = alpha_B;
     a(1, 0) = a_x_E;
     a(1, 1) = a_y_E;
     a(1, 2) = alpha_EDF;
-    a(2, 0) = cos_CD * a_s_C + t04 - omega_B * (Scalar(2) * t03 + omega_B * t07
-        + Scalar(2) * sin_CD * v_s_C) - alpha_B * t08;
-    a(2, 1) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_CD * v_s_C - omega_B * t08)
-        + alpha_B * t07 + sin_CD * a_s_C + t06;
+    a(2, 0) = cos_CD * a_s_C + t02 - omega_B * (Scalar(2) * t01 + t05 * omega_B
+        + Scalar(2) * sin_CD * v_s_C) - t06 * alpha_B;
+    a(2, 1) = omega_B * (Scalar(2) * t03 + Scalar(2) * cos_CD * v_s_C - t06 * omega_B)
+        + t05 * alpha_B + sin_CD * a_s_C + t04;
     a(2, 2) = alpha_B;
-    a(3, 0) = cos_GF * a_s_G + t04 - omega_B * (Scalar(2) * t03 + omega_B * t09
-        + Scalar(2) * sin_GF * v_s_G) - alpha_B * t10;
-    a(3, 1) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_GF * v_s_G - omega_B * t10)
-        + alpha_B * t09 + sin_GF * a_s_G + t06;
+    a(3, 0) = cos_GF * a_s_G + t02 - omega_B * (Scalar(2) * t01 + t07 * omega_B
+        + Scalar(2) * sin_GF * v_s_G) - t08 * alpha_B;
+    a(3, 1) = omega_B * (Scalar(2) * t03 + Scalar(2) * cos_GF * v_s_G - t08 * omega_B)
+        + t07 * alpha_B + sin_GF * a_s_G + t04;
     a(3, 2) = alpha_B;
   }
 
@@ -807,47 +785,45 @@ struct Model19 {
     p.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = u.phi_B.cos * v_s_B;
-    const Scalar t05 = slide_C_x + CD_x;
-    const Scalar t06 = t05 * omega_C_BCG;
-    const Scalar t07 = sin_CD * v_s_C - cos_CD * v_h_C_CD;
-    const Scalar t08 = slide_C_y + CD_y;
-    const Scalar t09 = omega_C_BCG * t08;
-    const Scalar t10 = cos_CD * v_s_C + sin_CD * v_h_C_CD;
-    const Scalar t11 = v_h_G_BCG - v_h_G_GF;
-    const Scalar t12 = cos_GF * t11 + sin_GF * v_s_G;
-    const Scalar t13 = GF_x + BG_x + slide_G_x;
-    const Scalar t14 = omega_G_BCG * t13;
-    const Scalar t15 = sin_GF * t11 - cos_GF * v_s_G;
-    const Scalar t16 = GF_y + BG_y + slide_G_y;
-    const Scalar t17 = omega_G_BCG * t16;
-    p(0, 0) = -omega_B * (Scalar(2) * t03 + omega_B * slide_B_x);
-    p(0, 1) = omega_B * (Scalar(2) * t04 - omega_B * slide_B_y);
-    p(2, 0) = -omega_C_BCG * (t06 + Scalar(2) * t07) - omega_B * (Scalar(2) * t03 + Scalar(2) * t06
-        + Scalar(2) * t07 + omega_B * (slide_B_x + t05));
-    p(2, 1) = omega_B * (Scalar(2) * t04 + Scalar(2) * t10 - Scalar(2) * t09 - omega_B * (slide_B_y
-        + t08)) - omega_C_BCG * (t09 - Scalar(2) * t10);
-    p(3, 0) = -omega_G_BCG * (Scalar(2) * t12 + t14) - omega_B * (Scalar(2) * t03 + Scalar(2) * t12
-        + Scalar(2) * t14 + omega_B * (slide_B_x + t13));
-    p(3, 1) = omega_B * (Scalar(2) * t04 - Scalar(2) * t15 - Scalar(2) * t17 - omega_B * (slide_B_y
-        + t16)) - omega_G_BCG * (Scalar(2) * t15 + t17);
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = u.phi_B.sin * v_s_B;
+    const Scalar t02 = u.phi_B.cos * v_s_B;
+    const Scalar t03 = slide_C_x + CD_x;
+    const Scalar t04 = t03 * omega_C_BCG;
+    const Scalar t05 = sin_CD * v_s_C - cos_CD * v_h_C_CD;
+    const Scalar t06 = slide_C_y + CD_y;
+    const Scalar t07 = t06 * omega_C_BCG;
+    const Scalar t08 = cos_CD * v_s_C + sin_CD * v_h_C_CD;
+    const Scalar t09 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t10 = cos_GF * t09 + sin_GF * v_s_G;
+    const Scalar t11 = GF_x + BG_x + slide_G_x;
+    const Scalar t12 = t11 * omega_G_BCG;
+    const Scalar t13 = sin_GF * t09 - cos_GF * v_s_G;
+    const Scalar t14 = GF_y + BG_y + slide_G_y;
+    const Scalar t15 = t14 * omega_G_BCG;
+    p(0, 0) = -omega_B * (Scalar(2) * t01 + slide_B_x * omega_B);
+    p(0, 1) = omega_B * (Scalar(2) * t02 - slide_B_y * omega_B);
+    p(2, 0) = -omega_C_BCG * (t04 + Scalar(2) * t05) - omega_B * (Scalar(2) * t01 + Scalar(2) * t04
+        + Scalar(2) * t05 + (slide_B_x + t03) * omega_B);
+    p(2, 1) = omega_B * (Scalar(2) * t02 + Scalar(2) * t08 - Scalar(2) * t07 - (slide_B_y
+        + t06) * omega_B) - omega_C_BCG * (t07 - Scalar(2) * t08);
+    p(3, 0) = -omega_G_BCG * (Scalar(2) * t10 + t12) - omega_B * (Scalar(2) * t01 + Scalar(2) * t10
+        + Scalar(2) * t12 + (slide_B_x + t11) * omega_B);
+    p(3, 1) = omega_B * (Scalar(2) * t02 - Scalar(2) * t13 - Scalar(2) * t15 - (slide_B_y
+        + t14) * omega_B) - omega_G_BCG * (Scalar(2) * t13 + t15);
   }
 
   /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
@@ -871,8 +847,8 @@ struct Model19 {
     const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
     const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
         - d.x_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
-    const Scalar determinant = d.psi_C_BCG.sin * EDF_along_slide_G
-        - d.psi_G_BCG.sin * EDF_along_slide_C;
+    const Scalar determinant = EDF_along_slide_G * d.psi_C_BCG.sin
+        - EDF_along_slide_C * d.psi_G_BCG.sin;
     const Scalar t01 = abs(d.y_F_EDF) + abs(d.ED) + abs(d.x_F_EDF);
     p(0) = determinant;
     size(0) = Scalar(2) * abs(q.s_B) + abs(q.s_C) + abs(q.s_G) + abs(d.h_G_BCG) + abs(d.h_C_CD)
@@ -901,26 +877,26 @@ struct Model19 {
     const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
         - d.x_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
     const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
-        - cos_EDF_minus_phi_B_minus_psi_G_BCG * d.y_F_EDF;
-    const Scalar determinant = d.psi_C_BCG.sin * EDF_along_slide_G
-        - d.psi_G_BCG.sin * EDF_along_slide_C;
+        - d.y_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
+    const Scalar determinant = EDF_along_slide_G * d.psi_C_BCG.sin
+        - EDF_along_slide_C * d.psi_G_BCG.sin;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
-    const Scalar EDF_per_across_slide_C = -d.psi_G_BCG.sin * inverse;
+    const Scalar EDF_per_across_slide_C = -inverse * d.psi_G_BCG.sin;
     const Scalar s_B_per_across_slide_C = -EDF_along_slide_G * inverse;
     const Scalar s_G_per_across_slide_C = EDF_across_slide_G * EDF_per_across_slide_C
         - d.psi_G_BCG.cos * s_B_per_across_slide_C;
     const Scalar s_C_per_across_slide_C = EDF_per_across_slide_C * EDF_across_slide_C
         - d.psi_C_BCG.cos * s_B_per_across_slide_C;
-    const Scalar EDF_per_across_slide_G = d.psi_C_BCG.sin * inverse;
+    const Scalar EDF_per_across_slide_G = inverse * d.psi_C_BCG.sin;
     const Scalar s_B_per_across_slide_G = EDF_along_slide_C * inverse;
     const Scalar s_G_per_across_slide_G = EDF_across_slide_G * EDF_per_across_slide_G
         - d.psi_G_BCG.cos * s_B_per_across_slide_G;
     const Scalar s_C_per_across_slide_G = EDF_across_slide_C * EDF_per_across_slide_G
         - d.psi_C_BCG.cos * s_B_per_across_slide_G;
-    J_inverse(0, 0) = -sin_CD * EDF_per_across_slide_C;
-    J_inverse(0, 1) = cos_CD * EDF_per_across_slide_C;
-    J_inverse(0, 2) = -sin_GF * EDF_per_across_slide_G;
-    J_inverse(0, 3) = cos_GF * EDF_per_across_slide_G;
+    J_inverse(0, 0) = -EDF_per_across_slide_C * sin_CD;
+    J_inverse(0, 1) = EDF_per_across_slide_C * cos_CD;
+    J_inverse(0, 2) = -EDF_per_across_slide_G * sin_GF;
+    J_inverse(0, 3) = EDF_per_across_slide_G * cos_GF;
     J_inverse(1, 0) = -sin_CD * s_B_per_across_slide_C;
     J_inverse(1, 1) = cos_CD * s_B_per_across_slide_C;
     J_inverse(1, 2) = -sin_GF * s_B_per_across_slide_G;
@@ -952,46 +928,50 @@ struct Model19 {
         + q.theta_EDF.sin * sin_GF;
     const Scalar sin_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.sin * cos_GF
         - q.theta_EDF.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C;
-    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.h_C_CD;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_C_CD;
     const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
     const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G;
+    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G;
     const Scalar t01 = d.h_G_BCG - d.h_G_GF;
-    const Scalar phi_B_across_slide_G = t01 - d.psi_G_BCG.sin * q.s_B;
+    const Scalar phi_B_across_slide_G = t01 - q.s_B * d.psi_G_BCG.sin;
     const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
         - d.x_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
     const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
-        - cos_EDF_minus_phi_B_minus_psi_G_BCG * d.y_F_EDF;
-    const Scalar determinant = d.psi_C_BCG.sin * EDF_along_slide_G
-        - d.psi_G_BCG.sin * EDF_along_slide_C;
+        - d.y_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
+    const Scalar determinant = EDF_along_slide_G * d.psi_C_BCG.sin
+        - EDF_along_slide_C * d.psi_G_BCG.sin;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
-    const Scalar EDF_per_across_slide_C = -d.psi_G_BCG.sin * inverse;
+    const Scalar EDF_per_across_slide_C = -inverse * d.psi_G_BCG.sin;
     const Scalar s_B_per_across_slide_C = -EDF_along_slide_G * inverse;
     const Scalar s_G_per_across_slide_C = EDF_across_slide_G * EDF_per_across_slide_C
         - d.psi_G_BCG.cos * s_B_per_across_slide_C;
     const Scalar s_C_per_across_slide_C = EDF_per_across_slide_C * EDF_across_slide_C
         - d.psi_C_BCG.cos * s_B_per_across_slide_C;
-    const Scalar EDF_per_across_slide_G = d.psi_C_BCG.sin * inverse;
+    const Scalar EDF_per_across_slide_G = inverse * d.psi_C_BCG.sin;
     const Scalar s_B_per_across_slide_G = EDF_along_slide_C * inverse;
     const Scalar s_G_per_across_slide_G = EDF_across_slide_G * EDF_per_across_slide_G
         - d.psi_G_BCG.cos * s_B_per_across_slide_G;
     const Scalar s_C_per_across_slide_G = EDF_across_slide_C * EDF_per_across_slide_G
         - d.psi_C_BCG.cos * s_B_per_across_slide_G;
-    const Scalar t02 = sin_CD * EDF_per_across_slide_C + sin_GF * EDF_per_across_slide_G;
-    const Scalar t03 = cos_CD * EDF_per_across_slide_C + cos_GF * EDF_per_across_slide_G;
-    const Scalar t04 = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_G;
-    const Scalar t05 = cos_CD * s_B_per_across_slide_C + cos_GF * s_B_per_across_slide_G;
-    const Scalar t06 = cos_CD - sin_CD * s_C_per_across_slide_C - sin_GF * s_C_per_across_slide_G;
-    const Scalar t07 = sin_CD + cos_CD * s_C_per_across_slide_C + cos_GF * s_C_per_across_slide_G;
-    const Scalar t08 = cos_GF - sin_CD * s_G_per_across_slide_C - sin_GF * s_G_per_across_slide_G;
-    const Scalar t09 = sin_GF + cos_CD * s_G_per_across_slide_C + cos_GF * s_G_per_across_slide_G;
+    const Scalar EDF_per_x_B = EDF_per_across_slide_C * sin_CD + EDF_per_across_slide_G * sin_GF;
+    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_G;
+    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_G
+        - cos_CD;
+    const Scalar s_G_per_x_B = sin_CD * s_G_per_across_slide_C + sin_GF * s_G_per_across_slide_G
+        - cos_GF;
+    const Scalar EDF_per_y_B = -EDF_per_across_slide_C * cos_CD - EDF_per_across_slide_G * cos_GF;
+    const Scalar s_B_per_y_B = -cos_CD * s_B_per_across_slide_C - cos_GF * s_B_per_across_slide_G;
+    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
+        - cos_GF * s_C_per_across_slide_G;
+    const Scalar s_G_per_y_B = -sin_GF - cos_CD * s_G_per_across_slide_C
+        - cos_GF * s_G_per_across_slide_G;
     S_d(0, 0) = -q.s_C * EDF_per_across_slide_C;
     S_d(0, 1) = -q.s_G * EDF_per_across_slide_G;
     S_d(0, 2) = -EDF_per_across_slide_G;
-    S_d(0, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * EDF_per_across_slide_C;
-    S_d(0, 4) = sin_EDF_minus_phi_B_minus_psi_G_BCG * EDF_per_across_slide_G;
-    S_d(0, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * EDF_per_across_slide_G;
+    S_d(0, 3) = EDF_per_across_slide_C * sin_EDF_minus_phi_B_minus_psi_C_BCG;
+    S_d(0, 4) = EDF_per_across_slide_G * sin_EDF_minus_phi_B_minus_psi_G_BCG;
+    S_d(0, 5) = EDF_per_across_slide_G * cos_EDF_minus_phi_B_minus_psi_G_BCG;
     S_d(0, 6) = EDF_per_across_slide_C;
     S_d(0, 7) = EDF_per_across_slide_G;
     S_d(1, 0) = -q.s_C * s_B_per_across_slide_C;
@@ -1021,30 +1001,30 @@ struct Model19 {
         - sin_EDF_minus_phi_B_minus_psi_G_BCG;
     S_d(3, 6) = s_G_per_across_slide_C;
     S_d(3, 7) = s_G_per_across_slide_G;
-    S_u(0, 0) = t02;
-    S_u(0, 1) = -t03;
+    S_u(0, 0) = EDF_per_x_B;
+    S_u(0, 1) = EDF_per_y_B;
     S_u(0, 2) = -EDF_per_across_slide_C * phi_B_along_slide_C
         - EDF_per_across_slide_G * phi_B_along_slide_G;
-    S_u(0, 3) = -t02;
-    S_u(0, 4) = t03;
-    S_u(1, 0) = t04;
-    S_u(1, 1) = -t05;
-    S_u(1, 2) = -s_B_per_across_slide_C * phi_B_along_slide_C
-        - s_B_per_across_slide_G * phi_B_along_slide_G;
-    S_u(1, 3) = -t04;
-    S_u(1, 4) = t05;
-    S_u(2, 0) = -t06;
-    S_u(2, 1) = -t07;
-    S_u(2, 2) = phi_B_across_slide_C - s_C_per_across_slide_C * phi_B_along_slide_C
-        - s_C_per_across_slide_G * phi_B_along_slide_G;
-    S_u(2, 3) = t06;
-    S_u(2, 4) = t07;
-    S_u(3, 0) = -t08;
-    S_u(3, 1) = -t09;
-    S_u(3, 2) = phi_B_across_slide_G - s_G_per_across_slide_C * phi_B_along_slide_C
-        - s_G_per_across_slide_G * phi_B_along_slide_G;
-    S_u(3, 3) = t08;
-    S_u(3, 4) = t09;
+    S_u(0, 3) = -EDF_per_x_B;
+    S_u(0, 4) = -EDF_per_y_B;
+    S_u(1, 0) = s_B_per_x_B;
+    S_u(1, 1) = s_B_per_y_B;
+    S_u(1, 2) = -phi_B_along_slide_C * s_B_per_across_slide_C
+        - phi_B_along_slide_G * s_B_per_across_slide_G;
+    S_u(1, 3) = -s_B_per_x_B;
+    S_u(1, 4) = -s_B_per_y_B;
+    S_u(2, 0) = s_C_per_x_B;
+    S_u(2, 1) = s_C_per_y_B;
+    S_u(2, 2) = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
+        - phi_B_along_slide_G * s_C_per_across_slide_G;
+    S_u(2, 3) = -s_C_per_x_B;
+    S_u(2, 4) = -s_C_per_y_B;
+    S_u(3, 0) = s_G_per_x_B;
+    S_u(3, 1) = s_G_per_y_B;
+    S_u(3, 2) = phi_B_across_slide_G - phi_B_along_slide_C * s_G_per_across_slide_C
+        - phi_B_along_slide_G * s_G_per_across_slide_G;
+    S_u(3, 3) = -s_G_per_x_B;
+    S_u(3, 4) = -s_G_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1069,36 +1049,36 @@ struct Model19 {
         + q.theta_EDF.sin * sin_GF;
     const Scalar sin_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.sin * cos_GF
         - q.theta_EDF.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C;
-    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.h_C_CD;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_C_CD;
     const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
     const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G;
-    const Scalar phi_B_across_slide_G = d.h_G_BCG - d.psi_G_BCG.sin * q.s_B - d.h_G_GF;
+    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G;
+    const Scalar phi_B_across_slide_G = d.h_G_BCG - q.s_B * d.psi_G_BCG.sin - d.h_G_GF;
     const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
         - d.x_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
     const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
-        - cos_EDF_minus_phi_B_minus_psi_G_BCG * d.y_F_EDF;
-    const Scalar determinant = d.psi_C_BCG.sin * EDF_along_slide_G
-        - d.psi_G_BCG.sin * EDF_along_slide_C;
+        - d.y_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
+    const Scalar determinant = EDF_along_slide_G * d.psi_C_BCG.sin
+        - EDF_along_slide_C * d.psi_G_BCG.sin;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = omega_B * phi_B_across_slide_C - cos_CD * t01
+    const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B - cos_CD * t01
         - sin_CD * t02;
     const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02
-        - omega_B * phi_B_along_slide_C;
-    const Scalar velocity_along_slide_G = omega_B * phi_B_across_slide_G - cos_GF * t01
+        - phi_B_along_slide_C * omega_B;
+    const Scalar velocity_along_slide_G = phi_B_across_slide_G * omega_B - cos_GF * t01
         - sin_GF * t02;
     const Scalar velocity_across_slide_G = sin_GF * t01 - cos_GF * t02
-        - omega_B * phi_B_along_slide_G;
-    const Scalar omega_EDF = (d.psi_C_BCG.sin * velocity_across_slide_G
-        - d.psi_G_BCG.sin * velocity_across_slide_C) * inverse;
+        - phi_B_along_slide_G * omega_B;
+    const Scalar omega_EDF = inverse * (d.psi_C_BCG.sin * velocity_across_slide_G
+        - d.psi_G_BCG.sin * velocity_across_slide_C);
     const Scalar v_s_B = inverse * (EDF_along_slide_C * velocity_across_slide_G
         - EDF_along_slide_G * velocity_across_slide_C);
-    const Scalar v_s_G = omega_EDF * EDF_across_slide_G + velocity_along_slide_G
+    const Scalar v_s_G = EDF_across_slide_G * omega_EDF + velocity_along_slide_G
         - d.psi_G_BCG.cos * v_s_B;
-    const Scalar v_s_C = omega_EDF * EDF_across_slide_C + velocity_along_slide_C
+    const Scalar v_s_C = EDF_across_slide_C * omega_EDF + velocity_along_slide_C
         - d.psi_C_BCG.cos * v_s_B;
     q_rate(0) = omega_EDF;
     q_rate(1) = v_s_B;
@@ -1134,37 +1114,37 @@ struct Model19 {
         + q.theta_EDF.sin * sin_GF;
     const Scalar sin_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.sin * cos_GF
         - q.theta_EDF.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C;
-    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.h_C_CD;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_C_CD;
     const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
     const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G;
-    const Scalar phi_B_across_slide_G = d.h_G_BCG - d.psi_G_BCG.sin * q.s_B - d.h_G_GF;
+    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G;
+    const Scalar phi_B_across_slide_G = d.h_G_BCG - q.s_B * d.psi_G_BCG.sin - d.h_G_GF;
     const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
         - d.x_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
     const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
-        - cos_EDF_minus_phi_B_minus_psi_G_BCG * d.y_F_EDF;
-    const Scalar determinant = d.psi_C_BCG.sin * EDF_along_slide_G
-        - d.psi_G_BCG.sin * EDF_along_slide_C;
+        - d.y_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
+    const Scalar determinant = EDF_along_slide_G * d.psi_C_BCG.sin
+        - EDF_along_slide_C * d.psi_G_BCG.sin;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
-    const Scalar t03 = omega_B * phi_B_across_slide_C;
+    const Scalar t03 = phi_B_across_slide_C * omega_B;
     const Scalar velocity_along_slide_C = t03 - cos_CD * t01 - sin_CD * t02;
-    const Scalar t04 = omega_B * phi_B_along_slide_C;
+    const Scalar t04 = phi_B_along_slide_C * omega_B;
     const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02 - t04;
-    const Scalar t05 = omega_B * phi_B_across_slide_G;
+    const Scalar t05 = phi_B_across_slide_G * omega_B;
     const Scalar velocity_along_slide_G = t05 - cos_GF * t01 - sin_GF * t02;
-    const Scalar t06 = omega_B * phi_B_along_slide_G;
+    const Scalar t06 = phi_B_along_slide_G * omega_B;
     const Scalar velocity_across_slide_G = sin_GF * t01 - cos_GF * t02 - t06;
-    const Scalar omega_EDF = (d.psi_C_BCG.sin * velocity_across_slide_G
-        - d.psi_G_BCG.sin * velocity_across_slide_C) * inverse;
+    const Scalar omega_EDF = inverse * (d.psi_C_BCG.sin * velocity_across_slide_G
+        - d.psi_G_BCG.sin * velocity_across_slide_C);
     const Scalar v_s_B = inverse * (EDF_along_slide_C * velocity_across_slide_G
         - EDF_along_slide_G * velocity_across_slide_C);
     const Scalar t07 = d.psi_G_BCG.cos * v_s_B;
-    const Scalar v_s_G = omega_EDF * EDF_across_slide_G + velocity_along_slide_G - t07;
+    const Scalar v_s_G = EDF_across_slide_G * omega_EDF + velocity_along_slide_G - t07;
     const Scalar t08 = d.psi_C_BCG.cos * v_s_B;
-    const Scalar v_s_C = omega_EDF * EDF_across_slide_C + velocity_along_slide_C - t08;
+    const Scalar v_s_C = EDF_across_slide_C * omega_EDF + velocity_along_slide_C - t08;
     const Scalar t09 = a_x_B - a_x_E;
     const Scalar t10 = a_y_B - a_y_E;
     const Scalar t11 = omega_EDF * omega_EDF;
@@ -1224,85 +1204,77 @@ struct Model19 {
         + q.theta_EDF.sin * sin_GF;
     const Scalar sin_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.sin * cos_GF
         - q.theta_EDF.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C;
-    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.h_C_CD;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_C_CD;
     const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
     const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G;
+    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G;
     const Scalar t01 = d.h_G_BCG - d.h_G_GF;
-    const Scalar phi_B_across_slide_G = t01 - d.psi_G_BCG.sin * q.s_B;
+    const Scalar phi_B_across_slide_G = t01 - q.s_B * d.psi_G_BCG.sin;
     const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
         - d.x_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
     const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
-        - cos_EDF_minus_phi_B_minus_psi_G_BCG * d.y_F_EDF;
-    const Scalar determinant = d.psi_C_BCG.sin * EDF_along_slide_G
-        - d.psi_G_BCG.sin * EDF_along_slide_C;
+        - d.y_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
+    const Scalar determinant = EDF_along_slide_G * d.psi_C_BCG.sin
+        - EDF_along_slide_C * d.psi_G_BCG.sin;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
-    const Scalar EDF_per_across_slide_C = -d.psi_G_BCG.sin * inverse;
+    const Scalar EDF_per_across_slide_C = -inverse * d.psi_G_BCG.sin;
     const Scalar s_B_per_across_slide_C = -EDF_along_slide_G * inverse;
     const Scalar s_G_per_across_slide_C = EDF_across_slide_G * EDF_per_across_slide_C
         - d.psi_G_BCG.cos * s_B_per_across_slide_C;
     const Scalar s_C_per_across_slide_C = EDF_per_across_slide_C * EDF_across_slide_C
         - d.psi_C_BCG.cos * s_B_per_across_slide_C;
-    const Scalar EDF_per_across_slide_G = d.psi_C_BCG.sin * inverse;
+    const Scalar EDF_per_across_slide_G = inverse * d.psi_C_BCG.sin;
     const Scalar s_B_per_across_slide_G = EDF_along_slide_C * inverse;
     const Scalar s_G_per_across_slide_G = EDF_across_slide_G * EDF_per_across_slide_G
         - d.psi_G_BCG.cos * s_B_per_across_slide_G;
     const Scalar s_C_per_across_slide_G = EDF_across_slide_C * EDF_per_across_slide_G
         - d.psi_C_BCG.cos * s_B_per_across_slide_G;
-    const Scalar t02 = sin_CD * EDF_per_across_slide_C + sin_GF * EDF_per_across_slide_G;
-    const Scalar EDF_per_x_B = t02;
-    const Scalar t03 = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_G;
-    const Scalar s_B_per_x_B = t03;
-    const Scalar t04 = cos_CD - sin_CD * s_C_per_across_slide_C - sin_GF * s_C_per_across_slide_G;
-    const Scalar s_C_per_x_B = -t04;
-    const Scalar t05 = cos_GF - sin_CD * s_G_per_across_slide_C - sin_GF * s_G_per_across_slide_G;
-    const Scalar s_G_per_x_B = -t05;
-    const Scalar t06 = cos_CD * EDF_per_across_slide_C + cos_GF * EDF_per_across_slide_G;
-    const Scalar EDF_per_y_B = -t06;
-    const Scalar t07 = cos_CD * s_B_per_across_slide_C + cos_GF * s_B_per_across_slide_G;
-    const Scalar s_B_per_y_B = -t07;
-    const Scalar t08 = sin_CD + cos_CD * s_C_per_across_slide_C + cos_GF * s_C_per_across_slide_G;
-    const Scalar s_C_per_y_B = -t08;
-    const Scalar t09 = sin_GF + cos_CD * s_G_per_across_slide_C + cos_GF * s_G_per_across_slide_G;
-    const Scalar s_G_per_y_B = -t09;
-    const Scalar t10 = EDF_per_across_slide_C * phi_B_along_slide_C
-        + EDF_per_across_slide_G * phi_B_along_slide_G;
-    const Scalar EDF_per_phi_B = -t10;
-    const Scalar t11 = s_B_per_across_slide_C * phi_B_along_slide_C
-        + s_B_per_across_slide_G * phi_B_along_slide_G;
-    const Scalar s_B_per_phi_B = -t11;
-    const Scalar t12 = s_C_per_across_slide_C * phi_B_along_slide_C
-        + s_C_per_across_slide_G * phi_B_along_slide_G - phi_B_across_slide_C;
-    const Scalar s_C_per_phi_B = -t12;
-    const Scalar t13 = s_G_per_across_slide_C * phi_B_along_slide_C
-        + s_G_per_across_slide_G * phi_B_along_slide_G - phi_B_across_slide_G;
-    const Scalar s_G_per_phi_B = -t13;
-    const Scalar t14 = v_x_B - v_x_E;
-    const Scalar t15 = v_y_B - v_y_E;
-    const Scalar omega_EDF = t14 * EDF_per_x_B + t15 * EDF_per_y_B + omega_B * EDF_per_phi_B;
-    const Scalar v_s_B = t14 * s_B_per_x_B + t15 * s_B_per_y_B + omega_B * s_B_per_phi_B;
-    const Scalar v_s_C = t14 * s_C_per_x_B + t15 * s_C_per_y_B + omega_B * s_C_per_phi_B;
-    const Scalar v_s_G = t14 * s_G_per_x_B + t15 * s_G_per_y_B + omega_B * s_G_per_phi_B;
-    const Scalar t16 = omega_EDF * omega_EDF;
-    const Scalar centripetal_along_slide_C = EDF_along_slide_C * t16
+    const Scalar EDF_per_x_B = EDF_per_across_slide_C * sin_CD + EDF_per_across_slide_G * sin_GF;
+    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_G;
+    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_G
+        - cos_CD;
+    const Scalar s_G_per_x_B = sin_CD * s_G_per_across_slide_C + sin_GF * s_G_per_across_slide_G
+        - cos_GF;
+    const Scalar EDF_per_y_B = -EDF_per_across_slide_C * cos_CD - EDF_per_across_slide_G * cos_GF;
+    const Scalar s_B_per_y_B = -cos_CD * s_B_per_across_slide_C - cos_GF * s_B_per_across_slide_G;
+    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
+        - cos_GF * s_C_per_across_slide_G;
+    const Scalar s_G_per_y_B = -sin_GF - cos_CD * s_G_per_across_slide_C
+        - cos_GF * s_G_per_across_slide_G;
+    const Scalar EDF_per_phi_B = -EDF_per_across_slide_C * phi_B_along_slide_C
+        - EDF_per_across_slide_G * phi_B_along_slide_G;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_C * s_B_per_across_slide_C
+        - phi_B_along_slide_G * s_B_per_across_slide_G;
+    const Scalar s_C_per_phi_B = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
+        - phi_B_along_slide_G * s_C_per_across_slide_G;
+    const Scalar s_G_per_phi_B = phi_B_across_slide_G - phi_B_along_slide_C * s_G_per_across_slide_C
+        - phi_B_along_slide_G * s_G_per_across_slide_G;
+    const Scalar t02 = v_x_B - v_x_E;
+    const Scalar t03 = v_y_B - v_y_E;
+    const Scalar omega_EDF = EDF_per_x_B * t02 + EDF_per_y_B * t03 + EDF_per_phi_B * omega_B;
+    const Scalar v_s_B = s_B_per_x_B * t02 + s_B_per_y_B * t03 + s_B_per_phi_B * omega_B;
+    const Scalar v_s_C = s_C_per_x_B * t02 + s_C_per_y_B * t03 + s_C_per_phi_B * omega_B;
+    const Scalar v_s_G = s_G_per_x_B * t02 + s_G_per_y_B * t03 + s_G_per_phi_B * omega_B;
+    const Scalar t04 = omega_EDF * omega_EDF;
+    const Scalar centripetal_along_slide_C = EDF_along_slide_C * t04
         - omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B - phi_B_along_slide_C * omega_B);
-    const Scalar centripetal_across_slide_C = EDF_across_slide_C * t16
+    const Scalar centripetal_across_slide_C = EDF_across_slide_C * t04
         - omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B + Scalar(2) * v_s_C
         - phi_B_across_slide_C * omega_B);
-    const Scalar centripetal_along_slide_G = EDF_along_slide_G * t16
+    const Scalar centripetal_along_slide_G = EDF_along_slide_G * t04
         - omega_B * (Scalar(2) * d.psi_G_BCG.sin * v_s_B - phi_B_along_slide_G * omega_B);
-    const Scalar centripetal_across_slide_G = EDF_across_slide_G * t16
+    const Scalar centripetal_across_slide_G = EDF_across_slide_G * t04
         - omega_B * (Scalar(2) * d.psi_G_BCG.cos * v_s_B + Scalar(2) * v_s_G
         - phi_B_across_slide_G * omega_B);
-    const Scalar t17 = a_x_B - a_x_E;
-    const Scalar t18 = a_y_B - a_y_E;
+    const Scalar t05 = a_x_B - a_x_E;
+    const Scalar t06 = a_y_B - a_y_E;
     S_d(0, 0) = -q.s_C * EDF_per_across_slide_C;
     S_d(0, 1) = -q.s_G * EDF_per_across_slide_G;
     S_d(0, 2) = -EDF_per_across_slide_G;
-    S_d(0, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * EDF_per_across_slide_C;
-    S_d(0, 4) = sin_EDF_minus_phi_B_minus_psi_G_BCG * EDF_per_across_slide_G;
-    S_d(0, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * EDF_per_across_slide_G;
+    S_d(0, 3) = EDF_per_across_slide_C * sin_EDF_minus_phi_B_minus_psi_C_BCG;
+    S_d(0, 4) = EDF_per_across_slide_G * sin_EDF_minus_phi_B_minus_psi_G_BCG;
+    S_d(0, 5) = EDF_per_across_slide_G * cos_EDF_minus_phi_B_minus_psi_G_BCG;
     S_d(0, 6) = EDF_per_across_slide_C;
     S_d(0, 7) = EDF_per_across_slide_G;
     S_d(1, 0) = -q.s_C * s_B_per_across_slide_C;
@@ -1332,40 +1304,40 @@ struct Model19 {
         - sin_EDF_minus_phi_B_minus_psi_G_BCG;
     S_d(3, 6) = s_G_per_across_slide_C;
     S_d(3, 7) = s_G_per_across_slide_G;
-    S_u(0, 0) = t02;
-    S_u(0, 1) = -t06;
-    S_u(0, 2) = -t10;
-    S_u(0, 3) = -t02;
-    S_u(0, 4) = t06;
-    S_u(1, 0) = t03;
-    S_u(1, 1) = -t07;
-    S_u(1, 2) = -t11;
-    S_u(1, 3) = -t03;
-    S_u(1, 4) = t07;
-    S_u(2, 0) = -t04;
-    S_u(2, 1) = -t08;
-    S_u(2, 2) = -t12;
-    S_u(2, 3) = t04;
-    S_u(2, 4) = t08;
-    S_u(3, 0) = -t05;
-    S_u(3, 1) = -t09;
-    S_u(3, 2) = -t13;
-    S_u(3, 3) = t05;
-    S_u(3, 4) = t09;
+    S_u(0, 0) = EDF_per_x_B;
+    S_u(0, 1) = EDF_per_y_B;
+    S_u(0, 2) = EDF_per_phi_B;
+    S_u(0, 3) = -EDF_per_x_B;
+    S_u(0, 4) = -EDF_per_y_B;
+    S_u(1, 0) = s_B_per_x_B;
+    S_u(1, 1) = s_B_per_y_B;
+    S_u(1, 2) = s_B_per_phi_B;
+    S_u(1, 3) = -s_B_per_x_B;
+    S_u(1, 4) = -s_B_per_y_B;
+    S_u(2, 0) = s_C_per_x_B;
+    S_u(2, 1) = s_C_per_y_B;
+    S_u(2, 2) = s_C_per_phi_B;
+    S_u(2, 3) = -s_C_per_x_B;
+    S_u(2, 4) = -s_C_per_y_B;
+    S_u(3, 0) = s_G_per_x_B;
+    S_u(3, 1) = s_G_per_y_B;
+    S_u(3, 2) = s_G_per_phi_B;
+    S_u(3, 3) = -s_G_per_x_B;
+    S_u(3, 4) = -s_G_per_y_B;
     q_rate(0) = omega_EDF;
     q_rate(1) = v_s_B;
     q_rate(2) = v_s_C;
     q_rate(3) = v_s_G;
-    q_second_rate(0) = EDF_per_x_B * t17 + EDF_per_y_B * t18 + EDF_per_phi_B * alpha_B
+    q_second_rate(0) = EDF_per_x_B * t05 + EDF_per_y_B * t06 + EDF_per_phi_B * alpha_B
         + EDF_per_across_slide_C * centripetal_across_slide_C
         + EDF_per_across_slide_G * centripetal_across_slide_G;
-    q_second_rate(1) = s_B_per_x_B * t17 + s_B_per_y_B * t18 + s_B_per_phi_B * alpha_B
+    q_second_rate(1) = s_B_per_x_B * t05 + s_B_per_y_B * t06 + s_B_per_phi_B * alpha_B
         + s_B_per_across_slide_C * centripetal_across_slide_C
         + s_B_per_across_slide_G * centripetal_across_slide_G;
-    q_second_rate(2) = s_C_per_x_B * t17 + s_C_per_y_B * t18 + s_C_per_phi_B * alpha_B
+    q_second_rate(2) = s_C_per_x_B * t05 + s_C_per_y_B * t06 + s_C_per_phi_B * alpha_B
         + s_C_per_across_slide_C * centripetal_across_slide_C
         + s_C_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_C;
-    q_second_rate(3) = s_G_per_x_B * t17 + s_G_per_y_B * t18 + s_G_per_phi_B * alpha_B
+    q_second_rate(3) = s_G_per_x_B * t05 + s_G_per_y_B * t06 + s_G_per_phi_B * alpha_B
         + s_G_per_across_slide_C * centripetal_across_slide_C
         + s_G_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_G;
   }
@@ -1378,21 +1350,21 @@ struct Model19 {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
     const Scalar b_0_re = -Scalar(2) * d.psi_C_BCG.sin;
-    const Scalar c_m1_re = (d.psi_C_BCG.cos * u.phi_B.sin + d.psi_C_BCG.sin * u.phi_B.cos) * d.ED;
+    const Scalar c_m1_re = d.ED * (d.psi_C_BCG.cos * u.phi_B.sin + d.psi_C_BCG.sin * u.phi_B.cos);
     const Scalar c_m1_im = -d.ED * (d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin);
-    const Scalar t01 = u.phi_B.cos * EB_y - u.phi_B.sin * EB_x;
-    const Scalar t02 = u.phi_B.cos * EB_x + u.phi_B.sin * EB_y;
-    const Scalar c_0_re = Scalar(2) * (d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02 - d.h_C_CD);
+    const Scalar t01 = EB_y * u.phi_B.cos - EB_x * u.phi_B.sin;
+    const Scalar t02 = EB_x * u.phi_B.cos + EB_y * u.phi_B.sin;
+    const Scalar c_0_re = Scalar(2) * (t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin - d.h_C_CD);
     const Scalar e_0_re = -Scalar(2) * d.psi_G_BCG.sin;
-    const Scalar t03 = u.phi_B.sin * d.x_F_EDF - u.phi_B.cos * d.y_F_EDF;
-    const Scalar t04 = u.phi_B.cos * d.x_F_EDF + u.phi_B.sin * d.y_F_EDF;
-    const Scalar f_m1_re = t03 * d.psi_G_BCG.cos + d.psi_G_BCG.sin * t04;
-    const Scalar f_m1_im = d.psi_G_BCG.sin * t03 - d.psi_G_BCG.cos * t04;
+    const Scalar t03 = d.x_F_EDF * u.phi_B.sin - d.y_F_EDF * u.phi_B.cos;
+    const Scalar t04 = d.x_F_EDF * u.phi_B.cos + d.y_F_EDF * u.phi_B.sin;
+    const Scalar f_m1_re = t03 * d.psi_G_BCG.cos + t04 * d.psi_G_BCG.sin;
+    const Scalar f_m1_im = t03 * d.psi_G_BCG.sin - t04 * d.psi_G_BCG.cos;
     const Scalar f_0_re = Scalar(2) * (t01 * d.psi_G_BCG.cos + d.h_G_BCG - t02 * d.psi_G_BCG.sin
         - d.h_G_GF);
-    T.cosine[0] = b_0_re * f_0_re - c_0_re * e_0_re;
-    T.cosine[1] = Scalar(2) * (b_0_re * f_m1_re - e_0_re * c_m1_re);
-    T.sine[1] = Scalar(2) * (b_0_re * f_m1_im - e_0_re * c_m1_im);
+    T.cosine[0] = f_0_re * b_0_re - c_0_re * e_0_re;
+    T.cosine[1] = Scalar(2) * (f_m1_re * b_0_re - c_m1_re * e_0_re);
+    T.sine[1] = Scalar(2) * (f_m1_im * b_0_re - c_m1_im * e_0_re);
   }
 
   /// The reduced equations, one a row, where theta_EDF is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
@@ -1404,16 +1376,16 @@ struct Model19 {
     e.setZero();
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = EB_y - q.theta_EDF.cos * d.y_F_EDF - q.theta_EDF.sin * d.x_F_EDF;
-    const Scalar t02 = EB_x + q.theta_EDF.sin * d.y_F_EDF - q.theta_EDF.cos * d.x_F_EDF;
+    const Scalar t01 = EB_y - d.y_F_EDF * q.theta_EDF.cos - d.x_F_EDF * q.theta_EDF.sin;
+    const Scalar t02 = EB_x + d.y_F_EDF * q.theta_EDF.sin - d.x_F_EDF * q.theta_EDF.cos;
     e(0, 1) = -Scalar(2) * d.psi_C_BCG.sin;
-    e(0, 2) = Scalar(2) * (((q.theta_EDF.cos * u.phi_B.sin - q.theta_EDF.sin * u.phi_B.cos) * d.ED
-        + u.phi_B.cos * EB_y - u.phi_B.sin * EB_x) * d.psi_C_BCG.cos
-        + d.psi_C_BCG.sin * (d.ED * (q.theta_EDF.cos * u.phi_B.cos + u.phi_B.sin * q.theta_EDF.sin)
-        - u.phi_B.cos * EB_x - u.phi_B.sin * EB_y) - d.h_C_CD);
+    e(0, 2) = Scalar(2) * ((d.ED * (q.theta_EDF.cos * u.phi_B.sin - q.theta_EDF.sin * u.phi_B.cos)
+        + EB_y * u.phi_B.cos - EB_x * u.phi_B.sin) * d.psi_C_BCG.cos
+        + (d.ED * (q.theta_EDF.cos * u.phi_B.cos + u.phi_B.sin * q.theta_EDF.sin)
+        - EB_x * u.phi_B.cos - EB_y * u.phi_B.sin) * d.psi_C_BCG.sin - d.h_C_CD);
     e(1, 1) = -Scalar(2) * d.psi_G_BCG.sin;
-    e(1, 2) = Scalar(2) * ((u.phi_B.cos * t01 - u.phi_B.sin * t02) * d.psi_G_BCG.cos + d.h_G_BCG
-        - d.psi_G_BCG.sin * (u.phi_B.cos * t02 + u.phi_B.sin * t01) - d.h_G_GF);
+    e(1, 2) = Scalar(2) * ((t01 * u.phi_B.cos - t02 * u.phi_B.sin) * d.psi_G_BCG.cos + d.h_G_BCG
+        - (t02 * u.phi_B.cos + t01 * u.phi_B.sin) * d.psi_G_BCG.sin - d.h_G_GF);
   }
 
   /// The other unknowns of a configuration in which those of the reduced
@@ -1423,14 +1395,14 @@ struct Model19 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = EB_x + q.theta_EDF.sin * d.y_F_EDF - q.theta_EDF.cos * d.x_F_EDF;
-    const Scalar t02 = EB_y - q.theta_EDF.cos * d.y_F_EDF - q.theta_EDF.sin * d.x_F_EDF;
-    q.s_C = ((q.theta_EDF.cos * u.phi_B.cos + q.theta_EDF.sin * u.phi_B.sin) * d.ED - q.s_B
-        - u.phi_B.cos * EB_x - u.phi_B.sin * EB_y) * d.psi_C_BCG.cos
+    const Scalar t01 = EB_x + d.y_F_EDF * q.theta_EDF.sin - d.x_F_EDF * q.theta_EDF.cos;
+    const Scalar t02 = EB_y - d.y_F_EDF * q.theta_EDF.cos - d.x_F_EDF * q.theta_EDF.sin;
+    q.s_C = (d.ED * (q.theta_EDF.cos * u.phi_B.cos + q.theta_EDF.sin * u.phi_B.sin) - q.s_B
+        - EB_x * u.phi_B.cos - EB_y * u.phi_B.sin) * d.psi_C_BCG.cos
         - (d.ED * (q.theta_EDF.cos * u.phi_B.sin - u.phi_B.cos * q.theta_EDF.sin)
-        + u.phi_B.cos * EB_y - u.phi_B.sin * EB_x) * d.psi_C_BCG.sin;
-    q.s_G = -(q.s_B + u.phi_B.cos * t01 + u.phi_B.sin * t02) * d.psi_G_BCG.cos - (u.phi_B.cos * t02
-        - u.phi_B.sin * t01) * d.psi_G_BCG.sin;
+        + EB_y * u.phi_B.cos - EB_x * u.phi_B.sin) * d.psi_C_BCG.sin;
+    q.s_G = -(q.s_B + t01 * u.phi_B.cos + t02 * u.phi_B.sin) * d.psi_G_BCG.cos - (t02 * u.phi_B.cos
+        - t01 * u.phi_B.sin) * d.psi_G_BCG.sin;
   }
 };
 

@@ -51,7 +51,7 @@ namespace assur::tetrad {
 ///   velocity:                     49, 34, 1
 ///   motion:                       80, 59, 1
 ///   sensitivities_and_motion:     131, 81, 1
-///   position_polynomial:          14, 13, 0
+///   position_polynomial:          16, 13, 0
 ///   complete:                     25, 18, 1
 struct Model20 {
   static constexpr const char* group = "tetrad";
@@ -194,32 +194,30 @@ struct Model20 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t04 * d.h_G_BCG;
-    const Scalar BG_y = t03 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
-    const Scalar t05 = slide_B_x + u.x_B - u.x_E;
-    const Scalar t06 = slide_B_y + u.y_B - u.y_E;
-    f(0) = slide_C_x + t05 - ED_x - slide_D_x;
-    f(1) = slide_C_y + t06 - ED_y - slide_D_y;
-    f(2) = BG_x + slide_G_x + GF_x + t05 - EF_x;
-    f(3) = BG_y + slide_G_y + GF_y + t06 - EF_y;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
+    const Scalar t03 = slide_B_x + u.x_B - u.x_E;
+    const Scalar t04 = slide_B_y + u.y_B - u.y_E;
+    f(0) = slide_C_x + t03 - ED_x - slide_D_x;
+    f(1) = slide_C_y + t04 - ED_y - slide_D_y;
+    f(2) = BG_x + slide_G_x + GF_x + t03 - EF_x;
+    f(3) = BG_y + slide_G_y + GF_y + t04 - EF_y;
   }
 
   /// J = df/dq.
@@ -258,32 +256,30 @@ struct Model20 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t04;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t04 * d.h_G_BCG;
-    const Scalar BG_y = t03 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
-    const Scalar t05 = ED_y + slide_D_y;
-    const Scalar t06 = ED_x + slide_D_x;
-    F_d(0, 0) = t05 - slide_C_y;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
+    const Scalar t03 = ED_y + slide_D_y;
+    const Scalar t04 = ED_x + slide_D_x;
+    F_d(0, 0) = t03 - slide_C_y;
     F_d(0, 3) = sin_EDF;
-    F_d(0, 6) = t05;
-    F_d(1, 0) = slide_C_x - t06;
+    F_d(0, 6) = t03;
+    F_d(1, 0) = slide_C_x - t04;
     F_d(1, 3) = -cos_EDF;
-    F_d(1, 6) = -t06;
+    F_d(1, 6) = -t04;
     F_d(2, 0) = EF_y;
     F_d(2, 1) = -BG_y - slide_G_y - GF_y;
     F_d(2, 2) = -sin_GF;
@@ -311,26 +307,24 @@ struct Model20 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t04 * d.h_G_BCG;
-    const Scalar BG_y = t03 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
     F_u(0, 0) = Scalar(1);
     F_u(0, 2) = ED_y + slide_D_y - slide_B_y - slide_C_y;
     F_u(0, 3) = -Scalar(1);
@@ -361,32 +355,30 @@ struct Model20 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t04 * d.h_G_BCG;
-    const Scalar BG_y = t03 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
-    const Scalar t05 = v_x_B - v_x_E;
-    const Scalar t06 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + slide_C_y - ED_y - slide_D_y) * omega_B - t05;
-    rhs(1) = -omega_B * (slide_B_x + slide_C_x - ED_x - slide_D_x) - t06;
-    rhs(2) = omega_B * (slide_B_y + BG_y + slide_G_y + GF_y - EF_y) - t05;
-    rhs(3) = -t06 - omega_B * (slide_B_x + BG_x + slide_G_x + GF_x - EF_x);
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
+    const Scalar t03 = v_x_B - v_x_E;
+    const Scalar t04 = v_y_B - v_y_E;
+    rhs(0) = (slide_B_y + slide_C_y - ED_y - slide_D_y) * omega_B - t03;
+    rhs(1) = -(slide_B_x + slide_C_x - ED_x - slide_D_x) * omega_B - t04;
+    rhs(2) = (slide_B_y + BG_y + slide_G_y + GF_y - EF_y) * omega_B - t03;
+    rhs(3) = -t04 - (slide_B_x + BG_x + slide_G_x + GF_x - EF_x) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -412,42 +404,40 @@ struct Model20 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t04 * d.h_G_BCG;
-    const Scalar BG_y = t03 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
-    const Scalar t05 = slide_B_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t06 = u.phi_B.sin * v_s_B;
-    const Scalar t07 = slide_B_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t08 = a_x_B - a_x_E;
-    const Scalar t09 = u.phi_B.cos * v_s_B;
-    const Scalar t10 = a_y_B - a_y_E;
-    const Scalar t11 = slide_B_x + BG_x + slide_G_x + GF_x - EF_x;
-    const Scalar t12 = slide_B_y + BG_y + slide_G_y + GF_y - EF_y;
-    rhs(0) = omega_B * (t05 * omega_B + Scalar(2) * t06 + Scalar(2) * sin_CD * v_s_C
-        - Scalar(2) * sin_EDF * v_s_D) + t07 * alpha_B - t08;
-    rhs(1) = omega_B * (omega_B * t07 + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * t09
-        - Scalar(2) * cos_CD * v_s_C) - t05 * alpha_B - t10;
-    rhs(2) = omega_B * (Scalar(2) * t06 + omega_B * t11 + Scalar(2) * sin_GF * v_s_G)
-        + alpha_B * t12 - t08;
-    rhs(3) = -t10 - omega_B * (Scalar(2) * t09 + Scalar(2) * cos_GF * v_s_G - omega_B * t12)
-        - alpha_B * t11;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
+    const Scalar t03 = slide_B_x + slide_C_x - ED_x - slide_D_x;
+    const Scalar t04 = u.phi_B.sin * v_s_B;
+    const Scalar t05 = slide_B_y + slide_C_y - ED_y - slide_D_y;
+    const Scalar t06 = a_x_B - a_x_E;
+    const Scalar t07 = u.phi_B.cos * v_s_B;
+    const Scalar t08 = a_y_B - a_y_E;
+    const Scalar t09 = slide_B_x + BG_x + slide_G_x + GF_x - EF_x;
+    const Scalar t10 = slide_B_y + BG_y + slide_G_y + GF_y - EF_y;
+    rhs(0) = omega_B * (t03 * omega_B + Scalar(2) * t04 + Scalar(2) * sin_CD * v_s_C
+        - Scalar(2) * sin_EDF * v_s_D) + t05 * alpha_B - t06;
+    rhs(1) = omega_B * (t05 * omega_B + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * t07
+        - Scalar(2) * cos_CD * v_s_C) - t03 * alpha_B - t08;
+    rhs(2) = omega_B * (Scalar(2) * t04 + t09 * omega_B + Scalar(2) * sin_GF * v_s_G)
+        + t10 * alpha_B - t06;
+    rhs(3) = -t08 - omega_B * (Scalar(2) * t07 + Scalar(2) * cos_GF * v_s_G - t10 * omega_B)
+        - t09 * alpha_B;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -479,52 +469,50 @@ struct Model20 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t04 * d.h_G_BCG;
-    const Scalar BG_y = t03 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
-    const Scalar t05 = slide_B_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t06 = j_x_B - j_x_E;
-    const Scalar t07 = slide_B_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t08 = u.phi_B.sin * a_s_B;
-    const Scalar t09 = u.phi_B.cos * v_s_B;
-    const Scalar t10 = cos_EDF * v_s_D - t09 - cos_CD * v_s_C;
-    const Scalar t11 = u.phi_B.sin * v_s_B;
-    const Scalar t12 = sin_EDF * v_s_D - t11 - sin_CD * v_s_C;
-    const Scalar t13 = j_y_B - j_y_E;
-    const Scalar t14 = u.phi_B.cos * a_s_B;
-    const Scalar t15 = slide_B_y + BG_y + slide_G_y + GF_y - EF_y;
-    const Scalar t16 = t11 + sin_GF * v_s_G;
-    const Scalar t17 = slide_B_x + BG_x + slide_G_x + GF_x - EF_x;
-    const Scalar t18 = t09 + cos_GF * v_s_G;
-    rhs(0) = t05 * jerk_B + omega_B * (Scalar(3) * t07 * alpha_B + Scalar(3) * t08
-        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_EDF * a_s_D - omega_B * (t05 * omega_B
-        + Scalar(3) * t10)) - t06 - Scalar(3) * alpha_B * t12;
-    rhs(1) = Scalar(3) * alpha_B * t10 + omega_B * (Scalar(3) * t05 * alpha_B
-        + Scalar(3) * cos_EDF * a_s_D + omega_B * (omega_B * t07 - Scalar(3) * t12)
-        - Scalar(3) * t14 - Scalar(3) * cos_CD * a_s_C) - t07 * jerk_B - t13;
-    rhs(2) = jerk_B * t15 + Scalar(3) * alpha_B * t16 + omega_B * (Scalar(3) * t08
-        + Scalar(3) * alpha_B * t17 + Scalar(3) * sin_GF * a_s_G - omega_B * (omega_B * t15
-        - Scalar(3) * t18)) - t06;
-    rhs(3) = -t13 - jerk_B * t17 - Scalar(3) * alpha_B * t18 - omega_B * (Scalar(3) * t14
-        + Scalar(3) * cos_GF * a_s_G - Scalar(3) * alpha_B * t15 - omega_B * (Scalar(3) * t16
-        + omega_B * t17));
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
+    const Scalar t03 = slide_B_y + slide_C_y - ED_y - slide_D_y;
+    const Scalar t04 = j_x_B - j_x_E;
+    const Scalar t05 = slide_B_x + slide_C_x - ED_x - slide_D_x;
+    const Scalar t06 = u.phi_B.sin * a_s_B;
+    const Scalar t07 = u.phi_B.cos * v_s_B;
+    const Scalar t08 = cos_EDF * v_s_D - t07 - cos_CD * v_s_C;
+    const Scalar t09 = u.phi_B.sin * v_s_B;
+    const Scalar t10 = sin_EDF * v_s_D - t09 - sin_CD * v_s_C;
+    const Scalar t11 = j_y_B - j_y_E;
+    const Scalar t12 = u.phi_B.cos * a_s_B;
+    const Scalar t13 = slide_B_y + BG_y + slide_G_y + GF_y - EF_y;
+    const Scalar t14 = t09 + sin_GF * v_s_G;
+    const Scalar t15 = slide_B_x + BG_x + slide_G_x + GF_x - EF_x;
+    const Scalar t16 = t07 + cos_GF * v_s_G;
+    rhs(0) = t03 * jerk_B + omega_B * (Scalar(3) * t05 * alpha_B + Scalar(3) * t06
+        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_EDF * a_s_D - omega_B * (t03 * omega_B
+        + Scalar(3) * t08)) - t04 - Scalar(3) * alpha_B * t10;
+    rhs(1) = Scalar(3) * alpha_B * t08 + omega_B * (Scalar(3) * t03 * alpha_B
+        + Scalar(3) * cos_EDF * a_s_D + omega_B * (t05 * omega_B - Scalar(3) * t10)
+        - Scalar(3) * t12 - Scalar(3) * cos_CD * a_s_C) - t05 * jerk_B - t11;
+    rhs(2) = t13 * jerk_B + Scalar(3) * alpha_B * t14 + omega_B * (Scalar(3) * t06
+        + Scalar(3) * t15 * alpha_B + Scalar(3) * sin_GF * a_s_G - omega_B * (t13 * omega_B
+        - Scalar(3) * t16)) - t04;
+    rhs(3) = -t11 - t15 * jerk_B - Scalar(3) * alpha_B * t16 - omega_B * (Scalar(3) * t12
+        + Scalar(3) * cos_GF * a_s_G - Scalar(3) * t13 * alpha_B - omega_B * (Scalar(3) * t14
+        + t15 * omega_B));
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -553,64 +541,62 @@ struct Model20 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t04 * d.h_G_BCG;
-    const Scalar BG_y = t03 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = cos_EDF * d.x_F_EDF - sin_EDF * d.y_F_EDF;
-    const Scalar EF_y = sin_EDF * d.x_F_EDF + cos_EDF * d.y_F_EDF;
-    const Scalar t05 = ED_x + slide_D_x;
-    const Scalar t06 = t05 * omega_D_CD;
-    const Scalar t07 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
-    const Scalar t08 = slide_C_x - t05;
-    const Scalar t09 = omega_C_BCG * t08;
-    const Scalar t10 = t07 + t06 - sin_CD * v_s_C;
-    const Scalar t11 = u.phi_B.sin * v_s_B;
-    const Scalar t12 = ED_y + slide_D_y;
-    const Scalar t13 = omega_D_CD * t12;
-    const Scalar t14 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
-    const Scalar t15 = slide_C_y - t12;
-    const Scalar t16 = omega_C_BCG * t15;
-    const Scalar t17 = t14 - t13 - cos_CD * v_s_C;
-    const Scalar t18 = u.phi_B.cos * v_s_B;
-    const Scalar t19 = omega_C_BCG + Scalar(2) * omega_D_CD;
-    const Scalar t20 = sin_EDF * v_x_F_EDF + cos_EDF * v_y_F_EDF;
-    const Scalar t21 = v_h_G_BCG - v_h_G_GF;
-    const Scalar t22 = cos_GF * t21 + sin_GF * v_s_G;
-    const Scalar t23 = GF_x + BG_x + slide_G_x;
-    const Scalar t24 = omega_G_BCG * t23;
-    const Scalar t25 = omega_C_BCG + omega_D_CD;
-    const Scalar t26 = cos_EDF * v_x_F_EDF - sin_EDF * v_y_F_EDF;
-    const Scalar t27 = sin_GF * t21 - cos_GF * v_s_G;
-    const Scalar t28 = GF_y + BG_y + slide_G_y;
-    const Scalar t29 = omega_G_BCG * t28;
-    rhs(0) = omega_C_BCG * (t09 - Scalar(2) * t10) + omega_B * (Scalar(2) * t11 + Scalar(2) * t09
-        + omega_B * (slide_B_x + t08) - Scalar(2) * t10) - omega_D_CD * (t06 + Scalar(2) * t07);
-    rhs(1) = omega_C_BCG * (t16 + Scalar(2) * t17) - omega_D_CD * (t13 - Scalar(2) * t14)
-        - omega_B * (Scalar(2) * t18 - Scalar(2) * t16 - omega_B * (slide_B_y + t15)
-        - Scalar(2) * t17);
-    rhs(2) = omega_G_BCG * (Scalar(2) * t22 + t24) + omega_B * (Scalar(2) * t11 + Scalar(2) * t22
-        + Scalar(2) * t24 + omega_B * (slide_B_x + t23 - EF_x) - Scalar(2) * EF_x * t25
-        - Scalar(2) * t20) - omega_C_BCG * (EF_x * t19 + Scalar(2) * t20)
-        - omega_D_CD * (Scalar(2) * t20 + omega_D_CD * EF_x);
-    rhs(3) = omega_D_CD * (Scalar(2) * t26 - omega_D_CD * EF_y) + omega_G_BCG * (Scalar(2) * t27
-        + t29) - omega_C_BCG * (t19 * EF_y - Scalar(2) * t26) - omega_B * (Scalar(2) * t18
-        + Scalar(2) * t25 * EF_y - Scalar(2) * t27 - Scalar(2) * t26 - Scalar(2) * t29
-        - omega_B * (slide_B_y + t28 - EF_y));
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
+    const Scalar t03 = ED_x + slide_D_x;
+    const Scalar t04 = t03 * omega_D_CD;
+    const Scalar t05 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
+    const Scalar t06 = slide_C_x - t03;
+    const Scalar t07 = t06 * omega_C_BCG;
+    const Scalar t08 = t05 + t04 - sin_CD * v_s_C;
+    const Scalar t09 = u.phi_B.sin * v_s_B;
+    const Scalar t10 = ED_y + slide_D_y;
+    const Scalar t11 = t10 * omega_D_CD;
+    const Scalar t12 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
+    const Scalar t13 = slide_C_y - t10;
+    const Scalar t14 = t13 * omega_C_BCG;
+    const Scalar t15 = t12 - t11 - cos_CD * v_s_C;
+    const Scalar t16 = u.phi_B.cos * v_s_B;
+    const Scalar t17 = omega_C_BCG + Scalar(2) * omega_D_CD;
+    const Scalar t18 = sin_EDF * v_x_F_EDF + cos_EDF * v_y_F_EDF;
+    const Scalar t19 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t20 = cos_GF * t19 + sin_GF * v_s_G;
+    const Scalar t21 = GF_x + BG_x + slide_G_x;
+    const Scalar t22 = t21 * omega_G_BCG;
+    const Scalar t23 = omega_C_BCG + omega_D_CD;
+    const Scalar t24 = cos_EDF * v_x_F_EDF - sin_EDF * v_y_F_EDF;
+    const Scalar t25 = sin_GF * t19 - cos_GF * v_s_G;
+    const Scalar t26 = GF_y + BG_y + slide_G_y;
+    const Scalar t27 = t26 * omega_G_BCG;
+    rhs(0) = omega_C_BCG * (t07 - Scalar(2) * t08) + omega_B * (Scalar(2) * t09 + Scalar(2) * t07
+        + (slide_B_x + t06) * omega_B - Scalar(2) * t08) - omega_D_CD * (t04 + Scalar(2) * t05);
+    rhs(1) = omega_C_BCG * (t14 + Scalar(2) * t15) - omega_D_CD * (t11 - Scalar(2) * t12)
+        - omega_B * (Scalar(2) * t16 - Scalar(2) * t14 - (slide_B_y + t13) * omega_B
+        - Scalar(2) * t15);
+    rhs(2) = omega_G_BCG * (Scalar(2) * t20 + t22) + omega_B * (Scalar(2) * t09 + Scalar(2) * t20
+        + Scalar(2) * t22 + (slide_B_x + t21 - EF_x) * omega_B - Scalar(2) * EF_x * t23
+        - Scalar(2) * t18) - omega_C_BCG * (EF_x * t17 + Scalar(2) * t18)
+        - omega_D_CD * (Scalar(2) * t18 + EF_x * omega_D_CD);
+    rhs(3) = omega_D_CD * (Scalar(2) * t24 - EF_y * omega_D_CD) + omega_G_BCG * (Scalar(2) * t25
+        + t27) - omega_C_BCG * (EF_y * t17 - Scalar(2) * t24) - omega_B * (Scalar(2) * t16
+        + Scalar(2) * EF_y * t23 - Scalar(2) * t25 - Scalar(2) * t24 - Scalar(2) * t27 - (slide_B_y
+        + t26 - EF_y) * omega_B);
   }
 
   /// Frames of the links in the fixed frame.
@@ -623,36 +609,34 @@ struct Model20 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = -t04 * d.h_G_BCG;
-    const Scalar BG_y = t03 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t05 = u.x_B + slide_B_x;
-    const Scalar t06 = u.y_B + slide_B_y;
-    poses[0].x = t05;
-    poses[0].y = t06;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t03 = u.x_B + slide_B_x;
+    const Scalar t04 = u.y_B + slide_B_y;
+    poses[0].x = t03;
+    poses[0].y = t04;
     poses[0].direction.cos = u.phi_B.cos;
     poses[0].direction.sin = u.phi_B.sin;
     poses[1].x = u.x_E;
     poses[1].y = u.y_E;
     poses[1].direction.cos = cos_EDF;
     poses[1].direction.sin = sin_EDF;
-    poses[2].x = t05 + slide_C_x;
-    poses[2].y = t06 + slide_C_y;
+    poses[2].x = t03 + slide_C_x;
+    poses[2].y = t04 + slide_C_y;
     poses[2].direction.cos = cos_CD;
     poses[2].direction.sin = sin_CD;
-    poses[3].x = t05 + BG_x + slide_G_x + GF_x;
-    poses[3].y = t06 + BG_y + slide_G_y + GF_y;
+    poses[3].x = t03 + BG_x + slide_G_x + GF_x;
+    poses[3].y = t04 + BG_y + slide_G_y + GF_y;
     poses[3].direction.cos = cos_GF;
     poses[3].direction.sin = sin_GF;
   }
@@ -669,22 +653,20 @@ struct Model20 {
     P_u.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = GF_y + BG_y + slide_G_y;
-    const Scalar t04 = GF_x + BG_x + slide_G_x;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = GF_y + BG_y + slide_G_y;
+    const Scalar t02 = GF_x + BG_x + slide_G_x;
     P_q(0, 0) = u.phi_B.cos;
     P_q(1, 0) = u.phi_B.sin;
     P_q(6, 0) = u.phi_B.cos;
@@ -700,10 +682,10 @@ struct Model20 {
     P_d(6, 0) = -slide_C_y;
     P_d(7, 0) = slide_C_x;
     P_d(8, 0) = Scalar(1);
-    P_d(9, 1) = -t03;
+    P_d(9, 1) = -t01;
     P_d(9, 2) = -sin_GF;
     P_d(9, 7) = sin_GF;
-    P_d(10, 1) = t04;
+    P_d(10, 1) = t02;
     P_d(10, 2) = cos_GF;
     P_d(10, 7) = -cos_GF;
     P_d(11, 1) = Scalar(1);
@@ -721,9 +703,9 @@ struct Model20 {
     P_u(7, 2) = slide_C_x + slide_B_x;
     P_u(8, 2) = Scalar(1);
     P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -slide_B_y - t03;
+    P_u(9, 2) = -slide_B_y - t01;
     P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = slide_B_x + t04;
+    P_u(10, 2) = slide_B_x + t02;
     P_u(11, 2) = Scalar(1);
   }
 
@@ -742,33 +724,31 @@ struct Model20 {
     const Scalar v_y_E = u_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t04 = u.phi_B.sin * v_s_B + v_y_B;
-    v(0, 0) = t03 - omega_B * slide_B_y;
-    v(0, 1) = omega_B * slide_B_x + t04;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
+    const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
+    v(0, 0) = t01 - slide_B_y * omega_B;
+    v(0, 1) = slide_B_x * omega_B + t02;
     v(0, 2) = omega_B;
     v(1, 0) = v_x_E;
     v(1, 1) = v_y_E;
     v(1, 2) = omega_B;
-    v(2, 0) = cos_CD * v_s_C + t03 - omega_B * (slide_B_y + slide_C_y);
-    v(2, 1) = omega_B * (slide_B_x + slide_C_x) + sin_CD * v_s_C + t04;
+    v(2, 0) = cos_CD * v_s_C + t01 - (slide_B_y + slide_C_y) * omega_B;
+    v(2, 1) = (slide_B_x + slide_C_x) * omega_B + sin_CD * v_s_C + t02;
     v(2, 2) = omega_B;
-    v(3, 0) = cos_GF * v_s_G + t03 - omega_B * (slide_B_y + BG_y + slide_G_y + GF_y);
-    v(3, 1) = omega_B * (slide_B_x + BG_x + slide_G_x + GF_x) + sin_GF * v_s_G + t04;
+    v(3, 0) = cos_GF * v_s_G + t01 - (slide_B_y + BG_y + slide_G_y + GF_y) * omega_B;
+    v(3, 1) = (slide_B_x + BG_x + slide_G_x + GF_x) * omega_B + sin_GF * v_s_G + t02;
     v(3, 2) = omega_B;
   }
 
@@ -792,43 +772,41 @@ struct Model20 {
     const Scalar a_y_E = u_second_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t05 = u.phi_B.cos * v_s_B;
-    const Scalar t06 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t07 = slide_B_x + slide_C_x;
-    const Scalar t08 = slide_B_y + slide_C_y;
-    const Scalar t09 = slide_B_x + BG_x + slide_G_x + GF_x;
-    const Scalar t10 = slide_B_y + BG_y + slide_G_y + GF_y;
-    a(0, 0) = t04 - omega_B * (Scalar(2) * t03 + omega_B * slide_B_x) - alpha_B * slide_B_y;
-    a(0, 1) = omega_B * (Scalar(2) * t05 - omega_B * slide_B_y) + slide_B_x * alpha_B + t06;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = u.phi_B.sin * v_s_B;
+    const Scalar t02 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t03 = u.phi_B.cos * v_s_B;
+    const Scalar t04 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t05 = slide_B_x + slide_C_x;
+    const Scalar t06 = slide_B_y + slide_C_y;
+    const Scalar t07 = slide_B_x + BG_x + slide_G_x + GF_x;
+    const Scalar t08 = slide_B_y + BG_y + slide_G_y + GF_y;
+    a(0, 0) = t02 - omega_B * (Scalar(2) * t01 + slide_B_x * omega_B) - slide_B_y * alpha_B;
+    a(0, 1) = omega_B * (Scalar(2) * t03 - slide_B_y * omega_B) + slide_B_x * alpha_B + t04;
     a(0, 2) = alpha_B;
     a(1, 0) = a_x_E;
     a(1, 1) = a_y_E;
     a(1, 2) = alpha_B;
-    a(2, 0) = cos_CD * a_s_C + t04 - omega_B * (Scalar(2) * t03 + omega_B * t07
-        + Scalar(2) * sin_CD * v_s_C) - alpha_B * t08;
-    a(2, 1) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_CD * v_s_C - omega_B * t08)
-        + alpha_B * t07 + sin_CD * a_s_C + t06;
+    a(2, 0) = cos_CD * a_s_C + t02 - omega_B * (Scalar(2) * t01 + t05 * omega_B
+        + Scalar(2) * sin_CD * v_s_C) - t06 * alpha_B;
+    a(2, 1) = omega_B * (Scalar(2) * t03 + Scalar(2) * cos_CD * v_s_C - t06 * omega_B)
+        + t05 * alpha_B + sin_CD * a_s_C + t04;
     a(2, 2) = alpha_B;
-    a(3, 0) = cos_GF * a_s_G + t04 - omega_B * (Scalar(2) * t03 + omega_B * t09
-        + Scalar(2) * sin_GF * v_s_G) - alpha_B * t10;
-    a(3, 1) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_GF * v_s_G - omega_B * t10)
-        + alpha_B * t09 + sin_GF * a_s_G + t06;
+    a(3, 0) = cos_GF * a_s_G + t02 - omega_B * (Scalar(2) * t01 + t07 * omega_B
+        + Scalar(2) * sin_GF * v_s_G) - t08 * alpha_B;
+    a(3, 1) = omega_B * (Scalar(2) * t03 + Scalar(2) * cos_GF * v_s_G - t08 * omega_B)
+        + t07 * alpha_B + sin_GF * a_s_G + t04;
     a(3, 2) = alpha_B;
   }
 
@@ -850,43 +828,41 @@ struct Model20 {
     p.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = u.phi_B.cos * v_s_B;
-    const Scalar t05 = sin_CD * v_s_C;
-    const Scalar t06 = slide_C_x * omega_C_BCG;
-    const Scalar t07 = cos_CD * v_s_C;
-    const Scalar t08 = omega_C_BCG * slide_C_y;
-    const Scalar t09 = v_h_G_BCG - v_h_G_GF;
-    const Scalar t10 = cos_GF * t09 + sin_GF * v_s_G;
-    const Scalar t11 = GF_x + BG_x + slide_G_x;
-    const Scalar t12 = omega_G_BCG * t11;
-    const Scalar t13 = sin_GF * t09 - cos_GF * v_s_G;
-    const Scalar t14 = GF_y + BG_y + slide_G_y;
-    const Scalar t15 = omega_G_BCG * t14;
-    p(0, 0) = -omega_B * (Scalar(2) * t03 + omega_B * slide_B_x);
-    p(0, 1) = omega_B * (Scalar(2) * t04 - omega_B * slide_B_y);
-    p(2, 0) = -omega_B * (Scalar(2) * t03 + omega_B * (slide_B_x + slide_C_x) + Scalar(2) * t05
-        + Scalar(2) * t06) - omega_C_BCG * (Scalar(2) * t05 + t06);
-    p(2, 1) = omega_B * (Scalar(2) * t04 + Scalar(2) * t07 - omega_B * (slide_B_y + slide_C_y)
-        - Scalar(2) * t08) + omega_C_BCG * (Scalar(2) * t07 - t08);
-    p(3, 0) = -omega_G_BCG * (Scalar(2) * t10 + t12) - omega_B * (Scalar(2) * t03 + Scalar(2) * t10
-        + Scalar(2) * t12 + omega_B * (slide_B_x + t11));
-    p(3, 1) = omega_B * (Scalar(2) * t04 - Scalar(2) * t13 - Scalar(2) * t15 - omega_B * (slide_B_y
-        + t14)) - omega_G_BCG * (Scalar(2) * t13 + t15);
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = u.phi_B.sin * v_s_B;
+    const Scalar t02 = u.phi_B.cos * v_s_B;
+    const Scalar t03 = sin_CD * v_s_C;
+    const Scalar t04 = slide_C_x * omega_C_BCG;
+    const Scalar t05 = cos_CD * v_s_C;
+    const Scalar t06 = slide_C_y * omega_C_BCG;
+    const Scalar t07 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t08 = cos_GF * t07 + sin_GF * v_s_G;
+    const Scalar t09 = GF_x + BG_x + slide_G_x;
+    const Scalar t10 = t09 * omega_G_BCG;
+    const Scalar t11 = sin_GF * t07 - cos_GF * v_s_G;
+    const Scalar t12 = GF_y + BG_y + slide_G_y;
+    const Scalar t13 = t12 * omega_G_BCG;
+    p(0, 0) = -omega_B * (Scalar(2) * t01 + slide_B_x * omega_B);
+    p(0, 1) = omega_B * (Scalar(2) * t02 - slide_B_y * omega_B);
+    p(2, 0) = -omega_B * (Scalar(2) * t01 + (slide_B_x + slide_C_x) * omega_B + Scalar(2) * t03
+        + Scalar(2) * t04) - omega_C_BCG * (Scalar(2) * t03 + t04);
+    p(2, 1) = omega_B * (Scalar(2) * t02 + Scalar(2) * t05 - (slide_B_y + slide_C_y) * omega_B
+        - Scalar(2) * t06) + omega_C_BCG * (Scalar(2) * t05 - t06);
+    p(3, 0) = -omega_G_BCG * (Scalar(2) * t08 + t10) - omega_B * (Scalar(2) * t01 + Scalar(2) * t08
+        + Scalar(2) * t10 + (slide_B_x + t09) * omega_B);
+    p(3, 1) = omega_B * (Scalar(2) * t02 - Scalar(2) * t11 - Scalar(2) * t13 - (slide_B_y
+        + t12) * omega_B) - omega_G_BCG * (Scalar(2) * t11 + t13);
   }
 
   /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
@@ -955,100 +931,101 @@ struct Model20 {
         cos_psi_C_BCG_plus_psi_D_CD + d.psi_G_BCG.sin * sin_psi_C_BCG_plus_psi_D_CD;
     const Scalar sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
         sin_psi_C_BCG_plus_psi_D_CD - d.psi_G_BCG.sin * cos_psi_C_BCG_plus_psi_D_CD;
-    const Scalar t01 = d.psi_D_CD.cos * q.s_D - d.psi_D_CD.sin * d.h_D_EDF;
+    const Scalar t01 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
     const Scalar t02 = q.s_C - t01;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + t02;
-    const Scalar t03 = d.psi_D_CD.sin * q.s_D + d.psi_D_CD.cos * d.h_D_EDF;
-    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - t03;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t02;
+    const Scalar t03 = q.s_D * d.psi_D_CD.sin + d.h_D_EDF * d.psi_D_CD.cos;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - t03;
     const Scalar t04 = d.x_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
         - d.y_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG;
-    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G - t04;
+    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G - t04;
     const Scalar t05 = d.h_G_BCG - d.h_G_GF;
-    const Scalar phi_B_across_slide_G = t05 - d.psi_G_BCG.sin * q.s_B
+    const Scalar phi_B_across_slide_G = t05 - q.s_B * d.psi_G_BCG.sin
         - d.x_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
-        - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF;
+        - d.y_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG;
     const Scalar pivot_product = d.psi_G_BCG.sin * d.psi_D_CD.sin;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_G_BCG) = 0, or sin(psi_D_CD)
                                                        //     = 0
     const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
-    const Scalar t06 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_C_per_across_slide_C = t06;
+    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
     const Scalar s_D_per_across_slide_G = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
         inverse_sin_psi_G_BCG;
     const Scalar s_G_per_across_slide_G = -d.psi_G_BCG.cos * inverse_sin_psi_G_BCG;
     const Scalar s_C_per_across_slide_G = d.psi_D_CD.cos * s_D_per_across_slide_G
         - d.psi_C_BCG.cos * inverse_sin_psi_G_BCG;
-    const Scalar t07 = inverse_sin_psi_G_BCG * t04;
-    const Scalar t08 = t04 * s_C_per_across_slide_G;
-    const Scalar t09 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t10 = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
+    const Scalar s_B_per_x_B = inverse_sin_psi_G_BCG * sin_GF;
+    const Scalar s_C_per_x_B = s_C_per_across_slide_C * sin_CD + s_C_per_across_slide_G * sin_GF
+        - cos_CD;
+    const Scalar s_G_per_x_B = s_G_per_across_slide_G * sin_GF - cos_GF;
+    const Scalar s_D_per_x_B = inverse_sin_psi_D_CD * sin_CD + s_D_per_across_slide_G * sin_GF;
+    const Scalar s_B_per_y_B = -inverse_sin_psi_G_BCG * cos_GF;
+    const Scalar s_C_per_y_B = -sin_CD - s_C_per_across_slide_C * cos_CD
+        - s_C_per_across_slide_G * cos_GF;
+    const Scalar s_G_per_y_B = -sin_GF - s_G_per_across_slide_G * cos_GF;
+    const Scalar s_D_per_y_B = -inverse_sin_psi_D_CD * cos_CD - s_D_per_across_slide_G * cos_GF;
+    const Scalar t06 = t04 * inverse_sin_psi_G_BCG;
+    const Scalar t07 = t04 * s_C_per_across_slide_G;
+    const Scalar t08 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t09 = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
         - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
-    const Scalar t11 = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
+    const Scalar t10 = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
         + sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
-    const Scalar t12 = d.x_F_EDF * t10 + d.y_F_EDF * t11;
-    const Scalar t13 = s_D_per_across_slide_G * t04;
-    const Scalar t14 = inverse_sin_psi_G_BCG * sin_GF;
-    const Scalar t15 = inverse_sin_psi_G_BCG * cos_GF;
-    const Scalar t16 = cos_CD - s_C_per_across_slide_C * sin_CD - s_C_per_across_slide_G * sin_GF;
-    const Scalar t17 = sin_CD + s_C_per_across_slide_C * cos_CD + s_C_per_across_slide_G * cos_GF;
-    const Scalar t18 = cos_GF - s_G_per_across_slide_G * sin_GF;
-    const Scalar t19 = sin_GF + s_G_per_across_slide_G * cos_GF;
-    const Scalar t20 = inverse_sin_psi_D_CD * sin_CD + s_D_per_across_slide_G * sin_GF;
-    const Scalar t21 = inverse_sin_psi_D_CD * cos_CD + s_D_per_across_slide_G * cos_GF;
-    S_d(0, 0) = t07;
+    const Scalar t11 = d.x_F_EDF * t09 + d.y_F_EDF * t10;
+    const Scalar t12 = t04 * s_D_per_across_slide_G;
+    S_d(0, 0) = t06;
     S_d(0, 1) = -q.s_G * inverse_sin_psi_G_BCG;
     S_d(0, 2) = -inverse_sin_psi_G_BCG;
     S_d(0, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * inverse_sin_psi_G_BCG;
     S_d(0, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * inverse_sin_psi_G_BCG;
-    S_d(0, 6) = t07;
+    S_d(0, 6) = t06;
     S_d(0, 7) = inverse_sin_psi_G_BCG;
-    S_d(1, 0) = t08 - t03 - s_C_per_across_slide_C * t02;
+    S_d(1, 0) = t07 - t03 - t02 * s_C_per_across_slide_C;
     S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
     S_d(1, 2) = -s_C_per_across_slide_G;
-    S_d(1, 3) = -t09;
+    S_d(1, 3) = -t08;
     S_d(1, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
     S_d(1, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(1, 6) = t08 - q.s_D * t09 - d.h_D_EDF * (d.psi_D_CD.cos
+    S_d(1, 6) = t07 - q.s_D * t08 - d.h_D_EDF * (d.psi_D_CD.cos
         + d.psi_D_CD.sin * s_C_per_across_slide_C);
     S_d(1, 7) = s_C_per_across_slide_G;
-    S_d(2, 0) = -t12;
+    S_d(2, 0) = -t11;
     S_d(2, 1) = t05 - q.s_G * s_G_per_across_slide_G;
     S_d(2, 2) = -s_G_per_across_slide_G;
-    S_d(2, 4) = t11;
-    S_d(2, 5) = -t10;
-    S_d(2, 6) = -t12;
+    S_d(2, 4) = t10;
+    S_d(2, 5) = -t09;
+    S_d(2, 6) = -t11;
     S_d(2, 7) = s_G_per_across_slide_G;
-    S_d(3, 0) = t13 - inverse_sin_psi_D_CD * t02;
+    S_d(3, 0) = t12 - t02 * inverse_sin_psi_D_CD;
     S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
     S_d(3, 2) = -s_D_per_across_slide_G;
-    S_d(3, 3) = t06;
+    S_d(3, 3) = s_C_per_across_slide_C;
     S_d(3, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
     S_d(3, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
-    S_d(3, 6) = t13 + inverse_sin_psi_D_CD * t01;
+    S_d(3, 6) = t12 + t01 * inverse_sin_psi_D_CD;
     S_d(3, 7) = s_D_per_across_slide_G;
-    S_u(0, 0) = t14;
-    S_u(0, 1) = -t15;
-    S_u(0, 2) = -inverse_sin_psi_G_BCG * phi_B_along_slide_G;
-    S_u(0, 3) = -t14;
-    S_u(0, 4) = t15;
-    S_u(1, 0) = -t16;
-    S_u(1, 1) = -t17;
-    S_u(1, 2) = phi_B_across_slide_C - s_C_per_across_slide_C * phi_B_along_slide_C
-        - s_C_per_across_slide_G * phi_B_along_slide_G;
-    S_u(1, 3) = t16;
-    S_u(1, 4) = t17;
-    S_u(2, 0) = -t18;
-    S_u(2, 1) = -t19;
-    S_u(2, 2) = phi_B_across_slide_G - s_G_per_across_slide_G * phi_B_along_slide_G;
-    S_u(2, 3) = t18;
-    S_u(2, 4) = t19;
-    S_u(3, 0) = t20;
-    S_u(3, 1) = -t21;
-    S_u(3, 2) = -inverse_sin_psi_D_CD * phi_B_along_slide_C
-        - s_D_per_across_slide_G * phi_B_along_slide_G;
-    S_u(3, 3) = -t20;
-    S_u(3, 4) = t21;
+    S_u(0, 0) = s_B_per_x_B;
+    S_u(0, 1) = s_B_per_y_B;
+    S_u(0, 2) = -phi_B_along_slide_G * inverse_sin_psi_G_BCG;
+    S_u(0, 3) = -s_B_per_x_B;
+    S_u(0, 4) = -s_B_per_y_B;
+    S_u(1, 0) = s_C_per_x_B;
+    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 2) = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
+        - phi_B_along_slide_G * s_C_per_across_slide_G;
+    S_u(1, 3) = -s_C_per_x_B;
+    S_u(1, 4) = -s_C_per_y_B;
+    S_u(2, 0) = s_G_per_x_B;
+    S_u(2, 1) = s_G_per_y_B;
+    S_u(2, 2) = phi_B_across_slide_G - phi_B_along_slide_G * s_G_per_across_slide_G;
+    S_u(2, 3) = -s_G_per_x_B;
+    S_u(2, 4) = -s_G_per_y_B;
+    S_u(3, 0) = s_D_per_x_B;
+    S_u(3, 1) = s_D_per_y_B;
+    S_u(3, 2) = -phi_B_along_slide_C * inverse_sin_psi_D_CD
+        - phi_B_along_slide_G * s_D_per_across_slide_G;
+    S_u(3, 3) = -s_D_per_x_B;
+    S_u(3, 4) = -s_D_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1073,16 +1050,16 @@ struct Model20 {
         cos_psi_C_BCG_plus_psi_D_CD + d.psi_G_BCG.sin * sin_psi_C_BCG_plus_psi_D_CD;
     const Scalar sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
         sin_psi_C_BCG_plus_psi_D_CD - d.psi_G_BCG.sin * cos_psi_C_BCG_plus_psi_D_CD;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C + d.psi_D_CD.sin * d.h_D_EDF
-        - d.psi_D_CD.cos * q.s_D;
-    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.psi_D_CD.sin * q.s_D
-        - d.psi_D_CD.cos * d.h_D_EDF;
-    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C + d.h_D_EDF * d.psi_D_CD.sin
+        - q.s_D * d.psi_D_CD.cos;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - q.s_D * d.psi_D_CD.sin
+        - d.h_D_EDF * d.psi_D_CD.cos;
+    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G
         + d.y_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
         - d.x_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG;
-    const Scalar phi_B_across_slide_G = d.h_G_BCG - d.psi_G_BCG.sin * q.s_B
+    const Scalar phi_B_across_slide_G = d.h_G_BCG - q.s_B * d.psi_G_BCG.sin
         - d.x_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
-        - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF - d.h_G_GF;
+        - d.y_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG - d.h_G_GF;
     const Scalar pivot_product = d.psi_G_BCG.sin * d.psi_D_CD.sin;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_G_BCG) = 0, or sin(psi_D_CD)
                                                        //     = 0
@@ -1090,16 +1067,16 @@ struct Model20 {
     const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
     const Scalar t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = omega_B * phi_B_across_slide_C - t01 * cos_CD
-        - t02 * sin_CD;
-    const Scalar velocity_across_slide_C = t01 * sin_CD - cos_CD * t02
-        - omega_B * phi_B_along_slide_C;
-    const Scalar velocity_along_slide_G = omega_B * phi_B_across_slide_G - t01 * cos_GF
-        - t02 * sin_GF;
-    const Scalar velocity_across_slide_G = t01 * sin_GF - t02 * cos_GF
-        - omega_B * phi_B_along_slide_G;
+    const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B - cos_CD * t01
+        - sin_CD * t02;
+    const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02
+        - phi_B_along_slide_C * omega_B;
+    const Scalar velocity_along_slide_G = phi_B_across_slide_G * omega_B - cos_GF * t01
+        - sin_GF * t02;
+    const Scalar velocity_across_slide_G = sin_GF * t01 - cos_GF * t02
+        - phi_B_along_slide_G * omega_B;
     const Scalar v_s_B = inverse_sin_psi_G_BCG * velocity_across_slide_G;
-    const Scalar v_s_D = (d.psi_C_BCG.sin * v_s_B + velocity_across_slide_C) * inverse_sin_psi_D_CD;
+    const Scalar v_s_D = inverse_sin_psi_D_CD * (d.psi_C_BCG.sin * v_s_B + velocity_across_slide_C);
     const Scalar v_s_G = velocity_along_slide_G - d.psi_G_BCG.cos * v_s_B;
     const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + velocity_along_slide_C - d.psi_C_BCG.cos * v_s_B;
     q_rate(0) = v_s_B;
@@ -1136,16 +1113,16 @@ struct Model20 {
         cos_psi_C_BCG_plus_psi_D_CD + d.psi_G_BCG.sin * sin_psi_C_BCG_plus_psi_D_CD;
     const Scalar sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
         sin_psi_C_BCG_plus_psi_D_CD - d.psi_G_BCG.sin * cos_psi_C_BCG_plus_psi_D_CD;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C + d.psi_D_CD.sin * d.h_D_EDF
-        - d.psi_D_CD.cos * q.s_D;
-    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.psi_D_CD.sin * q.s_D
-        - d.psi_D_CD.cos * d.h_D_EDF;
-    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C + d.h_D_EDF * d.psi_D_CD.sin
+        - q.s_D * d.psi_D_CD.cos;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - q.s_D * d.psi_D_CD.sin
+        - d.h_D_EDF * d.psi_D_CD.cos;
+    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G
         + d.y_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
         - d.x_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG;
-    const Scalar phi_B_across_slide_G = d.h_G_BCG - d.psi_G_BCG.sin * q.s_B
+    const Scalar phi_B_across_slide_G = d.h_G_BCG - q.s_B * d.psi_G_BCG.sin
         - d.x_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
-        - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF - d.h_G_GF;
+        - d.y_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG - d.h_G_GF;
     const Scalar pivot_product = d.psi_G_BCG.sin * d.psi_D_CD.sin;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_G_BCG) = 0, or sin(psi_D_CD)
                                                        //     = 0
@@ -1153,17 +1130,17 @@ struct Model20 {
     const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
     const Scalar t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
-    const Scalar t03 = omega_B * phi_B_across_slide_C;
-    const Scalar velocity_along_slide_C = t03 - t01 * cos_CD - t02 * sin_CD;
-    const Scalar t04 = omega_B * phi_B_along_slide_C;
-    const Scalar velocity_across_slide_C = t01 * sin_CD - cos_CD * t02 - t04;
-    const Scalar t05 = omega_B * phi_B_across_slide_G;
-    const Scalar velocity_along_slide_G = t05 - t01 * cos_GF - t02 * sin_GF;
-    const Scalar t06 = omega_B * phi_B_along_slide_G;
-    const Scalar velocity_across_slide_G = t01 * sin_GF - t02 * cos_GF - t06;
+    const Scalar t03 = phi_B_across_slide_C * omega_B;
+    const Scalar velocity_along_slide_C = t03 - cos_CD * t01 - sin_CD * t02;
+    const Scalar t04 = phi_B_along_slide_C * omega_B;
+    const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02 - t04;
+    const Scalar t05 = phi_B_across_slide_G * omega_B;
+    const Scalar velocity_along_slide_G = t05 - cos_GF * t01 - sin_GF * t02;
+    const Scalar t06 = phi_B_along_slide_G * omega_B;
+    const Scalar velocity_across_slide_G = sin_GF * t01 - cos_GF * t02 - t06;
     const Scalar v_s_B = inverse_sin_psi_G_BCG * velocity_across_slide_G;
     const Scalar t07 = d.psi_C_BCG.sin * v_s_B;
-    const Scalar v_s_D = (t07 + velocity_across_slide_C) * inverse_sin_psi_D_CD;
+    const Scalar v_s_D = inverse_sin_psi_D_CD * (t07 + velocity_across_slide_C);
     const Scalar t08 = d.psi_G_BCG.cos * v_s_B;
     const Scalar v_s_G = velocity_along_slide_G - t08;
     const Scalar t09 = d.psi_C_BCG.cos * v_s_B - d.psi_D_CD.cos * v_s_D;
@@ -1226,62 +1203,52 @@ struct Model20 {
         cos_psi_C_BCG_plus_psi_D_CD + d.psi_G_BCG.sin * sin_psi_C_BCG_plus_psi_D_CD;
     const Scalar sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
         sin_psi_C_BCG_plus_psi_D_CD - d.psi_G_BCG.sin * cos_psi_C_BCG_plus_psi_D_CD;
-    const Scalar t01 = d.psi_D_CD.cos * q.s_D - d.psi_D_CD.sin * d.h_D_EDF;
+    const Scalar t01 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
     const Scalar t02 = q.s_C - t01;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + t02;
-    const Scalar t03 = d.psi_D_CD.sin * q.s_D + d.psi_D_CD.cos * d.h_D_EDF;
-    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - t03;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t02;
+    const Scalar t03 = q.s_D * d.psi_D_CD.sin + d.h_D_EDF * d.psi_D_CD.cos;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - t03;
     const Scalar t04 = d.x_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
         - d.y_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG;
-    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G - t04;
+    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G - t04;
     const Scalar t05 = d.h_G_BCG - d.h_G_GF;
-    const Scalar phi_B_across_slide_G = t05 - d.psi_G_BCG.sin * q.s_B
+    const Scalar phi_B_across_slide_G = t05 - q.s_B * d.psi_G_BCG.sin
         - d.x_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
-        - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * d.y_F_EDF;
+        - d.y_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG;
     const Scalar pivot_product = d.psi_G_BCG.sin * d.psi_D_CD.sin;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_G_BCG) = 0, or sin(psi_D_CD)
                                                        //     = 0
     const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
-    const Scalar t06 = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_C_per_across_slide_C = t06;
+    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
     const Scalar s_D_per_across_slide_G = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
         inverse_sin_psi_G_BCG;
     const Scalar s_G_per_across_slide_G = -d.psi_G_BCG.cos * inverse_sin_psi_G_BCG;
     const Scalar s_C_per_across_slide_G = d.psi_D_CD.cos * s_D_per_across_slide_G
         - d.psi_C_BCG.cos * inverse_sin_psi_G_BCG;
-    const Scalar t07 = inverse_sin_psi_G_BCG * sin_GF;
-    const Scalar s_B_per_x_B = t07;
-    const Scalar t08 = cos_CD - sin_CD * s_C_per_across_slide_C - sin_GF * s_C_per_across_slide_G;
-    const Scalar s_C_per_x_B = -t08;
-    const Scalar t09 = cos_GF - sin_GF * s_G_per_across_slide_G;
-    const Scalar s_G_per_x_B = -t09;
-    const Scalar t10 = inverse_sin_psi_D_CD * sin_CD + s_D_per_across_slide_G * sin_GF;
-    const Scalar s_D_per_x_B = t10;
-    const Scalar t11 = inverse_sin_psi_G_BCG * cos_GF;
-    const Scalar s_B_per_y_B = -t11;
-    const Scalar t12 = sin_CD + cos_CD * s_C_per_across_slide_C + s_C_per_across_slide_G * cos_GF;
-    const Scalar s_C_per_y_B = -t12;
-    const Scalar t13 = sin_GF + cos_GF * s_G_per_across_slide_G;
-    const Scalar s_G_per_y_B = -t13;
-    const Scalar t14 = inverse_sin_psi_D_CD * cos_CD + s_D_per_across_slide_G * cos_GF;
-    const Scalar s_D_per_y_B = -t14;
-    const Scalar t15 = inverse_sin_psi_G_BCG * phi_B_along_slide_G;
-    const Scalar s_B_per_phi_B = -t15;
-    const Scalar t16 = s_C_per_across_slide_C * phi_B_along_slide_C
-        + s_C_per_across_slide_G * phi_B_along_slide_G - phi_B_across_slide_C;
-    const Scalar s_C_per_phi_B = -t16;
-    const Scalar t17 = s_G_per_across_slide_G * phi_B_along_slide_G - phi_B_across_slide_G;
-    const Scalar s_G_per_phi_B = -t17;
-    const Scalar t18 = inverse_sin_psi_D_CD * phi_B_along_slide_C
-        + s_D_per_across_slide_G * phi_B_along_slide_G;
-    const Scalar s_D_per_phi_B = -t18;
-    const Scalar t19 = v_x_B - v_x_E;
-    const Scalar t20 = v_y_B - v_y_E;
-    const Scalar v_s_B = t19 * s_B_per_x_B + t20 * s_B_per_y_B + omega_B * s_B_per_phi_B;
-    const Scalar v_s_C = t19 * s_C_per_x_B + t20 * s_C_per_y_B + omega_B * s_C_per_phi_B;
-    const Scalar v_s_G = t19 * s_G_per_x_B + t20 * s_G_per_y_B + omega_B * s_G_per_phi_B;
-    const Scalar v_s_D = t19 * s_D_per_x_B + t20 * s_D_per_y_B + omega_B * s_D_per_phi_B;
+    const Scalar s_B_per_x_B = inverse_sin_psi_G_BCG * sin_GF;
+    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_G
+        - cos_CD;
+    const Scalar s_G_per_x_B = sin_GF * s_G_per_across_slide_G - cos_GF;
+    const Scalar s_D_per_x_B = inverse_sin_psi_D_CD * sin_CD + s_D_per_across_slide_G * sin_GF;
+    const Scalar s_B_per_y_B = -inverse_sin_psi_G_BCG * cos_GF;
+    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
+        - s_C_per_across_slide_G * cos_GF;
+    const Scalar s_G_per_y_B = -sin_GF - cos_GF * s_G_per_across_slide_G;
+    const Scalar s_D_per_y_B = -inverse_sin_psi_D_CD * cos_CD - s_D_per_across_slide_G * cos_GF;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_G * inverse_sin_psi_G_BCG;
+    const Scalar s_C_per_phi_B = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
+        - phi_B_along_slide_G * s_C_per_across_slide_G;
+    const Scalar s_G_per_phi_B = phi_B_across_slide_G
+        - phi_B_along_slide_G * s_G_per_across_slide_G;
+    const Scalar s_D_per_phi_B = -phi_B_along_slide_C * inverse_sin_psi_D_CD
+        - phi_B_along_slide_G * s_D_per_across_slide_G;
+    const Scalar t06 = v_x_B - v_x_E;
+    const Scalar t07 = v_y_B - v_y_E;
+    const Scalar v_s_B = s_B_per_x_B * t06 + s_B_per_y_B * t07 + s_B_per_phi_B * omega_B;
+    const Scalar v_s_C = s_C_per_x_B * t06 + s_C_per_y_B * t07 + s_C_per_phi_B * omega_B;
+    const Scalar v_s_G = s_G_per_x_B * t06 + s_G_per_y_B * t07 + s_G_per_phi_B * omega_B;
+    const Scalar v_s_D = s_D_per_x_B * t06 + s_D_per_y_B * t07 + s_D_per_phi_B * omega_B;
     const Scalar centripetal_along_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B
         + Scalar(2) * d.psi_D_CD.sin * v_s_D - phi_B_along_slide_C * omega_B);
     const Scalar centripetal_across_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B
@@ -1290,80 +1257,80 @@ struct Model20 {
         - phi_B_along_slide_G * omega_B);
     const Scalar centripetal_across_slide_G = -omega_B * (Scalar(2) * d.psi_G_BCG.cos * v_s_B
         + Scalar(2) * v_s_G - phi_B_across_slide_G * omega_B);
-    const Scalar t21 = inverse_sin_psi_G_BCG * t04;
-    const Scalar t22 = s_C_per_across_slide_G * t04;
-    const Scalar t23 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t24 = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
+    const Scalar t08 = t04 * inverse_sin_psi_G_BCG;
+    const Scalar t09 = t04 * s_C_per_across_slide_G;
+    const Scalar t10 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t11 = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
         - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
-    const Scalar t25 = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
+    const Scalar t12 = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
         + sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
-    const Scalar t26 = d.x_F_EDF * t24 + d.y_F_EDF * t25;
-    const Scalar t27 = s_D_per_across_slide_G * t04;
-    const Scalar t28 = a_x_B - a_x_E;
-    const Scalar t29 = a_y_B - a_y_E;
-    S_d(0, 0) = t21;
+    const Scalar t13 = d.x_F_EDF * t11 + d.y_F_EDF * t12;
+    const Scalar t14 = t04 * s_D_per_across_slide_G;
+    const Scalar t15 = a_x_B - a_x_E;
+    const Scalar t16 = a_y_B - a_y_E;
+    S_d(0, 0) = t08;
     S_d(0, 1) = -q.s_G * inverse_sin_psi_G_BCG;
     S_d(0, 2) = -inverse_sin_psi_G_BCG;
     S_d(0, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * inverse_sin_psi_G_BCG;
     S_d(0, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * inverse_sin_psi_G_BCG;
-    S_d(0, 6) = t21;
+    S_d(0, 6) = t08;
     S_d(0, 7) = inverse_sin_psi_G_BCG;
-    S_d(1, 0) = t22 - t03 - s_C_per_across_slide_C * t02;
+    S_d(1, 0) = t09 - t03 - t02 * s_C_per_across_slide_C;
     S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
     S_d(1, 2) = -s_C_per_across_slide_G;
-    S_d(1, 3) = -t23;
+    S_d(1, 3) = -t10;
     S_d(1, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
     S_d(1, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(1, 6) = t22 - q.s_D * t23 - d.h_D_EDF * (d.psi_D_CD.cos
+    S_d(1, 6) = t09 - q.s_D * t10 - d.h_D_EDF * (d.psi_D_CD.cos
         + d.psi_D_CD.sin * s_C_per_across_slide_C);
     S_d(1, 7) = s_C_per_across_slide_G;
-    S_d(2, 0) = -t26;
+    S_d(2, 0) = -t13;
     S_d(2, 1) = t05 - q.s_G * s_G_per_across_slide_G;
     S_d(2, 2) = -s_G_per_across_slide_G;
-    S_d(2, 4) = t25;
-    S_d(2, 5) = -t24;
-    S_d(2, 6) = -t26;
+    S_d(2, 4) = t12;
+    S_d(2, 5) = -t11;
+    S_d(2, 6) = -t13;
     S_d(2, 7) = s_G_per_across_slide_G;
-    S_d(3, 0) = t27 - inverse_sin_psi_D_CD * t02;
+    S_d(3, 0) = t14 - t02 * inverse_sin_psi_D_CD;
     S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
     S_d(3, 2) = -s_D_per_across_slide_G;
-    S_d(3, 3) = t06;
+    S_d(3, 3) = s_C_per_across_slide_C;
     S_d(3, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
     S_d(3, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
-    S_d(3, 6) = t27 + inverse_sin_psi_D_CD * t01;
+    S_d(3, 6) = t14 + t01 * inverse_sin_psi_D_CD;
     S_d(3, 7) = s_D_per_across_slide_G;
-    S_u(0, 0) = t07;
-    S_u(0, 1) = -t11;
-    S_u(0, 2) = -t15;
-    S_u(0, 3) = -t07;
-    S_u(0, 4) = t11;
-    S_u(1, 0) = -t08;
-    S_u(1, 1) = -t12;
-    S_u(1, 2) = -t16;
-    S_u(1, 3) = t08;
-    S_u(1, 4) = t12;
-    S_u(2, 0) = -t09;
-    S_u(2, 1) = -t13;
-    S_u(2, 2) = -t17;
-    S_u(2, 3) = t09;
-    S_u(2, 4) = t13;
-    S_u(3, 0) = t10;
-    S_u(3, 1) = -t14;
-    S_u(3, 2) = -t18;
-    S_u(3, 3) = -t10;
-    S_u(3, 4) = t14;
+    S_u(0, 0) = s_B_per_x_B;
+    S_u(0, 1) = s_B_per_y_B;
+    S_u(0, 2) = s_B_per_phi_B;
+    S_u(0, 3) = -s_B_per_x_B;
+    S_u(0, 4) = -s_B_per_y_B;
+    S_u(1, 0) = s_C_per_x_B;
+    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 2) = s_C_per_phi_B;
+    S_u(1, 3) = -s_C_per_x_B;
+    S_u(1, 4) = -s_C_per_y_B;
+    S_u(2, 0) = s_G_per_x_B;
+    S_u(2, 1) = s_G_per_y_B;
+    S_u(2, 2) = s_G_per_phi_B;
+    S_u(2, 3) = -s_G_per_x_B;
+    S_u(2, 4) = -s_G_per_y_B;
+    S_u(3, 0) = s_D_per_x_B;
+    S_u(3, 1) = s_D_per_y_B;
+    S_u(3, 2) = s_D_per_phi_B;
+    S_u(3, 3) = -s_D_per_x_B;
+    S_u(3, 4) = -s_D_per_y_B;
     q_rate(0) = v_s_B;
     q_rate(1) = v_s_C;
     q_rate(2) = v_s_G;
     q_rate(3) = v_s_D;
-    q_second_rate(0) = s_B_per_x_B * t28 + s_B_per_y_B * t29 + s_B_per_phi_B * alpha_B
+    q_second_rate(0) = s_B_per_x_B * t15 + s_B_per_y_B * t16 + s_B_per_phi_B * alpha_B
         + inverse_sin_psi_G_BCG * centripetal_across_slide_G;
-    q_second_rate(1) = s_C_per_x_B * t28 + s_C_per_y_B * t29 + s_C_per_phi_B * alpha_B
+    q_second_rate(1) = s_C_per_x_B * t15 + s_C_per_y_B * t16 + s_C_per_phi_B * alpha_B
         + s_C_per_across_slide_C * centripetal_across_slide_C
         + s_C_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_C;
-    q_second_rate(2) = s_G_per_x_B * t28 + s_G_per_y_B * t29 + s_G_per_phi_B * alpha_B
+    q_second_rate(2) = s_G_per_x_B * t15 + s_G_per_y_B * t16 + s_G_per_phi_B * alpha_B
         + s_G_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_G;
-    q_second_rate(3) = s_D_per_x_B * t28 + s_D_per_y_B * t29 + s_D_per_phi_B * alpha_B
+    q_second_rate(3) = s_D_per_x_B * t15 + s_D_per_y_B * t16 + s_D_per_phi_B * alpha_B
         + inverse_sin_psi_D_CD * centripetal_across_slide_C
         + s_D_per_across_slide_G * centripetal_across_slide_G;
   }
@@ -1376,10 +1343,10 @@ struct Model20 {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
     const Scalar t01 = d.x_F_EDF * d.psi_D_CD.sin + d.y_F_EDF * d.psi_D_CD.cos;
-    const Scalar t02 = d.x_F_EDF * d.psi_D_CD.cos - d.psi_D_CD.sin * d.y_F_EDF;
+    const Scalar t02 = d.x_F_EDF * d.psi_D_CD.cos - d.y_F_EDF * d.psi_D_CD.sin;
     const Scalar T_0_re = -Scalar(2) * ((t01 * d.psi_C_BCG.cos + t02 * d.psi_C_BCG.sin
-        + u.phi_B.sin * EB_x - u.phi_B.cos * EB_y) * d.psi_G_BCG.cos + d.h_G_GF
-        - (d.psi_C_BCG.cos * t02 - t01 * d.psi_C_BCG.sin - u.phi_B.cos * EB_x
+        + EB_x * u.phi_B.sin - EB_y * u.phi_B.cos) * d.psi_G_BCG.cos + d.h_G_GF
+        - (t02 * d.psi_C_BCG.cos - t01 * d.psi_C_BCG.sin - EB_x * u.phi_B.cos
         - EB_y * u.phi_B.sin) * d.psi_G_BCG.sin - d.h_G_BCG);
     const Scalar T_1_re = -Scalar(2) * d.psi_G_BCG.sin;
     T(0) = T_0_re;
@@ -1395,16 +1362,16 @@ struct Model20 {
     const Scalar EB_y = u.y_B - u.y_E;
     const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;  // zero: the slides of s_C and s_D are
                                                              //     parallel
-    const Scalar t01 = u.phi_B.cos * EB_y - EB_x * u.phi_B.sin;
-    const Scalar t02 = u.phi_B.sin * EB_y + q.s_B + u.phi_B.cos * EB_x;
-    const Scalar t03 = d.psi_D_CD.cos * d.x_F_EDF - d.psi_D_CD.sin * d.y_F_EDF;
-    const Scalar t04 = d.psi_D_CD.sin * d.x_F_EDF + d.psi_D_CD.cos * d.y_F_EDF;
-    q.s_C = inverse_s_C * (d.h_D_EDF + d.psi_C_BCG.sin * (d.psi_D_CD.sin * t01
-        + d.psi_D_CD.cos * t02) - d.psi_C_BCG.cos * (t01 * d.psi_D_CD.cos - d.psi_D_CD.sin * t02));
-    q.s_D = -inverse_s_C * (t01 * d.psi_C_BCG.cos - d.psi_D_CD.cos * d.h_D_EDF
-        - d.psi_C_BCG.sin * t02);
-    q.s_G = d.psi_G_BCG.cos * (d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04 - t02)
-        - d.psi_G_BCG.sin * (t01 - d.psi_C_BCG.cos * t04 - d.psi_C_BCG.sin * t03);
+    const Scalar t01 = EB_y * u.phi_B.cos - EB_x * u.phi_B.sin;
+    const Scalar t02 = EB_y * u.phi_B.sin + q.s_B + EB_x * u.phi_B.cos;
+    const Scalar t03 = d.x_F_EDF * d.psi_D_CD.cos - d.y_F_EDF * d.psi_D_CD.sin;
+    const Scalar t04 = d.x_F_EDF * d.psi_D_CD.sin + d.y_F_EDF * d.psi_D_CD.cos;
+    q.s_C = (d.h_D_EDF + (t01 * d.psi_D_CD.sin + t02 * d.psi_D_CD.cos) * d.psi_C_BCG.sin
+        - (t01 * d.psi_D_CD.cos - t02 * d.psi_D_CD.sin) * d.psi_C_BCG.cos) * inverse_s_C;
+    q.s_D = -(t01 * d.psi_C_BCG.cos - d.h_D_EDF * d.psi_D_CD.cos
+        - t02 * d.psi_C_BCG.sin) * inverse_s_C;
+    q.s_G = (t03 * d.psi_C_BCG.cos - t04 * d.psi_C_BCG.sin - t02) * d.psi_G_BCG.cos - (t01
+        - t04 * d.psi_C_BCG.cos - t03 * d.psi_C_BCG.sin) * d.psi_G_BCG.sin;
   }
 };
 

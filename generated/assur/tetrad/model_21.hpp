@@ -177,36 +177,34 @@ struct Model21 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t04 * d.h_G_BCG;
-    const Scalar BG_y = t03 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar EF_x = -(sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
-    const Scalar t05 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
-    const Scalar t06 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
-    const Scalar cos_slide_F = d.psi_G_BCG.cos * t05 - d.psi_G_BCG.sin * t06;
-    const Scalar sin_slide_F = d.psi_G_BCG.cos * t06 + d.psi_G_BCG.sin * t05;
+    const Scalar t03 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
+    const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
+    const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
+    const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
     const Scalar slide_F_x = q.s_F * cos_slide_F;
     const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t07 = slide_B_x + u.x_B - u.x_E;
-    const Scalar t08 = slide_B_y + u.y_B - u.y_E;
-    f(0) = slide_C_x + t07 - ED_x - slide_D_x;
-    f(1) = slide_C_y + t08 - ED_y - slide_D_y;
-    f(2) = BG_x + slide_G_x + t07 - EF_x - slide_F_x;
-    f(3) = BG_y + slide_G_y + t08 - EF_y - slide_F_y;
+    const Scalar t05 = slide_B_x + u.x_B - u.x_E;
+    const Scalar t06 = slide_B_y + u.y_B - u.y_E;
+    f(0) = slide_C_x + t05 - ED_x - slide_D_x;
+    f(1) = slide_C_y + t06 - ED_y - slide_D_y;
+    f(2) = BG_x + slide_G_x + t05 - EF_x - slide_F_x;
+    f(3) = BG_y + slide_G_y + t06 - EF_y - slide_F_y;
   }
 
   /// J = df/dq.
@@ -251,50 +249,48 @@ struct Model21 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t04;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t04 * d.h_G_BCG;
-    const Scalar BG_y = t03 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t05 = sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin;
-    const Scalar EF_x = -t05 * d.h_F_EDF;
-    const Scalar t06 = cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin;
-    const Scalar EF_y = d.h_F_EDF * t06;
-    const Scalar t07 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
-    const Scalar t08 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
-    const Scalar cos_slide_F = d.psi_G_BCG.cos * t07 - d.psi_G_BCG.sin * t08;
-    const Scalar sin_slide_F = d.psi_G_BCG.cos * t08 + d.psi_G_BCG.sin * t07;
+    const Scalar t03 = sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin;
+    const Scalar EF_x = -d.h_F_EDF * t03;
+    const Scalar t04 = cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin;
+    const Scalar EF_y = d.h_F_EDF * t04;
+    const Scalar t05 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
+    const Scalar t06 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
+    const Scalar cos_slide_F = d.psi_G_BCG.cos * t05 - d.psi_G_BCG.sin * t06;
+    const Scalar sin_slide_F = d.psi_G_BCG.cos * t06 + d.psi_G_BCG.sin * t05;
     const Scalar slide_F_x = q.s_F * cos_slide_F;
     const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t09 = ED_y + slide_D_y;
-    const Scalar t10 = ED_x + slide_D_x;
-    F_d(0, 0) = t09 - slide_C_y;
+    const Scalar t07 = ED_y + slide_D_y;
+    const Scalar t08 = ED_x + slide_D_x;
+    F_d(0, 0) = t07 - slide_C_y;
     F_d(0, 3) = sin_EDF;
-    F_d(0, 6) = t09;
-    F_d(1, 0) = slide_C_x - t10;
+    F_d(0, 6) = t07;
+    F_d(1, 0) = slide_C_x - t08;
     F_d(1, 3) = -cos_EDF;
-    F_d(1, 6) = -t10;
+    F_d(1, 6) = -t08;
     F_d(2, 0) = EF_y;
     F_d(2, 1) = slide_F_y - BG_y - slide_G_y;
     F_d(2, 2) = -sin_GF;
     F_d(2, 4) = EF_y;
-    F_d(2, 5) = t05;
+    F_d(2, 5) = t03;
     F_d(2, 6) = EF_y;
     F_d(2, 7) = slide_F_y;
     F_d(3, 0) = -EF_x;
     F_d(3, 1) = BG_x + slide_G_x - slide_F_x;
     F_d(3, 2) = cos_GF;
     F_d(3, 4) = -EF_x;
-    F_d(3, 5) = -t06;
+    F_d(3, 5) = -t04;
     F_d(3, 6) = -EF_x;
     F_d(3, 7) = -slide_F_x;
   }
@@ -310,28 +306,26 @@ struct Model21 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t04 * d.h_G_BCG;
-    const Scalar BG_y = t03 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar EF_x = -(sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
-    const Scalar t05 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
-    const Scalar t06 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
-    const Scalar cos_slide_F = d.psi_G_BCG.cos * t05 - d.psi_G_BCG.sin * t06;
-    const Scalar sin_slide_F = d.psi_G_BCG.cos * t06 + d.psi_G_BCG.sin * t05;
+    const Scalar t03 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
+    const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
+    const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
+    const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
     const Scalar slide_F_x = q.s_F * cos_slide_F;
     const Scalar slide_F_y = q.s_F * sin_slide_F;
     F_u(0, 0) = Scalar(1);
@@ -364,36 +358,34 @@ struct Model21 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t04 * d.h_G_BCG;
-    const Scalar BG_y = t03 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar EF_x = -(sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
-    const Scalar t05 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
-    const Scalar t06 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
-    const Scalar cos_slide_F = d.psi_G_BCG.cos * t05 - d.psi_G_BCG.sin * t06;
-    const Scalar sin_slide_F = d.psi_G_BCG.cos * t06 + d.psi_G_BCG.sin * t05;
+    const Scalar t03 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
+    const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
+    const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
+    const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
     const Scalar slide_F_x = q.s_F * cos_slide_F;
     const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t07 = v_x_B - v_x_E;
-    const Scalar t08 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + slide_C_y - ED_y - slide_D_y) * omega_B - t07;
-    rhs(1) = -omega_B * (slide_B_x + slide_C_x - ED_x - slide_D_x) - t08;
-    rhs(2) = omega_B * (slide_B_y + BG_y + slide_G_y - EF_y - slide_F_y) - t07;
-    rhs(3) = -t08 - omega_B * (slide_B_x + BG_x + slide_G_x - EF_x - slide_F_x);
+    const Scalar t05 = v_x_B - v_x_E;
+    const Scalar t06 = v_y_B - v_y_E;
+    rhs(0) = (slide_B_y + slide_C_y - ED_y - slide_D_y) * omega_B - t05;
+    rhs(1) = -(slide_B_x + slide_C_x - ED_x - slide_D_x) * omega_B - t06;
+    rhs(2) = (slide_B_y + BG_y + slide_G_y - EF_y - slide_F_y) * omega_B - t05;
+    rhs(3) = -t06 - (slide_B_x + BG_x + slide_G_x - EF_x - slide_F_x) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -420,46 +412,44 @@ struct Model21 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t04 * d.h_G_BCG;
-    const Scalar BG_y = t03 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar EF_x = -(sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
-    const Scalar t05 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
-    const Scalar t06 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
-    const Scalar cos_slide_F = d.psi_G_BCG.cos * t05 - d.psi_G_BCG.sin * t06;
-    const Scalar sin_slide_F = d.psi_G_BCG.cos * t06 + d.psi_G_BCG.sin * t05;
+    const Scalar t03 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
+    const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
+    const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
+    const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
     const Scalar slide_F_x = q.s_F * cos_slide_F;
     const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t07 = slide_B_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t08 = u.phi_B.sin * v_s_B;
-    const Scalar t09 = slide_B_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t10 = a_x_B - a_x_E;
-    const Scalar t11 = u.phi_B.cos * v_s_B;
-    const Scalar t12 = a_y_B - a_y_E;
-    const Scalar t13 = slide_B_x + BG_x + slide_G_x - EF_x - slide_F_x;
-    const Scalar t14 = slide_B_y + BG_y + slide_G_y - EF_y - slide_F_y;
-    rhs(0) = omega_B * (t07 * omega_B + Scalar(2) * t08 + Scalar(2) * sin_CD * v_s_C
-        - Scalar(2) * sin_EDF * v_s_D) + t09 * alpha_B - t10;
-    rhs(1) = omega_B * (omega_B * t09 + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * t11
-        - Scalar(2) * cos_CD * v_s_C) - t07 * alpha_B - t12;
-    rhs(2) = omega_B * (Scalar(2) * t08 + omega_B * t13 + Scalar(2) * sin_GF * v_s_G
-        - Scalar(2) * sin_slide_F * v_s_F) + alpha_B * t14 - t10;
-    rhs(3) = -t12 - omega_B * (Scalar(2) * t11 + Scalar(2) * cos_GF * v_s_G - omega_B * t14
-        - Scalar(2) * cos_slide_F * v_s_F) - alpha_B * t13;
+    const Scalar t05 = slide_B_x + slide_C_x - ED_x - slide_D_x;
+    const Scalar t06 = u.phi_B.sin * v_s_B;
+    const Scalar t07 = slide_B_y + slide_C_y - ED_y - slide_D_y;
+    const Scalar t08 = a_x_B - a_x_E;
+    const Scalar t09 = u.phi_B.cos * v_s_B;
+    const Scalar t10 = a_y_B - a_y_E;
+    const Scalar t11 = slide_B_x + BG_x + slide_G_x - EF_x - slide_F_x;
+    const Scalar t12 = slide_B_y + BG_y + slide_G_y - EF_y - slide_F_y;
+    rhs(0) = omega_B * (t05 * omega_B + Scalar(2) * t06 + Scalar(2) * sin_CD * v_s_C
+        - Scalar(2) * sin_EDF * v_s_D) + t07 * alpha_B - t08;
+    rhs(1) = omega_B * (t07 * omega_B + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * t09
+        - Scalar(2) * cos_CD * v_s_C) - t05 * alpha_B - t10;
+    rhs(2) = omega_B * (Scalar(2) * t06 + t11 * omega_B + Scalar(2) * sin_GF * v_s_G
+        - Scalar(2) * sin_slide_F * v_s_F) + t12 * alpha_B - t08;
+    rhs(3) = -t10 - omega_B * (Scalar(2) * t09 + Scalar(2) * cos_GF * v_s_G - t12 * omega_B
+        - Scalar(2) * cos_slide_F * v_s_F) - t11 * alpha_B;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -493,56 +483,54 @@ struct Model21 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t04 * d.h_G_BCG;
-    const Scalar BG_y = t03 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar EF_x = -(sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
-    const Scalar t05 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
-    const Scalar t06 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
-    const Scalar cos_slide_F = d.psi_G_BCG.cos * t05 - d.psi_G_BCG.sin * t06;
-    const Scalar sin_slide_F = d.psi_G_BCG.cos * t06 + d.psi_G_BCG.sin * t05;
+    const Scalar t03 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
+    const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
+    const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
+    const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
     const Scalar slide_F_x = q.s_F * cos_slide_F;
     const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t07 = slide_B_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t08 = j_x_B - j_x_E;
-    const Scalar t09 = slide_B_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t10 = u.phi_B.sin * a_s_B;
-    const Scalar t11 = u.phi_B.cos * v_s_B;
-    const Scalar t12 = cos_EDF * v_s_D - t11 - cos_CD * v_s_C;
-    const Scalar t13 = u.phi_B.sin * v_s_B;
-    const Scalar t14 = sin_EDF * v_s_D - t13 - sin_CD * v_s_C;
-    const Scalar t15 = j_y_B - j_y_E;
-    const Scalar t16 = u.phi_B.cos * a_s_B;
-    const Scalar t17 = slide_B_y + BG_y + slide_G_y - EF_y - slide_F_y;
-    const Scalar t18 = sin_slide_F * v_s_F - t13 - sin_GF * v_s_G;
-    const Scalar t19 = slide_B_x + BG_x + slide_G_x - EF_x - slide_F_x;
-    const Scalar t20 = cos_slide_F * v_s_F - t11 - cos_GF * v_s_G;
-    rhs(0) = t07 * jerk_B + omega_B * (Scalar(3) * t09 * alpha_B + Scalar(3) * t10
-        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_EDF * a_s_D - omega_B * (t07 * omega_B
-        + Scalar(3) * t12)) - t08 - Scalar(3) * alpha_B * t14;
-    rhs(1) = Scalar(3) * alpha_B * t12 + omega_B * (Scalar(3) * t07 * alpha_B
-        + Scalar(3) * cos_EDF * a_s_D + omega_B * (omega_B * t09 - Scalar(3) * t14)
-        - Scalar(3) * t16 - Scalar(3) * cos_CD * a_s_C) - t09 * jerk_B - t15;
-    rhs(2) = jerk_B * t17 + omega_B * (Scalar(3) * t10 + Scalar(3) * alpha_B * t19
-        + Scalar(3) * sin_GF * a_s_G - Scalar(3) * sin_slide_F * a_s_F - omega_B * (omega_B * t17
-        + Scalar(3) * t20)) - t08 - Scalar(3) * alpha_B * t18;
-    rhs(3) = Scalar(3) * alpha_B * t20 - t15 - jerk_B * t19 - omega_B * (Scalar(3) * t16
-        + Scalar(3) * cos_GF * a_s_G - Scalar(3) * alpha_B * t17 - Scalar(3) * cos_slide_F * a_s_F
-        - omega_B * (omega_B * t19 - Scalar(3) * t18));
+    const Scalar t05 = slide_B_y + slide_C_y - ED_y - slide_D_y;
+    const Scalar t06 = j_x_B - j_x_E;
+    const Scalar t07 = slide_B_x + slide_C_x - ED_x - slide_D_x;
+    const Scalar t08 = u.phi_B.sin * a_s_B;
+    const Scalar t09 = u.phi_B.cos * v_s_B;
+    const Scalar t10 = cos_EDF * v_s_D - t09 - cos_CD * v_s_C;
+    const Scalar t11 = u.phi_B.sin * v_s_B;
+    const Scalar t12 = sin_EDF * v_s_D - t11 - sin_CD * v_s_C;
+    const Scalar t13 = j_y_B - j_y_E;
+    const Scalar t14 = u.phi_B.cos * a_s_B;
+    const Scalar t15 = slide_B_y + BG_y + slide_G_y - EF_y - slide_F_y;
+    const Scalar t16 = sin_slide_F * v_s_F - t11 - sin_GF * v_s_G;
+    const Scalar t17 = slide_B_x + BG_x + slide_G_x - EF_x - slide_F_x;
+    const Scalar t18 = cos_slide_F * v_s_F - t09 - cos_GF * v_s_G;
+    rhs(0) = t05 * jerk_B + omega_B * (Scalar(3) * t07 * alpha_B + Scalar(3) * t08
+        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_EDF * a_s_D - omega_B * (t05 * omega_B
+        + Scalar(3) * t10)) - t06 - Scalar(3) * alpha_B * t12;
+    rhs(1) = Scalar(3) * alpha_B * t10 + omega_B * (Scalar(3) * t05 * alpha_B
+        + Scalar(3) * cos_EDF * a_s_D + omega_B * (t07 * omega_B - Scalar(3) * t12)
+        - Scalar(3) * t14 - Scalar(3) * cos_CD * a_s_C) - t07 * jerk_B - t13;
+    rhs(2) = t15 * jerk_B + omega_B * (Scalar(3) * t08 + Scalar(3) * t17 * alpha_B
+        + Scalar(3) * sin_GF * a_s_G - Scalar(3) * sin_slide_F * a_s_F - omega_B * (t15 * omega_B
+        + Scalar(3) * t18)) - t06 - Scalar(3) * alpha_B * t16;
+    rhs(3) = Scalar(3) * alpha_B * t18 - t13 - t17 * jerk_B - omega_B * (Scalar(3) * t14
+        + Scalar(3) * cos_GF * a_s_G - Scalar(3) * t15 * alpha_B - Scalar(3) * cos_slide_F * a_s_F
+        - omega_B * (t17 * omega_B - Scalar(3) * t16));
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -572,77 +560,75 @@ struct Model21 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar ED_x = -d.h_D_EDF * sin_EDF;
     const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = cos_EDF * q.s_D;
-    const Scalar slide_D_y = sin_EDF * q.s_D;
-    const Scalar BG_x = -t04 * d.h_G_BCG;
-    const Scalar BG_y = t03 * d.h_G_BCG;
+    const Scalar slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t05 = sin_EDF * d.psi_F_EDF.cos;
-    const Scalar t06 = cos_EDF * d.psi_F_EDF.sin;
-    const Scalar t07 = t05 + t06;
-    const Scalar EF_x = -t07 * d.h_F_EDF;
-    const Scalar t08 = cos_EDF * d.psi_F_EDF.cos;
-    const Scalar t09 = sin_EDF * d.psi_F_EDF.sin;
-    const Scalar t10 = t08 - t09;
-    const Scalar EF_y = d.h_F_EDF * t10;
-    const Scalar t11 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
-    const Scalar t12 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
-    const Scalar cos_slide_F = d.psi_G_BCG.cos * t11 - d.psi_G_BCG.sin * t12;
-    const Scalar sin_slide_F = d.psi_G_BCG.cos * t12 + d.psi_G_BCG.sin * t11;
+    const Scalar t03 = sin_EDF * d.psi_F_EDF.cos;
+    const Scalar t04 = cos_EDF * d.psi_F_EDF.sin;
+    const Scalar t05 = t03 + t04;
+    const Scalar EF_x = -d.h_F_EDF * t05;
+    const Scalar t06 = cos_EDF * d.psi_F_EDF.cos;
+    const Scalar t07 = sin_EDF * d.psi_F_EDF.sin;
+    const Scalar t08 = t06 - t07;
+    const Scalar EF_y = d.h_F_EDF * t08;
+    const Scalar t09 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
+    const Scalar t10 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
+    const Scalar cos_slide_F = d.psi_G_BCG.cos * t09 - d.psi_G_BCG.sin * t10;
+    const Scalar sin_slide_F = d.psi_G_BCG.cos * t10 + d.psi_G_BCG.sin * t09;
     const Scalar slide_F_x = q.s_F * cos_slide_F;
     const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t13 = ED_x + slide_D_x;
-    const Scalar t14 = t13 * omega_D_CD;
-    const Scalar t15 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
-    const Scalar t16 = slide_C_x - t13;
-    const Scalar t17 = omega_C_BCG * t16;
-    const Scalar t18 = t15 + t14 - sin_CD * v_s_C;
-    const Scalar t19 = u.phi_B.sin * v_s_B;
-    const Scalar t20 = ED_y + slide_D_y;
-    const Scalar t21 = omega_D_CD * t20;
-    const Scalar t22 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
-    const Scalar t23 = slide_C_y - t20;
-    const Scalar t24 = omega_C_BCG * t23;
-    const Scalar t25 = t22 - t21 - cos_CD * v_s_C;
-    const Scalar t26 = u.phi_B.cos * v_s_B;
-    const Scalar t27 = sin_slide_F * v_s_F;
-    const Scalar t28 = slide_F_x * omega_F_GF;
-    const Scalar t29 = omega_D_CD + omega_F_EDF;
-    const Scalar t30 = omega_F_EDF * (Scalar(2) * omega_D_CD + omega_F_EDF)
-        + omega_D_CD * omega_D_CD + omega_C_BCG * (omega_C_BCG + Scalar(2) * t29);
-    const Scalar t31 = omega_C_BCG + t29;
-    const Scalar t32 = slide_F_x - BG_x - slide_G_x;
-    const Scalar t33 = omega_G_BCG * t32;
-    const Scalar t34 = sin_GF * v_s_G - t27 + cos_GF * v_h_G_BCG - t28;
-    const Scalar t35 = cos_slide_F * v_s_F;
-    const Scalar t36 = omega_F_GF * slide_F_y;
-    const Scalar t37 = slide_F_y - BG_y - slide_G_y;
-    const Scalar t38 = omega_G_BCG * t37;
-    const Scalar t39 = cos_GF * v_s_G - t35 + t36 - sin_GF * v_h_G_BCG;
-    rhs(0) = omega_C_BCG * (t17 - Scalar(2) * t18) + omega_B * (Scalar(2) * t19 + Scalar(2) * t17
-        + omega_B * (slide_B_x + t16) - Scalar(2) * t18) - omega_D_CD * (t14 + Scalar(2) * t15);
-    rhs(1) = omega_C_BCG * (t24 + Scalar(2) * t25) - omega_D_CD * (t21 - Scalar(2) * t22)
-        - omega_B * (Scalar(2) * t26 - Scalar(2) * t24 - omega_B * (slide_B_y + t23)
-        - Scalar(2) * t25);
-    rhs(2) = Scalar(2) * v_h_F_EDF * (t09 * t31 - t08 * t31) + omega_B * (Scalar(2) * t19
-        + omega_B * (slide_B_x - EF_x - t32) + Scalar(2) * t34 - Scalar(2) * t10 * v_h_F_EDF
-        - Scalar(2) * EF_x * t31 - Scalar(2) * t33) - omega_F_GF * (Scalar(2) * t27 + t28)
-        - EF_x * t30 - omega_G_BCG * (t33 - Scalar(2) * t34);
-    rhs(3) = omega_F_GF * (Scalar(2) * t35 - t36) - EF_y * t30 - Scalar(2) * v_h_F_EDF * (t05 * t31
-        + t06 * t31) - omega_G_BCG * (t38 + Scalar(2) * t39) - omega_B * (Scalar(2) * t26
-        + Scalar(2) * t07 * v_h_F_EDF + Scalar(2) * EF_y * t31 + Scalar(2) * t38 + Scalar(2) * t39
-        - omega_B * (slide_B_y - EF_y - t37));
+    const Scalar t11 = ED_x + slide_D_x;
+    const Scalar t12 = t11 * omega_D_CD;
+    const Scalar t13 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
+    const Scalar t14 = slide_C_x - t11;
+    const Scalar t15 = t14 * omega_C_BCG;
+    const Scalar t16 = t13 + t12 - sin_CD * v_s_C;
+    const Scalar t17 = u.phi_B.sin * v_s_B;
+    const Scalar t18 = ED_y + slide_D_y;
+    const Scalar t19 = t18 * omega_D_CD;
+    const Scalar t20 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
+    const Scalar t21 = slide_C_y - t18;
+    const Scalar t22 = t21 * omega_C_BCG;
+    const Scalar t23 = t20 - t19 - cos_CD * v_s_C;
+    const Scalar t24 = u.phi_B.cos * v_s_B;
+    const Scalar t25 = sin_slide_F * v_s_F;
+    const Scalar t26 = slide_F_x * omega_F_GF;
+    const Scalar t27 = omega_D_CD + omega_F_EDF;
+    const Scalar t28 = omega_F_EDF * (Scalar(2) * omega_D_CD + omega_F_EDF)
+        + omega_D_CD * omega_D_CD + omega_C_BCG * (omega_C_BCG + Scalar(2) * t27);
+    const Scalar t29 = omega_C_BCG + t27;
+    const Scalar t30 = slide_F_x - BG_x - slide_G_x;
+    const Scalar t31 = t30 * omega_G_BCG;
+    const Scalar t32 = sin_GF * v_s_G - t25 + cos_GF * v_h_G_BCG - t26;
+    const Scalar t33 = cos_slide_F * v_s_F;
+    const Scalar t34 = slide_F_y * omega_F_GF;
+    const Scalar t35 = slide_F_y - BG_y - slide_G_y;
+    const Scalar t36 = t35 * omega_G_BCG;
+    const Scalar t37 = cos_GF * v_s_G - t33 + t34 - sin_GF * v_h_G_BCG;
+    rhs(0) = omega_C_BCG * (t15 - Scalar(2) * t16) + omega_B * (Scalar(2) * t17 + Scalar(2) * t15
+        + (slide_B_x + t14) * omega_B - Scalar(2) * t16) - omega_D_CD * (t12 + Scalar(2) * t13);
+    rhs(1) = omega_C_BCG * (t22 + Scalar(2) * t23) - omega_D_CD * (t19 - Scalar(2) * t20)
+        - omega_B * (Scalar(2) * t24 - Scalar(2) * t22 - (slide_B_y + t21) * omega_B
+        - Scalar(2) * t23);
+    rhs(2) = Scalar(2) * v_h_F_EDF * (t07 * t29 - t06 * t29) + omega_B * (Scalar(2) * t17
+        + (slide_B_x - EF_x - t30) * omega_B + Scalar(2) * t32 - Scalar(2) * t08 * v_h_F_EDF
+        - Scalar(2) * EF_x * t29 - Scalar(2) * t31) - omega_F_GF * (Scalar(2) * t25 + t26)
+        - EF_x * t28 - omega_G_BCG * (t31 - Scalar(2) * t32);
+    rhs(3) = omega_F_GF * (Scalar(2) * t33 - t34) - EF_y * t28 - Scalar(2) * v_h_F_EDF * (t03 * t29
+        + t04 * t29) - omega_G_BCG * (t36 + Scalar(2) * t37) - omega_B * (Scalar(2) * t24
+        + Scalar(2) * t05 * v_h_F_EDF + Scalar(2) * EF_y * t29 + Scalar(2) * t36 + Scalar(2) * t37
+        - (slide_B_y - EF_y - t35) * omega_B);
   }
 
   /// Frames of the links in the fixed frame.
@@ -655,34 +641,32 @@ struct Model21 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t03;
-    const Scalar t04 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t04;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = -t04 * d.h_G_BCG;
-    const Scalar BG_y = t03 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t05 = u.x_B + slide_B_x;
-    const Scalar t06 = u.y_B + slide_B_y;
-    poses[0].x = t05;
-    poses[0].y = t06;
+    const Scalar t03 = u.x_B + slide_B_x;
+    const Scalar t04 = u.y_B + slide_B_y;
+    poses[0].x = t03;
+    poses[0].y = t04;
     poses[0].direction.cos = u.phi_B.cos;
     poses[0].direction.sin = u.phi_B.sin;
     poses[1].x = u.x_E;
     poses[1].y = u.y_E;
     poses[1].direction.cos = cos_EDF;
     poses[1].direction.sin = sin_EDF;
-    poses[2].x = t05 + slide_C_x;
-    poses[2].y = t06 + slide_C_y;
+    poses[2].x = t03 + slide_C_x;
+    poses[2].y = t04 + slide_C_y;
     poses[2].direction.cos = cos_CD;
     poses[2].direction.sin = sin_CD;
-    poses[3].x = t05 + BG_x + slide_G_x;
-    poses[3].y = t06 + BG_y + slide_G_y;
+    poses[3].x = t03 + BG_x + slide_G_x;
+    poses[3].y = t04 + BG_y + slide_G_y;
     poses[3].direction.cos = cos_GF;
     poses[3].direction.sin = sin_GF;
   }
@@ -699,20 +683,18 @@ struct Model21 {
     P_u.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t03 = BG_y + slide_G_y;
-    const Scalar t04 = BG_x + slide_G_x;
+    const Scalar t01 = BG_y + slide_G_y;
+    const Scalar t02 = BG_x + slide_G_x;
     P_q(0, 0) = u.phi_B.cos;
     P_q(1, 0) = u.phi_B.sin;
     P_q(6, 0) = u.phi_B.cos;
@@ -728,9 +710,9 @@ struct Model21 {
     P_d(6, 0) = -slide_C_y;
     P_d(7, 0) = slide_C_x;
     P_d(8, 0) = Scalar(1);
-    P_d(9, 1) = -t03;
+    P_d(9, 1) = -t01;
     P_d(9, 2) = -sin_GF;
-    P_d(10, 1) = t04;
+    P_d(10, 1) = t02;
     P_d(10, 2) = cos_GF;
     P_d(11, 1) = Scalar(1);
     P_u(0, 0) = Scalar(1);
@@ -747,9 +729,9 @@ struct Model21 {
     P_u(7, 2) = slide_C_x + slide_B_x;
     P_u(8, 2) = Scalar(1);
     P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -t03 - slide_B_y;
+    P_u(9, 2) = -t01 - slide_B_y;
     P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = t04 + slide_B_x;
+    P_u(10, 2) = t02 + slide_B_x;
     P_u(11, 2) = Scalar(1);
   }
 
@@ -768,31 +750,29 @@ struct Model21 {
     const Scalar v_y_E = u_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t03 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t04 = u.phi_B.sin * v_s_B + v_y_B;
-    v(0, 0) = t03 - omega_B * slide_B_y;
-    v(0, 1) = omega_B * slide_B_x + t04;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
+    const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
+    v(0, 0) = t01 - slide_B_y * omega_B;
+    v(0, 1) = slide_B_x * omega_B + t02;
     v(0, 2) = omega_B;
     v(1, 0) = v_x_E;
     v(1, 1) = v_y_E;
     v(1, 2) = omega_B;
-    v(2, 0) = cos_CD * v_s_C + t03 - omega_B * (slide_B_y + slide_C_y);
-    v(2, 1) = omega_B * (slide_B_x + slide_C_x) + sin_CD * v_s_C + t04;
+    v(2, 0) = cos_CD * v_s_C + t01 - (slide_B_y + slide_C_y) * omega_B;
+    v(2, 1) = (slide_B_x + slide_C_x) * omega_B + sin_CD * v_s_C + t02;
     v(2, 2) = omega_B;
-    v(3, 0) = cos_GF * v_s_G + t03 - omega_B * (slide_B_y + BG_y + slide_G_y);
-    v(3, 1) = omega_B * (slide_B_x + BG_x + slide_G_x) + sin_GF * v_s_G + t04;
+    v(3, 0) = cos_GF * v_s_G + t01 - (slide_B_y + BG_y + slide_G_y) * omega_B;
+    v(3, 1) = (slide_B_x + BG_x + slide_G_x) * omega_B + sin_GF * v_s_G + t02;
     v(3, 2) = omega_B;
   }
 
@@ -816,41 +796,39 @@ struct Model21 {
     const Scalar a_y_E = u_second_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t05 = u.phi_B.cos * v_s_B;
-    const Scalar t06 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t07 = slide_B_x + slide_C_x;
-    const Scalar t08 = slide_B_y + slide_C_y;
-    const Scalar t09 = slide_B_x + BG_x + slide_G_x;
-    const Scalar t10 = slide_B_y + BG_y + slide_G_y;
-    a(0, 0) = t04 - omega_B * (Scalar(2) * t03 + omega_B * slide_B_x) - alpha_B * slide_B_y;
-    a(0, 1) = omega_B * (Scalar(2) * t05 - omega_B * slide_B_y) + slide_B_x * alpha_B + t06;
+    const Scalar t01 = u.phi_B.sin * v_s_B;
+    const Scalar t02 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t03 = u.phi_B.cos * v_s_B;
+    const Scalar t04 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t05 = slide_B_x + slide_C_x;
+    const Scalar t06 = slide_B_y + slide_C_y;
+    const Scalar t07 = slide_B_x + BG_x + slide_G_x;
+    const Scalar t08 = slide_B_y + BG_y + slide_G_y;
+    a(0, 0) = t02 - omega_B * (Scalar(2) * t01 + slide_B_x * omega_B) - slide_B_y * alpha_B;
+    a(0, 1) = omega_B * (Scalar(2) * t03 - slide_B_y * omega_B) + slide_B_x * alpha_B + t04;
     a(0, 2) = alpha_B;
     a(1, 0) = a_x_E;
     a(1, 1) = a_y_E;
     a(1, 2) = alpha_B;
-    a(2, 0) = cos_CD * a_s_C + t04 - omega_B * (Scalar(2) * t03 + omega_B * t07
-        + Scalar(2) * sin_CD * v_s_C) - alpha_B * t08;
-    a(2, 1) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_CD * v_s_C - omega_B * t08)
-        + alpha_B * t07 + sin_CD * a_s_C + t06;
+    a(2, 0) = cos_CD * a_s_C + t02 - omega_B * (Scalar(2) * t01 + t05 * omega_B
+        + Scalar(2) * sin_CD * v_s_C) - t06 * alpha_B;
+    a(2, 1) = omega_B * (Scalar(2) * t03 + Scalar(2) * cos_CD * v_s_C - t06 * omega_B)
+        + t05 * alpha_B + sin_CD * a_s_C + t04;
     a(2, 2) = alpha_B;
-    a(3, 0) = cos_GF * a_s_G + t04 - omega_B * (Scalar(2) * t03 + omega_B * t09
-        + Scalar(2) * sin_GF * v_s_G) - alpha_B * t10;
-    a(3, 1) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_GF * v_s_G - omega_B * t10)
-        + alpha_B * t09 + sin_GF * a_s_G + t06;
+    a(3, 0) = cos_GF * a_s_G + t02 - omega_B * (Scalar(2) * t01 + t07 * omega_B
+        + Scalar(2) * sin_GF * v_s_G) - t08 * alpha_B;
+    a(3, 1) = omega_B * (Scalar(2) * t03 + Scalar(2) * cos_GF * v_s_G - t08 * omega_B)
+        + t07 * alpha_B + sin_GF * a_s_G + t04;
     a(3, 2) = alpha_B;
   }
 
@@ -871,40 +849,38 @@ struct Model21 {
     p.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = u.phi_B.cos * v_s_B;
-    const Scalar t05 = sin_CD * v_s_C;
-    const Scalar t06 = slide_C_x * omega_C_BCG;
-    const Scalar t07 = cos_CD * v_s_C;
-    const Scalar t08 = omega_C_BCG * slide_C_y;
-    const Scalar t09 = BG_x + slide_G_x;
-    const Scalar t10 = t09 * omega_G_BCG;
-    const Scalar t11 = sin_GF * v_s_G + cos_GF * v_h_G_BCG;
-    const Scalar t12 = BG_y + slide_G_y;
-    const Scalar t13 = omega_G_BCG * t12;
-    const Scalar t14 = cos_GF * v_s_G - sin_GF * v_h_G_BCG;
-    p(0, 0) = -omega_B * (Scalar(2) * t03 + omega_B * slide_B_x);
-    p(0, 1) = omega_B * (Scalar(2) * t04 - omega_B * slide_B_y);
-    p(2, 0) = -omega_B * (Scalar(2) * t03 + omega_B * (slide_B_x + slide_C_x) + Scalar(2) * t05
-        + Scalar(2) * t06) - omega_C_BCG * (Scalar(2) * t05 + t06);
-    p(2, 1) = omega_B * (Scalar(2) * t04 + Scalar(2) * t07 - omega_B * (slide_B_y + slide_C_y)
-        - Scalar(2) * t08) + omega_C_BCG * (Scalar(2) * t07 - t08);
-    p(3, 0) = -omega_G_BCG * (t10 + Scalar(2) * t11) - omega_B * (Scalar(2) * t03 + Scalar(2) * t10
-        + Scalar(2) * t11 + omega_B * (slide_B_x + t09));
-    p(3, 1) = omega_B * (Scalar(2) * t04 + Scalar(2) * t14 - Scalar(2) * t13 - omega_B * (slide_B_y
-        + t12)) - omega_G_BCG * (t13 - Scalar(2) * t14);
+    const Scalar t01 = u.phi_B.sin * v_s_B;
+    const Scalar t02 = u.phi_B.cos * v_s_B;
+    const Scalar t03 = sin_CD * v_s_C;
+    const Scalar t04 = slide_C_x * omega_C_BCG;
+    const Scalar t05 = cos_CD * v_s_C;
+    const Scalar t06 = slide_C_y * omega_C_BCG;
+    const Scalar t07 = BG_x + slide_G_x;
+    const Scalar t08 = t07 * omega_G_BCG;
+    const Scalar t09 = sin_GF * v_s_G + cos_GF * v_h_G_BCG;
+    const Scalar t10 = BG_y + slide_G_y;
+    const Scalar t11 = t10 * omega_G_BCG;
+    const Scalar t12 = cos_GF * v_s_G - sin_GF * v_h_G_BCG;
+    p(0, 0) = -omega_B * (Scalar(2) * t01 + slide_B_x * omega_B);
+    p(0, 1) = omega_B * (Scalar(2) * t02 - slide_B_y * omega_B);
+    p(2, 0) = -omega_B * (Scalar(2) * t01 + (slide_B_x + slide_C_x) * omega_B + Scalar(2) * t03
+        + Scalar(2) * t04) - omega_C_BCG * (Scalar(2) * t03 + t04);
+    p(2, 1) = omega_B * (Scalar(2) * t02 + Scalar(2) * t05 - (slide_B_y + slide_C_y) * omega_B
+        - Scalar(2) * t06) + omega_C_BCG * (Scalar(2) * t05 - t06);
+    p(3, 0) = -omega_G_BCG * (t08 + Scalar(2) * t09) - omega_B * (Scalar(2) * t01 + Scalar(2) * t08
+        + Scalar(2) * t09 + (slide_B_x + t07) * omega_B);
+    p(3, 1) = omega_B * (Scalar(2) * t02 + Scalar(2) * t12 - Scalar(2) * t11 - (slide_B_y
+        + t10) * omega_B) - omega_G_BCG * (t11 - Scalar(2) * t12);
   }
 
   /// (cos, sin) of each sum of angles that must vanish: assembled only at (1, 0).

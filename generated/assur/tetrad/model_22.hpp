@@ -51,7 +51,7 @@ namespace assur::tetrad {
 ///   velocity:                     62, 41, 1
 ///   motion:                       110, 79, 1
 ///   sensitivities_and_motion:     172, 110, 1
-///   position_polynomial:          30, 24, 0
+///   position_polynomial:          36, 24, 0
 ///   second_equations:             30, 24, 0
 ///   complete:                     20, 20, 0
 struct Model22 {
@@ -191,35 +191,33 @@ struct Model22 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t03 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t03;
-    const Scalar t04 = u.x_B - u.x_E + slide_B_x - slide_E_x;
-    const Scalar t05 = u.y_B - u.y_E + slide_B_y - slide_E_y;
-    f(0) = slide_C_x + CD_x + t04 - ED_x;
-    f(1) = slide_C_y + CD_y + t05 - ED_y;
-    f(2) = BG_x + slide_G_x + GF_x + t04 - EF_x;
-    f(3) = BG_y + slide_G_y + GF_y + t05 - EF_y;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
+    const Scalar t02 = u.x_B - u.x_E + slide_B_x - slide_E_x;
+    const Scalar t03 = u.y_B - u.y_E + slide_B_y - slide_E_y;
+    f(0) = slide_C_x + CD_x + t02 - ED_x;
+    f(1) = slide_C_y + CD_y + t03 - ED_y;
+    f(2) = BG_x + slide_G_x + GF_x + t02 - EF_x;
+    f(3) = BG_y + slide_G_y + GF_y + t03 - EF_y;
   }
 
   /// J = df/dq.
@@ -252,20 +250,18 @@ struct Model22 {
     F_d.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
     F_d(0, 0) = -slide_C_y - CD_y;
     F_d(0, 3) = -u.phi_E.sin;
     F_d(0, 6) = sin_CD;
@@ -293,29 +289,27 @@ struct Model22 {
     F_u.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t03 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t03;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
     F_u(0, 0) = Scalar(1);
     F_u(0, 2) = -slide_B_y - slide_C_y - CD_y;
     F_u(0, 3) = -Scalar(1);
@@ -347,35 +341,33 @@ struct Model22 {
     const Scalar omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t03 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t03;
-    const Scalar t04 = v_x_B - v_x_E;
-    const Scalar t05 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + slide_C_y + CD_y) * omega_B - (slide_E_y + ED_y) * omega_E - t04;
-    rhs(1) = omega_E * (slide_E_x + ED_x) - omega_B * (slide_B_x + slide_C_x + CD_x) - t05;
-    rhs(2) = omega_B * (slide_B_y + BG_y + slide_G_y + GF_y) - t04 - omega_E * (slide_E_y + EF_y);
-    rhs(3) = omega_E * (slide_E_x + EF_x) - t05 - omega_B * (slide_B_x + BG_x + slide_G_x + GF_x);
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
+    const Scalar t02 = v_x_B - v_x_E;
+    const Scalar t03 = v_y_B - v_y_E;
+    rhs(0) = (slide_B_y + slide_C_y + CD_y) * omega_B - (slide_E_y + ED_y) * omega_E - t02;
+    rhs(1) = (slide_E_x + ED_x) * omega_E - (slide_B_x + slide_C_x + CD_x) * omega_B - t03;
+    rhs(2) = (slide_B_y + BG_y + slide_G_y + GF_y) * omega_B - t02 - (slide_E_y + EF_y) * omega_E;
+    rhs(3) = (slide_E_x + EF_x) * omega_E - t03 - (slide_B_x + BG_x + slide_G_x + GF_x) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -399,51 +391,49 @@ struct Model22 {
     const Scalar alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t03 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t03;
-    const Scalar t04 = slide_B_x + slide_C_x + CD_x;
-    const Scalar t05 = u.phi_B.sin * v_s_B;
-    const Scalar t06 = slide_B_y + slide_C_y + CD_y;
-    const Scalar t07 = slide_E_x + ED_x;
-    const Scalar t08 = u.phi_E.sin * v_s_E;
-    const Scalar t09 = slide_E_y + ED_y;
-    const Scalar t10 = a_x_B - a_x_E;
-    const Scalar t11 = u.phi_B.cos * v_s_B;
-    const Scalar t12 = u.phi_E.cos * v_s_E;
-    const Scalar t13 = a_y_B - a_y_E;
-    const Scalar t14 = slide_B_x + BG_x + slide_G_x + GF_x;
-    const Scalar t15 = slide_B_y + BG_y + slide_G_y + GF_y;
-    const Scalar t16 = slide_E_x + EF_x;
-    const Scalar t17 = slide_E_y + EF_y;
-    rhs(0) = omega_B * (t04 * omega_B + Scalar(2) * t05 + Scalar(2) * sin_CD * v_s_C)
-        + t06 * alpha_B - omega_E * (t07 * omega_E + Scalar(2) * t08) - t09 * alpha_E - t10;
-    rhs(1) = omega_B * (omega_B * t06 - Scalar(2) * t11 - Scalar(2) * cos_CD * v_s_C)
-        + t07 * alpha_E - t04 * alpha_B - omega_E * (omega_E * t09 - Scalar(2) * t12) - t13;
-    rhs(2) = omega_B * (Scalar(2) * t05 + omega_B * t14 + Scalar(2) * sin_GF * v_s_G)
-        + alpha_B * t15 - t10 - omega_E * (Scalar(2) * t08 + omega_E * t16) - alpha_E * t17;
-    rhs(3) = omega_E * (Scalar(2) * t12 - omega_E * t17) + alpha_E * t16 - t13
-        - omega_B * (Scalar(2) * t11 + Scalar(2) * cos_GF * v_s_G - omega_B * t15) - alpha_B * t14;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
+    const Scalar t02 = slide_B_x + slide_C_x + CD_x;
+    const Scalar t03 = u.phi_B.sin * v_s_B;
+    const Scalar t04 = slide_B_y + slide_C_y + CD_y;
+    const Scalar t05 = slide_E_x + ED_x;
+    const Scalar t06 = u.phi_E.sin * v_s_E;
+    const Scalar t07 = slide_E_y + ED_y;
+    const Scalar t08 = a_x_B - a_x_E;
+    const Scalar t09 = u.phi_B.cos * v_s_B;
+    const Scalar t10 = u.phi_E.cos * v_s_E;
+    const Scalar t11 = a_y_B - a_y_E;
+    const Scalar t12 = slide_B_x + BG_x + slide_G_x + GF_x;
+    const Scalar t13 = slide_B_y + BG_y + slide_G_y + GF_y;
+    const Scalar t14 = slide_E_x + EF_x;
+    const Scalar t15 = slide_E_y + EF_y;
+    rhs(0) = omega_B * (t02 * omega_B + Scalar(2) * t03 + Scalar(2) * sin_CD * v_s_C)
+        + t04 * alpha_B - omega_E * (t05 * omega_E + Scalar(2) * t06) - t07 * alpha_E - t08;
+    rhs(1) = omega_B * (t04 * omega_B - Scalar(2) * t09 - Scalar(2) * cos_CD * v_s_C)
+        + t05 * alpha_E - t02 * alpha_B - omega_E * (t07 * omega_E - Scalar(2) * t10) - t11;
+    rhs(2) = omega_B * (Scalar(2) * t03 + t12 * omega_B + Scalar(2) * sin_GF * v_s_G)
+        + t13 * alpha_B - t08 - omega_E * (Scalar(2) * t06 + t14 * omega_E) - t15 * alpha_E;
+    rhs(3) = omega_E * (Scalar(2) * t10 - t15 * omega_E) + t14 * alpha_E - t11
+        - omega_B * (Scalar(2) * t09 + Scalar(2) * cos_GF * v_s_G - t13 * omega_B) - t12 * alpha_B;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -474,67 +464,65 @@ struct Model22 {
     const Scalar jerk_E = u_third_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t03 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t03;
-    const Scalar t04 = slide_E_y + ED_y;
-    const Scalar t05 = u.phi_E.cos * v_s_E;
-    const Scalar t06 = slide_E_x + ED_x;
-    const Scalar t07 = u.phi_E.sin * a_s_E;
-    const Scalar t08 = slide_B_y + slide_C_y + CD_y;
-    const Scalar t09 = u.phi_B.sin * v_s_B;
-    const Scalar t10 = t09 + sin_CD * v_s_C;
-    const Scalar t11 = slide_B_x + slide_C_x + CD_x;
-    const Scalar t12 = u.phi_B.sin * a_s_B;
-    const Scalar t13 = u.phi_B.cos * v_s_B;
-    const Scalar t14 = t13 + cos_CD * v_s_C;
-    const Scalar t15 = u.phi_E.sin * v_s_E;
-    const Scalar t16 = alpha_E * t15 + Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
-    const Scalar t17 = u.phi_E.cos * a_s_E;
-    const Scalar t18 = u.phi_B.cos * a_s_B;
-    const Scalar t19 = t05 * alpha_E - Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
-    const Scalar t20 = slide_E_y + EF_y;
-    const Scalar t21 = slide_E_x + EF_x;
-    const Scalar t22 = slide_B_y + BG_y + slide_G_y + GF_y;
-    const Scalar t23 = t09 + sin_GF * v_s_G;
-    const Scalar t24 = slide_B_x + BG_x + slide_G_x + GF_x;
-    const Scalar t25 = t13 + cos_GF * v_s_G;
-    rhs(0) = omega_E * (omega_E * (t04 * omega_E - Scalar(3) * t05) - Scalar(3) * t06 * alpha_E
-        - Scalar(3) * t07) + t08 * jerk_B + Scalar(3) * alpha_B * t10
-        + omega_B * (Scalar(3) * t11 * alpha_B + Scalar(3) * t12 + Scalar(3) * sin_CD * a_s_C
-        - omega_B * (t08 * omega_B - Scalar(3) * t14)) - t04 * jerk_E - Scalar(3) * t16;
-    rhs(1) = t06 * jerk_E + omega_B * (Scalar(3) * t08 * alpha_B + omega_B * (Scalar(3) * t10
-        + omega_B * t11) - Scalar(3) * t18 - Scalar(3) * cos_CD * a_s_C) + Scalar(3) * t19
-        - omega_E * (omega_E * (omega_E * t06 + Scalar(3) * t15) + Scalar(3) * t04 * alpha_E
-        - Scalar(3) * t17) - t11 * jerk_B - Scalar(3) * t14 * alpha_B;
-    rhs(2) = jerk_B * t22 + Scalar(3) * alpha_B * t23 + omega_B * (Scalar(3) * t12
-        + Scalar(3) * alpha_B * t24 + Scalar(3) * sin_GF * a_s_G - omega_B * (omega_B * t22
-        - Scalar(3) * t25)) - omega_E * (Scalar(3) * t07 + omega_E * (Scalar(3) * t05
-        - omega_E * t20) + Scalar(3) * alpha_E * t21) - jerk_E * t20 - Scalar(3) * t16;
-    rhs(3) = omega_E * (Scalar(3) * t17 - omega_E * (Scalar(3) * t15 + omega_E * t21)
-        - Scalar(3) * alpha_E * t20) + jerk_E * t21 + Scalar(3) * t19 - jerk_B * t24
-        - Scalar(3) * alpha_B * t25 - omega_B * (Scalar(3) * t18 + Scalar(3) * cos_GF * a_s_G
-        - Scalar(3) * alpha_B * t22 - omega_B * (Scalar(3) * t23 + omega_B * t24));
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
+    const Scalar t02 = slide_E_y + ED_y;
+    const Scalar t03 = u.phi_E.cos * v_s_E;
+    const Scalar t04 = slide_E_x + ED_x;
+    const Scalar t05 = u.phi_E.sin * a_s_E;
+    const Scalar t06 = slide_B_y + slide_C_y + CD_y;
+    const Scalar t07 = u.phi_B.sin * v_s_B;
+    const Scalar t08 = t07 + sin_CD * v_s_C;
+    const Scalar t09 = slide_B_x + slide_C_x + CD_x;
+    const Scalar t10 = u.phi_B.sin * a_s_B;
+    const Scalar t11 = u.phi_B.cos * v_s_B;
+    const Scalar t12 = t11 + cos_CD * v_s_C;
+    const Scalar t13 = u.phi_E.sin * v_s_E;
+    const Scalar t14 = alpha_E * t13 + Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
+    const Scalar t15 = u.phi_E.cos * a_s_E;
+    const Scalar t16 = u.phi_B.cos * a_s_B;
+    const Scalar t17 = t03 * alpha_E - Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
+    const Scalar t18 = slide_E_y + EF_y;
+    const Scalar t19 = slide_E_x + EF_x;
+    const Scalar t20 = slide_B_y + BG_y + slide_G_y + GF_y;
+    const Scalar t21 = t07 + sin_GF * v_s_G;
+    const Scalar t22 = slide_B_x + BG_x + slide_G_x + GF_x;
+    const Scalar t23 = t11 + cos_GF * v_s_G;
+    rhs(0) = omega_E * (omega_E * (t02 * omega_E - Scalar(3) * t03) - Scalar(3) * t04 * alpha_E
+        - Scalar(3) * t05) + t06 * jerk_B + Scalar(3) * alpha_B * t08
+        + omega_B * (Scalar(3) * t09 * alpha_B + Scalar(3) * t10 + Scalar(3) * sin_CD * a_s_C
+        - omega_B * (t06 * omega_B - Scalar(3) * t12)) - t02 * jerk_E - Scalar(3) * t14;
+    rhs(1) = t04 * jerk_E + omega_B * (Scalar(3) * t06 * alpha_B + omega_B * (Scalar(3) * t08
+        + t09 * omega_B) - Scalar(3) * t16 - Scalar(3) * cos_CD * a_s_C) + Scalar(3) * t17
+        - omega_E * (omega_E * (t04 * omega_E + Scalar(3) * t13) + Scalar(3) * t02 * alpha_E
+        - Scalar(3) * t15) - t09 * jerk_B - Scalar(3) * t12 * alpha_B;
+    rhs(2) = t20 * jerk_B + Scalar(3) * alpha_B * t21 + omega_B * (Scalar(3) * t10
+        + Scalar(3) * t22 * alpha_B + Scalar(3) * sin_GF * a_s_G - omega_B * (t20 * omega_B
+        - Scalar(3) * t23)) - omega_E * (Scalar(3) * t05 + omega_E * (Scalar(3) * t03
+        - t18 * omega_E) + Scalar(3) * t19 * alpha_E) - t18 * jerk_E - Scalar(3) * t14;
+    rhs(3) = omega_E * (Scalar(3) * t15 - omega_E * (Scalar(3) * t13 + t19 * omega_E)
+        - Scalar(3) * t18 * alpha_E) + t19 * jerk_E + Scalar(3) * t17 - t22 * jerk_B
+        - Scalar(3) * alpha_B * t23 - omega_B * (Scalar(3) * t16 + Scalar(3) * cos_GF * a_s_G
+        - Scalar(3) * t20 * alpha_B - omega_B * (Scalar(3) * t21 + t22 * omega_B));
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -560,61 +548,56 @@ struct Model22 {
     const Scalar omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = u.phi_E.sin * t03 + u.phi_E.cos * d.x_F_EDF;
-    const Scalar EF_y = u.phi_E.sin * d.x_F_EDF - u.phi_E.cos * t03;
-    const Scalar t04 = slide_C_x + CD_x;
-    const Scalar t05 = t04 * omega_C_BCG;
-    const Scalar t06 = sin_CD * v_s_C - cos_CD * v_h_C_CD;
-    const Scalar t07 = u.phi_B.sin * v_s_B;
-    const Scalar t08 = slide_C_y + CD_y;
-    const Scalar t09 = omega_C_BCG * t08;
-    const Scalar t10 = cos_CD * v_s_C + sin_CD * v_h_C_CD;
-    const Scalar t11 = u.phi_B.cos * v_s_B;
-    const Scalar t12 = v_h_E_EDF - v_y_F_EDF;
-    const Scalar t13 = v_s_E + v_x_F_EDF;
-    const Scalar t14 = v_h_G_BCG - v_h_G_GF;
-    const Scalar t15 = cos_GF * t14 + sin_GF * v_s_G;
-    const Scalar t16 = GF_x + BG_x + slide_G_x;
-    const Scalar t17 = omega_G_BCG * t16;
-    const Scalar t18 = sin_GF * t14 - cos_GF * v_s_G;
-    const Scalar t19 = GF_y + BG_y + slide_G_y;
-    const Scalar t20 = omega_G_BCG * t19;
-    rhs(0) = omega_C_BCG * (t05 + Scalar(2) * t06) + omega_B * (Scalar(2) * t05 + Scalar(2) * t07
-        + Scalar(2) * t06 + omega_B * (slide_B_x + t04)) - omega_E * ((slide_E_x + ED_x) * omega_E
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
+    const Scalar t02 = slide_C_x + CD_x;
+    const Scalar t03 = t02 * omega_C_BCG;
+    const Scalar t04 = sin_CD * v_s_C - cos_CD * v_h_C_CD;
+    const Scalar t05 = u.phi_B.sin * v_s_B;
+    const Scalar t06 = slide_C_y + CD_y;
+    const Scalar t07 = t06 * omega_C_BCG;
+    const Scalar t08 = cos_CD * v_s_C + sin_CD * v_h_C_CD;
+    const Scalar t09 = u.phi_B.cos * v_s_B;
+    const Scalar t10 = v_h_E_EDF - v_y_F_EDF;
+    const Scalar t11 = v_s_E + v_x_F_EDF;
+    const Scalar t12 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t13 = cos_GF * t12 + sin_GF * v_s_G;
+    const Scalar t14 = GF_x + BG_x + slide_G_x;
+    const Scalar t15 = t14 * omega_G_BCG;
+    const Scalar t16 = sin_GF * t12 - cos_GF * v_s_G;
+    const Scalar t17 = GF_y + BG_y + slide_G_y;
+    const Scalar t18 = t17 * omega_G_BCG;
+    rhs(0) = omega_C_BCG * (t03 + Scalar(2) * t04) + omega_B * (Scalar(2) * t03 + Scalar(2) * t05
+        + Scalar(2) * t04 + (slide_B_x + t02) * omega_B) - omega_E * ((slide_E_x + ED_x) * omega_E
         + Scalar(2) * u.phi_E.sin * v_s_E - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
-    rhs(1) = omega_C_BCG * (t09 - Scalar(2) * t10) + omega_B * (Scalar(2) * t09
-        + omega_B * (slide_B_y + t08) - Scalar(2) * t11 - Scalar(2) * t10)
-        - omega_E * (omega_E * (slide_E_y + ED_y) - Scalar(2) * u.phi_E.cos * v_s_E
-        - Scalar(2) * u.phi_E.sin * v_h_E_EDF);
-    rhs(2) = omega_E * (Scalar(2) * u.phi_E.cos * t12 - Scalar(2) * u.phi_E.sin * t13
-        - omega_E * (slide_E_x + EF_x)) + omega_G_BCG * (Scalar(2) * t15 + t17)
-        + omega_B * (Scalar(2) * t07 + Scalar(2) * t15 + Scalar(2) * t17 + omega_B * (slide_B_x
-        + t16));
-    rhs(3) = omega_E * (Scalar(2) * u.phi_E.cos * t13 + Scalar(2) * u.phi_E.sin * t12
-        - omega_E * (slide_E_y + EF_y)) + omega_G_BCG * (Scalar(2) * t18 + t20)
-        - omega_B * (Scalar(2) * t11 - Scalar(2) * t18 - Scalar(2) * t20 - omega_B * (slide_B_y
-        + t19));
+    rhs(1) = omega_C_BCG * (t07 - Scalar(2) * t08) + omega_B * (Scalar(2) * t07 + (slide_B_y
+        + t06) * omega_B - Scalar(2) * t09 - Scalar(2) * t08) - omega_E * ((slide_E_y
+        + ED_y) * omega_E - Scalar(2) * u.phi_E.cos * v_s_E - Scalar(2) * u.phi_E.sin * v_h_E_EDF);
+    rhs(2) = omega_E * (Scalar(2) * u.phi_E.cos * t10 - Scalar(2) * u.phi_E.sin * t11 - (slide_E_x
+        + EF_x) * omega_E) + omega_G_BCG * (Scalar(2) * t13 + t15) + omega_B * (Scalar(2) * t05
+        + Scalar(2) * t13 + Scalar(2) * t15 + (slide_B_x + t14) * omega_B);
+    rhs(3) = omega_E * (Scalar(2) * u.phi_E.cos * t11 + Scalar(2) * u.phi_E.sin * t10 - (slide_E_y
+        + EF_y) * omega_E) + omega_G_BCG * (Scalar(2) * t16 + t18) - omega_B * (Scalar(2) * t09
+        - Scalar(2) * t16 - Scalar(2) * t18 - (slide_B_y + t17) * omega_B);
   }
 
   /// Frames of the links in the fixed frame.
@@ -623,42 +606,40 @@ struct Model22 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = u.x_B + slide_B_x;
-    const Scalar t04 = u.y_B + slide_B_y;
-    poses[0].x = t03;
-    poses[0].y = t04;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = u.x_B + slide_B_x;
+    const Scalar t02 = u.y_B + slide_B_y;
+    poses[0].x = t01;
+    poses[0].y = t02;
     poses[0].direction.cos = u.phi_B.cos;
     poses[0].direction.sin = u.phi_B.sin;
     poses[1].x = u.x_E + slide_E_x + ED_x;
     poses[1].y = u.y_E + slide_E_y + ED_y;
     poses[1].direction.cos = u.phi_E.cos;
     poses[1].direction.sin = u.phi_E.sin;
-    poses[2].x = t03 + slide_C_x + CD_x;
-    poses[2].y = t04 + slide_C_y + CD_y;
+    poses[2].x = t01 + slide_C_x + CD_x;
+    poses[2].y = t02 + slide_C_y + CD_y;
     poses[2].direction.cos = cos_CD;
     poses[2].direction.sin = sin_CD;
-    poses[3].x = t03 + BG_x + slide_G_x + GF_x;
-    poses[3].y = t04 + BG_y + slide_G_y + GF_y;
+    poses[3].x = t01 + BG_x + slide_G_x + GF_x;
+    poses[3].y = t02 + BG_y + slide_G_y + GF_y;
     poses[3].direction.cos = cos_GF;
     poses[3].direction.sin = sin_GF;
   }
@@ -675,30 +656,28 @@ struct Model22 {
     P_u.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = slide_C_y + CD_y;
-    const Scalar t04 = slide_C_x + CD_x;
-    const Scalar t05 = GF_y + BG_y + slide_G_y;
-    const Scalar t06 = GF_x + BG_x + slide_G_x;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = slide_C_y + CD_y;
+    const Scalar t02 = slide_C_x + CD_x;
+    const Scalar t03 = GF_y + BG_y + slide_G_y;
+    const Scalar t04 = GF_x + BG_x + slide_G_x;
     P_q(0, 0) = u.phi_B.cos;
     P_q(1, 0) = u.phi_B.sin;
     P_q(3, 3) = u.phi_E.cos;
@@ -713,15 +692,15 @@ struct Model22 {
     P_q(10, 2) = sin_GF;
     P_d(3, 3) = u.phi_E.sin;
     P_d(4, 3) = -u.phi_E.cos;
-    P_d(6, 0) = -t03;
+    P_d(6, 0) = -t01;
     P_d(6, 6) = sin_CD;
-    P_d(7, 0) = t04;
+    P_d(7, 0) = t02;
     P_d(7, 6) = -cos_CD;
     P_d(8, 0) = Scalar(1);
-    P_d(9, 1) = -t05;
+    P_d(9, 1) = -t03;
     P_d(9, 2) = -sin_GF;
     P_d(9, 7) = sin_GF;
-    P_d(10, 1) = t06;
+    P_d(10, 1) = t04;
     P_d(10, 2) = cos_GF;
     P_d(10, 7) = -cos_GF;
     P_d(11, 1) = Scalar(1);
@@ -736,14 +715,14 @@ struct Model22 {
     P_u(4, 5) = slide_E_x + ED_x;
     P_u(5, 5) = Scalar(1);
     P_u(6, 0) = Scalar(1);
-    P_u(6, 2) = -t03 - slide_B_y;
+    P_u(6, 2) = -t01 - slide_B_y;
     P_u(7, 1) = Scalar(1);
-    P_u(7, 2) = t04 + slide_B_x;
+    P_u(7, 2) = t02 + slide_B_x;
     P_u(8, 2) = Scalar(1);
     P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -slide_B_y - t05;
+    P_u(9, 2) = -slide_B_y - t03;
     P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = slide_B_x + t06;
+    P_u(10, 2) = slide_B_x + t04;
     P_u(11, 2) = Scalar(1);
   }
 
@@ -764,39 +743,37 @@ struct Model22 {
     const Scalar omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t04 = u.phi_B.sin * v_s_B + v_y_B;
-    v(0, 0) = t03 - omega_B * slide_B_y;
-    v(0, 1) = omega_B * slide_B_x + t04;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
+    const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
+    v(0, 0) = t01 - slide_B_y * omega_B;
+    v(0, 1) = slide_B_x * omega_B + t02;
     v(0, 2) = omega_B;
     v(1, 0) = u.phi_E.cos * v_s_E + v_x_E - (slide_E_y + ED_y) * omega_E;
-    v(1, 1) = omega_E * (slide_E_x + ED_x) + u.phi_E.sin * v_s_E + v_y_E;
+    v(1, 1) = (slide_E_x + ED_x) * omega_E + u.phi_E.sin * v_s_E + v_y_E;
     v(1, 2) = omega_E;
-    v(2, 0) = cos_CD * v_s_C + t03 - omega_B * (slide_B_y + slide_C_y + CD_y);
-    v(2, 1) = omega_B * (slide_B_x + slide_C_x + CD_x) + sin_CD * v_s_C + t04;
+    v(2, 0) = cos_CD * v_s_C + t01 - (slide_B_y + slide_C_y + CD_y) * omega_B;
+    v(2, 1) = (slide_B_x + slide_C_x + CD_x) * omega_B + sin_CD * v_s_C + t02;
     v(2, 2) = omega_B;
-    v(3, 0) = cos_GF * v_s_G + t03 - omega_B * (slide_B_y + BG_y + slide_G_y + GF_y);
-    v(3, 1) = omega_B * (slide_B_x + BG_x + slide_G_x + GF_x) + sin_GF * v_s_G + t04;
+    v(3, 0) = cos_GF * v_s_G + t01 - (slide_B_y + BG_y + slide_G_y + GF_y) * omega_B;
+    v(3, 1) = (slide_B_x + BG_x + slide_G_x + GF_x) * omega_B + sin_GF * v_s_G + t02;
     v(3, 2) = omega_B;
   }
 
@@ -824,53 +801,51 @@ struct Model22 {
     const Scalar alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t05 = u.phi_B.cos * v_s_B;
-    const Scalar t06 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t07 = slide_E_x + ED_x;
-    const Scalar t08 = slide_E_y + ED_y;
-    const Scalar t09 = slide_B_x + slide_C_x + CD_x;
-    const Scalar t10 = slide_B_y + slide_C_y + CD_y;
-    const Scalar t11 = slide_B_x + BG_x + slide_G_x + GF_x;
-    const Scalar t12 = slide_B_y + BG_y + slide_G_y + GF_y;
-    a(0, 0) = t04 - omega_B * (Scalar(2) * t03 + omega_B * slide_B_x) - alpha_B * slide_B_y;
-    a(0, 1) = omega_B * (Scalar(2) * t05 - omega_B * slide_B_y) + slide_B_x * alpha_B + t06;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = u.phi_B.sin * v_s_B;
+    const Scalar t02 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t03 = u.phi_B.cos * v_s_B;
+    const Scalar t04 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t05 = slide_E_x + ED_x;
+    const Scalar t06 = slide_E_y + ED_y;
+    const Scalar t07 = slide_B_x + slide_C_x + CD_x;
+    const Scalar t08 = slide_B_y + slide_C_y + CD_y;
+    const Scalar t09 = slide_B_x + BG_x + slide_G_x + GF_x;
+    const Scalar t10 = slide_B_y + BG_y + slide_G_y + GF_y;
+    a(0, 0) = t02 - omega_B * (Scalar(2) * t01 + slide_B_x * omega_B) - slide_B_y * alpha_B;
+    a(0, 1) = omega_B * (Scalar(2) * t03 - slide_B_y * omega_B) + slide_B_x * alpha_B + t04;
     a(0, 2) = alpha_B;
-    a(1, 0) = u.phi_E.cos * a_s_E + a_x_E - omega_E * (t07 * omega_E
-        + Scalar(2) * u.phi_E.sin * v_s_E) - t08 * alpha_E;
-    a(1, 1) = t07 * alpha_E + u.phi_E.sin * a_s_E + a_y_E - omega_E * (omega_E * t08
+    a(1, 0) = u.phi_E.cos * a_s_E + a_x_E - omega_E * (t05 * omega_E
+        + Scalar(2) * u.phi_E.sin * v_s_E) - t06 * alpha_E;
+    a(1, 1) = t05 * alpha_E + u.phi_E.sin * a_s_E + a_y_E - omega_E * (t06 * omega_E
         - Scalar(2) * u.phi_E.cos * v_s_E);
     a(1, 2) = alpha_E;
-    a(2, 0) = cos_CD * a_s_C + t04 - omega_B * (Scalar(2) * t03 + omega_B * t09
-        + Scalar(2) * sin_CD * v_s_C) - alpha_B * t10;
-    a(2, 1) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_CD * v_s_C - omega_B * t10)
-        + alpha_B * t09 + sin_CD * a_s_C + t06;
+    a(2, 0) = cos_CD * a_s_C + t02 - omega_B * (Scalar(2) * t01 + t07 * omega_B
+        + Scalar(2) * sin_CD * v_s_C) - t08 * alpha_B;
+    a(2, 1) = omega_B * (Scalar(2) * t03 + Scalar(2) * cos_CD * v_s_C - t08 * omega_B)
+        + t07 * alpha_B + sin_CD * a_s_C + t04;
     a(2, 2) = alpha_B;
-    a(3, 0) = cos_GF * a_s_G + t04 - omega_B * (Scalar(2) * t03 + omega_B * t11
-        + Scalar(2) * sin_GF * v_s_G) - alpha_B * t12;
-    a(3, 1) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_GF * v_s_G - omega_B * t12)
-        + alpha_B * t11 + sin_GF * a_s_G + t06;
+    a(3, 0) = cos_GF * a_s_G + t02 - omega_B * (Scalar(2) * t01 + t09 * omega_B
+        + Scalar(2) * sin_GF * v_s_G) - t10 * alpha_B;
+    a(3, 1) = omega_B * (Scalar(2) * t03 + Scalar(2) * cos_GF * v_s_G - t10 * omega_B)
+        + t09 * alpha_B + sin_GF * a_s_G + t04;
     a(3, 2) = alpha_B;
   }
 
@@ -896,55 +871,53 @@ struct Model22 {
     p.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = sin_CD * d.h_C_CD;
-    const Scalar CD_y = -cos_CD * d.h_C_CD;
+    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = u.phi_B.cos * v_s_B;
-    const Scalar t05 = slide_C_x + CD_x;
-    const Scalar t06 = t05 * omega_C_BCG;
-    const Scalar t07 = sin_CD * v_s_C - cos_CD * v_h_C_CD;
-    const Scalar t08 = slide_C_y + CD_y;
-    const Scalar t09 = omega_C_BCG * t08;
-    const Scalar t10 = cos_CD * v_s_C + sin_CD * v_h_C_CD;
-    const Scalar t11 = v_h_G_BCG - v_h_G_GF;
-    const Scalar t12 = cos_GF * t11 + sin_GF * v_s_G;
-    const Scalar t13 = GF_x + BG_x + slide_G_x;
-    const Scalar t14 = omega_G_BCG * t13;
-    const Scalar t15 = sin_GF * t11 - cos_GF * v_s_G;
-    const Scalar t16 = GF_y + BG_y + slide_G_y;
-    const Scalar t17 = omega_G_BCG * t16;
-    p(0, 0) = -omega_B * (Scalar(2) * t03 + omega_B * slide_B_x);
-    p(0, 1) = omega_B * (Scalar(2) * t04 - omega_B * slide_B_y);
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = u.phi_B.sin * v_s_B;
+    const Scalar t02 = u.phi_B.cos * v_s_B;
+    const Scalar t03 = slide_C_x + CD_x;
+    const Scalar t04 = t03 * omega_C_BCG;
+    const Scalar t05 = sin_CD * v_s_C - cos_CD * v_h_C_CD;
+    const Scalar t06 = slide_C_y + CD_y;
+    const Scalar t07 = t06 * omega_C_BCG;
+    const Scalar t08 = cos_CD * v_s_C + sin_CD * v_h_C_CD;
+    const Scalar t09 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t10 = cos_GF * t09 + sin_GF * v_s_G;
+    const Scalar t11 = GF_x + BG_x + slide_G_x;
+    const Scalar t12 = t11 * omega_G_BCG;
+    const Scalar t13 = sin_GF * t09 - cos_GF * v_s_G;
+    const Scalar t14 = GF_y + BG_y + slide_G_y;
+    const Scalar t15 = t14 * omega_G_BCG;
+    p(0, 0) = -omega_B * (Scalar(2) * t01 + slide_B_x * omega_B);
+    p(0, 1) = omega_B * (Scalar(2) * t02 - slide_B_y * omega_B);
     p(1, 0) = -omega_E * ((slide_E_x + ED_x) * omega_E + Scalar(2) * u.phi_E.sin * v_s_E
         - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
-    p(1, 1) = -omega_E * (omega_E * (slide_E_y + ED_y) - Scalar(2) * u.phi_E.cos * v_s_E
+    p(1, 1) = -omega_E * ((slide_E_y + ED_y) * omega_E - Scalar(2) * u.phi_E.cos * v_s_E
         - Scalar(2) * u.phi_E.sin * v_h_E_EDF);
-    p(2, 0) = -omega_C_BCG * (t06 + Scalar(2) * t07) - omega_B * (Scalar(2) * t03 + Scalar(2) * t06
-        + Scalar(2) * t07 + omega_B * (slide_B_x + t05));
-    p(2, 1) = omega_B * (Scalar(2) * t04 + Scalar(2) * t10 - Scalar(2) * t09 - omega_B * (slide_B_y
-        + t08)) - omega_C_BCG * (t09 - Scalar(2) * t10);
-    p(3, 0) = -omega_G_BCG * (Scalar(2) * t12 + t14) - omega_B * (Scalar(2) * t03 + Scalar(2) * t12
-        + Scalar(2) * t14 + omega_B * (slide_B_x + t13));
-    p(3, 1) = omega_B * (Scalar(2) * t04 - Scalar(2) * t15 - Scalar(2) * t17 - omega_B * (slide_B_y
-        + t16)) - omega_G_BCG * (Scalar(2) * t15 + t17);
+    p(2, 0) = -omega_C_BCG * (t04 + Scalar(2) * t05) - omega_B * (Scalar(2) * t01 + Scalar(2) * t04
+        + Scalar(2) * t05 + (slide_B_x + t03) * omega_B);
+    p(2, 1) = omega_B * (Scalar(2) * t02 + Scalar(2) * t08 - Scalar(2) * t07 - (slide_B_y
+        + t06) * omega_B) - omega_C_BCG * (t07 - Scalar(2) * t08);
+    p(3, 0) = -omega_G_BCG * (Scalar(2) * t10 + t12) - omega_B * (Scalar(2) * t01 + Scalar(2) * t10
+        + Scalar(2) * t12 + (slide_B_x + t11) * omega_B);
+    p(3, 1) = omega_B * (Scalar(2) * t02 - Scalar(2) * t13 - Scalar(2) * t15 - (slide_B_y
+        + t14) * omega_B) - omega_G_BCG * (Scalar(2) * t13 + t15);
   }
 
   /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
@@ -1036,20 +1009,20 @@ struct Model22 {
         + u.phi_E.sin * sin_GF;
     const Scalar sin_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.sin * cos_GF
         - u.phi_E.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C;
-    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.h_C_CD;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_C_CD;
     const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G;
+    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G;
     const Scalar t01 = d.h_G_BCG - d.h_G_GF;
-    const Scalar phi_B_across_slide_G = t01 - d.psi_G_BCG.sin * q.s_B;
+    const Scalar phi_B_across_slide_G = t01 - q.s_B * d.psi_G_BCG.sin;
     const Scalar t02 = q.s_E + d.x_F_EDF;
     const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_slide_G = -t02 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
         - t03 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
-    const Scalar phi_E_across_slide_G = cos_phi_E_minus_phi_B_minus_psi_G_BCG * t03
+    const Scalar phi_E_across_slide_G = t03 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
         - t02 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
@@ -1072,18 +1045,22 @@ struct Model22 {
     const Scalar s_G_per_across_slide_G = t06 - d.psi_G_BCG.cos * s_B_per_across_slide_G;
     const Scalar s_C_per_across_slide_G = cos_phi_E_minus_phi_B_minus_psi_C_BCG *
         s_E_per_across_slide_G - d.psi_C_BCG.cos * s_B_per_across_slide_G;
+    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_G;
+    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_G
+        - cos_CD;
+    const Scalar s_G_per_x_B = sin_CD * s_G_per_across_slide_C + sin_GF * s_G_per_across_slide_G
+        - cos_GF;
+    const Scalar s_E_per_x_B = sin_CD * s_E_per_across_slide_C + sin_GF * s_E_per_across_slide_G;
+    const Scalar s_B_per_y_B = -cos_CD * s_B_per_across_slide_C - cos_GF * s_B_per_across_slide_G;
+    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
+        - cos_GF * s_C_per_across_slide_G;
+    const Scalar s_G_per_y_B = -sin_GF - cos_CD * s_G_per_across_slide_C
+        - cos_GF * s_G_per_across_slide_G;
+    const Scalar s_E_per_y_B = -cos_CD * s_E_per_across_slide_C - cos_GF * s_E_per_across_slide_G;
     const Scalar t07 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
     const Scalar t08 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
     const Scalar t09 = sin_phi_E_minus_phi_B_minus_psi_G_BCG
         - cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
-    const Scalar t10 = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_G;
-    const Scalar t11 = cos_CD * s_B_per_across_slide_C + cos_GF * s_B_per_across_slide_G;
-    const Scalar t12 = cos_CD - sin_CD * s_C_per_across_slide_C - sin_GF * s_C_per_across_slide_G;
-    const Scalar t13 = sin_CD + cos_CD * s_C_per_across_slide_C + cos_GF * s_C_per_across_slide_G;
-    const Scalar t14 = cos_GF - sin_CD * s_G_per_across_slide_C - sin_GF * s_G_per_across_slide_G;
-    const Scalar t15 = sin_GF + cos_CD * s_G_per_across_slide_C + cos_GF * s_G_per_across_slide_G;
-    const Scalar t16 = sin_CD * s_E_per_across_slide_C + sin_GF * s_E_per_across_slide_G;
-    const Scalar t17 = cos_CD * s_E_per_across_slide_C + cos_GF * s_E_per_across_slide_G;
     S_d(0, 0) = -q.s_C * s_B_per_across_slide_C;
     S_d(0, 1) = -q.s_G * s_B_per_across_slide_G;
     S_d(0, 2) = -s_B_per_across_slide_G;
@@ -1118,38 +1095,38 @@ struct Model22 {
     S_d(3, 5) = t06;
     S_d(3, 6) = s_E_per_across_slide_C;
     S_d(3, 7) = s_E_per_across_slide_G;
-    S_u(0, 0) = t10;
-    S_u(0, 1) = -t11;
-    S_u(0, 2) = -s_B_per_across_slide_C * phi_B_along_slide_C
-        - s_B_per_across_slide_G * phi_B_along_slide_G;
-    S_u(0, 3) = -t10;
-    S_u(0, 4) = t11;
-    S_u(0, 5) = -s_B_per_across_slide_C * phi_E_along_slide_C
-        - s_B_per_across_slide_G * phi_E_along_slide_G;
-    S_u(1, 0) = -t12;
-    S_u(1, 1) = -t13;
-    S_u(1, 2) = phi_B_across_slide_C - s_C_per_across_slide_C * phi_B_along_slide_C
-        - s_C_per_across_slide_G * phi_B_along_slide_G;
-    S_u(1, 3) = t12;
-    S_u(1, 4) = t13;
-    S_u(1, 5) = phi_E_across_slide_C - s_C_per_across_slide_C * phi_E_along_slide_C
-        - s_C_per_across_slide_G * phi_E_along_slide_G;
-    S_u(2, 0) = -t14;
-    S_u(2, 1) = -t15;
-    S_u(2, 2) = phi_B_across_slide_G - s_G_per_across_slide_C * phi_B_along_slide_C
-        - s_G_per_across_slide_G * phi_B_along_slide_G;
-    S_u(2, 3) = t14;
-    S_u(2, 4) = t15;
-    S_u(2, 5) = phi_E_across_slide_G - s_G_per_across_slide_C * phi_E_along_slide_C
-        - s_G_per_across_slide_G * phi_E_along_slide_G;
-    S_u(3, 0) = t16;
-    S_u(3, 1) = -t17;
-    S_u(3, 2) = -s_E_per_across_slide_C * phi_B_along_slide_C
-        - s_E_per_across_slide_G * phi_B_along_slide_G;
-    S_u(3, 3) = -t16;
-    S_u(3, 4) = t17;
-    S_u(3, 5) = -s_E_per_across_slide_C * phi_E_along_slide_C
-        - s_E_per_across_slide_G * phi_E_along_slide_G;
+    S_u(0, 0) = s_B_per_x_B;
+    S_u(0, 1) = s_B_per_y_B;
+    S_u(0, 2) = -phi_B_along_slide_C * s_B_per_across_slide_C
+        - phi_B_along_slide_G * s_B_per_across_slide_G;
+    S_u(0, 3) = -s_B_per_x_B;
+    S_u(0, 4) = -s_B_per_y_B;
+    S_u(0, 5) = -phi_E_along_slide_C * s_B_per_across_slide_C
+        - phi_E_along_slide_G * s_B_per_across_slide_G;
+    S_u(1, 0) = s_C_per_x_B;
+    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 2) = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
+        - phi_B_along_slide_G * s_C_per_across_slide_G;
+    S_u(1, 3) = -s_C_per_x_B;
+    S_u(1, 4) = -s_C_per_y_B;
+    S_u(1, 5) = phi_E_across_slide_C - phi_E_along_slide_C * s_C_per_across_slide_C
+        - phi_E_along_slide_G * s_C_per_across_slide_G;
+    S_u(2, 0) = s_G_per_x_B;
+    S_u(2, 1) = s_G_per_y_B;
+    S_u(2, 2) = phi_B_across_slide_G - phi_B_along_slide_C * s_G_per_across_slide_C
+        - phi_B_along_slide_G * s_G_per_across_slide_G;
+    S_u(2, 3) = -s_G_per_x_B;
+    S_u(2, 4) = -s_G_per_y_B;
+    S_u(2, 5) = phi_E_across_slide_G - phi_E_along_slide_C * s_G_per_across_slide_C
+        - phi_E_along_slide_G * s_G_per_across_slide_G;
+    S_u(3, 0) = s_E_per_x_B;
+    S_u(3, 1) = s_E_per_y_B;
+    S_u(3, 2) = -phi_B_along_slide_C * s_E_per_across_slide_C
+        - phi_B_along_slide_G * s_E_per_across_slide_G;
+    S_u(3, 3) = -s_E_per_x_B;
+    S_u(3, 4) = -s_E_per_y_B;
+    S_u(3, 5) = -phi_E_along_slide_C * s_E_per_across_slide_C
+        - phi_E_along_slide_G * s_E_per_across_slide_G;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1175,19 +1152,19 @@ struct Model22 {
         + u.phi_E.sin * sin_GF;
     const Scalar sin_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.sin * cos_GF
         - u.phi_E.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C;
-    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.h_C_CD;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_C_CD;
     const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G;
-    const Scalar phi_B_across_slide_G = d.h_G_BCG - d.psi_G_BCG.sin * q.s_B - d.h_G_GF;
+    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G;
+    const Scalar phi_B_across_slide_G = d.h_G_BCG - q.s_B * d.psi_G_BCG.sin - d.h_G_GF;
     const Scalar t01 = q.s_E + d.x_F_EDF;
     const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_slide_G = -t01 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
         - t02 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
-    const Scalar phi_E_across_slide_G = cos_phi_E_minus_phi_B_minus_psi_G_BCG * t02
+    const Scalar phi_E_across_slide_G = t02 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
         - t01 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
@@ -1199,19 +1176,19 @@ struct Model22 {
     const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
     const Scalar t03 = v_x_B - v_x_E;
     const Scalar t04 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = omega_B * phi_B_across_slide_C
-        + omega_E * phi_E_across_slide_C - cos_CD * t03 - sin_CD * t04;
+    const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B
+        + phi_E_across_slide_C * omega_E - cos_CD * t03 - sin_CD * t04;
     const Scalar velocity_across_slide_C = sin_CD * t03 - cos_CD * t04
-        - omega_B * phi_B_along_slide_C - omega_E * phi_E_along_slide_C;
-    const Scalar velocity_along_slide_G = omega_B * phi_B_across_slide_G
-        + omega_E * phi_E_across_slide_G - cos_GF * t03 - sin_GF * t04;
+        - phi_B_along_slide_C * omega_B - phi_E_along_slide_C * omega_E;
+    const Scalar velocity_along_slide_G = phi_B_across_slide_G * omega_B
+        + phi_E_across_slide_G * omega_E - cos_GF * t03 - sin_GF * t04;
     const Scalar velocity_across_slide_G = sin_GF * t03 - cos_GF * t04
-        - omega_B * phi_B_along_slide_G - omega_E * phi_E_along_slide_G;
+        - phi_B_along_slide_G * omega_B - phi_E_along_slide_G * omega_E;
     const Scalar t05 = inverse_sin_psi_C_BCG_minus_psi_G_BCG * inverse_sin_phi_B_minus_phi_E;
-    const Scalar v_s_B = (sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_across_slide_G
-        - sin_phi_E_minus_phi_B_minus_psi_G_BCG * velocity_across_slide_C) * t05;
-    const Scalar v_s_E = -(d.psi_C_BCG.sin * velocity_across_slide_G
-        - d.psi_G_BCG.sin * velocity_across_slide_C) * t05;
+    const Scalar v_s_B = t05 * (sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_across_slide_G
+        - sin_phi_E_minus_phi_B_minus_psi_G_BCG * velocity_across_slide_C);
+    const Scalar v_s_E = -t05 * (d.psi_C_BCG.sin * velocity_across_slide_G
+        - d.psi_G_BCG.sin * velocity_across_slide_C);
     const Scalar v_s_G = cos_phi_E_minus_phi_B_minus_psi_G_BCG * v_s_E + velocity_along_slide_G
         - d.psi_G_BCG.cos * v_s_B;
     const Scalar v_s_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E + velocity_along_slide_C
@@ -1252,19 +1229,19 @@ struct Model22 {
         + u.phi_E.sin * sin_GF;
     const Scalar sin_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.sin * cos_GF
         - u.phi_E.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C;
-    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.h_C_CD;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_C_CD;
     const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G;
-    const Scalar phi_B_across_slide_G = d.h_G_BCG - d.psi_G_BCG.sin * q.s_B - d.h_G_GF;
+    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G;
+    const Scalar phi_B_across_slide_G = d.h_G_BCG - q.s_B * d.psi_G_BCG.sin - d.h_G_GF;
     const Scalar t01 = q.s_E + d.x_F_EDF;
     const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_slide_G = -t01 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
         - t02 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
-    const Scalar phi_E_across_slide_G = cos_phi_E_minus_phi_B_minus_psi_G_BCG * t02
+    const Scalar phi_E_across_slide_G = t02 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
         - t01 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
@@ -1276,23 +1253,23 @@ struct Model22 {
     const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
     const Scalar t03 = v_x_B - v_x_E;
     const Scalar t04 = v_y_B - v_y_E;
-    const Scalar t05 = omega_B * phi_B_across_slide_C;
-    const Scalar t06 = omega_E * phi_E_across_slide_C;
+    const Scalar t05 = phi_B_across_slide_C * omega_B;
+    const Scalar t06 = phi_E_across_slide_C * omega_E;
     const Scalar velocity_along_slide_C = t05 + t06 - cos_CD * t03 - sin_CD * t04;
-    const Scalar t07 = omega_B * phi_B_along_slide_C;
-    const Scalar t08 = omega_E * phi_E_along_slide_C;
+    const Scalar t07 = phi_B_along_slide_C * omega_B;
+    const Scalar t08 = phi_E_along_slide_C * omega_E;
     const Scalar velocity_across_slide_C = sin_CD * t03 - cos_CD * t04 - t07 - t08;
-    const Scalar t09 = omega_B * phi_B_across_slide_G;
-    const Scalar t10 = omega_E * phi_E_across_slide_G;
+    const Scalar t09 = phi_B_across_slide_G * omega_B;
+    const Scalar t10 = phi_E_across_slide_G * omega_E;
     const Scalar velocity_along_slide_G = t09 + t10 - cos_GF * t03 - sin_GF * t04;
-    const Scalar t11 = omega_B * phi_B_along_slide_G;
-    const Scalar t12 = omega_E * phi_E_along_slide_G;
+    const Scalar t11 = phi_B_along_slide_G * omega_B;
+    const Scalar t12 = phi_E_along_slide_G * omega_E;
     const Scalar velocity_across_slide_G = sin_GF * t03 - cos_GF * t04 - t11 - t12;
     const Scalar t13 = inverse_sin_psi_C_BCG_minus_psi_G_BCG * inverse_sin_phi_B_minus_phi_E;
-    const Scalar v_s_B = (sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_across_slide_G
-        - sin_phi_E_minus_phi_B_minus_psi_G_BCG * velocity_across_slide_C) * t13;
-    const Scalar v_s_E = -(d.psi_C_BCG.sin * velocity_across_slide_G
-        - d.psi_G_BCG.sin * velocity_across_slide_C) * t13;
+    const Scalar v_s_B = t13 * (sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_across_slide_G
+        - sin_phi_E_minus_phi_B_minus_psi_G_BCG * velocity_across_slide_C);
+    const Scalar v_s_E = -t13 * (d.psi_C_BCG.sin * velocity_across_slide_G
+        - d.psi_G_BCG.sin * velocity_across_slide_C);
     const Scalar t14 = d.psi_G_BCG.cos * v_s_B;
     const Scalar t15 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * v_s_E;
     const Scalar v_s_G = t15 + velocity_along_slide_G - t14;
@@ -1315,10 +1292,10 @@ struct Model22 {
     const Scalar acceleration_across_slide_G = omega_B * (t09 - Scalar(2) * t14 - Scalar(2) * v_s_G)
         + omega_E * (t10 + Scalar(2) * t15) + sin_GF * t18 - cos_GF * t19
         - phi_B_along_slide_G * alpha_B - phi_E_along_slide_G * alpha_E;
-    const Scalar a_s_B = (sin_phi_E_minus_phi_B_minus_psi_C_BCG * acceleration_across_slide_G
-        - sin_phi_E_minus_phi_B_minus_psi_G_BCG * acceleration_across_slide_C) * t13;
-    const Scalar a_s_E = -(d.psi_C_BCG.sin * acceleration_across_slide_G
-        - d.psi_G_BCG.sin * acceleration_across_slide_C) * t13;
+    const Scalar a_s_B = t13 * (sin_phi_E_minus_phi_B_minus_psi_C_BCG * acceleration_across_slide_G
+        - sin_phi_E_minus_phi_B_minus_psi_G_BCG * acceleration_across_slide_C);
+    const Scalar a_s_E = -t13 * (d.psi_C_BCG.sin * acceleration_across_slide_G
+        - d.psi_G_BCG.sin * acceleration_across_slide_C);
     const Scalar a_s_G = cos_phi_E_minus_phi_B_minus_psi_G_BCG * a_s_E + acceleration_along_slide_G
         - d.psi_G_BCG.cos * a_s_B;
     const Scalar a_s_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * a_s_E + acceleration_along_slide_C
@@ -1365,20 +1342,20 @@ struct Model22 {
         + u.phi_E.sin * sin_GF;
     const Scalar sin_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.sin * cos_GF
         - u.phi_E.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = d.psi_C_BCG.cos * q.s_B + q.s_C;
-    const Scalar phi_B_across_slide_C = -d.psi_C_BCG.sin * q.s_B - d.h_C_CD;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_C_CD;
     const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * d.h_E_EDF
+    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_G = d.psi_G_BCG.cos * q.s_B + q.s_G;
+    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G;
     const Scalar t01 = d.h_G_BCG - d.h_G_GF;
-    const Scalar phi_B_across_slide_G = t01 - d.psi_G_BCG.sin * q.s_B;
+    const Scalar phi_B_across_slide_G = t01 - q.s_B * d.psi_G_BCG.sin;
     const Scalar t02 = q.s_E + d.x_F_EDF;
     const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_slide_G = -t02 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
         - t03 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
-    const Scalar phi_E_across_slide_G = cos_phi_E_minus_phi_B_minus_psi_G_BCG * t03
+    const Scalar phi_E_across_slide_G = t03 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
         - t02 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
@@ -1401,56 +1378,44 @@ struct Model22 {
     const Scalar s_G_per_across_slide_G = t06 - d.psi_G_BCG.cos * s_B_per_across_slide_G;
     const Scalar s_C_per_across_slide_G = cos_phi_E_minus_phi_B_minus_psi_C_BCG *
         s_E_per_across_slide_G - d.psi_C_BCG.cos * s_B_per_across_slide_G;
-    const Scalar t07 = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_G;
-    const Scalar s_B_per_x_B = t07;
-    const Scalar t08 = cos_CD - sin_CD * s_C_per_across_slide_C - sin_GF * s_C_per_across_slide_G;
-    const Scalar s_C_per_x_B = -t08;
-    const Scalar t09 = cos_GF - sin_CD * s_G_per_across_slide_C - sin_GF * s_G_per_across_slide_G;
-    const Scalar s_G_per_x_B = -t09;
-    const Scalar t10 = sin_CD * s_E_per_across_slide_C + sin_GF * s_E_per_across_slide_G;
-    const Scalar s_E_per_x_B = t10;
-    const Scalar t11 = cos_CD * s_B_per_across_slide_C + cos_GF * s_B_per_across_slide_G;
-    const Scalar s_B_per_y_B = -t11;
-    const Scalar t12 = sin_CD + cos_CD * s_C_per_across_slide_C + cos_GF * s_C_per_across_slide_G;
-    const Scalar s_C_per_y_B = -t12;
-    const Scalar t13 = sin_GF + cos_CD * s_G_per_across_slide_C + cos_GF * s_G_per_across_slide_G;
-    const Scalar s_G_per_y_B = -t13;
-    const Scalar t14 = cos_CD * s_E_per_across_slide_C + cos_GF * s_E_per_across_slide_G;
-    const Scalar s_E_per_y_B = -t14;
-    const Scalar t15 = s_B_per_across_slide_C * phi_B_along_slide_C
-        + s_B_per_across_slide_G * phi_B_along_slide_G;
-    const Scalar s_B_per_phi_B = -t15;
-    const Scalar t16 = s_C_per_across_slide_C * phi_B_along_slide_C
-        + s_C_per_across_slide_G * phi_B_along_slide_G - phi_B_across_slide_C;
-    const Scalar s_C_per_phi_B = -t16;
-    const Scalar t17 = s_G_per_across_slide_C * phi_B_along_slide_C
-        + s_G_per_across_slide_G * phi_B_along_slide_G - phi_B_across_slide_G;
-    const Scalar s_G_per_phi_B = -t17;
-    const Scalar t18 = s_E_per_across_slide_C * phi_B_along_slide_C
-        + s_E_per_across_slide_G * phi_B_along_slide_G;
-    const Scalar s_E_per_phi_B = -t18;
-    const Scalar t19 = s_B_per_across_slide_C * phi_E_along_slide_C
-        + s_B_per_across_slide_G * phi_E_along_slide_G;
-    const Scalar s_B_per_phi_E = -t19;
-    const Scalar t20 = s_C_per_across_slide_C * phi_E_along_slide_C
-        + s_C_per_across_slide_G * phi_E_along_slide_G - phi_E_across_slide_C;
-    const Scalar s_C_per_phi_E = -t20;
-    const Scalar t21 = s_G_per_across_slide_C * phi_E_along_slide_C
-        + s_G_per_across_slide_G * phi_E_along_slide_G - phi_E_across_slide_G;
-    const Scalar s_G_per_phi_E = -t21;
-    const Scalar t22 = s_E_per_across_slide_C * phi_E_along_slide_C
-        + s_E_per_across_slide_G * phi_E_along_slide_G;
-    const Scalar s_E_per_phi_E = -t22;
-    const Scalar t23 = v_x_B - v_x_E;
-    const Scalar t24 = v_y_B - v_y_E;
-    const Scalar v_s_B = t23 * s_B_per_x_B + t24 * s_B_per_y_B + omega_B * s_B_per_phi_B
-        + omega_E * s_B_per_phi_E;
-    const Scalar v_s_C = t23 * s_C_per_x_B + t24 * s_C_per_y_B + omega_B * s_C_per_phi_B
-        + omega_E * s_C_per_phi_E;
-    const Scalar v_s_G = t23 * s_G_per_x_B + t24 * s_G_per_y_B + omega_B * s_G_per_phi_B
-        + omega_E * s_G_per_phi_E;
-    const Scalar v_s_E = t23 * s_E_per_x_B + t24 * s_E_per_y_B + omega_B * s_E_per_phi_B
-        + omega_E * s_E_per_phi_E;
+    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_G;
+    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_G
+        - cos_CD;
+    const Scalar s_G_per_x_B = sin_CD * s_G_per_across_slide_C + sin_GF * s_G_per_across_slide_G
+        - cos_GF;
+    const Scalar s_E_per_x_B = sin_CD * s_E_per_across_slide_C + sin_GF * s_E_per_across_slide_G;
+    const Scalar s_B_per_y_B = -cos_CD * s_B_per_across_slide_C - cos_GF * s_B_per_across_slide_G;
+    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
+        - cos_GF * s_C_per_across_slide_G;
+    const Scalar s_G_per_y_B = -sin_GF - cos_CD * s_G_per_across_slide_C
+        - cos_GF * s_G_per_across_slide_G;
+    const Scalar s_E_per_y_B = -cos_CD * s_E_per_across_slide_C - cos_GF * s_E_per_across_slide_G;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_C * s_B_per_across_slide_C
+        - phi_B_along_slide_G * s_B_per_across_slide_G;
+    const Scalar s_C_per_phi_B = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
+        - phi_B_along_slide_G * s_C_per_across_slide_G;
+    const Scalar s_G_per_phi_B = phi_B_across_slide_G - phi_B_along_slide_C * s_G_per_across_slide_C
+        - phi_B_along_slide_G * s_G_per_across_slide_G;
+    const Scalar s_E_per_phi_B = -phi_B_along_slide_C * s_E_per_across_slide_C
+        - phi_B_along_slide_G * s_E_per_across_slide_G;
+    const Scalar s_B_per_phi_E = -phi_E_along_slide_C * s_B_per_across_slide_C
+        - phi_E_along_slide_G * s_B_per_across_slide_G;
+    const Scalar s_C_per_phi_E = phi_E_across_slide_C - phi_E_along_slide_C * s_C_per_across_slide_C
+        - phi_E_along_slide_G * s_C_per_across_slide_G;
+    const Scalar s_G_per_phi_E = phi_E_across_slide_G - phi_E_along_slide_C * s_G_per_across_slide_C
+        - phi_E_along_slide_G * s_G_per_across_slide_G;
+    const Scalar s_E_per_phi_E = -phi_E_along_slide_C * s_E_per_across_slide_C
+        - phi_E_along_slide_G * s_E_per_across_slide_G;
+    const Scalar t07 = v_x_B - v_x_E;
+    const Scalar t08 = v_y_B - v_y_E;
+    const Scalar v_s_B = s_B_per_x_B * t07 + s_B_per_y_B * t08 + s_B_per_phi_B * omega_B
+        + s_B_per_phi_E * omega_E;
+    const Scalar v_s_C = s_C_per_x_B * t07 + s_C_per_y_B * t08 + s_C_per_phi_B * omega_B
+        + s_C_per_phi_E * omega_E;
+    const Scalar v_s_G = s_G_per_x_B * t07 + s_G_per_y_B * t08 + s_G_per_phi_B * omega_B
+        + s_G_per_phi_E * omega_E;
+    const Scalar v_s_E = s_E_per_x_B * t07 + s_E_per_y_B * t08 + s_E_per_phi_B * omega_B
+        + s_E_per_phi_E * omega_E;
     const Scalar centripetal_along_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B
         - phi_B_along_slide_C * omega_B)
         - omega_E * (Scalar(2) * sin_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E
@@ -1467,36 +1432,36 @@ struct Model22 {
         cos_phi_E_minus_phi_B_minus_psi_G_BCG * v_s_E + phi_E_across_slide_G * omega_E)
         - omega_B * (Scalar(2) * d.psi_G_BCG.cos * v_s_B + Scalar(2) * v_s_G
         - phi_B_across_slide_G * omega_B);
-    const Scalar t25 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
-    const Scalar t26 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
-    const Scalar t27 = sin_phi_E_minus_phi_B_minus_psi_G_BCG
+    const Scalar t09 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
+    const Scalar t10 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
+    const Scalar t11 = sin_phi_E_minus_phi_B_minus_psi_G_BCG
         - cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
-    const Scalar t28 = a_x_B - a_x_E;
-    const Scalar t29 = a_y_B - a_y_E;
+    const Scalar t12 = a_x_B - a_x_E;
+    const Scalar t13 = a_y_B - a_y_E;
     S_d(0, 0) = -q.s_C * s_B_per_across_slide_C;
     S_d(0, 1) = -q.s_G * s_B_per_across_slide_G;
     S_d(0, 2) = -s_B_per_across_slide_G;
-    S_d(0, 3) = -cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C - t25;
+    S_d(0, 3) = -cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C - t09;
     S_d(0, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
-    S_d(0, 5) = t25;
+    S_d(0, 5) = t09;
     S_d(0, 6) = s_B_per_across_slide_C;
     S_d(0, 7) = s_B_per_across_slide_G;
     S_d(1, 0) = -d.h_C_CD - q.s_C * s_C_per_across_slide_C;
     S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
     S_d(1, 2) = -s_C_per_across_slide_G;
     S_d(1, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG
-        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C - t26;
+        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C - t10;
     S_d(1, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(1, 5) = t26;
+    S_d(1, 5) = t10;
     S_d(1, 6) = s_C_per_across_slide_C;
     S_d(1, 7) = s_C_per_across_slide_G;
     S_d(2, 0) = -q.s_C * s_G_per_across_slide_C;
     S_d(2, 1) = t01 - q.s_G * s_G_per_across_slide_G;
     S_d(2, 2) = -s_G_per_across_slide_G;
-    S_d(2, 3) = t27 - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_G_per_across_slide_C;
+    S_d(2, 3) = t11 - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_G_per_across_slide_C;
     S_d(2, 4) = cos_phi_E_minus_phi_B_minus_psi_G_BCG
         + sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
-    S_d(2, 5) = -t27;
+    S_d(2, 5) = -t11;
     S_d(2, 6) = s_G_per_across_slide_C;
     S_d(2, 7) = s_G_per_across_slide_G;
     S_d(3, 0) = -q.s_C * s_E_per_across_slide_C;
@@ -1507,44 +1472,44 @@ struct Model22 {
     S_d(3, 5) = t06;
     S_d(3, 6) = s_E_per_across_slide_C;
     S_d(3, 7) = s_E_per_across_slide_G;
-    S_u(0, 0) = t07;
-    S_u(0, 1) = -t11;
-    S_u(0, 2) = -t15;
-    S_u(0, 3) = -t07;
-    S_u(0, 4) = t11;
-    S_u(0, 5) = -t19;
-    S_u(1, 0) = -t08;
-    S_u(1, 1) = -t12;
-    S_u(1, 2) = -t16;
-    S_u(1, 3) = t08;
-    S_u(1, 4) = t12;
-    S_u(1, 5) = -t20;
-    S_u(2, 0) = -t09;
-    S_u(2, 1) = -t13;
-    S_u(2, 2) = -t17;
-    S_u(2, 3) = t09;
-    S_u(2, 4) = t13;
-    S_u(2, 5) = -t21;
-    S_u(3, 0) = t10;
-    S_u(3, 1) = -t14;
-    S_u(3, 2) = -t18;
-    S_u(3, 3) = -t10;
-    S_u(3, 4) = t14;
-    S_u(3, 5) = -t22;
+    S_u(0, 0) = s_B_per_x_B;
+    S_u(0, 1) = s_B_per_y_B;
+    S_u(0, 2) = s_B_per_phi_B;
+    S_u(0, 3) = -s_B_per_x_B;
+    S_u(0, 4) = -s_B_per_y_B;
+    S_u(0, 5) = s_B_per_phi_E;
+    S_u(1, 0) = s_C_per_x_B;
+    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 2) = s_C_per_phi_B;
+    S_u(1, 3) = -s_C_per_x_B;
+    S_u(1, 4) = -s_C_per_y_B;
+    S_u(1, 5) = s_C_per_phi_E;
+    S_u(2, 0) = s_G_per_x_B;
+    S_u(2, 1) = s_G_per_y_B;
+    S_u(2, 2) = s_G_per_phi_B;
+    S_u(2, 3) = -s_G_per_x_B;
+    S_u(2, 4) = -s_G_per_y_B;
+    S_u(2, 5) = s_G_per_phi_E;
+    S_u(3, 0) = s_E_per_x_B;
+    S_u(3, 1) = s_E_per_y_B;
+    S_u(3, 2) = s_E_per_phi_B;
+    S_u(3, 3) = -s_E_per_x_B;
+    S_u(3, 4) = -s_E_per_y_B;
+    S_u(3, 5) = s_E_per_phi_E;
     q_rate(0) = v_s_B;
     q_rate(1) = v_s_C;
     q_rate(2) = v_s_G;
     q_rate(3) = v_s_E;
-    q_second_rate(0) = s_B_per_x_B * t28 + s_B_per_y_B * t29 + s_B_per_phi_B * alpha_B
+    q_second_rate(0) = s_B_per_x_B * t12 + s_B_per_y_B * t13 + s_B_per_phi_B * alpha_B
         + s_B_per_phi_E * alpha_E + s_B_per_across_slide_C * centripetal_across_slide_C
         + s_B_per_across_slide_G * centripetal_across_slide_G;
-    q_second_rate(1) = s_C_per_x_B * t28 + s_C_per_y_B * t29 + s_C_per_phi_B * alpha_B
+    q_second_rate(1) = s_C_per_x_B * t12 + s_C_per_y_B * t13 + s_C_per_phi_B * alpha_B
         + s_C_per_phi_E * alpha_E + s_C_per_across_slide_C * centripetal_across_slide_C
         + s_C_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_C;
-    q_second_rate(2) = s_G_per_x_B * t28 + s_G_per_y_B * t29 + s_G_per_phi_B * alpha_B
+    q_second_rate(2) = s_G_per_x_B * t12 + s_G_per_y_B * t13 + s_G_per_phi_B * alpha_B
         + s_G_per_phi_E * alpha_E + s_G_per_across_slide_C * centripetal_across_slide_C
         + s_G_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_G;
-    q_second_rate(3) = s_E_per_x_B * t28 + s_E_per_y_B * t29 + s_E_per_phi_B * alpha_B
+    q_second_rate(3) = s_E_per_x_B * t12 + s_E_per_y_B * t13 + s_E_per_phi_B * alpha_B
         + s_E_per_phi_E * alpha_E + s_E_per_across_slide_C * centripetal_across_slide_C
         + s_E_per_across_slide_G * centripetal_across_slide_G;
   }
@@ -1556,21 +1521,23 @@ struct Model22 {
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = u.phi_B.cos * u.phi_E.sin - u.phi_B.sin * u.phi_E.cos;
-    const Scalar t02 = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
-    const Scalar b_0_re = -Scalar(2) * (t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin);
-    const Scalar c_0_re = Scalar(2) * (d.psi_C_BCG.cos * (t02 * d.h_E_EDF + u.phi_B.cos * EB_y
-        - u.phi_B.sin * EB_x) + d.psi_C_BCG.sin * (t01 * d.h_E_EDF - u.phi_B.cos * EB_x
-        - u.phi_B.sin * EB_y) - d.h_C_CD);
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar cos_phi_B_minus_phi_E = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
+    const Scalar b_0_re = Scalar(2) * (d.psi_C_BCG.cos * sin_phi_B_minus_phi_E
+        + d.psi_C_BCG.sin * cos_phi_B_minus_phi_E);
+    const Scalar c_0_re = -Scalar(2) * (d.h_C_CD + (EB_x * u.phi_B.cos + EB_y * u.phi_B.sin
+        + d.h_E_EDF * sin_phi_B_minus_phi_E) * d.psi_C_BCG.sin - (EB_y * u.phi_B.cos
+        + d.h_E_EDF * cos_phi_B_minus_phi_E - EB_x * u.phi_B.sin) * d.psi_C_BCG.cos);
     const Scalar c_1_re = -Scalar(2) * d.psi_C_BCG.sin;
-    const Scalar e_0_re = -Scalar(2) * (t01 * d.psi_G_BCG.cos - t02 * d.psi_G_BCG.sin);
-    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar t04 = EB_y + u.phi_E.cos * t03 - u.phi_E.sin * d.x_F_EDF;
-    const Scalar t05 = EB_x - u.phi_E.sin * t03 - u.phi_E.cos * d.x_F_EDF;
-    const Scalar f_0_re = Scalar(2) * (d.psi_G_BCG.cos * (u.phi_B.cos * t04 - u.phi_B.sin * t05)
-        + d.h_G_BCG - d.psi_G_BCG.sin * (u.phi_B.cos * t05 + u.phi_B.sin * t04) - d.h_G_GF);
+    const Scalar e_0_re = Scalar(2) * (d.psi_G_BCG.cos * sin_phi_B_minus_phi_E
+        + d.psi_G_BCG.sin * cos_phi_B_minus_phi_E);
+    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t02 = EB_y + t01 * u.phi_E.cos - d.x_F_EDF * u.phi_E.sin;
+    const Scalar t03 = EB_x - t01 * u.phi_E.sin - d.x_F_EDF * u.phi_E.cos;
+    const Scalar f_0_re = Scalar(2) * ((t02 * u.phi_B.cos - t03 * u.phi_B.sin) * d.psi_G_BCG.cos
+        + d.h_G_BCG - (t03 * u.phi_B.cos + t02 * u.phi_B.sin) * d.psi_G_BCG.sin - d.h_G_GF);
     const Scalar f_1_re = -Scalar(2) * d.psi_G_BCG.sin;
-    T(0) = b_0_re * f_0_re - c_0_re * e_0_re;
+    T(0) = f_0_re * b_0_re - c_0_re * e_0_re;
     T(1) = b_0_re * f_1_re - e_0_re * c_1_re;
   }
 
@@ -1582,18 +1549,20 @@ struct Model22 {
     e.setZero();
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = u.phi_B.cos * u.phi_E.sin - u.phi_B.sin * u.phi_E.cos;
-    const Scalar t02 = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
-    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar t04 = EB_x - u.phi_E.sin * t03 - u.phi_E.cos * d.x_F_EDF;
-    const Scalar t05 = EB_y + u.phi_E.cos * t03 - u.phi_E.sin * d.x_F_EDF;
-    e(0, 1) = -Scalar(2) * (t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin);
-    e(0, 2) = Scalar(2) * (d.psi_C_BCG.sin * (t01 * d.h_E_EDF - q.s_B - u.phi_B.cos * EB_x
-        - u.phi_B.sin * EB_y) + d.psi_C_BCG.cos * (t02 * d.h_E_EDF + u.phi_B.cos * EB_y
-        - u.phi_B.sin * EB_x) - d.h_C_CD);
-    e(1, 1) = -Scalar(2) * (t01 * d.psi_G_BCG.cos - t02 * d.psi_G_BCG.sin);
-    e(1, 2) = -Scalar(2) * (d.psi_G_BCG.sin * (q.s_B + u.phi_B.cos * t04 + u.phi_B.sin * t05)
-        + d.h_G_GF - d.psi_G_BCG.cos * (u.phi_B.cos * t05 - u.phi_B.sin * t04) - d.h_G_BCG);
+    const Scalar cos_phi_B_minus_phi_E = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t02 = EB_x - t01 * u.phi_E.sin - d.x_F_EDF * u.phi_E.cos;
+    const Scalar t03 = EB_y + t01 * u.phi_E.cos - d.x_F_EDF * u.phi_E.sin;
+    e(0, 1) = Scalar(2) * (d.psi_C_BCG.cos * sin_phi_B_minus_phi_E
+        + d.psi_C_BCG.sin * cos_phi_B_minus_phi_E);
+    e(0, 2) = -Scalar(2) * (d.h_C_CD + (q.s_B + EB_x * u.phi_B.cos + EB_y * u.phi_B.sin
+        + d.h_E_EDF * sin_phi_B_minus_phi_E) * d.psi_C_BCG.sin - (EB_y * u.phi_B.cos
+        + d.h_E_EDF * cos_phi_B_minus_phi_E - EB_x * u.phi_B.sin) * d.psi_C_BCG.cos);
+    e(1, 1) = Scalar(2) * (d.psi_G_BCG.cos * sin_phi_B_minus_phi_E
+        + d.psi_G_BCG.sin * cos_phi_B_minus_phi_E);
+    e(1, 2) = -Scalar(2) * ((q.s_B + t02 * u.phi_B.cos + t03 * u.phi_B.sin) * d.psi_G_BCG.sin
+        + d.h_G_GF - (t03 * u.phi_B.cos - t02 * u.phi_B.sin) * d.psi_G_BCG.cos - d.h_G_BCG);
   }
 
   /// The other unknowns of a configuration in which those of the reduced
@@ -1604,15 +1573,15 @@ struct Model22 {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
     const Scalar t01 = q.s_E * u.phi_E.cos + d.h_E_EDF * u.phi_E.sin - EB_x;
-    const Scalar t02 = q.s_E * u.phi_E.sin - u.phi_E.cos * d.h_E_EDF - EB_y;
+    const Scalar t02 = q.s_E * u.phi_E.sin - d.h_E_EDF * u.phi_E.cos - EB_y;
     const Scalar t03 = q.s_E + d.x_F_EDF;
     const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar t05 = EB_x - u.phi_E.cos * t03 - u.phi_E.sin * t04;
-    const Scalar t06 = EB_y + u.phi_E.cos * t04 - u.phi_E.sin * t03;
-    q.s_C = (t01 * u.phi_B.cos + t02 * u.phi_B.sin - q.s_B) * d.psi_C_BCG.cos + (u.phi_B.cos * t02
+    const Scalar t05 = EB_x - t03 * u.phi_E.cos - t04 * u.phi_E.sin;
+    const Scalar t06 = EB_y + t04 * u.phi_E.cos - t03 * u.phi_E.sin;
+    q.s_C = (t01 * u.phi_B.cos + t02 * u.phi_B.sin - q.s_B) * d.psi_C_BCG.cos + (t02 * u.phi_B.cos
         - t01 * u.phi_B.sin) * d.psi_C_BCG.sin;
-    q.s_G = -(q.s_B + u.phi_B.cos * t05 + u.phi_B.sin * t06) * d.psi_G_BCG.cos - (u.phi_B.cos * t06
-        - u.phi_B.sin * t05) * d.psi_G_BCG.sin;
+    q.s_G = -(q.s_B + t05 * u.phi_B.cos + t06 * u.phi_B.sin) * d.psi_G_BCG.cos - (t06 * u.phi_B.cos
+        - t05 * u.phi_B.sin) * d.psi_G_BCG.sin;
   }
 };
 

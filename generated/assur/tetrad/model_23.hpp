@@ -174,42 +174,38 @@ struct Model23 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar t03 = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_x = t03 - (u.phi_E.sin * d.psi_D_EDF.cos
-        + u.phi_E.cos * d.psi_D_EDF.sin) * d.h_D_EDF;
-    const Scalar t04 = u.phi_E.cos * d.h_E_EDF;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
+        + u.phi_E.cos * d.psi_D_EDF.sin);
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
-        - t04;
-    const Scalar t05 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t06 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t05 - d.psi_C_BCG.sin * t06;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t06 + d.psi_C_BCG.sin * t05;
+        + EF_y;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = t03;
-    const Scalar EF_y = -t04;
-    const Scalar t07 = u.x_B - u.x_E + slide_B_x - slide_E_x;
-    const Scalar t08 = u.y_B - u.y_E + slide_B_y - slide_E_y;
-    f(0) = slide_C_x + t07 - ED_x - slide_D_x;
-    f(1) = slide_C_y + t08 - ED_y - slide_D_y;
-    f(2) = BG_x + slide_G_x + GF_x + t07 - EF_x;
-    f(3) = BG_y + slide_G_y + GF_y + t08 - EF_y;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t03 = u.x_B - u.x_E + slide_B_x - slide_E_x;
+    const Scalar t04 = u.y_B - u.y_E + slide_B_y - slide_E_y;
+    f(0) = slide_C_x + t03 - ED_x - slide_D_x;
+    f(1) = slide_C_y + t04 - ED_y - slide_D_y;
+    f(2) = BG_x + slide_G_x + GF_x + t03 - EF_x;
+    f(3) = BG_y + slide_G_y + GF_y + t04 - EF_y;
   }
 
   /// J = df/dq.
@@ -248,35 +244,33 @@ struct Model23 {
     F_d.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar t03 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t04 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar t05 = d.psi_D_EDF.cos * u.phi_E.cos - u.phi_E.sin * d.psi_D_EDF.sin;
-    const Scalar t06 = u.phi_E.sin * d.psi_D_EDF.cos + u.phi_E.cos * d.psi_D_EDF.sin;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t03 = d.psi_D_EDF.cos * u.phi_E.cos - u.phi_E.sin * d.psi_D_EDF.sin;
+    const Scalar t04 = u.phi_E.sin * d.psi_D_EDF.cos + u.phi_E.cos * d.psi_D_EDF.sin;
     F_d(0, 0) = slide_D_y - slide_C_y;
     F_d(0, 3) = -u.phi_E.sin;
-    F_d(0, 4) = t05 * d.h_D_EDF;
-    F_d(0, 5) = t06;
+    F_d(0, 4) = d.h_D_EDF * t03;
+    F_d(0, 5) = t04;
     F_d(0, 6) = slide_D_y;
     F_d(1, 0) = slide_C_x - slide_D_x;
     F_d(1, 3) = u.phi_E.cos;
-    F_d(1, 4) = d.h_D_EDF * t06;
-    F_d(1, 5) = -t05;
+    F_d(1, 4) = d.h_D_EDF * t04;
+    F_d(1, 5) = -t03;
     F_d(1, 6) = -slide_D_x;
     F_d(2, 1) = -BG_y - slide_G_y - GF_y;
     F_d(2, 2) = -sin_GF;
@@ -295,36 +289,32 @@ struct Model23 {
     F_u.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar t03 = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_x = t03 - (u.phi_E.sin * d.psi_D_EDF.cos
-        + u.phi_E.cos * d.psi_D_EDF.sin) * d.h_D_EDF;
-    const Scalar t04 = u.phi_E.cos * d.h_E_EDF;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
+        + u.phi_E.cos * d.psi_D_EDF.sin);
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
-        - t04;
-    const Scalar t05 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t06 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t05 - d.psi_C_BCG.sin * t06;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t06 + d.psi_C_BCG.sin * t05;
+        + EF_y;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = t03;
-    const Scalar EF_y = -t04;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
     F_u(0, 0) = Scalar(1);
     F_u(0, 2) = slide_D_y - slide_B_y - slide_C_y;
     F_u(0, 3) = -Scalar(1);
@@ -356,42 +346,38 @@ struct Model23 {
     const Scalar omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar t03 = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_x = t03 - (u.phi_E.sin * d.psi_D_EDF.cos
-        + u.phi_E.cos * d.psi_D_EDF.sin) * d.h_D_EDF;
-    const Scalar t04 = u.phi_E.cos * d.h_E_EDF;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
+        + u.phi_E.cos * d.psi_D_EDF.sin);
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
-        - t04;
-    const Scalar t05 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t06 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t05 - d.psi_C_BCG.sin * t06;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t06 + d.psi_C_BCG.sin * t05;
+        + EF_y;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = t03;
-    const Scalar EF_y = -t04;
-    const Scalar t07 = v_x_B - v_x_E;
-    const Scalar t08 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + slide_C_y - slide_D_y) * omega_B - (slide_E_y + ED_y) * omega_E - t07;
-    rhs(1) = omega_E * (slide_E_x + ED_x) - omega_B * (slide_B_x + slide_C_x - slide_D_x) - t08;
-    rhs(2) = omega_B * (slide_B_y + BG_y + slide_G_y + GF_y) - t07 - omega_E * (slide_E_y + EF_y);
-    rhs(3) = omega_E * (slide_E_x + EF_x) - t08 - omega_B * (slide_B_x + BG_x + slide_G_x + GF_x);
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t03 = v_x_B - v_x_E;
+    const Scalar t04 = v_y_B - v_y_E;
+    rhs(0) = (slide_B_y + slide_C_y - slide_D_y) * omega_B - (slide_E_y + ED_y) * omega_E - t03;
+    rhs(1) = (slide_E_x + ED_x) * omega_E - (slide_B_x + slide_C_x - slide_D_x) * omega_B - t04;
+    rhs(2) = (slide_B_y + BG_y + slide_G_y + GF_y) * omega_B - t03 - (slide_E_y + EF_y) * omega_E;
+    rhs(3) = (slide_E_x + EF_x) * omega_E - t04 - (slide_B_x + BG_x + slide_G_x + GF_x) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -416,60 +402,56 @@ struct Model23 {
     const Scalar alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar t03 = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_x = t03 - (u.phi_E.sin * d.psi_D_EDF.cos
-        + u.phi_E.cos * d.psi_D_EDF.sin) * d.h_D_EDF;
-    const Scalar t04 = u.phi_E.cos * d.h_E_EDF;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
+        + u.phi_E.cos * d.psi_D_EDF.sin);
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
-        - t04;
-    const Scalar t05 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t06 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t05 - d.psi_C_BCG.sin * t06;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t06 + d.psi_C_BCG.sin * t05;
+        + EF_y;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = t03;
-    const Scalar EF_y = -t04;
-    const Scalar t07 = slide_B_x + slide_C_x - slide_D_x;
-    const Scalar t08 = u.phi_B.sin * v_s_B;
-    const Scalar t09 = slide_B_y + slide_C_y - slide_D_y;
-    const Scalar t10 = slide_E_x + ED_x;
-    const Scalar t11 = u.phi_E.sin * v_s_E;
-    const Scalar t12 = slide_E_y + ED_y;
-    const Scalar t13 = a_x_B - a_x_E;
-    const Scalar t14 = u.phi_B.cos * v_s_B;
-    const Scalar t15 = u.phi_E.cos * v_s_E;
-    const Scalar t16 = a_y_B - a_y_E;
-    const Scalar t17 = slide_B_x + BG_x + slide_G_x + GF_x;
-    const Scalar t18 = slide_B_y + BG_y + slide_G_y + GF_y;
-    const Scalar t19 = slide_E_x + EF_x;
-    const Scalar t20 = slide_E_y + EF_y;
-    rhs(0) = omega_B * (t07 * omega_B + Scalar(2) * t08 + Scalar(2) * sin_CD * v_s_C
-        - Scalar(2) * sin_slide_D * v_s_D) + t09 * alpha_B - omega_E * (t10 * omega_E
-        + Scalar(2) * t11) - t12 * alpha_E - t13;
-    rhs(1) = omega_B * (omega_B * t09 + Scalar(2) * cos_slide_D * v_s_D - Scalar(2) * t14
-        - Scalar(2) * cos_CD * v_s_C) + t10 * alpha_E - t07 * alpha_B - omega_E * (omega_E * t12
-        - Scalar(2) * t15) - t16;
-    rhs(2) = omega_B * (Scalar(2) * t08 + omega_B * t17 + Scalar(2) * sin_GF * v_s_G)
-        + alpha_B * t18 - t13 - omega_E * (Scalar(2) * t11 + omega_E * t19) - alpha_E * t20;
-    rhs(3) = omega_E * (Scalar(2) * t15 - omega_E * t20) + alpha_E * t19 - t16
-        - omega_B * (Scalar(2) * t14 + Scalar(2) * cos_GF * v_s_G - omega_B * t18) - alpha_B * t17;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t03 = slide_B_x + slide_C_x - slide_D_x;
+    const Scalar t04 = u.phi_B.sin * v_s_B;
+    const Scalar t05 = slide_B_y + slide_C_y - slide_D_y;
+    const Scalar t06 = slide_E_x + ED_x;
+    const Scalar t07 = u.phi_E.sin * v_s_E;
+    const Scalar t08 = slide_E_y + ED_y;
+    const Scalar t09 = a_x_B - a_x_E;
+    const Scalar t10 = u.phi_B.cos * v_s_B;
+    const Scalar t11 = u.phi_E.cos * v_s_E;
+    const Scalar t12 = a_y_B - a_y_E;
+    const Scalar t13 = slide_B_x + BG_x + slide_G_x + GF_x;
+    const Scalar t14 = slide_B_y + BG_y + slide_G_y + GF_y;
+    const Scalar t15 = slide_E_x + EF_x;
+    const Scalar t16 = slide_E_y + EF_y;
+    rhs(0) = omega_B * (t03 * omega_B + Scalar(2) * t04 + Scalar(2) * sin_CD * v_s_C
+        - Scalar(2) * sin_slide_D * v_s_D) + t05 * alpha_B - omega_E * (t06 * omega_E
+        + Scalar(2) * t07) - t08 * alpha_E - t09;
+    rhs(1) = omega_B * (t05 * omega_B + Scalar(2) * cos_slide_D * v_s_D - Scalar(2) * t10
+        - Scalar(2) * cos_CD * v_s_C) + t06 * alpha_E - t03 * alpha_B - omega_E * (t08 * omega_E
+        - Scalar(2) * t11) - t12;
+    rhs(2) = omega_B * (Scalar(2) * t04 + t13 * omega_B + Scalar(2) * sin_GF * v_s_G)
+        + t14 * alpha_B - t09 - omega_E * (Scalar(2) * t07 + t15 * omega_E) - t16 * alpha_E;
+    rhs(3) = omega_E * (Scalar(2) * t11 - t16 * omega_E) + t15 * alpha_E - t12
+        - omega_B * (Scalar(2) * t10 + Scalar(2) * cos_GF * v_s_G - t14 * omega_B) - t13 * alpha_B;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -502,75 +484,71 @@ struct Model23 {
     const Scalar jerk_E = u_third_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar t03 = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_x = t03 - (u.phi_E.sin * d.psi_D_EDF.cos
-        + u.phi_E.cos * d.psi_D_EDF.sin) * d.h_D_EDF;
-    const Scalar t04 = u.phi_E.cos * d.h_E_EDF;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
+        + u.phi_E.cos * d.psi_D_EDF.sin);
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
-        - t04;
-    const Scalar t05 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t06 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t05 - d.psi_C_BCG.sin * t06;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t06 + d.psi_C_BCG.sin * t05;
+        + EF_y;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = t03;
-    const Scalar EF_y = -t04;
-    const Scalar t07 = slide_E_y + ED_y;
-    const Scalar t08 = u.phi_E.cos * v_s_E;
-    const Scalar t09 = slide_E_x + ED_x;
-    const Scalar t10 = u.phi_E.sin * a_s_E;
-    const Scalar t11 = slide_B_y + slide_C_y - slide_D_y;
-    const Scalar t12 = slide_B_x + slide_C_x - slide_D_x;
-    const Scalar t13 = u.phi_B.sin * a_s_B;
-    const Scalar t14 = u.phi_B.cos * v_s_B;
-    const Scalar t15 = cos_slide_D * v_s_D - t14 - cos_CD * v_s_C;
-    const Scalar t16 = u.phi_B.sin * v_s_B;
-    const Scalar t17 = sin_slide_D * v_s_D - t16 - sin_CD * v_s_C;
-    const Scalar t18 = u.phi_E.sin * v_s_E;
-    const Scalar t19 = alpha_E * t18 + Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
-    const Scalar t20 = u.phi_E.cos * a_s_E;
-    const Scalar t21 = u.phi_B.cos * a_s_B;
-    const Scalar t22 = t08 * alpha_E - Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
-    const Scalar t23 = slide_E_y + EF_y;
-    const Scalar t24 = slide_E_x + EF_x;
-    const Scalar t25 = slide_B_y + BG_y + slide_G_y + GF_y;
-    const Scalar t26 = t16 + sin_GF * v_s_G;
-    const Scalar t27 = slide_B_x + BG_x + slide_G_x + GF_x;
-    const Scalar t28 = t14 + cos_GF * v_s_G;
-    rhs(0) = omega_E * (omega_E * (t07 * omega_E - Scalar(3) * t08) - Scalar(3) * t09 * alpha_E
-        - Scalar(3) * t10) + t11 * jerk_B + omega_B * (Scalar(3) * t12 * alpha_B + Scalar(3) * t13
-        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_slide_D * a_s_D - omega_B * (t11 * omega_B
-        + Scalar(3) * t15)) - t07 * jerk_E - Scalar(3) * alpha_B * t17 - Scalar(3) * t19;
-    rhs(1) = t09 * jerk_E + Scalar(3) * alpha_B * t15 + omega_B * (Scalar(3) * t11 * alpha_B
-        + Scalar(3) * cos_slide_D * a_s_D + omega_B * (omega_B * t12 - Scalar(3) * t17)
-        - Scalar(3) * t21 - Scalar(3) * cos_CD * a_s_C) + Scalar(3) * t22
-        - omega_E * (omega_E * (omega_E * t09 + Scalar(3) * t18) + Scalar(3) * t07 * alpha_E
-        - Scalar(3) * t20) - t12 * jerk_B;
-    rhs(2) = jerk_B * t25 + Scalar(3) * alpha_B * t26 + omega_B * (Scalar(3) * t13
-        + Scalar(3) * alpha_B * t27 + Scalar(3) * sin_GF * a_s_G - omega_B * (omega_B * t25
-        - Scalar(3) * t28)) - omega_E * (Scalar(3) * t10 + omega_E * (Scalar(3) * t08
-        - omega_E * t23) + Scalar(3) * alpha_E * t24) - jerk_E * t23 - Scalar(3) * t19;
-    rhs(3) = omega_E * (Scalar(3) * t20 - omega_E * (Scalar(3) * t18 + omega_E * t24)
-        - Scalar(3) * alpha_E * t23) + jerk_E * t24 + Scalar(3) * t22 - jerk_B * t27
-        - Scalar(3) * alpha_B * t28 - omega_B * (Scalar(3) * t21 + Scalar(3) * cos_GF * a_s_G
-        - Scalar(3) * alpha_B * t25 - omega_B * (Scalar(3) * t26 + omega_B * t27));
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t03 = slide_E_y + ED_y;
+    const Scalar t04 = u.phi_E.cos * v_s_E;
+    const Scalar t05 = slide_E_x + ED_x;
+    const Scalar t06 = u.phi_E.sin * a_s_E;
+    const Scalar t07 = slide_B_y + slide_C_y - slide_D_y;
+    const Scalar t08 = slide_B_x + slide_C_x - slide_D_x;
+    const Scalar t09 = u.phi_B.sin * a_s_B;
+    const Scalar t10 = u.phi_B.cos * v_s_B;
+    const Scalar t11 = cos_slide_D * v_s_D - t10 - cos_CD * v_s_C;
+    const Scalar t12 = u.phi_B.sin * v_s_B;
+    const Scalar t13 = sin_slide_D * v_s_D - t12 - sin_CD * v_s_C;
+    const Scalar t14 = u.phi_E.sin * v_s_E;
+    const Scalar t15 = alpha_E * t14 + Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
+    const Scalar t16 = u.phi_E.cos * a_s_E;
+    const Scalar t17 = u.phi_B.cos * a_s_B;
+    const Scalar t18 = t04 * alpha_E - Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
+    const Scalar t19 = slide_E_y + EF_y;
+    const Scalar t20 = slide_E_x + EF_x;
+    const Scalar t21 = slide_B_y + BG_y + slide_G_y + GF_y;
+    const Scalar t22 = t12 + sin_GF * v_s_G;
+    const Scalar t23 = slide_B_x + BG_x + slide_G_x + GF_x;
+    const Scalar t24 = t10 + cos_GF * v_s_G;
+    rhs(0) = omega_E * (omega_E * (t03 * omega_E - Scalar(3) * t04) - Scalar(3) * t05 * alpha_E
+        - Scalar(3) * t06) + t07 * jerk_B + omega_B * (Scalar(3) * t08 * alpha_B + Scalar(3) * t09
+        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_slide_D * a_s_D - omega_B * (t07 * omega_B
+        + Scalar(3) * t11)) - t03 * jerk_E - Scalar(3) * alpha_B * t13 - Scalar(3) * t15;
+    rhs(1) = t05 * jerk_E + Scalar(3) * alpha_B * t11 + omega_B * (Scalar(3) * t07 * alpha_B
+        + Scalar(3) * cos_slide_D * a_s_D + omega_B * (t08 * omega_B - Scalar(3) * t13)
+        - Scalar(3) * t17 - Scalar(3) * cos_CD * a_s_C) + Scalar(3) * t18
+        - omega_E * (omega_E * (t05 * omega_E + Scalar(3) * t14) + Scalar(3) * t03 * alpha_E
+        - Scalar(3) * t16) - t08 * jerk_B;
+    rhs(2) = t21 * jerk_B + Scalar(3) * alpha_B * t22 + omega_B * (Scalar(3) * t09
+        + Scalar(3) * t23 * alpha_B + Scalar(3) * sin_GF * a_s_G - omega_B * (t21 * omega_B
+        - Scalar(3) * t24)) - omega_E * (Scalar(3) * t06 + omega_E * (Scalar(3) * t04
+        - t19 * omega_E) + Scalar(3) * t20 * alpha_E) - t19 * jerk_E - Scalar(3) * t15;
+    rhs(3) = omega_E * (Scalar(3) * t16 - omega_E * (Scalar(3) * t14 + t20 * omega_E)
+        - Scalar(3) * t19 * alpha_E) + t20 * jerk_E + Scalar(3) * t18 - t23 * jerk_B
+        - Scalar(3) * alpha_B * t24 - omega_B * (Scalar(3) * t17 + Scalar(3) * cos_GF * a_s_G
+        - Scalar(3) * t21 * alpha_B - omega_B * (Scalar(3) * t22 + t23 * omega_B));
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -597,77 +575,73 @@ struct Model23 {
     const Scalar omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar t03 = u.phi_E.sin * d.h_E_EDF;
-    const Scalar ED_x = t03 - (u.phi_E.sin * d.psi_D_EDF.cos
-        + u.phi_E.cos * d.psi_D_EDF.sin) * d.h_D_EDF;
-    const Scalar t04 = u.phi_E.cos * d.h_E_EDF;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
+        + u.phi_E.cos * d.psi_D_EDF.sin);
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
-        - t04;
-    const Scalar t05 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t06 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t05 - d.psi_C_BCG.sin * t06;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t06 + d.psi_C_BCG.sin * t05;
+        + EF_y;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = t03;
-    const Scalar EF_y = -t04;
-    const Scalar t07 = sin_slide_D * v_s_D;
-    const Scalar t08 = slide_D_x * omega_D_CD;
-    const Scalar t09 = d.h_D_EDF * omega_D_EDF;
-    const Scalar t10 = d.psi_D_EDF.cos * v_h_D_EDF - v_h_E_EDF - d.psi_D_EDF.sin * t09;
-    const Scalar t11 = d.psi_D_EDF.sin * v_h_D_EDF + d.psi_D_EDF.cos * t09 - v_s_E;
-    const Scalar t12 = Scalar(2) * u.phi_E.cos * v_h_D_EDF - u.phi_E.sin * t09;
-    const Scalar t13 = Scalar(2) * u.phi_E.sin * v_h_D_EDF + u.phi_E.cos * t09;
-    const Scalar t14 = slide_C_x - slide_D_x;
-    const Scalar t15 = t14 * omega_C_BCG;
-    const Scalar t16 = t08 + t07 - sin_CD * v_s_C;
-    const Scalar t17 = u.phi_B.sin * v_s_B;
-    const Scalar t18 = cos_slide_D * v_s_D;
-    const Scalar t19 = omega_D_CD * slide_D_y;
-    const Scalar t20 = slide_C_y - slide_D_y;
-    const Scalar t21 = omega_C_BCG * t20;
-    const Scalar t22 = t19 + cos_CD * v_s_C - t18;
-    const Scalar t23 = u.phi_B.cos * v_s_B;
-    const Scalar t24 = v_h_G_BCG - v_h_G_GF;
-    const Scalar t25 = cos_GF * t24 + sin_GF * v_s_G;
-    const Scalar t26 = GF_x + BG_x + slide_G_x;
-    const Scalar t27 = omega_G_BCG * t26;
-    const Scalar t28 = sin_GF * t24 - cos_GF * v_s_G;
-    const Scalar t29 = GF_y + BG_y + slide_G_y;
-    const Scalar t30 = omega_G_BCG * t29;
-    rhs(0) = omega_C_BCG * (t15 - Scalar(2) * t16) + omega_B * (Scalar(2) * t15 + Scalar(2) * t17
-        + omega_B * (slide_B_x + t14) - Scalar(2) * t16) - omega_D_CD * (Scalar(2) * t07 + t08)
-        - omega_E * ((slide_E_x + ED_x) * omega_E + Scalar(2) * u.phi_E.cos * t10
-        - Scalar(2) * u.phi_E.sin * t11) - omega_D_EDF * (d.psi_D_EDF.cos * t12
-        - d.psi_D_EDF.sin * t13);
-    rhs(1) = omega_D_CD * (Scalar(2) * t18 - t19) + omega_C_BCG * (t21 - Scalar(2) * t22)
-        + omega_B * (Scalar(2) * t21 + omega_B * (slide_B_y + t20) - Scalar(2) * t23
-        - Scalar(2) * t22) - omega_E * (omega_E * (slide_E_y + ED_y) + Scalar(2) * u.phi_E.cos * t11
-        + Scalar(2) * u.phi_E.sin * t10) - omega_D_EDF * (d.psi_D_EDF.cos * t13
-        + d.psi_D_EDF.sin * t12);
-    rhs(2) = omega_G_BCG * (Scalar(2) * t25 + t27) + omega_B * (Scalar(2) * t17 + Scalar(2) * t25
-        + Scalar(2) * t27 + omega_B * (slide_B_x + t26)) - omega_E * (omega_E * (slide_E_x + EF_x)
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t03 = sin_slide_D * v_s_D;
+    const Scalar t04 = slide_D_x * omega_D_CD;
+    const Scalar t05 = d.h_D_EDF * omega_D_EDF;
+    const Scalar t06 = d.psi_D_EDF.cos * v_h_D_EDF - v_h_E_EDF - d.psi_D_EDF.sin * t05;
+    const Scalar t07 = d.psi_D_EDF.sin * v_h_D_EDF + d.psi_D_EDF.cos * t05 - v_s_E;
+    const Scalar t08 = Scalar(2) * u.phi_E.cos * v_h_D_EDF - u.phi_E.sin * t05;
+    const Scalar t09 = Scalar(2) * u.phi_E.sin * v_h_D_EDF + u.phi_E.cos * t05;
+    const Scalar t10 = slide_C_x - slide_D_x;
+    const Scalar t11 = t10 * omega_C_BCG;
+    const Scalar t12 = t04 + t03 - sin_CD * v_s_C;
+    const Scalar t13 = u.phi_B.sin * v_s_B;
+    const Scalar t14 = cos_slide_D * v_s_D;
+    const Scalar t15 = slide_D_y * omega_D_CD;
+    const Scalar t16 = slide_C_y - slide_D_y;
+    const Scalar t17 = t16 * omega_C_BCG;
+    const Scalar t18 = t15 + cos_CD * v_s_C - t14;
+    const Scalar t19 = u.phi_B.cos * v_s_B;
+    const Scalar t20 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t21 = cos_GF * t20 + sin_GF * v_s_G;
+    const Scalar t22 = GF_x + BG_x + slide_G_x;
+    const Scalar t23 = t22 * omega_G_BCG;
+    const Scalar t24 = sin_GF * t20 - cos_GF * v_s_G;
+    const Scalar t25 = GF_y + BG_y + slide_G_y;
+    const Scalar t26 = t25 * omega_G_BCG;
+    rhs(0) = omega_C_BCG * (t11 - Scalar(2) * t12) + omega_B * (Scalar(2) * t11 + Scalar(2) * t13
+        + (slide_B_x + t10) * omega_B - Scalar(2) * t12) - omega_D_CD * (Scalar(2) * t03 + t04)
+        - omega_E * ((slide_E_x + ED_x) * omega_E + Scalar(2) * u.phi_E.cos * t06
+        - Scalar(2) * u.phi_E.sin * t07) - omega_D_EDF * (d.psi_D_EDF.cos * t08
+        - d.psi_D_EDF.sin * t09);
+    rhs(1) = omega_D_CD * (Scalar(2) * t14 - t15) + omega_C_BCG * (t17 - Scalar(2) * t18)
+        + omega_B * (Scalar(2) * t17 + (slide_B_y + t16) * omega_B - Scalar(2) * t19
+        - Scalar(2) * t18) - omega_E * ((slide_E_y + ED_y) * omega_E + Scalar(2) * u.phi_E.cos * t07
+        + Scalar(2) * u.phi_E.sin * t06) - omega_D_EDF * (d.psi_D_EDF.cos * t09
+        + d.psi_D_EDF.sin * t08);
+    rhs(2) = omega_G_BCG * (Scalar(2) * t21 + t23) + omega_B * (Scalar(2) * t13 + Scalar(2) * t21
+        + Scalar(2) * t23 + (slide_B_x + t22) * omega_B) - omega_E * ((slide_E_x + EF_x) * omega_E
         + Scalar(2) * u.phi_E.sin * v_s_E - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
-    rhs(3) = omega_G_BCG * (Scalar(2) * t28 + t30) - omega_E * (omega_E * (slide_E_y + EF_y)
+    rhs(3) = omega_G_BCG * (Scalar(2) * t24 + t26) - omega_E * ((slide_E_y + EF_y) * omega_E
         - Scalar(2) * u.phi_E.cos * v_s_E - Scalar(2) * u.phi_E.sin * v_h_E_EDF)
-        - omega_B * (Scalar(2) * t23 - Scalar(2) * t28 - Scalar(2) * t30 - omega_B * (slide_B_y
-        + t29));
+        - omega_B * (Scalar(2) * t19 - Scalar(2) * t24 - Scalar(2) * t26 - (slide_B_y
+        + t25) * omega_B);
   }
 
   /// Frames of the links in the fixed frame.
@@ -676,40 +650,38 @@ struct Model23 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar EF_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar t03 = u.x_B + slide_B_x;
-    const Scalar t04 = u.y_B + slide_B_y;
-    poses[0].x = t03;
-    poses[0].y = t04;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = u.x_B + slide_B_x;
+    const Scalar t02 = u.y_B + slide_B_y;
+    poses[0].x = t01;
+    poses[0].y = t02;
     poses[0].direction.cos = u.phi_B.cos;
     poses[0].direction.sin = u.phi_B.sin;
     poses[1].x = u.x_E + slide_E_x + EF_x;
     poses[1].y = u.y_E + slide_E_y + EF_y;
     poses[1].direction.cos = u.phi_E.cos;
     poses[1].direction.sin = u.phi_E.sin;
-    poses[2].x = t03 + slide_C_x;
-    poses[2].y = t04 + slide_C_y;
+    poses[2].x = t01 + slide_C_x;
+    poses[2].y = t02 + slide_C_y;
     poses[2].direction.cos = cos_CD;
     poses[2].direction.sin = sin_CD;
-    poses[3].x = t03 + BG_x + slide_G_x + GF_x;
-    poses[3].y = t04 + BG_y + slide_G_y + GF_y;
+    poses[3].x = t01 + BG_x + slide_G_x + GF_x;
+    poses[3].y = t02 + BG_y + slide_G_y + GF_y;
     poses[3].direction.cos = cos_GF;
     poses[3].direction.sin = sin_GF;
   }
@@ -726,26 +698,24 @@ struct Model23 {
     P_u.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar EF_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar t03 = GF_y + BG_y + slide_G_y;
-    const Scalar t04 = GF_x + BG_x + slide_G_x;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = GF_y + BG_y + slide_G_y;
+    const Scalar t02 = GF_x + BG_x + slide_G_x;
     P_q(0, 0) = u.phi_B.cos;
     P_q(1, 0) = u.phi_B.sin;
     P_q(3, 3) = u.phi_E.cos;
@@ -763,10 +733,10 @@ struct Model23 {
     P_d(6, 0) = -slide_C_y;
     P_d(7, 0) = slide_C_x;
     P_d(8, 0) = Scalar(1);
-    P_d(9, 1) = -t03;
+    P_d(9, 1) = -t01;
     P_d(9, 2) = -sin_GF;
     P_d(9, 7) = sin_GF;
-    P_d(10, 1) = t04;
+    P_d(10, 1) = t02;
     P_d(10, 2) = cos_GF;
     P_d(10, 7) = -cos_GF;
     P_d(11, 1) = Scalar(1);
@@ -786,9 +756,9 @@ struct Model23 {
     P_u(7, 2) = slide_C_x + slide_B_x;
     P_u(8, 2) = Scalar(1);
     P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -slide_B_y - t03;
+    P_u(9, 2) = -slide_B_y - t01;
     P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = slide_B_x + t04;
+    P_u(10, 2) = slide_B_x + t02;
     P_u(11, 2) = Scalar(1);
   }
 
@@ -809,37 +779,35 @@ struct Model23 {
     const Scalar omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar EF_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar t03 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t04 = u.phi_B.sin * v_s_B + v_y_B;
-    v(0, 0) = t03 - omega_B * slide_B_y;
-    v(0, 1) = omega_B * slide_B_x + t04;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
+    const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
+    v(0, 0) = t01 - slide_B_y * omega_B;
+    v(0, 1) = slide_B_x * omega_B + t02;
     v(0, 2) = omega_B;
     v(1, 0) = u.phi_E.cos * v_s_E + v_x_E - (slide_E_y + EF_y) * omega_E;
-    v(1, 1) = omega_E * (slide_E_x + EF_x) + u.phi_E.sin * v_s_E + v_y_E;
+    v(1, 1) = (slide_E_x + EF_x) * omega_E + u.phi_E.sin * v_s_E + v_y_E;
     v(1, 2) = omega_E;
-    v(2, 0) = cos_CD * v_s_C + t03 - omega_B * (slide_B_y + slide_C_y);
-    v(2, 1) = omega_B * (slide_B_x + slide_C_x) + sin_CD * v_s_C + t04;
+    v(2, 0) = cos_CD * v_s_C + t01 - (slide_B_y + slide_C_y) * omega_B;
+    v(2, 1) = (slide_B_x + slide_C_x) * omega_B + sin_CD * v_s_C + t02;
     v(2, 2) = omega_B;
-    v(3, 0) = cos_GF * v_s_G + t03 - omega_B * (slide_B_y + BG_y + slide_G_y + GF_y);
-    v(3, 1) = omega_B * (slide_B_x + BG_x + slide_G_x + GF_x) + sin_GF * v_s_G + t04;
+    v(3, 0) = cos_GF * v_s_G + t01 - (slide_B_y + BG_y + slide_G_y + GF_y) * omega_B;
+    v(3, 1) = (slide_B_x + BG_x + slide_G_x + GF_x) * omega_B + sin_GF * v_s_G + t02;
     v(3, 2) = omega_B;
   }
 
@@ -867,51 +835,49 @@ struct Model23 {
     const Scalar alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar EF_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t05 = u.phi_B.cos * v_s_B;
-    const Scalar t06 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t07 = slide_E_x + EF_x;
-    const Scalar t08 = slide_E_y + EF_y;
-    const Scalar t09 = slide_B_x + slide_C_x;
-    const Scalar t10 = slide_B_y + slide_C_y;
-    const Scalar t11 = slide_B_x + BG_x + slide_G_x + GF_x;
-    const Scalar t12 = slide_B_y + BG_y + slide_G_y + GF_y;
-    a(0, 0) = t04 - omega_B * (Scalar(2) * t03 + omega_B * slide_B_x) - alpha_B * slide_B_y;
-    a(0, 1) = omega_B * (Scalar(2) * t05 - omega_B * slide_B_y) + slide_B_x * alpha_B + t06;
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = u.phi_B.sin * v_s_B;
+    const Scalar t02 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t03 = u.phi_B.cos * v_s_B;
+    const Scalar t04 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t05 = slide_E_x + EF_x;
+    const Scalar t06 = slide_E_y + EF_y;
+    const Scalar t07 = slide_B_x + slide_C_x;
+    const Scalar t08 = slide_B_y + slide_C_y;
+    const Scalar t09 = slide_B_x + BG_x + slide_G_x + GF_x;
+    const Scalar t10 = slide_B_y + BG_y + slide_G_y + GF_y;
+    a(0, 0) = t02 - omega_B * (Scalar(2) * t01 + slide_B_x * omega_B) - slide_B_y * alpha_B;
+    a(0, 1) = omega_B * (Scalar(2) * t03 - slide_B_y * omega_B) + slide_B_x * alpha_B + t04;
     a(0, 2) = alpha_B;
-    a(1, 0) = u.phi_E.cos * a_s_E + a_x_E - omega_E * (t07 * omega_E
-        + Scalar(2) * u.phi_E.sin * v_s_E) - t08 * alpha_E;
-    a(1, 1) = t07 * alpha_E + u.phi_E.sin * a_s_E + a_y_E - omega_E * (omega_E * t08
+    a(1, 0) = u.phi_E.cos * a_s_E + a_x_E - omega_E * (t05 * omega_E
+        + Scalar(2) * u.phi_E.sin * v_s_E) - t06 * alpha_E;
+    a(1, 1) = t05 * alpha_E + u.phi_E.sin * a_s_E + a_y_E - omega_E * (t06 * omega_E
         - Scalar(2) * u.phi_E.cos * v_s_E);
     a(1, 2) = alpha_E;
-    a(2, 0) = cos_CD * a_s_C + t04 - omega_B * (Scalar(2) * t03 + omega_B * t09
-        + Scalar(2) * sin_CD * v_s_C) - alpha_B * t10;
-    a(2, 1) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_CD * v_s_C - omega_B * t10)
-        + alpha_B * t09 + sin_CD * a_s_C + t06;
+    a(2, 0) = cos_CD * a_s_C + t02 - omega_B * (Scalar(2) * t01 + t07 * omega_B
+        + Scalar(2) * sin_CD * v_s_C) - t08 * alpha_B;
+    a(2, 1) = omega_B * (Scalar(2) * t03 + Scalar(2) * cos_CD * v_s_C - t08 * omega_B)
+        + t07 * alpha_B + sin_CD * a_s_C + t04;
     a(2, 2) = alpha_B;
-    a(3, 0) = cos_GF * a_s_G + t04 - omega_B * (Scalar(2) * t03 + omega_B * t11
-        + Scalar(2) * sin_GF * v_s_G) - alpha_B * t12;
-    a(3, 1) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_GF * v_s_G - omega_B * t12)
-        + alpha_B * t11 + sin_GF * a_s_G + t06;
+    a(3, 0) = cos_GF * a_s_G + t02 - omega_B * (Scalar(2) * t01 + t09 * omega_B
+        + Scalar(2) * sin_GF * v_s_G) - t10 * alpha_B;
+    a(3, 1) = omega_B * (Scalar(2) * t03 + Scalar(2) * cos_GF * v_s_G - t10 * omega_B)
+        + t09 * alpha_B + sin_GF * a_s_G + t04;
     a(3, 2) = alpha_B;
   }
 
@@ -936,51 +902,49 @@ struct Model23 {
     p.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = sin_GF * d.h_G_GF;
-    const Scalar GF_y = -cos_GF * d.h_G_GF;
-    const Scalar EF_x = u.phi_E.sin * d.h_E_EDF;
-    const Scalar EF_y = -u.phi_E.cos * d.h_E_EDF;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = u.phi_B.cos * v_s_B;
-    const Scalar t05 = sin_CD * v_s_C;
-    const Scalar t06 = slide_C_x * omega_C_BCG;
-    const Scalar t07 = cos_CD * v_s_C;
-    const Scalar t08 = omega_C_BCG * slide_C_y;
-    const Scalar t09 = v_h_G_BCG - v_h_G_GF;
-    const Scalar t10 = cos_GF * t09 + sin_GF * v_s_G;
-    const Scalar t11 = GF_x + BG_x + slide_G_x;
-    const Scalar t12 = omega_G_BCG * t11;
-    const Scalar t13 = sin_GF * t09 - cos_GF * v_s_G;
-    const Scalar t14 = GF_y + BG_y + slide_G_y;
-    const Scalar t15 = omega_G_BCG * t14;
-    p(0, 0) = -omega_B * (Scalar(2) * t03 + omega_B * slide_B_x);
-    p(0, 1) = omega_B * (Scalar(2) * t04 - omega_B * slide_B_y);
+    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = u.phi_B.sin * v_s_B;
+    const Scalar t02 = u.phi_B.cos * v_s_B;
+    const Scalar t03 = sin_CD * v_s_C;
+    const Scalar t04 = slide_C_x * omega_C_BCG;
+    const Scalar t05 = cos_CD * v_s_C;
+    const Scalar t06 = slide_C_y * omega_C_BCG;
+    const Scalar t07 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t08 = cos_GF * t07 + sin_GF * v_s_G;
+    const Scalar t09 = GF_x + BG_x + slide_G_x;
+    const Scalar t10 = t09 * omega_G_BCG;
+    const Scalar t11 = sin_GF * t07 - cos_GF * v_s_G;
+    const Scalar t12 = GF_y + BG_y + slide_G_y;
+    const Scalar t13 = t12 * omega_G_BCG;
+    p(0, 0) = -omega_B * (Scalar(2) * t01 + slide_B_x * omega_B);
+    p(0, 1) = omega_B * (Scalar(2) * t02 - slide_B_y * omega_B);
     p(1, 0) = -omega_E * ((slide_E_x + EF_x) * omega_E + Scalar(2) * u.phi_E.sin * v_s_E
         - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
-    p(1, 1) = -omega_E * (omega_E * (slide_E_y + EF_y) - Scalar(2) * u.phi_E.cos * v_s_E
+    p(1, 1) = -omega_E * ((slide_E_y + EF_y) * omega_E - Scalar(2) * u.phi_E.cos * v_s_E
         - Scalar(2) * u.phi_E.sin * v_h_E_EDF);
-    p(2, 0) = -omega_B * (Scalar(2) * t03 + omega_B * (slide_B_x + slide_C_x) + Scalar(2) * t05
-        + Scalar(2) * t06) - omega_C_BCG * (Scalar(2) * t05 + t06);
-    p(2, 1) = omega_B * (Scalar(2) * t04 + Scalar(2) * t07 - omega_B * (slide_B_y + slide_C_y)
-        - Scalar(2) * t08) + omega_C_BCG * (Scalar(2) * t07 - t08);
-    p(3, 0) = -omega_G_BCG * (Scalar(2) * t10 + t12) - omega_B * (Scalar(2) * t03 + Scalar(2) * t10
-        + Scalar(2) * t12 + omega_B * (slide_B_x + t11));
-    p(3, 1) = omega_B * (Scalar(2) * t04 - Scalar(2) * t13 - Scalar(2) * t15 - omega_B * (slide_B_y
-        + t14)) - omega_G_BCG * (Scalar(2) * t13 + t15);
+    p(2, 0) = -omega_B * (Scalar(2) * t01 + (slide_B_x + slide_C_x) * omega_B + Scalar(2) * t03
+        + Scalar(2) * t04) - omega_C_BCG * (Scalar(2) * t03 + t04);
+    p(2, 1) = omega_B * (Scalar(2) * t02 + Scalar(2) * t05 - (slide_B_y + slide_C_y) * omega_B
+        - Scalar(2) * t06) + omega_C_BCG * (Scalar(2) * t05 - t06);
+    p(3, 0) = -omega_G_BCG * (Scalar(2) * t08 + t10) - omega_B * (Scalar(2) * t01 + Scalar(2) * t08
+        + Scalar(2) * t10 + (slide_B_x + t09) * omega_B);
+    p(3, 1) = omega_B * (Scalar(2) * t02 - Scalar(2) * t11 - Scalar(2) * t13 - (slide_B_y
+        + t12) * omega_B) - omega_G_BCG * (Scalar(2) * t11 + t13);
   }
 
   /// (cos, sin) of each sum of angles that must vanish: assembled only at (1, 0).

@@ -179,41 +179,39 @@ struct Model24 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t04 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar EF_x = -(u.phi_E.sin * d.psi_F_EDF.cos
-        + u.phi_E.cos * d.psi_F_EDF.sin) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (u.phi_E.sin * d.psi_F_EDF.cos
+        + u.phi_E.cos * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (u.phi_E.cos * d.psi_F_EDF.cos - u.phi_E.sin * d.psi_F_EDF.sin);
-    const Scalar t05 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
-    const Scalar t06 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
-    const Scalar cos_slide_F = d.psi_G_BCG.cos * t05 - d.psi_G_BCG.sin * t06;
-    const Scalar sin_slide_F = d.psi_G_BCG.cos * t06 + d.psi_G_BCG.sin * t05;
+    const Scalar t03 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
+    const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
+    const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
+    const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
     const Scalar slide_F_x = q.s_F * cos_slide_F;
     const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t07 = u.x_B - u.x_E + slide_B_x - slide_E_x;
-    const Scalar t08 = u.y_B - u.y_E + slide_B_y - slide_E_y;
-    f(0) = slide_C_x + t07 - slide_D_x;
-    f(1) = slide_C_y + t08 - slide_D_y;
-    f(2) = BG_x + slide_G_x + t07 - EF_x - slide_F_x;
-    f(3) = BG_y + slide_G_y + t08 - EF_y - slide_F_y;
+    const Scalar t05 = u.x_B - u.x_E + slide_B_x - slide_E_x;
+    const Scalar t06 = u.y_B - u.y_E + slide_B_y - slide_E_y;
+    f(0) = slide_C_x + t05 - slide_D_x;
+    f(1) = slide_C_y + t06 - slide_D_y;
+    f(2) = BG_x + slide_G_x + t05 - EF_x - slide_F_x;
+    f(3) = BG_y + slide_G_y + t06 - EF_y - slide_F_y;
   }
 
   /// J = df/dq.
@@ -258,30 +256,28 @@ struct Model24 {
     F_d.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar t03 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t04 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t05 = d.psi_F_EDF.cos * u.phi_E.sin + d.psi_F_EDF.sin * u.phi_E.cos;
-    const Scalar EF_x = -t05 * d.h_F_EDF;
-    const Scalar t06 = d.psi_F_EDF.cos * u.phi_E.cos - u.phi_E.sin * d.psi_F_EDF.sin;
-    const Scalar EF_y = d.h_F_EDF * t06;
-    const Scalar t07 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
-    const Scalar t08 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
-    const Scalar cos_slide_F = d.psi_G_BCG.cos * t07 - d.psi_G_BCG.sin * t08;
-    const Scalar sin_slide_F = d.psi_G_BCG.cos * t08 + d.psi_G_BCG.sin * t07;
+    const Scalar t03 = d.psi_F_EDF.cos * u.phi_E.sin + d.psi_F_EDF.sin * u.phi_E.cos;
+    const Scalar EF_x = -d.h_F_EDF * t03;
+    const Scalar t04 = d.psi_F_EDF.cos * u.phi_E.cos - u.phi_E.sin * d.psi_F_EDF.sin;
+    const Scalar EF_y = d.h_F_EDF * t04;
+    const Scalar t05 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
+    const Scalar t06 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
+    const Scalar cos_slide_F = d.psi_G_BCG.cos * t05 - d.psi_G_BCG.sin * t06;
+    const Scalar sin_slide_F = d.psi_G_BCG.cos * t06 + d.psi_G_BCG.sin * t05;
     const Scalar slide_F_x = q.s_F * cos_slide_F;
     const Scalar slide_F_y = q.s_F * sin_slide_F;
     F_d(0, 0) = slide_D_y - slide_C_y;
@@ -291,12 +287,12 @@ struct Model24 {
     F_d(2, 1) = slide_F_y - BG_y - slide_G_y;
     F_d(2, 2) = -sin_GF;
     F_d(2, 4) = EF_y;
-    F_d(2, 5) = t05;
+    F_d(2, 5) = t03;
     F_d(2, 7) = slide_F_y;
     F_d(3, 1) = BG_x + slide_G_x - slide_F_x;
     F_d(3, 2) = cos_GF;
     F_d(3, 4) = -EF_x;
-    F_d(3, 5) = -t06;
+    F_d(3, 5) = -t04;
     F_d(3, 7) = -slide_F_x;
   }
 
@@ -307,33 +303,31 @@ struct Model24 {
     F_u.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t04 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar EF_x = -(u.phi_E.sin * d.psi_F_EDF.cos
-        + u.phi_E.cos * d.psi_F_EDF.sin) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (u.phi_E.sin * d.psi_F_EDF.cos
+        + u.phi_E.cos * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (u.phi_E.cos * d.psi_F_EDF.cos - u.phi_E.sin * d.psi_F_EDF.sin);
-    const Scalar t05 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
-    const Scalar t06 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
-    const Scalar cos_slide_F = d.psi_G_BCG.cos * t05 - d.psi_G_BCG.sin * t06;
-    const Scalar sin_slide_F = d.psi_G_BCG.cos * t06 + d.psi_G_BCG.sin * t05;
+    const Scalar t03 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
+    const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
+    const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
+    const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
     const Scalar slide_F_x = q.s_F * cos_slide_F;
     const Scalar slide_F_y = q.s_F * sin_slide_F;
     F_u(0, 0) = Scalar(1);
@@ -367,43 +361,41 @@ struct Model24 {
     const Scalar omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t04 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar EF_x = -(u.phi_E.sin * d.psi_F_EDF.cos
-        + u.phi_E.cos * d.psi_F_EDF.sin) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (u.phi_E.sin * d.psi_F_EDF.cos
+        + u.phi_E.cos * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (u.phi_E.cos * d.psi_F_EDF.cos - u.phi_E.sin * d.psi_F_EDF.sin);
-    const Scalar t05 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
-    const Scalar t06 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
-    const Scalar cos_slide_F = d.psi_G_BCG.cos * t05 - d.psi_G_BCG.sin * t06;
-    const Scalar sin_slide_F = d.psi_G_BCG.cos * t06 + d.psi_G_BCG.sin * t05;
+    const Scalar t03 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
+    const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
+    const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
+    const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
     const Scalar slide_F_x = q.s_F * cos_slide_F;
     const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t07 = v_x_B - v_x_E;
-    const Scalar t08 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + slide_C_y - slide_D_y) * omega_B - omega_E * slide_E_y - t07;
-    rhs(1) = omega_E * slide_E_x - omega_B * (slide_B_x + slide_C_x - slide_D_x) - t08;
-    rhs(2) = omega_B * (slide_B_y + BG_y + slide_G_y - slide_F_y) - omega_E * (slide_E_y + EF_y)
-        - t07;
-    rhs(3) = omega_E * (slide_E_x + EF_x) - omega_B * (slide_B_x + BG_x + slide_G_x - slide_F_x)
-        - t08;
+    const Scalar t05 = v_x_B - v_x_E;
+    const Scalar t06 = v_y_B - v_y_E;
+    rhs(0) = (slide_B_y + slide_C_y - slide_D_y) * omega_B - slide_E_y * omega_E - t05;
+    rhs(1) = slide_E_x * omega_E - (slide_B_x + slide_C_x - slide_D_x) * omega_B - t06;
+    rhs(2) = (slide_B_y + BG_y + slide_G_y - slide_F_y) * omega_B - (slide_E_y + EF_y) * omega_E
+        - t05;
+    rhs(3) = (slide_E_x + EF_x) * omega_E - (slide_B_x + BG_x + slide_G_x - slide_F_x) * omega_B
+        - t06;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -429,59 +421,57 @@ struct Model24 {
     const Scalar alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t04 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar EF_x = -(u.phi_E.sin * d.psi_F_EDF.cos
-        + u.phi_E.cos * d.psi_F_EDF.sin) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (u.phi_E.sin * d.psi_F_EDF.cos
+        + u.phi_E.cos * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (u.phi_E.cos * d.psi_F_EDF.cos - u.phi_E.sin * d.psi_F_EDF.sin);
-    const Scalar t05 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
-    const Scalar t06 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
-    const Scalar cos_slide_F = d.psi_G_BCG.cos * t05 - d.psi_G_BCG.sin * t06;
-    const Scalar sin_slide_F = d.psi_G_BCG.cos * t06 + d.psi_G_BCG.sin * t05;
+    const Scalar t03 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
+    const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
+    const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
+    const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
     const Scalar slide_F_x = q.s_F * cos_slide_F;
     const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t07 = slide_B_x + slide_C_x - slide_D_x;
-    const Scalar t08 = u.phi_B.sin * v_s_B;
-    const Scalar t09 = slide_B_y + slide_C_y - slide_D_y;
-    const Scalar t10 = u.phi_E.sin * v_s_E;
-    const Scalar t11 = a_x_B - a_x_E;
-    const Scalar t12 = u.phi_B.cos * v_s_B;
-    const Scalar t13 = u.phi_E.cos * v_s_E;
-    const Scalar t14 = a_y_B - a_y_E;
-    const Scalar t15 = slide_B_x + BG_x + slide_G_x - slide_F_x;
-    const Scalar t16 = slide_B_y + BG_y + slide_G_y - slide_F_y;
-    const Scalar t17 = slide_E_x + EF_x;
-    const Scalar t18 = slide_E_y + EF_y;
-    rhs(0) = omega_B * (t07 * omega_B + Scalar(2) * t08 + Scalar(2) * sin_CD * v_s_C
-        - Scalar(2) * sin_slide_D * v_s_D) + t09 * alpha_B - omega_E * (Scalar(2) * t10
-        + omega_E * slide_E_x) - alpha_E * slide_E_y - t11;
-    rhs(1) = omega_B * (omega_B * t09 + Scalar(2) * cos_slide_D * v_s_D - Scalar(2) * t12
-        - Scalar(2) * cos_CD * v_s_C) + omega_E * (Scalar(2) * t13 - omega_E * slide_E_y)
-        + slide_E_x * alpha_E - t07 * alpha_B - t14;
-    rhs(2) = omega_B * (Scalar(2) * t08 + omega_B * t15 + Scalar(2) * sin_GF * v_s_G
-        - Scalar(2) * sin_slide_F * v_s_F) + alpha_B * t16 - omega_E * (Scalar(2) * t10
-        + omega_E * t17) - alpha_E * t18 - t11;
-    rhs(3) = omega_E * (Scalar(2) * t13 - omega_E * t18) + alpha_E * t17
-        - omega_B * (Scalar(2) * t12 + Scalar(2) * cos_GF * v_s_G - omega_B * t16
-        - Scalar(2) * cos_slide_F * v_s_F) - alpha_B * t15 - t14;
+    const Scalar t05 = slide_B_x + slide_C_x - slide_D_x;
+    const Scalar t06 = u.phi_B.sin * v_s_B;
+    const Scalar t07 = slide_B_y + slide_C_y - slide_D_y;
+    const Scalar t08 = u.phi_E.sin * v_s_E;
+    const Scalar t09 = a_x_B - a_x_E;
+    const Scalar t10 = u.phi_B.cos * v_s_B;
+    const Scalar t11 = u.phi_E.cos * v_s_E;
+    const Scalar t12 = a_y_B - a_y_E;
+    const Scalar t13 = slide_B_x + BG_x + slide_G_x - slide_F_x;
+    const Scalar t14 = slide_B_y + BG_y + slide_G_y - slide_F_y;
+    const Scalar t15 = slide_E_x + EF_x;
+    const Scalar t16 = slide_E_y + EF_y;
+    rhs(0) = omega_B * (t05 * omega_B + Scalar(2) * t06 + Scalar(2) * sin_CD * v_s_C
+        - Scalar(2) * sin_slide_D * v_s_D) + t07 * alpha_B - omega_E * (Scalar(2) * t08
+        + slide_E_x * omega_E) - slide_E_y * alpha_E - t09;
+    rhs(1) = omega_B * (t07 * omega_B + Scalar(2) * cos_slide_D * v_s_D - Scalar(2) * t10
+        - Scalar(2) * cos_CD * v_s_C) + omega_E * (Scalar(2) * t11 - slide_E_y * omega_E)
+        + slide_E_x * alpha_E - t05 * alpha_B - t12;
+    rhs(2) = omega_B * (Scalar(2) * t06 + t13 * omega_B + Scalar(2) * sin_GF * v_s_G
+        - Scalar(2) * sin_slide_F * v_s_F) + t14 * alpha_B - omega_E * (Scalar(2) * t08
+        + t15 * omega_E) - t16 * alpha_E - t09;
+    rhs(3) = omega_E * (Scalar(2) * t11 - t16 * omega_E) + t15 * alpha_E
+        - omega_B * (Scalar(2) * t10 + Scalar(2) * cos_GF * v_s_G - t14 * omega_B
+        - Scalar(2) * cos_slide_F * v_s_F) - t13 * alpha_B - t12;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -516,75 +506,73 @@ struct Model24 {
     const Scalar jerk_E = u_third_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t04 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar EF_x = -(u.phi_E.sin * d.psi_F_EDF.cos
-        + u.phi_E.cos * d.psi_F_EDF.sin) * d.h_F_EDF;
+    const Scalar EF_x = -d.h_F_EDF * (u.phi_E.sin * d.psi_F_EDF.cos
+        + u.phi_E.cos * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (u.phi_E.cos * d.psi_F_EDF.cos - u.phi_E.sin * d.psi_F_EDF.sin);
-    const Scalar t05 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
-    const Scalar t06 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
-    const Scalar cos_slide_F = d.psi_G_BCG.cos * t05 - d.psi_G_BCG.sin * t06;
-    const Scalar sin_slide_F = d.psi_G_BCG.cos * t06 + d.psi_G_BCG.sin * t05;
+    const Scalar t03 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
+    const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
+    const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
+    const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
     const Scalar slide_F_x = q.s_F * cos_slide_F;
     const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t07 = u.phi_E.cos * v_s_E;
-    const Scalar t08 = u.phi_E.sin * a_s_E;
-    const Scalar t09 = slide_B_y + slide_C_y - slide_D_y;
-    const Scalar t10 = slide_B_x + slide_C_x - slide_D_x;
-    const Scalar t11 = u.phi_B.sin * a_s_B;
-    const Scalar t12 = u.phi_B.cos * v_s_B;
-    const Scalar t13 = cos_slide_D * v_s_D - t12 - cos_CD * v_s_C;
-    const Scalar t14 = u.phi_B.sin * v_s_B;
-    const Scalar t15 = sin_slide_D * v_s_D - t14 - sin_CD * v_s_C;
-    const Scalar t16 = u.phi_E.sin * v_s_E;
-    const Scalar t17 = alpha_E * t16 + Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
-    const Scalar t18 = u.phi_E.cos * a_s_E;
-    const Scalar t19 = u.phi_B.cos * a_s_B;
-    const Scalar t20 = t07 * alpha_E - Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
-    const Scalar t21 = slide_E_y + EF_y;
-    const Scalar t22 = slide_E_x + EF_x;
-    const Scalar t23 = slide_B_y + BG_y + slide_G_y - slide_F_y;
-    const Scalar t24 = sin_slide_F * v_s_F - t14 - sin_GF * v_s_G;
-    const Scalar t25 = slide_B_x + BG_x + slide_G_x - slide_F_x;
-    const Scalar t26 = cos_slide_F * v_s_F - t12 - cos_GF * v_s_G;
-    rhs(0) = t09 * jerk_B + omega_B * (Scalar(3) * t10 * alpha_B + Scalar(3) * t11
-        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_slide_D * a_s_D - omega_B * (t09 * omega_B
-        + Scalar(3) * t13)) - omega_E * (omega_E * (Scalar(3) * t07 - omega_E * slide_E_y)
-        + Scalar(3) * t08 + Scalar(3) * alpha_E * slide_E_x) - slide_E_y * jerk_E
-        - Scalar(3) * alpha_B * t15 - Scalar(3) * t17;
-    rhs(1) = slide_E_x * jerk_E + Scalar(3) * alpha_B * t13 + omega_B * (Scalar(3) * t09 * alpha_B
-        + Scalar(3) * cos_slide_D * a_s_D + omega_B * (omega_B * t10 - Scalar(3) * t15)
-        - Scalar(3) * t19 - Scalar(3) * cos_CD * a_s_C) + Scalar(3) * t20
-        - omega_E * (omega_E * (Scalar(3) * t16 + omega_E * slide_E_x)
-        + Scalar(3) * slide_E_y * alpha_E - Scalar(3) * t18) - t10 * jerk_B;
-    rhs(2) = jerk_B * t23 + omega_B * (Scalar(3) * t11 + Scalar(3) * alpha_B * t25
-        + Scalar(3) * sin_GF * a_s_G - Scalar(3) * sin_slide_F * a_s_F - omega_B * (omega_B * t23
-        + Scalar(3) * t26)) - omega_E * (Scalar(3) * t08 + omega_E * (Scalar(3) * t07
-        - omega_E * t21) + Scalar(3) * alpha_E * t22) - jerk_E * t21 - Scalar(3) * alpha_B * t24
-        - Scalar(3) * t17;
-    rhs(3) = omega_E * (Scalar(3) * t18 - omega_E * (Scalar(3) * t16 + omega_E * t22)
-        - Scalar(3) * alpha_E * t21) + jerk_E * t22 + Scalar(3) * alpha_B * t26 + Scalar(3) * t20
-        - jerk_B * t25 - omega_B * (Scalar(3) * t19 + Scalar(3) * cos_GF * a_s_G
-        - Scalar(3) * alpha_B * t23 - Scalar(3) * cos_slide_F * a_s_F - omega_B * (omega_B * t25
-        - Scalar(3) * t24));
+    const Scalar t05 = u.phi_E.cos * v_s_E;
+    const Scalar t06 = u.phi_E.sin * a_s_E;
+    const Scalar t07 = slide_B_y + slide_C_y - slide_D_y;
+    const Scalar t08 = slide_B_x + slide_C_x - slide_D_x;
+    const Scalar t09 = u.phi_B.sin * a_s_B;
+    const Scalar t10 = u.phi_B.cos * v_s_B;
+    const Scalar t11 = cos_slide_D * v_s_D - t10 - cos_CD * v_s_C;
+    const Scalar t12 = u.phi_B.sin * v_s_B;
+    const Scalar t13 = sin_slide_D * v_s_D - t12 - sin_CD * v_s_C;
+    const Scalar t14 = u.phi_E.sin * v_s_E;
+    const Scalar t15 = alpha_E * t14 + Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
+    const Scalar t16 = u.phi_E.cos * a_s_E;
+    const Scalar t17 = u.phi_B.cos * a_s_B;
+    const Scalar t18 = t05 * alpha_E - Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
+    const Scalar t19 = slide_E_y + EF_y;
+    const Scalar t20 = slide_E_x + EF_x;
+    const Scalar t21 = slide_B_y + BG_y + slide_G_y - slide_F_y;
+    const Scalar t22 = sin_slide_F * v_s_F - t12 - sin_GF * v_s_G;
+    const Scalar t23 = slide_B_x + BG_x + slide_G_x - slide_F_x;
+    const Scalar t24 = cos_slide_F * v_s_F - t10 - cos_GF * v_s_G;
+    rhs(0) = t07 * jerk_B + omega_B * (Scalar(3) * t08 * alpha_B + Scalar(3) * t09
+        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_slide_D * a_s_D - omega_B * (t07 * omega_B
+        + Scalar(3) * t11)) - omega_E * (omega_E * (Scalar(3) * t05 - slide_E_y * omega_E)
+        + Scalar(3) * t06 + Scalar(3) * slide_E_x * alpha_E) - slide_E_y * jerk_E
+        - Scalar(3) * alpha_B * t13 - Scalar(3) * t15;
+    rhs(1) = slide_E_x * jerk_E + Scalar(3) * alpha_B * t11 + omega_B * (Scalar(3) * t07 * alpha_B
+        + Scalar(3) * cos_slide_D * a_s_D + omega_B * (t08 * omega_B - Scalar(3) * t13)
+        - Scalar(3) * t17 - Scalar(3) * cos_CD * a_s_C) + Scalar(3) * t18
+        - omega_E * (omega_E * (Scalar(3) * t14 + slide_E_x * omega_E)
+        + Scalar(3) * slide_E_y * alpha_E - Scalar(3) * t16) - t08 * jerk_B;
+    rhs(2) = t21 * jerk_B + omega_B * (Scalar(3) * t09 + Scalar(3) * t23 * alpha_B
+        + Scalar(3) * sin_GF * a_s_G - Scalar(3) * sin_slide_F * a_s_F - omega_B * (t21 * omega_B
+        + Scalar(3) * t24)) - omega_E * (Scalar(3) * t06 + omega_E * (Scalar(3) * t05
+        - t19 * omega_E) + Scalar(3) * t20 * alpha_E) - t19 * jerk_E - Scalar(3) * alpha_B * t22
+        - Scalar(3) * t15;
+    rhs(3) = omega_E * (Scalar(3) * t16 - omega_E * (Scalar(3) * t14 + t20 * omega_E)
+        - Scalar(3) * t19 * alpha_E) + t20 * jerk_E + Scalar(3) * alpha_B * t24 + Scalar(3) * t18
+        - t23 * jerk_B - omega_B * (Scalar(3) * t17 + Scalar(3) * cos_GF * a_s_G
+        - Scalar(3) * t21 * alpha_B - Scalar(3) * cos_slide_F * a_s_F - omega_B * (t23 * omega_B
+        - Scalar(3) * t22));
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -611,79 +599,77 @@ struct Model24 {
     const Scalar omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar t03 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t04 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
+    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
     const Scalar slide_D_x = q.s_D * cos_slide_D;
     const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t05 = u.phi_E.sin * d.psi_F_EDF.cos;
-    const Scalar t06 = t05 + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar EF_x = -t06 * d.h_F_EDF;
-    const Scalar t07 = u.phi_E.cos * d.psi_F_EDF.cos;
-    const Scalar t08 = t07 - u.phi_E.sin * d.psi_F_EDF.sin;
-    const Scalar EF_y = d.h_F_EDF * t08;
-    const Scalar t09 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
-    const Scalar t10 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
-    const Scalar cos_slide_F = d.psi_G_BCG.cos * t09 - d.psi_G_BCG.sin * t10;
-    const Scalar sin_slide_F = d.psi_G_BCG.cos * t10 + d.psi_G_BCG.sin * t09;
+    const Scalar t03 = u.phi_E.sin * d.psi_F_EDF.cos;
+    const Scalar t04 = t03 + u.phi_E.cos * d.psi_F_EDF.sin;
+    const Scalar EF_x = -d.h_F_EDF * t04;
+    const Scalar t05 = u.phi_E.cos * d.psi_F_EDF.cos;
+    const Scalar t06 = t05 - u.phi_E.sin * d.psi_F_EDF.sin;
+    const Scalar EF_y = d.h_F_EDF * t06;
+    const Scalar t07 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
+    const Scalar t08 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
+    const Scalar cos_slide_F = d.psi_G_BCG.cos * t07 - d.psi_G_BCG.sin * t08;
+    const Scalar sin_slide_F = d.psi_G_BCG.cos * t08 + d.psi_G_BCG.sin * t07;
     const Scalar slide_F_x = q.s_F * cos_slide_F;
     const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t11 = sin_slide_D * v_s_D;
-    const Scalar t12 = slide_D_x * omega_D_CD;
-    const Scalar t13 = slide_C_x - slide_D_x;
-    const Scalar t14 = t13 * omega_C_BCG;
-    const Scalar t15 = t12 + t11 - sin_CD * v_s_C;
-    const Scalar t16 = u.phi_B.sin * v_s_B;
-    const Scalar t17 = cos_slide_D * v_s_D;
-    const Scalar t18 = omega_D_CD * slide_D_y;
-    const Scalar t19 = slide_C_y - slide_D_y;
-    const Scalar t20 = omega_C_BCG * t19;
-    const Scalar t21 = t18 + cos_CD * v_s_C - t17;
-    const Scalar t22 = u.phi_B.cos * v_s_B;
-    const Scalar t23 = EF_x * omega_F_EDF;
-    const Scalar t24 = sin_slide_F * v_s_F;
-    const Scalar t25 = slide_F_x * omega_F_GF;
-    const Scalar t26 = v_s_E - d.psi_F_EDF.sin * v_h_F_EDF;
-    const Scalar t27 = slide_F_x - BG_x - slide_G_x;
-    const Scalar t28 = omega_G_BCG * t27;
-    const Scalar t29 = sin_GF * v_s_G - t24 + cos_GF * v_h_G_BCG - t25;
-    const Scalar t30 = omega_F_EDF * EF_y;
-    const Scalar t31 = cos_slide_F * v_s_F;
-    const Scalar t32 = omega_F_GF * slide_F_y;
-    const Scalar t33 = slide_F_y - BG_y - slide_G_y;
-    const Scalar t34 = omega_G_BCG * t33;
-    const Scalar t35 = cos_GF * v_s_G - t31 + t32 - sin_GF * v_h_G_BCG;
-    rhs(0) = omega_C_BCG * (t14 - Scalar(2) * t15) + omega_B * (Scalar(2) * t14 + Scalar(2) * t16
-        + omega_B * (slide_B_x + t13) - Scalar(2) * t15) - omega_D_CD * (Scalar(2) * t11 + t12)
-        - omega_E * (Scalar(2) * u.phi_E.sin * v_s_E + omega_E * slide_E_x);
-    rhs(1) = omega_D_CD * (Scalar(2) * t17 - t18) + omega_E * (Scalar(2) * u.phi_E.cos * v_s_E
-        - omega_E * slide_E_y) + omega_C_BCG * (t20 - Scalar(2) * t21) + omega_B * (Scalar(2) * t20
-        + omega_B * (slide_B_y + t19) - Scalar(2) * t22 - Scalar(2) * t21);
-    rhs(2) = omega_B * (Scalar(2) * t16 + omega_B * (slide_B_x - t27) + Scalar(2) * t29
-        - Scalar(2) * t28) - omega_F_EDF * (t23 + Scalar(2) * t08 * v_h_F_EDF)
-        - omega_F_GF * (Scalar(2) * t24 + t25) - omega_E * (Scalar(2) * u.phi_E.sin * t26
-        + omega_E * (slide_E_x + EF_x) + Scalar(2) * t23 + Scalar(2) * t07 * v_h_F_EDF)
-        - omega_G_BCG * (t28 - Scalar(2) * t29);
-    rhs(3) = omega_F_GF * (Scalar(2) * t31 - t32) + omega_E * (Scalar(2) * u.phi_E.cos * t26
-        - omega_E * (slide_E_y + EF_y) - Scalar(2) * t30 - Scalar(2) * t05 * v_h_F_EDF)
-        - omega_F_EDF * (t30 + Scalar(2) * t06 * v_h_F_EDF) - omega_G_BCG * (t34 + Scalar(2) * t35)
-        - omega_B * (Scalar(2) * t22 + Scalar(2) * t34 + Scalar(2) * t35 - omega_B * (slide_B_y
-        - t33));
+    const Scalar t09 = sin_slide_D * v_s_D;
+    const Scalar t10 = slide_D_x * omega_D_CD;
+    const Scalar t11 = slide_C_x - slide_D_x;
+    const Scalar t12 = t11 * omega_C_BCG;
+    const Scalar t13 = t10 + t09 - sin_CD * v_s_C;
+    const Scalar t14 = u.phi_B.sin * v_s_B;
+    const Scalar t15 = cos_slide_D * v_s_D;
+    const Scalar t16 = slide_D_y * omega_D_CD;
+    const Scalar t17 = slide_C_y - slide_D_y;
+    const Scalar t18 = t17 * omega_C_BCG;
+    const Scalar t19 = t16 + cos_CD * v_s_C - t15;
+    const Scalar t20 = u.phi_B.cos * v_s_B;
+    const Scalar t21 = EF_x * omega_F_EDF;
+    const Scalar t22 = sin_slide_F * v_s_F;
+    const Scalar t23 = slide_F_x * omega_F_GF;
+    const Scalar t24 = v_s_E - d.psi_F_EDF.sin * v_h_F_EDF;
+    const Scalar t25 = slide_F_x - BG_x - slide_G_x;
+    const Scalar t26 = t25 * omega_G_BCG;
+    const Scalar t27 = sin_GF * v_s_G - t22 + cos_GF * v_h_G_BCG - t23;
+    const Scalar t28 = EF_y * omega_F_EDF;
+    const Scalar t29 = cos_slide_F * v_s_F;
+    const Scalar t30 = slide_F_y * omega_F_GF;
+    const Scalar t31 = slide_F_y - BG_y - slide_G_y;
+    const Scalar t32 = t31 * omega_G_BCG;
+    const Scalar t33 = cos_GF * v_s_G - t29 + t30 - sin_GF * v_h_G_BCG;
+    rhs(0) = omega_C_BCG * (t12 - Scalar(2) * t13) + omega_B * (Scalar(2) * t12 + Scalar(2) * t14
+        + (slide_B_x + t11) * omega_B - Scalar(2) * t13) - omega_D_CD * (Scalar(2) * t09 + t10)
+        - omega_E * (Scalar(2) * u.phi_E.sin * v_s_E + slide_E_x * omega_E);
+    rhs(1) = omega_D_CD * (Scalar(2) * t15 - t16) + omega_E * (Scalar(2) * u.phi_E.cos * v_s_E
+        - slide_E_y * omega_E) + omega_C_BCG * (t18 - Scalar(2) * t19) + omega_B * (Scalar(2) * t18
+        + (slide_B_y + t17) * omega_B - Scalar(2) * t20 - Scalar(2) * t19);
+    rhs(2) = omega_B * (Scalar(2) * t14 + (slide_B_x - t25) * omega_B + Scalar(2) * t27
+        - Scalar(2) * t26) - omega_F_EDF * (t21 + Scalar(2) * t06 * v_h_F_EDF)
+        - omega_F_GF * (Scalar(2) * t22 + t23) - omega_E * (Scalar(2) * u.phi_E.sin * t24
+        + (slide_E_x + EF_x) * omega_E + Scalar(2) * t21 + Scalar(2) * t05 * v_h_F_EDF)
+        - omega_G_BCG * (t26 - Scalar(2) * t27);
+    rhs(3) = omega_F_GF * (Scalar(2) * t29 - t30) + omega_E * (Scalar(2) * u.phi_E.cos * t24
+        - (slide_E_y + EF_y) * omega_E - Scalar(2) * t28 - Scalar(2) * t03 * v_h_F_EDF)
+        - omega_F_EDF * (t28 + Scalar(2) * t04 * v_h_F_EDF) - omega_G_BCG * (t32 + Scalar(2) * t33)
+        - omega_B * (Scalar(2) * t20 + Scalar(2) * t32 + Scalar(2) * t33 - (slide_B_y
+        - t31) * omega_B);
   }
 
   /// Frames of the links in the fixed frame.
@@ -692,36 +678,34 @@ struct Model24 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t03 = u.x_B + slide_B_x;
-    const Scalar t04 = u.y_B + slide_B_y;
-    poses[0].x = t03;
-    poses[0].y = t04;
+    const Scalar t01 = u.x_B + slide_B_x;
+    const Scalar t02 = u.y_B + slide_B_y;
+    poses[0].x = t01;
+    poses[0].y = t02;
     poses[0].direction.cos = u.phi_B.cos;
     poses[0].direction.sin = u.phi_B.sin;
     poses[1].x = u.x_E + slide_E_x;
     poses[1].y = u.y_E + slide_E_y;
     poses[1].direction.cos = u.phi_E.cos;
     poses[1].direction.sin = u.phi_E.sin;
-    poses[2].x = t03 + slide_C_x;
-    poses[2].y = t04 + slide_C_y;
+    poses[2].x = t01 + slide_C_x;
+    poses[2].y = t02 + slide_C_y;
     poses[2].direction.cos = cos_CD;
     poses[2].direction.sin = sin_CD;
-    poses[3].x = t03 + BG_x + slide_G_x;
-    poses[3].y = t04 + BG_y + slide_G_y;
+    poses[3].x = t01 + BG_x + slide_G_x;
+    poses[3].y = t02 + BG_y + slide_G_y;
     poses[3].direction.cos = cos_GF;
     poses[3].direction.sin = sin_GF;
   }
@@ -738,22 +722,20 @@ struct Model24 {
     P_u.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t03 = BG_y + slide_G_y;
-    const Scalar t04 = BG_x + slide_G_x;
+    const Scalar t01 = BG_y + slide_G_y;
+    const Scalar t02 = BG_x + slide_G_x;
     P_q(0, 0) = u.phi_B.cos;
     P_q(1, 0) = u.phi_B.sin;
     P_q(3, 3) = u.phi_E.cos;
@@ -769,9 +751,9 @@ struct Model24 {
     P_d(6, 0) = -slide_C_y;
     P_d(7, 0) = slide_C_x;
     P_d(8, 0) = Scalar(1);
-    P_d(9, 1) = -t03;
+    P_d(9, 1) = -t01;
     P_d(9, 2) = -sin_GF;
-    P_d(10, 1) = t04;
+    P_d(10, 1) = t02;
     P_d(10, 2) = cos_GF;
     P_d(11, 1) = Scalar(1);
     P_u(0, 0) = Scalar(1);
@@ -790,9 +772,9 @@ struct Model24 {
     P_u(7, 2) = slide_C_x + slide_B_x;
     P_u(8, 2) = Scalar(1);
     P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -t03 - slide_B_y;
+    P_u(9, 2) = -t01 - slide_B_y;
     P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = t04 + slide_B_x;
+    P_u(10, 2) = t02 + slide_B_x;
     P_u(11, 2) = Scalar(1);
   }
 
@@ -813,33 +795,31 @@ struct Model24 {
     const Scalar omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t03 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t04 = u.phi_B.sin * v_s_B + v_y_B;
-    v(0, 0) = t03 - omega_B * slide_B_y;
-    v(0, 1) = omega_B * slide_B_x + t04;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
+    const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
+    v(0, 0) = t01 - slide_B_y * omega_B;
+    v(0, 1) = slide_B_x * omega_B + t02;
     v(0, 2) = omega_B;
-    v(1, 0) = u.phi_E.cos * v_s_E + v_x_E - omega_E * slide_E_y;
-    v(1, 1) = u.phi_E.sin * v_s_E + v_y_E + omega_E * slide_E_x;
+    v(1, 0) = u.phi_E.cos * v_s_E + v_x_E - slide_E_y * omega_E;
+    v(1, 1) = u.phi_E.sin * v_s_E + v_y_E + slide_E_x * omega_E;
     v(1, 2) = omega_E;
-    v(2, 0) = cos_CD * v_s_C + t03 - omega_B * (slide_B_y + slide_C_y);
-    v(2, 1) = omega_B * (slide_B_x + slide_C_x) + sin_CD * v_s_C + t04;
+    v(2, 0) = cos_CD * v_s_C + t01 - (slide_B_y + slide_C_y) * omega_B;
+    v(2, 1) = (slide_B_x + slide_C_x) * omega_B + sin_CD * v_s_C + t02;
     v(2, 2) = omega_B;
-    v(3, 0) = cos_GF * v_s_G + t03 - omega_B * (slide_B_y + BG_y + slide_G_y);
-    v(3, 1) = omega_B * (slide_B_x + BG_x + slide_G_x) + sin_GF * v_s_G + t04;
+    v(3, 0) = cos_GF * v_s_G + t01 - (slide_B_y + BG_y + slide_G_y) * omega_B;
+    v(3, 1) = (slide_B_x + BG_x + slide_G_x) * omega_B + sin_GF * v_s_G + t02;
     v(3, 2) = omega_B;
   }
 
@@ -867,45 +847,43 @@ struct Model24 {
     const Scalar alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t05 = u.phi_B.cos * v_s_B;
-    const Scalar t06 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t07 = slide_B_x + slide_C_x;
-    const Scalar t08 = slide_B_y + slide_C_y;
-    const Scalar t09 = slide_B_x + BG_x + slide_G_x;
-    const Scalar t10 = slide_B_y + BG_y + slide_G_y;
-    a(0, 0) = t04 - omega_B * (Scalar(2) * t03 + omega_B * slide_B_x) - alpha_B * slide_B_y;
-    a(0, 1) = omega_B * (Scalar(2) * t05 - omega_B * slide_B_y) + slide_B_x * alpha_B + t06;
+    const Scalar t01 = u.phi_B.sin * v_s_B;
+    const Scalar t02 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t03 = u.phi_B.cos * v_s_B;
+    const Scalar t04 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t05 = slide_B_x + slide_C_x;
+    const Scalar t06 = slide_B_y + slide_C_y;
+    const Scalar t07 = slide_B_x + BG_x + slide_G_x;
+    const Scalar t08 = slide_B_y + BG_y + slide_G_y;
+    a(0, 0) = t02 - omega_B * (Scalar(2) * t01 + slide_B_x * omega_B) - slide_B_y * alpha_B;
+    a(0, 1) = omega_B * (Scalar(2) * t03 - slide_B_y * omega_B) + slide_B_x * alpha_B + t04;
     a(0, 2) = alpha_B;
     a(1, 0) = u.phi_E.cos * a_s_E + a_x_E - omega_E * (Scalar(2) * u.phi_E.sin * v_s_E
-        + omega_E * slide_E_x) - alpha_E * slide_E_y;
-    a(1, 1) = omega_E * (Scalar(2) * u.phi_E.cos * v_s_E - omega_E * slide_E_y)
+        + slide_E_x * omega_E) - slide_E_y * alpha_E;
+    a(1, 1) = omega_E * (Scalar(2) * u.phi_E.cos * v_s_E - slide_E_y * omega_E)
         + u.phi_E.sin * a_s_E + a_y_E + slide_E_x * alpha_E;
     a(1, 2) = alpha_E;
-    a(2, 0) = cos_CD * a_s_C + t04 - omega_B * (Scalar(2) * t03 + omega_B * t07
-        + Scalar(2) * sin_CD * v_s_C) - alpha_B * t08;
-    a(2, 1) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_CD * v_s_C - omega_B * t08)
-        + alpha_B * t07 + sin_CD * a_s_C + t06;
+    a(2, 0) = cos_CD * a_s_C + t02 - omega_B * (Scalar(2) * t01 + t05 * omega_B
+        + Scalar(2) * sin_CD * v_s_C) - t06 * alpha_B;
+    a(2, 1) = omega_B * (Scalar(2) * t03 + Scalar(2) * cos_CD * v_s_C - t06 * omega_B)
+        + t05 * alpha_B + sin_CD * a_s_C + t04;
     a(2, 2) = alpha_B;
-    a(3, 0) = cos_GF * a_s_G + t04 - omega_B * (Scalar(2) * t03 + omega_B * t09
-        + Scalar(2) * sin_GF * v_s_G) - alpha_B * t10;
-    a(3, 1) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_GF * v_s_G - omega_B * t10)
-        + alpha_B * t09 + sin_GF * a_s_G + t06;
+    a(3, 0) = cos_GF * a_s_G + t02 - omega_B * (Scalar(2) * t01 + t07 * omega_B
+        + Scalar(2) * sin_GF * v_s_G) - t08 * alpha_B;
+    a(3, 1) = omega_B * (Scalar(2) * t03 + Scalar(2) * cos_GF * v_s_G - t08 * omega_B)
+        + t07 * alpha_B + sin_GF * a_s_G + t04;
     a(3, 2) = alpha_B;
   }
 
@@ -928,44 +906,42 @@ struct Model24 {
     p.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar cos_GF = t01;
-    const Scalar t02 = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar sin_GF = t02;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
     const Scalar slide_E_x = q.s_E * u.phi_E.cos;
     const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar BG_x = -t02 * d.h_G_BCG;
-    const Scalar BG_y = t01 * d.h_G_BCG;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF;
     const Scalar slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = u.phi_B.cos * v_s_B;
-    const Scalar t05 = sin_CD * v_s_C;
-    const Scalar t06 = slide_C_x * omega_C_BCG;
-    const Scalar t07 = cos_CD * v_s_C;
-    const Scalar t08 = omega_C_BCG * slide_C_y;
-    const Scalar t09 = BG_x + slide_G_x;
-    const Scalar t10 = t09 * omega_G_BCG;
-    const Scalar t11 = sin_GF * v_s_G + cos_GF * v_h_G_BCG;
-    const Scalar t12 = BG_y + slide_G_y;
-    const Scalar t13 = omega_G_BCG * t12;
-    const Scalar t14 = cos_GF * v_s_G - sin_GF * v_h_G_BCG;
-    p(0, 0) = -omega_B * (Scalar(2) * t03 + omega_B * slide_B_x);
-    p(0, 1) = omega_B * (Scalar(2) * t04 - omega_B * slide_B_y);
-    p(1, 0) = -omega_E * (Scalar(2) * u.phi_E.sin * v_s_E + omega_E * slide_E_x);
-    p(1, 1) = omega_E * (Scalar(2) * u.phi_E.cos * v_s_E - omega_E * slide_E_y);
-    p(2, 0) = -omega_B * (Scalar(2) * t03 + omega_B * (slide_B_x + slide_C_x) + Scalar(2) * t05
-        + Scalar(2) * t06) - omega_C_BCG * (Scalar(2) * t05 + t06);
-    p(2, 1) = omega_B * (Scalar(2) * t04 + Scalar(2) * t07 - omega_B * (slide_B_y + slide_C_y)
-        - Scalar(2) * t08) + omega_C_BCG * (Scalar(2) * t07 - t08);
-    p(3, 0) = -omega_G_BCG * (t10 + Scalar(2) * t11) - omega_B * (Scalar(2) * t03 + Scalar(2) * t10
-        + Scalar(2) * t11 + omega_B * (slide_B_x + t09));
-    p(3, 1) = omega_B * (Scalar(2) * t04 + Scalar(2) * t14 - Scalar(2) * t13 - omega_B * (slide_B_y
-        + t12)) - omega_G_BCG * (t13 - Scalar(2) * t14);
+    const Scalar t01 = u.phi_B.sin * v_s_B;
+    const Scalar t02 = u.phi_B.cos * v_s_B;
+    const Scalar t03 = sin_CD * v_s_C;
+    const Scalar t04 = slide_C_x * omega_C_BCG;
+    const Scalar t05 = cos_CD * v_s_C;
+    const Scalar t06 = slide_C_y * omega_C_BCG;
+    const Scalar t07 = BG_x + slide_G_x;
+    const Scalar t08 = t07 * omega_G_BCG;
+    const Scalar t09 = sin_GF * v_s_G + cos_GF * v_h_G_BCG;
+    const Scalar t10 = BG_y + slide_G_y;
+    const Scalar t11 = t10 * omega_G_BCG;
+    const Scalar t12 = cos_GF * v_s_G - sin_GF * v_h_G_BCG;
+    p(0, 0) = -omega_B * (Scalar(2) * t01 + slide_B_x * omega_B);
+    p(0, 1) = omega_B * (Scalar(2) * t02 - slide_B_y * omega_B);
+    p(1, 0) = -omega_E * (Scalar(2) * u.phi_E.sin * v_s_E + slide_E_x * omega_E);
+    p(1, 1) = omega_E * (Scalar(2) * u.phi_E.cos * v_s_E - slide_E_y * omega_E);
+    p(2, 0) = -omega_B * (Scalar(2) * t01 + (slide_B_x + slide_C_x) * omega_B + Scalar(2) * t03
+        + Scalar(2) * t04) - omega_C_BCG * (Scalar(2) * t03 + t04);
+    p(2, 1) = omega_B * (Scalar(2) * t02 + Scalar(2) * t05 - (slide_B_y + slide_C_y) * omega_B
+        - Scalar(2) * t06) + omega_C_BCG * (Scalar(2) * t05 - t06);
+    p(3, 0) = -omega_G_BCG * (t08 + Scalar(2) * t09) - omega_B * (Scalar(2) * t01 + Scalar(2) * t08
+        + Scalar(2) * t09 + (slide_B_x + t07) * omega_B);
+    p(3, 1) = omega_B * (Scalar(2) * t02 + Scalar(2) * t12 - Scalar(2) * t11 - (slide_B_y
+        + t10) * omega_B) - omega_G_BCG * (t11 - Scalar(2) * t12);
   }
 
   /// (cos, sin) of each sum of angles that must vanish: assembled only at (1, 0).

@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     54, 25, 1
 ///   motion:                       88, 49, 1
 ///   sensitivities_and_motion:     167, 92, 1
-///   position_polynomial:          102, 81, 0
+///   position_polynomial:          111, 81, 0
 ///   second_equations:             40, 31, 0
 ///   complete:                     12, 14, 2
 struct Model01 {
@@ -185,16 +185,16 @@ struct Model01 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar DE_x = q.theta_DE.cos * d.DE;
+    const Scalar DE_x = d.DE * q.theta_DE.cos;
     const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = q.theta_BC.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BC.cos;
     const Scalar BC_y = d.BC * q.theta_BC.sin;
-    const Scalar CE_x = q.theta_CEG.cos * d.CE;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos;
     const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = u.x_B + BC_x;
     const Scalar t02 = u.y_B + BC_y;
     f(0) = u.x_D + DE_x - CE_x - t01;
@@ -208,16 +208,16 @@ struct Model01 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar DE_x = q.theta_DE.cos * d.DE;
+    const Scalar DE_x = d.DE * q.theta_DE.cos;
     const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = q.theta_BC.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BC.cos;
     const Scalar BC_y = d.BC * q.theta_BC.sin;
-    const Scalar CE_x = q.theta_CEG.cos * d.CE;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos;
     const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     J(0, 0) = CE_y;
     J(0, 1) = BC_y;
     J(0, 2) = -DE_y;
@@ -302,16 +302,16 @@ struct Model01 {
     const Scalar a_y_D = u_second_rate(3);
     const Scalar a_x_F = u_second_rate(4);
     const Scalar a_y_F = u_second_rate(5);
-    const Scalar DE_x = q.theta_DE.cos * d.DE;
+    const Scalar DE_x = d.DE * q.theta_DE.cos;
     const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = q.theta_BC.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BC.cos;
     const Scalar BC_y = d.BC * q.theta_BC.sin;
-    const Scalar CE_x = q.theta_CEG.cos * d.CE;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos;
     const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = omega_CEG * omega_CEG;
     const Scalar t02 = omega_DE * omega_DE;
     const Scalar t03 = omega_BC * omega_BC;
@@ -346,30 +346,30 @@ struct Model01 {
     const Scalar j_y_D = u_third_rate(3);
     const Scalar j_x_F = u_third_rate(4);
     const Scalar j_y_F = u_third_rate(5);
-    const Scalar DE_x = q.theta_DE.cos * d.DE;
+    const Scalar DE_x = d.DE * q.theta_DE.cos;
     const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = q.theta_BC.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BC.cos;
     const Scalar BC_y = d.BC * q.theta_BC.sin;
-    const Scalar CE_x = q.theta_CEG.cos * d.CE;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos;
     const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = omega_CEG * omega_CEG;
     const Scalar t02 = omega_DE * omega_DE;
     const Scalar t03 = omega_BC * omega_BC;
-    const Scalar t04 = j_x_B - omega_BC * (Scalar(3) * alpha_BC * BC_x - BC_y * t03);
+    const Scalar t04 = j_x_B - omega_BC * (Scalar(3) * BC_x * alpha_BC - BC_y * t03);
     const Scalar t05 = j_y_B - omega_BC * (Scalar(3) * BC_y * alpha_BC + BC_x * t03);
     const Scalar t06 = omega_FG * omega_FG;
-    rhs(0) = omega_DE * (Scalar(3) * alpha_DE * DE_x - DE_y * t02) + t04 - j_x_D
-        - omega_CEG * (Scalar(3) * alpha_CEG * CE_x - CE_y * t01);
+    rhs(0) = omega_DE * (Scalar(3) * DE_x * alpha_DE - DE_y * t02) + t04 - j_x_D
+        - omega_CEG * (Scalar(3) * CE_x * alpha_CEG - CE_y * t01);
     rhs(1) = omega_DE * (Scalar(3) * DE_y * alpha_DE + DE_x * t02) + t05 - j_y_D
         - omega_CEG * (Scalar(3) * CE_y * alpha_CEG + CE_x * t01);
-    rhs(2) = omega_FG * (Scalar(3) * alpha_FG * FG_x - FG_y * t06) + t04 - j_x_F
-        - omega_CEG * (Scalar(3) * alpha_CEG * CG_x - CG_y * t01);
+    rhs(2) = omega_FG * (Scalar(3) * FG_x * alpha_FG - FG_y * t06) + t04 - j_x_F
+        - omega_CEG * (Scalar(3) * CG_x * alpha_CEG - CG_y * t01);
     rhs(3) = omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t06) + t05 - j_y_F
-        - omega_CEG * (Scalar(3) * alpha_CEG * CG_y + CG_x * t01);
+        - omega_CEG * (Scalar(3) * CG_y * alpha_CEG + CG_x * t01);
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -389,35 +389,35 @@ struct Model01 {
     const Scalar v_BC = d_rate(3);
     const Scalar v_DE = d_rate(4);
     const Scalar v_FG = d_rate(5);
-    const Scalar DE_x = q.theta_DE.cos * d.DE;
+    const Scalar DE_x = d.DE * q.theta_DE.cos;
     const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = q.theta_BC.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BC.cos;
     const Scalar BC_y = d.BC * q.theta_BC.sin;
-    const Scalar CE_x = q.theta_CEG.cos * d.CE;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos;
     const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
-    const Scalar t01 = omega_BC * (Scalar(2) * q.theta_BC.sin * v_BC + omega_BC * BC_x);
-    const Scalar t02 = omega_BC * (Scalar(2) * q.theta_BC.cos * v_BC - omega_BC * BC_y);
-    rhs(0) = omega_DE * (Scalar(2) * q.theta_DE.sin * v_DE + omega_DE * DE_x)
-        - omega_CEG * (Scalar(2) * q.theta_CEG.sin * v_CE + omega_CEG * CE_x) - t01;
-    rhs(1) = omega_CEG * (Scalar(2) * q.theta_CEG.cos * v_CE - omega_CEG * CE_y) + t02
-        - omega_DE * (Scalar(2) * q.theta_DE.cos * v_DE - omega_DE * DE_y);
-    rhs(2) = omega_FG * (Scalar(2) * q.theta_FG.sin * v_FG + omega_FG * FG_x) - t01
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
+    const Scalar t01 = omega_BC * (Scalar(2) * q.theta_BC.sin * v_BC + BC_x * omega_BC);
+    const Scalar t02 = omega_BC * (Scalar(2) * q.theta_BC.cos * v_BC - BC_y * omega_BC);
+    rhs(0) = omega_DE * (Scalar(2) * q.theta_DE.sin * v_DE + DE_x * omega_DE)
+        - omega_CEG * (Scalar(2) * q.theta_CEG.sin * v_CE + CE_x * omega_CEG) - t01;
+    rhs(1) = omega_CEG * (Scalar(2) * q.theta_CEG.cos * v_CE - CE_y * omega_CEG) + t02
+        - omega_DE * (Scalar(2) * q.theta_DE.cos * v_DE - DE_y * omega_DE);
+    rhs(2) = omega_FG * (Scalar(2) * q.theta_FG.sin * v_FG + FG_x * omega_FG) - t01
         - omega_CEG * (Scalar(2) * q.theta_CEG.cos * v_y_G_CEG
-        + Scalar(2) * q.theta_CEG.sin * v_x_G_CEG + omega_CEG * CG_x);
+        + Scalar(2) * q.theta_CEG.sin * v_x_G_CEG + CG_x * omega_CEG);
     rhs(3) = t02 + omega_CEG * (Scalar(2) * q.theta_CEG.cos * v_x_G_CEG
-        - Scalar(2) * q.theta_CEG.sin * v_y_G_CEG - omega_CEG * CG_y)
-        - omega_FG * (Scalar(2) * q.theta_FG.cos * v_FG - omega_FG * FG_y);
+        - Scalar(2) * q.theta_CEG.sin * v_y_G_CEG - CG_y * omega_CEG)
+        - omega_FG * (Scalar(2) * q.theta_FG.cos * v_FG - FG_y * omega_FG);
   }
 
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar BC_x = q.theta_BC.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BC.cos;
     const Scalar BC_y = d.BC * q.theta_BC.sin;
     poses[0].x = u.x_B + BC_x;
     poses[0].y = u.y_B + BC_y;
@@ -447,7 +447,7 @@ struct Model01 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar BC_x = q.theta_BC.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BC.cos;
     const Scalar BC_y = d.BC * q.theta_BC.sin;
     P_q(0, 1) = -BC_y;
     P_q(1, 1) = BC_x;
@@ -482,10 +482,10 @@ struct Model01 {
     const Scalar v_y_D = u_rate(3);
     const Scalar v_x_F = u_rate(4);
     const Scalar v_y_F = u_rate(5);
-    const Scalar BC_x = q.theta_BC.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BC.cos;
     const Scalar BC_y = d.BC * q.theta_BC.sin;
-    v(0, 0) = v_x_B - omega_BC * BC_y;
-    v(0, 1) = omega_BC * BC_x + v_y_B;
+    v(0, 0) = v_x_B - BC_y * omega_BC;
+    v(0, 1) = BC_x * omega_BC + v_y_B;
     v(0, 2) = omega_CEG;
     v(1, 0) = v_x_B;
     v(1, 1) = v_y_B;
@@ -515,10 +515,10 @@ struct Model01 {
     const Scalar a_y_D = u_second_rate(3);
     const Scalar a_x_F = u_second_rate(4);
     const Scalar a_y_F = u_second_rate(5);
-    const Scalar BC_x = q.theta_BC.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BC.cos;
     const Scalar BC_y = d.BC * q.theta_BC.sin;
     const Scalar t01 = omega_BC * omega_BC;
-    a(0, 0) = a_x_B - alpha_BC * BC_y - BC_x * t01;
+    a(0, 0) = a_x_B - BC_y * alpha_BC - BC_x * t01;
     a(0, 1) = BC_x * alpha_BC + a_y_B - BC_y * t01;
     a(0, 2) = alpha_CEG;
     a(1, 0) = a_x_B;
@@ -542,10 +542,10 @@ struct Model01 {
     const Scalar omega_BC = q_rate(1);
     const Scalar v_BC = d_rate(3);
     p.setZero();
-    const Scalar BC_x = q.theta_BC.cos * d.BC;
+    const Scalar BC_x = d.BC * q.theta_BC.cos;
     const Scalar BC_y = d.BC * q.theta_BC.sin;
-    p(0, 0) = -omega_BC * (Scalar(2) * q.theta_BC.sin * v_BC + omega_BC * BC_x);
-    p(0, 1) = omega_BC * (Scalar(2) * q.theta_BC.cos * v_BC - omega_BC * BC_y);
+    p(0, 0) = -omega_BC * (Scalar(2) * q.theta_BC.sin * v_BC + BC_x * omega_BC);
+    p(0, 1) = omega_BC * (Scalar(2) * q.theta_BC.cos * v_BC - BC_y * omega_BC);
   }
 
   /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
@@ -608,7 +608,7 @@ struct Model01 {
     const Scalar BC_along_DE = -d.BC * cos_BC_minus_DE;
     const Scalar BC_across_DE = -d.BC * sin_BC_minus_DE;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - cos_CEG_minus_FG * d.y_G_CEG;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
     const Scalar BC_along_FG = -d.BC * cos_BC_minus_FG;
     const Scalar BC_across_FG = -d.BC * sin_BC_minus_FG;
     const Scalar determinant = CEG_across_DE * BC_across_FG - BC_across_DE * CEG_across_FG;
@@ -621,32 +621,32 @@ struct Model01 {
     const Scalar inverse_DE = d.FG * t02;
     const Scalar CEG_per_along_DE = -BC_across_FG * inverse_determinant;
     const Scalar BC_per_along_DE = CEG_across_FG * inverse_determinant;
-    const Scalar FG_per_along_DE = -(CEG_along_FG * CEG_per_along_DE
-        + BC_along_FG * BC_per_along_DE) * inverse_FG;
-    const Scalar DE_per_along_DE = -(CEG_per_along_DE * CEG_along_DE
-        + BC_per_along_DE * BC_along_DE) * inverse_DE;
+    const Scalar FG_per_along_DE = -inverse_FG * (CEG_along_FG * CEG_per_along_DE
+        + BC_along_FG * BC_per_along_DE);
+    const Scalar DE_per_along_DE = -inverse_DE * (CEG_per_along_DE * CEG_along_DE
+        + BC_per_along_DE * BC_along_DE);
     const Scalar CEG_per_along_FG = BC_across_DE * inverse_determinant;
     const Scalar BC_per_along_FG = -CEG_across_DE * inverse_determinant;
     const Scalar FG_per_along_FG = -inverse_FG * (CEG_along_FG * CEG_per_along_FG
         + BC_along_FG * BC_per_along_FG);
     const Scalar DE_per_along_FG = -inverse_DE * (CEG_along_DE * CEG_per_along_FG
         + BC_along_DE * BC_per_along_FG);
-    J_inverse(0, 0) = q.theta_DE.cos * CEG_per_along_DE;
-    J_inverse(0, 1) = q.theta_DE.sin * CEG_per_along_DE;
-    J_inverse(0, 2) = q.theta_FG.cos * CEG_per_along_FG;
-    J_inverse(0, 3) = q.theta_FG.sin * CEG_per_along_FG;
-    J_inverse(1, 0) = q.theta_DE.cos * BC_per_along_DE;
-    J_inverse(1, 1) = q.theta_DE.sin * BC_per_along_DE;
-    J_inverse(1, 2) = q.theta_FG.cos * BC_per_along_FG;
-    J_inverse(1, 3) = q.theta_FG.sin * BC_per_along_FG;
-    J_inverse(2, 0) = q.theta_DE.cos * DE_per_along_DE - q.theta_DE.sin * inverse_DE;
-    J_inverse(2, 1) = q.theta_DE.cos * inverse_DE + q.theta_DE.sin * DE_per_along_DE;
-    J_inverse(2, 2) = q.theta_FG.cos * DE_per_along_FG;
-    J_inverse(2, 3) = q.theta_FG.sin * DE_per_along_FG;
-    J_inverse(3, 0) = q.theta_DE.cos * FG_per_along_DE;
-    J_inverse(3, 1) = q.theta_DE.sin * FG_per_along_DE;
-    J_inverse(3, 2) = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    J_inverse(3, 3) = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
+    J_inverse(0, 0) = CEG_per_along_DE * q.theta_DE.cos;
+    J_inverse(0, 1) = CEG_per_along_DE * q.theta_DE.sin;
+    J_inverse(0, 2) = CEG_per_along_FG * q.theta_FG.cos;
+    J_inverse(0, 3) = CEG_per_along_FG * q.theta_FG.sin;
+    J_inverse(1, 0) = BC_per_along_DE * q.theta_DE.cos;
+    J_inverse(1, 1) = BC_per_along_DE * q.theta_DE.sin;
+    J_inverse(1, 2) = BC_per_along_FG * q.theta_FG.cos;
+    J_inverse(1, 3) = BC_per_along_FG * q.theta_FG.sin;
+    J_inverse(2, 0) = DE_per_along_DE * q.theta_DE.cos - inverse_DE * q.theta_DE.sin;
+    J_inverse(2, 1) = inverse_DE * q.theta_DE.cos + DE_per_along_DE * q.theta_DE.sin;
+    J_inverse(2, 2) = DE_per_along_FG * q.theta_FG.cos;
+    J_inverse(2, 3) = DE_per_along_FG * q.theta_FG.sin;
+    J_inverse(3, 0) = FG_per_along_DE * q.theta_DE.cos;
+    J_inverse(3, 1) = FG_per_along_DE * q.theta_DE.sin;
+    J_inverse(3, 2) = FG_per_along_FG * q.theta_FG.cos - inverse_FG * q.theta_FG.sin;
+    J_inverse(3, 3) = inverse_FG * q.theta_FG.cos + FG_per_along_FG * q.theta_FG.sin;
   }
 
   /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
@@ -675,7 +675,7 @@ struct Model01 {
     const Scalar BC_along_DE = -d.BC * cos_BC_minus_DE;
     const Scalar BC_across_DE = -d.BC * sin_BC_minus_DE;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - cos_CEG_minus_FG * d.y_G_CEG;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
     const Scalar BC_along_FG = -d.BC * cos_BC_minus_FG;
     const Scalar BC_across_FG = -d.BC * sin_BC_minus_FG;
     const Scalar determinant = CEG_across_DE * BC_across_FG - BC_across_DE * CEG_across_FG;
@@ -688,82 +688,82 @@ struct Model01 {
     const Scalar inverse_DE = d.FG * t02;
     const Scalar CEG_per_along_DE = -BC_across_FG * inverse_determinant;
     const Scalar BC_per_along_DE = CEG_across_FG * inverse_determinant;
-    const Scalar FG_per_along_DE = -(CEG_along_FG * CEG_per_along_DE
-        + BC_along_FG * BC_per_along_DE) * inverse_FG;
-    const Scalar DE_per_along_DE = -(CEG_per_along_DE * CEG_along_DE
-        + BC_per_along_DE * BC_along_DE) * inverse_DE;
+    const Scalar FG_per_along_DE = -inverse_FG * (CEG_along_FG * CEG_per_along_DE
+        + BC_along_FG * BC_per_along_DE);
+    const Scalar DE_per_along_DE = -inverse_DE * (CEG_per_along_DE * CEG_along_DE
+        + BC_per_along_DE * BC_along_DE);
     const Scalar CEG_per_along_FG = BC_across_DE * inverse_determinant;
     const Scalar BC_per_along_FG = -CEG_across_DE * inverse_determinant;
     const Scalar FG_per_along_FG = -inverse_FG * (CEG_along_FG * CEG_per_along_FG
         + BC_along_FG * BC_per_along_FG);
     const Scalar DE_per_along_FG = -inverse_DE * (CEG_along_DE * CEG_per_along_FG
         + BC_along_DE * BC_per_along_FG);
-    const Scalar t03 = q.theta_DE.cos * CEG_per_along_DE;
-    const Scalar t04 = q.theta_FG.cos * CEG_per_along_FG;
-    const Scalar t05 = q.theta_DE.sin * CEG_per_along_DE;
-    const Scalar t06 = q.theta_FG.sin * CEG_per_along_FG;
-    const Scalar t07 = q.theta_DE.cos * BC_per_along_DE;
-    const Scalar t08 = q.theta_FG.cos * BC_per_along_FG;
-    const Scalar t09 = q.theta_DE.sin * BC_per_along_DE;
-    const Scalar t10 = q.theta_FG.sin * BC_per_along_FG;
-    const Scalar t11 = q.theta_FG.cos * DE_per_along_FG;
-    const Scalar t12 = q.theta_DE.cos * DE_per_along_DE - q.theta_DE.sin * inverse_DE;
-    const Scalar t13 = q.theta_FG.sin * DE_per_along_FG;
-    const Scalar t14 = q.theta_DE.cos * inverse_DE + q.theta_DE.sin * DE_per_along_DE;
-    const Scalar t15 = q.theta_DE.cos * FG_per_along_DE;
-    const Scalar t16 = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    const Scalar t17 = q.theta_DE.sin * FG_per_along_DE;
-    const Scalar t18 = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
-    S_d(0, 0) = cos_CEG_minus_DE * CEG_per_along_DE;
-    S_d(0, 1) = cos_CEG_minus_FG * CEG_per_along_FG;
-    S_d(0, 2) = -sin_CEG_minus_FG * CEG_per_along_FG;
-    S_d(0, 3) = cos_BC_minus_DE * CEG_per_along_DE + cos_BC_minus_FG * CEG_per_along_FG;
+    const Scalar CEG_per_x_D = -CEG_per_along_DE * q.theta_DE.cos;
+    const Scalar BC_per_x_D = -BC_per_along_DE * q.theta_DE.cos;
+    const Scalar DE_per_x_D = inverse_DE * q.theta_DE.sin - DE_per_along_DE * q.theta_DE.cos;
+    const Scalar FG_per_x_D = -FG_per_along_DE * q.theta_DE.cos;
+    const Scalar CEG_per_y_D = -CEG_per_along_DE * q.theta_DE.sin;
+    const Scalar BC_per_y_D = -BC_per_along_DE * q.theta_DE.sin;
+    const Scalar DE_per_y_D = -inverse_DE * q.theta_DE.cos - DE_per_along_DE * q.theta_DE.sin;
+    const Scalar FG_per_y_D = -FG_per_along_DE * q.theta_DE.sin;
+    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
+    const Scalar BC_per_x_F = -BC_per_along_FG * q.theta_FG.cos;
+    const Scalar DE_per_x_F = -DE_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
+    const Scalar BC_per_y_F = -BC_per_along_FG * q.theta_FG.sin;
+    const Scalar DE_per_y_F = -DE_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    S_d(0, 0) = CEG_per_along_DE * cos_CEG_minus_DE;
+    S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
+    S_d(0, 2) = -CEG_per_along_FG * sin_CEG_minus_FG;
+    S_d(0, 3) = CEG_per_along_DE * cos_BC_minus_DE + CEG_per_along_FG * cos_BC_minus_FG;
     S_d(0, 4) = -CEG_per_along_DE;
     S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = cos_CEG_minus_DE * BC_per_along_DE;
-    S_d(1, 1) = cos_CEG_minus_FG * BC_per_along_FG;
-    S_d(1, 2) = -sin_CEG_minus_FG * BC_per_along_FG;
-    S_d(1, 3) = cos_BC_minus_DE * BC_per_along_DE + cos_BC_minus_FG * BC_per_along_FG;
+    S_d(1, 0) = BC_per_along_DE * cos_CEG_minus_DE;
+    S_d(1, 1) = BC_per_along_FG * cos_CEG_minus_FG;
+    S_d(1, 2) = -BC_per_along_FG * sin_CEG_minus_FG;
+    S_d(1, 3) = BC_per_along_DE * cos_BC_minus_DE + BC_per_along_FG * cos_BC_minus_FG;
     S_d(1, 4) = -BC_per_along_DE;
     S_d(1, 5) = -BC_per_along_FG;
-    S_d(2, 0) = cos_CEG_minus_DE * DE_per_along_DE + sin_CEG_minus_DE * inverse_DE;
-    S_d(2, 1) = cos_CEG_minus_FG * DE_per_along_FG;
-    S_d(2, 2) = -sin_CEG_minus_FG * DE_per_along_FG;
-    S_d(2, 3) = cos_BC_minus_DE * DE_per_along_DE + sin_BC_minus_DE * inverse_DE
-        + cos_BC_minus_FG * DE_per_along_FG;
+    S_d(2, 0) = DE_per_along_DE * cos_CEG_minus_DE + inverse_DE * sin_CEG_minus_DE;
+    S_d(2, 1) = DE_per_along_FG * cos_CEG_minus_FG;
+    S_d(2, 2) = -DE_per_along_FG * sin_CEG_minus_FG;
+    S_d(2, 3) = DE_per_along_DE * cos_BC_minus_DE + inverse_DE * sin_BC_minus_DE
+        + DE_per_along_FG * cos_BC_minus_FG;
     S_d(2, 4) = -DE_per_along_DE;
     S_d(2, 5) = -DE_per_along_FG;
-    S_d(3, 0) = cos_CEG_minus_DE * FG_per_along_DE;
-    S_d(3, 1) = cos_CEG_minus_FG * FG_per_along_FG + sin_CEG_minus_FG * inverse_FG;
-    S_d(3, 2) = cos_CEG_minus_FG * inverse_FG - sin_CEG_minus_FG * FG_per_along_FG;
-    S_d(3, 3) = cos_BC_minus_DE * FG_per_along_DE + cos_BC_minus_FG * FG_per_along_FG
-        + sin_BC_minus_FG * inverse_FG;
+    S_d(3, 0) = FG_per_along_DE * cos_CEG_minus_DE;
+    S_d(3, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
+    S_d(3, 2) = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
+    S_d(3, 3) = FG_per_along_DE * cos_BC_minus_DE + FG_per_along_FG * cos_BC_minus_FG
+        + inverse_FG * sin_BC_minus_FG;
     S_d(3, 4) = -FG_per_along_DE;
     S_d(3, 5) = -FG_per_along_FG;
-    S_u(0, 0) = t03 + t04;
-    S_u(0, 1) = t05 + t06;
-    S_u(0, 2) = -t03;
-    S_u(0, 3) = -t05;
-    S_u(0, 4) = -t04;
-    S_u(0, 5) = -t06;
-    S_u(1, 0) = t07 + t08;
-    S_u(1, 1) = t09 + t10;
-    S_u(1, 2) = -t07;
-    S_u(1, 3) = -t09;
-    S_u(1, 4) = -t08;
-    S_u(1, 5) = -t10;
-    S_u(2, 0) = t11 + t12;
-    S_u(2, 1) = t13 + t14;
-    S_u(2, 2) = -t12;
-    S_u(2, 3) = -t14;
-    S_u(2, 4) = -t11;
-    S_u(2, 5) = -t13;
-    S_u(3, 0) = t15 + t16;
-    S_u(3, 1) = t17 + t18;
-    S_u(3, 2) = -t15;
-    S_u(3, 3) = -t17;
-    S_u(3, 4) = -t16;
-    S_u(3, 5) = -t18;
+    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;
+    S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
+    S_u(0, 2) = CEG_per_x_D;
+    S_u(0, 3) = CEG_per_y_D;
+    S_u(0, 4) = CEG_per_x_F;
+    S_u(0, 5) = CEG_per_y_F;
+    S_u(1, 0) = -BC_per_x_D - BC_per_x_F;
+    S_u(1, 1) = -BC_per_y_D - BC_per_y_F;
+    S_u(1, 2) = BC_per_x_D;
+    S_u(1, 3) = BC_per_y_D;
+    S_u(1, 4) = BC_per_x_F;
+    S_u(1, 5) = BC_per_y_F;
+    S_u(2, 0) = -DE_per_x_D - DE_per_x_F;
+    S_u(2, 1) = -DE_per_y_D - DE_per_y_F;
+    S_u(2, 2) = DE_per_x_D;
+    S_u(2, 3) = DE_per_y_D;
+    S_u(2, 4) = DE_per_x_F;
+    S_u(2, 5) = DE_per_y_F;
+    S_u(3, 0) = -FG_per_x_D - FG_per_x_F;
+    S_u(3, 1) = -FG_per_y_D - FG_per_y_F;
+    S_u(3, 2) = FG_per_x_D;
+    S_u(3, 3) = FG_per_y_D;
+    S_u(3, 4) = FG_per_x_F;
+    S_u(3, 5) = FG_per_y_F;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -798,7 +798,7 @@ struct Model01 {
     const Scalar BC_along_DE = -d.BC * cos_BC_minus_DE;
     const Scalar BC_across_DE = -d.BC * sin_BC_minus_DE;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - cos_CEG_minus_FG * d.y_G_CEG;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
     const Scalar BC_along_FG = -d.BC * cos_BC_minus_FG;
     const Scalar BC_across_FG = -d.BC * sin_BC_minus_FG;
     const Scalar determinant = CEG_across_DE * BC_across_FG - BC_across_DE * CEG_across_FG;
@@ -817,14 +817,14 @@ struct Model01 {
     const Scalar t06 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t05 + q.theta_FG.sin * t06;
     const Scalar velocity_across_FG = q.theta_FG.cos * t06 - q.theta_FG.sin * t05;
-    const Scalar omega_CEG = (BC_across_DE * velocity_along_FG
-        - BC_across_FG * velocity_along_DE) * inverse_determinant;
+    const Scalar omega_CEG = inverse_determinant * (BC_across_DE * velocity_along_FG
+        - BC_across_FG * velocity_along_DE);
     const Scalar omega_BC = -inverse_determinant * (CEG_across_DE * velocity_along_FG
         - CEG_across_FG * velocity_along_DE);
-    const Scalar omega_FG = -(omega_CEG * CEG_along_FG + omega_BC * BC_along_FG
-        - velocity_across_FG) * inverse_FG;
-    const Scalar omega_DE = -(omega_CEG * CEG_along_DE + omega_BC * BC_along_DE
-        - velocity_across_DE) * inverse_DE;
+    const Scalar omega_FG = -inverse_FG * (CEG_along_FG * omega_CEG + BC_along_FG * omega_BC
+        - velocity_across_FG);
+    const Scalar omega_DE = -inverse_DE * (CEG_along_DE * omega_CEG + BC_along_DE * omega_BC
+        - velocity_across_DE);
     q_rate(0) = omega_CEG;
     q_rate(1) = omega_BC;
     q_rate(2) = omega_DE;
@@ -870,7 +870,7 @@ struct Model01 {
     const Scalar BC_along_DE = -d.BC * cos_BC_minus_DE;
     const Scalar BC_across_DE = -d.BC * sin_BC_minus_DE;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - cos_CEG_minus_FG * d.y_G_CEG;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
     const Scalar BC_along_FG = -d.BC * cos_BC_minus_FG;
     const Scalar BC_across_FG = -d.BC * sin_BC_minus_FG;
     const Scalar determinant = CEG_across_DE * BC_across_FG - BC_across_DE * CEG_across_FG;
@@ -889,14 +889,14 @@ struct Model01 {
     const Scalar t06 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t05 + q.theta_FG.sin * t06;
     const Scalar velocity_across_FG = q.theta_FG.cos * t06 - q.theta_FG.sin * t05;
-    const Scalar omega_CEG = (BC_across_DE * velocity_along_FG
-        - BC_across_FG * velocity_along_DE) * inverse_determinant;
+    const Scalar omega_CEG = inverse_determinant * (BC_across_DE * velocity_along_FG
+        - BC_across_FG * velocity_along_DE);
     const Scalar omega_BC = -inverse_determinant * (CEG_across_DE * velocity_along_FG
         - CEG_across_FG * velocity_along_DE);
-    const Scalar omega_FG = -(omega_CEG * CEG_along_FG + omega_BC * BC_along_FG
-        - velocity_across_FG) * inverse_FG;
-    const Scalar omega_DE = -(omega_CEG * CEG_along_DE + omega_BC * BC_along_DE
-        - velocity_across_DE) * inverse_DE;
+    const Scalar omega_FG = -inverse_FG * (CEG_along_FG * omega_CEG + BC_along_FG * omega_BC
+        - velocity_across_FG);
+    const Scalar omega_DE = -inverse_DE * (CEG_along_DE * omega_CEG + BC_along_DE * omega_BC
+        - velocity_across_DE);
     const Scalar t07 = a_x_B - a_x_D;
     const Scalar t08 = a_y_B - a_y_D;
     const Scalar t09 = omega_CEG * omega_CEG;
@@ -970,7 +970,7 @@ struct Model01 {
     const Scalar BC_along_DE = -d.BC * cos_BC_minus_DE;
     const Scalar BC_across_DE = -d.BC * sin_BC_minus_DE;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - cos_CEG_minus_FG * d.y_G_CEG;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
     const Scalar BC_along_FG = -d.BC * cos_BC_minus_FG;
     const Scalar BC_across_FG = -d.BC * sin_BC_minus_FG;
     const Scalar determinant = CEG_across_DE * BC_across_FG - BC_across_DE * CEG_across_FG;
@@ -983,130 +983,106 @@ struct Model01 {
     const Scalar inverse_DE = d.FG * t02;
     const Scalar CEG_per_along_DE = -BC_across_FG * inverse_determinant;
     const Scalar BC_per_along_DE = CEG_across_FG * inverse_determinant;
-    const Scalar FG_per_along_DE = -(CEG_along_FG * CEG_per_along_DE
-        + BC_along_FG * BC_per_along_DE) * inverse_FG;
-    const Scalar DE_per_along_DE = -(CEG_per_along_DE * CEG_along_DE
-        + BC_per_along_DE * BC_along_DE) * inverse_DE;
+    const Scalar FG_per_along_DE = -inverse_FG * (CEG_along_FG * CEG_per_along_DE
+        + BC_along_FG * BC_per_along_DE);
+    const Scalar DE_per_along_DE = -inverse_DE * (CEG_per_along_DE * CEG_along_DE
+        + BC_per_along_DE * BC_along_DE);
     const Scalar CEG_per_along_FG = BC_across_DE * inverse_determinant;
     const Scalar BC_per_along_FG = -CEG_across_DE * inverse_determinant;
     const Scalar FG_per_along_FG = -inverse_FG * (CEG_along_FG * CEG_per_along_FG
         + BC_along_FG * BC_per_along_FG);
     const Scalar DE_per_along_FG = -inverse_DE * (CEG_along_DE * CEG_per_along_FG
         + BC_along_DE * BC_per_along_FG);
-    const Scalar t03 = q.theta_DE.cos * CEG_per_along_DE;
-    const Scalar t04 = q.theta_FG.cos * CEG_per_along_FG;
-    const Scalar t05 = t03 + t04;
-    const Scalar CEG_per_x_B = t05;
-    const Scalar t06 = q.theta_DE.cos * BC_per_along_DE;
-    const Scalar t07 = q.theta_FG.cos * BC_per_along_FG;
-    const Scalar t08 = t06 + t07;
-    const Scalar BC_per_x_B = t08;
-    const Scalar t09 = q.theta_FG.cos * DE_per_along_FG;
-    const Scalar t10 = q.theta_DE.cos * DE_per_along_DE - q.theta_DE.sin * inverse_DE;
-    const Scalar t11 = t09 + t10;
-    const Scalar DE_per_x_B = t11;
-    const Scalar t12 = q.theta_DE.cos * FG_per_along_DE;
-    const Scalar t13 = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    const Scalar t14 = t12 + t13;
-    const Scalar FG_per_x_B = t14;
-    const Scalar t15 = q.theta_DE.sin * CEG_per_along_DE;
-    const Scalar t16 = q.theta_FG.sin * CEG_per_along_FG;
-    const Scalar t17 = t15 + t16;
-    const Scalar CEG_per_y_B = t17;
-    const Scalar t18 = q.theta_DE.sin * BC_per_along_DE;
-    const Scalar t19 = q.theta_FG.sin * BC_per_along_FG;
-    const Scalar t20 = t18 + t19;
-    const Scalar BC_per_y_B = t20;
-    const Scalar t21 = q.theta_FG.sin * DE_per_along_FG;
-    const Scalar t22 = q.theta_DE.cos * inverse_DE + q.theta_DE.sin * DE_per_along_DE;
-    const Scalar t23 = t21 + t22;
-    const Scalar DE_per_y_B = t23;
-    const Scalar t24 = q.theta_DE.sin * FG_per_along_DE;
-    const Scalar t25 = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
-    const Scalar t26 = t24 + t25;
-    const Scalar FG_per_y_B = t26;
-    const Scalar CEG_per_x_D = -t03;
-    const Scalar BC_per_x_D = -t06;
-    const Scalar DE_per_x_D = -t10;
-    const Scalar FG_per_x_D = -t12;
-    const Scalar CEG_per_y_D = -t15;
-    const Scalar BC_per_y_D = -t18;
-    const Scalar DE_per_y_D = -t22;
-    const Scalar FG_per_y_D = -t24;
-    const Scalar CEG_per_x_F = -t04;
-    const Scalar BC_per_x_F = -t07;
-    const Scalar DE_per_x_F = -t09;
-    const Scalar FG_per_x_F = -t13;
-    const Scalar CEG_per_y_F = -t16;
-    const Scalar BC_per_y_F = -t19;
-    const Scalar DE_per_y_F = -t21;
-    const Scalar FG_per_y_F = -t25;
-    const Scalar omega_CEG = v_x_B * CEG_per_x_B + v_y_B * CEG_per_y_B + v_x_D * CEG_per_x_D
-        + v_y_D * CEG_per_y_D + v_x_F * CEG_per_x_F + v_y_F * CEG_per_y_F;
-    const Scalar omega_BC = v_x_B * BC_per_x_B + v_y_B * BC_per_y_B + v_x_D * BC_per_x_D
-        + v_y_D * BC_per_y_D + v_x_F * BC_per_x_F + v_y_F * BC_per_y_F;
-    const Scalar omega_DE = v_x_B * DE_per_x_B + v_y_B * DE_per_y_B + v_x_D * DE_per_x_D
-        + v_y_D * DE_per_y_D + v_x_F * DE_per_x_F + v_y_F * DE_per_y_F;
-    const Scalar omega_FG = v_x_B * FG_per_x_B + v_y_B * FG_per_y_B + v_x_D * FG_per_x_D
-        + v_y_D * FG_per_y_D + v_x_F * FG_per_x_F + v_y_F * FG_per_y_F;
-    const Scalar t27 = omega_CEG * omega_CEG;
-    const Scalar t28 = omega_BC * omega_BC;
-    const Scalar centripetal_along_DE = d.DE * omega_DE * omega_DE + CEG_along_DE * t27
-        + BC_along_DE * t28;
-    const Scalar centripetal_across_DE = CEG_across_DE * t27 + BC_across_DE * t28;
-    const Scalar centripetal_along_FG = d.FG * omega_FG * omega_FG + CEG_along_FG * t27
-        + BC_along_FG * t28;
-    const Scalar centripetal_across_FG = CEG_across_FG * t27 + BC_across_FG * t28;
-    S_d(0, 0) = cos_CEG_minus_DE * CEG_per_along_DE;
-    S_d(0, 1) = cos_CEG_minus_FG * CEG_per_along_FG;
-    S_d(0, 2) = -sin_CEG_minus_FG * CEG_per_along_FG;
-    S_d(0, 3) = cos_BC_minus_DE * CEG_per_along_DE + cos_BC_minus_FG * CEG_per_along_FG;
+    const Scalar CEG_per_x_D = -CEG_per_along_DE * q.theta_DE.cos;
+    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
+    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
+    const Scalar BC_per_x_D = -BC_per_along_DE * q.theta_DE.cos;
+    const Scalar BC_per_x_F = -BC_per_along_FG * q.theta_FG.cos;
+    const Scalar BC_per_x_B = -BC_per_x_D - BC_per_x_F;
+    const Scalar DE_per_x_D = inverse_DE * q.theta_DE.sin - DE_per_along_DE * q.theta_DE.cos;
+    const Scalar DE_per_x_F = -DE_per_along_FG * q.theta_FG.cos;
+    const Scalar DE_per_x_B = -DE_per_x_D - DE_per_x_F;
+    const Scalar FG_per_x_D = -FG_per_along_DE * q.theta_DE.cos;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
+    const Scalar CEG_per_y_D = -CEG_per_along_DE * q.theta_DE.sin;
+    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
+    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
+    const Scalar BC_per_y_D = -BC_per_along_DE * q.theta_DE.sin;
+    const Scalar BC_per_y_F = -BC_per_along_FG * q.theta_FG.sin;
+    const Scalar BC_per_y_B = -BC_per_y_D - BC_per_y_F;
+    const Scalar DE_per_y_D = -inverse_DE * q.theta_DE.cos - DE_per_along_DE * q.theta_DE.sin;
+    const Scalar DE_per_y_F = -DE_per_along_FG * q.theta_FG.sin;
+    const Scalar DE_per_y_B = -DE_per_y_D - DE_per_y_F;
+    const Scalar FG_per_y_D = -FG_per_along_DE * q.theta_DE.sin;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
+    const Scalar omega_CEG = CEG_per_x_B * v_x_B + CEG_per_y_B * v_y_B + CEG_per_x_D * v_x_D
+        + CEG_per_y_D * v_y_D + CEG_per_x_F * v_x_F + CEG_per_y_F * v_y_F;
+    const Scalar omega_BC = BC_per_x_B * v_x_B + BC_per_y_B * v_y_B + BC_per_x_D * v_x_D
+        + BC_per_y_D * v_y_D + BC_per_x_F * v_x_F + BC_per_y_F * v_y_F;
+    const Scalar omega_DE = DE_per_x_B * v_x_B + DE_per_y_B * v_y_B + DE_per_x_D * v_x_D
+        + DE_per_y_D * v_y_D + DE_per_x_F * v_x_F + DE_per_y_F * v_y_F;
+    const Scalar omega_FG = FG_per_x_B * v_x_B + FG_per_y_B * v_y_B + FG_per_x_D * v_x_D
+        + FG_per_y_D * v_y_D + FG_per_x_F * v_x_F + FG_per_y_F * v_y_F;
+    const Scalar t03 = omega_CEG * omega_CEG;
+    const Scalar t04 = omega_BC * omega_BC;
+    const Scalar centripetal_along_DE = d.DE * omega_DE * omega_DE + CEG_along_DE * t03
+        + BC_along_DE * t04;
+    const Scalar centripetal_across_DE = CEG_across_DE * t03 + BC_across_DE * t04;
+    const Scalar centripetal_along_FG = d.FG * omega_FG * omega_FG + CEG_along_FG * t03
+        + BC_along_FG * t04;
+    const Scalar centripetal_across_FG = CEG_across_FG * t03 + BC_across_FG * t04;
+    S_d(0, 0) = CEG_per_along_DE * cos_CEG_minus_DE;
+    S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
+    S_d(0, 2) = -CEG_per_along_FG * sin_CEG_minus_FG;
+    S_d(0, 3) = CEG_per_along_DE * cos_BC_minus_DE + CEG_per_along_FG * cos_BC_minus_FG;
     S_d(0, 4) = -CEG_per_along_DE;
     S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = cos_CEG_minus_DE * BC_per_along_DE;
-    S_d(1, 1) = cos_CEG_minus_FG * BC_per_along_FG;
-    S_d(1, 2) = -sin_CEG_minus_FG * BC_per_along_FG;
-    S_d(1, 3) = cos_BC_minus_DE * BC_per_along_DE + cos_BC_minus_FG * BC_per_along_FG;
+    S_d(1, 0) = BC_per_along_DE * cos_CEG_minus_DE;
+    S_d(1, 1) = BC_per_along_FG * cos_CEG_minus_FG;
+    S_d(1, 2) = -BC_per_along_FG * sin_CEG_minus_FG;
+    S_d(1, 3) = BC_per_along_DE * cos_BC_minus_DE + BC_per_along_FG * cos_BC_minus_FG;
     S_d(1, 4) = -BC_per_along_DE;
     S_d(1, 5) = -BC_per_along_FG;
-    S_d(2, 0) = cos_CEG_minus_DE * DE_per_along_DE + sin_CEG_minus_DE * inverse_DE;
-    S_d(2, 1) = cos_CEG_minus_FG * DE_per_along_FG;
-    S_d(2, 2) = -sin_CEG_minus_FG * DE_per_along_FG;
-    S_d(2, 3) = cos_BC_minus_DE * DE_per_along_DE + sin_BC_minus_DE * inverse_DE
-        + cos_BC_minus_FG * DE_per_along_FG;
+    S_d(2, 0) = DE_per_along_DE * cos_CEG_minus_DE + inverse_DE * sin_CEG_minus_DE;
+    S_d(2, 1) = DE_per_along_FG * cos_CEG_minus_FG;
+    S_d(2, 2) = -DE_per_along_FG * sin_CEG_minus_FG;
+    S_d(2, 3) = DE_per_along_DE * cos_BC_minus_DE + inverse_DE * sin_BC_minus_DE
+        + DE_per_along_FG * cos_BC_minus_FG;
     S_d(2, 4) = -DE_per_along_DE;
     S_d(2, 5) = -DE_per_along_FG;
-    S_d(3, 0) = cos_CEG_minus_DE * FG_per_along_DE;
-    S_d(3, 1) = cos_CEG_minus_FG * FG_per_along_FG + sin_CEG_minus_FG * inverse_FG;
-    S_d(3, 2) = cos_CEG_minus_FG * inverse_FG - sin_CEG_minus_FG * FG_per_along_FG;
-    S_d(3, 3) = cos_BC_minus_DE * FG_per_along_DE + cos_BC_minus_FG * FG_per_along_FG
-        + sin_BC_minus_FG * inverse_FG;
+    S_d(3, 0) = FG_per_along_DE * cos_CEG_minus_DE;
+    S_d(3, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
+    S_d(3, 2) = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
+    S_d(3, 3) = FG_per_along_DE * cos_BC_minus_DE + FG_per_along_FG * cos_BC_minus_FG
+        + inverse_FG * sin_BC_minus_FG;
     S_d(3, 4) = -FG_per_along_DE;
     S_d(3, 5) = -FG_per_along_FG;
-    S_u(0, 0) = t05;
-    S_u(0, 1) = t17;
-    S_u(0, 2) = -t03;
-    S_u(0, 3) = -t15;
-    S_u(0, 4) = -t04;
-    S_u(0, 5) = -t16;
-    S_u(1, 0) = t08;
-    S_u(1, 1) = t20;
-    S_u(1, 2) = -t06;
-    S_u(1, 3) = -t18;
-    S_u(1, 4) = -t07;
-    S_u(1, 5) = -t19;
-    S_u(2, 0) = t11;
-    S_u(2, 1) = t23;
-    S_u(2, 2) = -t10;
-    S_u(2, 3) = -t22;
-    S_u(2, 4) = -t09;
-    S_u(2, 5) = -t21;
-    S_u(3, 0) = t14;
-    S_u(3, 1) = t26;
-    S_u(3, 2) = -t12;
-    S_u(3, 3) = -t24;
-    S_u(3, 4) = -t13;
-    S_u(3, 5) = -t25;
+    S_u(0, 0) = CEG_per_x_B;
+    S_u(0, 1) = CEG_per_y_B;
+    S_u(0, 2) = CEG_per_x_D;
+    S_u(0, 3) = CEG_per_y_D;
+    S_u(0, 4) = CEG_per_x_F;
+    S_u(0, 5) = CEG_per_y_F;
+    S_u(1, 0) = BC_per_x_B;
+    S_u(1, 1) = BC_per_y_B;
+    S_u(1, 2) = BC_per_x_D;
+    S_u(1, 3) = BC_per_y_D;
+    S_u(1, 4) = BC_per_x_F;
+    S_u(1, 5) = BC_per_y_F;
+    S_u(2, 0) = DE_per_x_B;
+    S_u(2, 1) = DE_per_y_B;
+    S_u(2, 2) = DE_per_x_D;
+    S_u(2, 3) = DE_per_y_D;
+    S_u(2, 4) = DE_per_x_F;
+    S_u(2, 5) = DE_per_y_F;
+    S_u(3, 0) = FG_per_x_B;
+    S_u(3, 1) = FG_per_y_B;
+    S_u(3, 2) = FG_per_x_D;
+    S_u(3, 3) = FG_per_y_D;
+    S_u(3, 4) = FG_per_x_F;
+    S_u(3, 5) = FG_per_y_F;
     q_rate(0) = omega_CEG;
     q_rate(1) = omega_BC;
     q_rate(2) = omega_DE;
@@ -1170,9 +1146,9 @@ struct Model01 {
     const Scalar U_0_im = C2_0_re * P1_0_im - t06 - C1_0_re * P2_0_im - t07;
     const Scalar U_1_re = t08 + t09;
     const Scalar U_1_im = t11 - t10;
-    const Scalar V_m1_re = -Scalar(1) / Scalar(2) * (P1_m1_re * P2_0_im + P2_m1_im * P1_0_re
+    const Scalar V_m1_re = -Scalar(0.5) * (P1_m1_re * P2_0_im + P2_m1_im * P1_0_re
         - P2_m1_re * P1_0_im);
-    const Scalar V_m1_im = -Scalar(1) / Scalar(2) * (P1_m1_re * P2_0_re - P2_m1_re * P1_0_re
+    const Scalar V_m1_im = -Scalar(0.5) * (P1_m1_re * P2_0_re - P2_m1_re * P1_0_re
         - P2_m1_im * P1_0_im);
     const Scalar V_0_re = P1_0_im * P2_0_re - P1_m1_re * P2_m1_im - P1_0_re * P2_0_im;
     const Scalar t12 = V_m1_re * V_m1_re;
@@ -1205,16 +1181,16 @@ struct Model01 {
     const Scalar t01 = FB_x - FD_x;
     const Scalar t02 = FB_y - FD_y;
     const Scalar t03 = d.BC * d.BC;
-    e(0, 0) = Scalar(2) * d.BC * (q.theta_CEG.cos * d.CE + t01);
+    e(0, 0) = Scalar(2) * d.BC * (d.CE * q.theta_CEG.cos + t01);
     e(0, 1) = Scalar(2) * d.BC * (d.CE * q.theta_CEG.sin + t02);
-    e(0, 2) = d.CE * (d.CE + Scalar(2) * q.theta_CEG.cos * t01 + Scalar(2) * q.theta_CEG.sin * t02)
+    e(0, 2) = d.CE * (d.CE + Scalar(2) * t01 * q.theta_CEG.cos + Scalar(2) * t02 * q.theta_CEG.sin)
         + FB_x * (FB_x - Scalar(2) * FD_x) + FB_y * (FB_y - Scalar(2) * FD_y) + t03 + FD_x * FD_x
         + FD_y * FD_y - d.DE * d.DE;
-    e(1, 0) = Scalar(2) * d.BC * (FB_x + q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG);
-    e(1, 1) = Scalar(2) * d.BC * (FB_y + q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG);
-    e(1, 2) = t03 + d.x_G_CEG * (d.x_G_CEG + Scalar(2) * q.theta_CEG.cos * FB_x
-        + Scalar(2) * q.theta_CEG.sin * FB_y) + d.y_G_CEG * (d.y_G_CEG
-        + Scalar(2) * q.theta_CEG.cos * FB_y - Scalar(2) * FB_x * q.theta_CEG.sin) + FB_x * FB_x
+    e(1, 0) = Scalar(2) * d.BC * (FB_x + d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin);
+    e(1, 1) = Scalar(2) * d.BC * (FB_y + d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin);
+    e(1, 2) = t03 + d.x_G_CEG * (d.x_G_CEG + Scalar(2) * FB_x * q.theta_CEG.cos
+        + Scalar(2) * FB_y * q.theta_CEG.sin) + d.y_G_CEG * (d.y_G_CEG
+        + Scalar(2) * FB_y * q.theta_CEG.cos - Scalar(2) * FB_x * q.theta_CEG.sin) + FB_x * FB_x
         + FB_y * FB_y - d.FG * d.FG;
   }
 
@@ -1231,13 +1207,13 @@ struct Model01 {
                                                        //     no length
     const Scalar inverse_theta_FG = Scalar(1) / d.FG;  // zero: the link that turns by theta_FG has
                                                        //     no length
-    const Scalar t01 = q.theta_BC.cos * d.BC + FB_x;
+    const Scalar t01 = d.BC * q.theta_BC.cos + FB_x;
     const Scalar t02 = d.BC * q.theta_BC.sin + FB_y;
-    q.theta_DE.cos = inverse_theta_DE * (q.theta_CEG.cos * d.CE + t01 - FD_x);
+    q.theta_DE.cos = inverse_theta_DE * (d.CE * q.theta_CEG.cos + t01 - FD_x);
     q.theta_DE.sin = inverse_theta_DE * (d.CE * q.theta_CEG.sin + t02 - FD_y);
-    q.theta_FG.cos = inverse_theta_FG * (q.theta_CEG.cos * d.x_G_CEG + t01
-        - q.theta_CEG.sin * d.y_G_CEG);
-    q.theta_FG.sin = inverse_theta_FG * (q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG
+    q.theta_FG.cos = inverse_theta_FG * (d.x_G_CEG * q.theta_CEG.cos + t01
+        - d.y_G_CEG * q.theta_CEG.sin);
+    q.theta_FG.sin = inverse_theta_FG * (d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin
         + t02);
   }
 };

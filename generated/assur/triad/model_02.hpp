@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     44, 26, 1
 ///   motion:                       80, 50, 1
 ///   sensitivities_and_motion:     151, 91, 1
-///   position_polynomial:          75, 64, 0
+///   position_polynomial:          76, 64, 0
 ///   second_equations:             35, 34, 0
 ///   complete:                     12, 17, 2
 struct Model02 {
@@ -187,19 +187,19 @@ struct Model02 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar DE_x = q.theta_DE.cos * d.DE;
+    const Scalar DE_x = d.DE * q.theta_DE.cos;
     const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
     const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar CE_x = q.theta_CEG.sin * d.h_C_CEG;
-    const Scalar CE_y = -q.theta_CEG.cos * d.h_C_CEG;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = -d.h_C_CEG * q.theta_CEG.cos;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = q.theta_CEG.sin * t01 + q.theta_CEG.cos * d.x_G_CEG;
-    const Scalar CG_y = q.theta_CEG.sin * d.x_G_CEG - q.theta_CEG.cos * t01;
+    const Scalar CG_x = t01 * q.theta_CEG.sin + d.x_G_CEG * q.theta_CEG.cos;
+    const Scalar CG_y = d.x_G_CEG * q.theta_CEG.sin - t01 * q.theta_CEG.cos;
     const Scalar t02 = slide_C_x - u.x_B - BC_x;
     const Scalar t03 = slide_C_y - u.y_B - BC_y;
     f(0) = u.x_D + DE_x + t02 - CE_x;
@@ -213,19 +213,19 @@ struct Model02 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar DE_x = q.theta_DE.cos * d.DE;
+    const Scalar DE_x = d.DE * q.theta_DE.cos;
     const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
     const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar CE_x = q.theta_CEG.sin * d.h_C_CEG;
-    const Scalar CE_y = -q.theta_CEG.cos * d.h_C_CEG;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = -d.h_C_CEG * q.theta_CEG.cos;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = q.theta_CEG.sin * t01 + q.theta_CEG.cos * d.x_G_CEG;
-    const Scalar CG_y = q.theta_CEG.sin * d.x_G_CEG - q.theta_CEG.cos * t01;
+    const Scalar CG_x = t01 * q.theta_CEG.sin + d.x_G_CEG * q.theta_CEG.cos;
+    const Scalar CG_y = d.x_G_CEG * q.theta_CEG.sin - t01 * q.theta_CEG.cos;
     const Scalar t02 = BC_y - slide_C_y;
     const Scalar t03 = BC_x - slide_C_x;
     J(0, 0) = CE_y + t02;
@@ -314,29 +314,29 @@ struct Model02 {
     const Scalar a_y_D = u_second_rate(3);
     const Scalar a_x_F = u_second_rate(4);
     const Scalar a_y_F = u_second_rate(5);
-    const Scalar DE_x = q.theta_DE.cos * d.DE;
+    const Scalar DE_x = d.DE * q.theta_DE.cos;
     const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
     const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar CE_x = q.theta_CEG.sin * d.h_C_CEG;
-    const Scalar CE_y = -q.theta_CEG.cos * d.h_C_CEG;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = -d.h_C_CEG * q.theta_CEG.cos;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = q.theta_CEG.sin * t01 + q.theta_CEG.cos * d.x_G_CEG;
-    const Scalar CG_y = q.theta_CEG.sin * d.x_G_CEG - q.theta_CEG.cos * t01;
+    const Scalar CG_x = t01 * q.theta_CEG.sin + d.x_G_CEG * q.theta_CEG.cos;
+    const Scalar CG_y = d.x_G_CEG * q.theta_CEG.sin - t01 * q.theta_CEG.cos;
     const Scalar t02 = omega_DE * omega_DE;
     const Scalar t03 = q.theta_CEG.sin * v_s_C;
     const Scalar t04 = BC_x - slide_C_x;
     const Scalar t05 = q.theta_CEG.cos * v_s_C;
     const Scalar t06 = BC_y - slide_C_y;
     const Scalar t07 = omega_FG * omega_FG;
-    rhs(0) = a_x_B + DE_x * t02 + omega_CEG * (Scalar(2) * t03 - omega_CEG * (CE_x + t04)) - a_x_D;
-    rhs(1) = a_y_B + DE_y * t02 - a_y_D - omega_CEG * (Scalar(2) * t05 + omega_CEG * (CE_y + t06));
-    rhs(2) = a_x_B + FG_x * t07 + omega_CEG * (Scalar(2) * t03 - omega_CEG * (CG_x + t04)) - a_x_F;
-    rhs(3) = a_y_B + FG_y * t07 - a_y_F - omega_CEG * (Scalar(2) * t05 + omega_CEG * (CG_y + t06));
+    rhs(0) = a_x_B + DE_x * t02 + omega_CEG * (Scalar(2) * t03 - (CE_x + t04) * omega_CEG) - a_x_D;
+    rhs(1) = a_y_B + DE_y * t02 - a_y_D - omega_CEG * (Scalar(2) * t05 + (CE_y + t06) * omega_CEG);
+    rhs(2) = a_x_B + FG_x * t07 + omega_CEG * (Scalar(2) * t03 - (CG_x + t04) * omega_CEG) - a_x_F;
+    rhs(3) = a_y_B + FG_y * t07 - a_y_F - omega_CEG * (Scalar(2) * t05 + (CG_y + t06) * omega_CEG);
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -361,19 +361,19 @@ struct Model02 {
     const Scalar j_y_D = u_third_rate(3);
     const Scalar j_x_F = u_third_rate(4);
     const Scalar j_y_F = u_third_rate(5);
-    const Scalar DE_x = q.theta_DE.cos * d.DE;
+    const Scalar DE_x = d.DE * q.theta_DE.cos;
     const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
     const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar CE_x = q.theta_CEG.sin * d.h_C_CEG;
-    const Scalar CE_y = -q.theta_CEG.cos * d.h_C_CEG;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = -d.h_C_CEG * q.theta_CEG.cos;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = q.theta_CEG.sin * t01 + q.theta_CEG.cos * d.x_G_CEG;
-    const Scalar CG_y = q.theta_CEG.sin * d.x_G_CEG - q.theta_CEG.cos * t01;
+    const Scalar CG_x = t01 * q.theta_CEG.sin + d.x_G_CEG * q.theta_CEG.cos;
+    const Scalar CG_y = d.x_G_CEG * q.theta_CEG.sin - t01 * q.theta_CEG.cos;
     const Scalar t02 = omega_DE * omega_DE;
     const Scalar t03 = q.theta_CEG.sin * a_s_C;
     const Scalar t04 = q.theta_CEG.cos * v_s_C;
@@ -388,18 +388,18 @@ struct Model02 {
     const Scalar t13 = omega_FG * omega_FG;
     const Scalar t14 = CG_y + t05;
     const Scalar t15 = CG_x + t07;
-    rhs(0) = omega_DE * (Scalar(3) * alpha_DE * DE_x - DE_y * t02) + omega_CEG * (Scalar(3) * t03
-        + omega_CEG * (Scalar(3) * t04 + omega_CEG * t06) - Scalar(3) * alpha_CEG * t08) + t10
+    rhs(0) = omega_DE * (Scalar(3) * DE_x * alpha_DE - DE_y * t02) + omega_CEG * (Scalar(3) * t03
+        + omega_CEG * (Scalar(3) * t04 + t06 * omega_CEG) - Scalar(3) * t08 * alpha_CEG) + t10
         - j_x_D;
     rhs(1) = omega_DE * (Scalar(3) * DE_y * alpha_DE + DE_x * t02) + t12 - j_y_D
-        - omega_CEG * (Scalar(3) * t11 + Scalar(3) * alpha_CEG * t06 - omega_CEG * (Scalar(3) * t09
-        - omega_CEG * t08));
-    rhs(2) = omega_FG * (Scalar(3) * alpha_FG * FG_x - FG_y * t13) + omega_CEG * (Scalar(3) * t03
-        + omega_CEG * (Scalar(3) * t04 + omega_CEG * t14) - Scalar(3) * alpha_CEG * t15) + t10
+        - omega_CEG * (Scalar(3) * t11 + Scalar(3) * t06 * alpha_CEG - omega_CEG * (Scalar(3) * t09
+        - t08 * omega_CEG));
+    rhs(2) = omega_FG * (Scalar(3) * FG_x * alpha_FG - FG_y * t13) + omega_CEG * (Scalar(3) * t03
+        + omega_CEG * (Scalar(3) * t04 + t14 * omega_CEG) - Scalar(3) * t15 * alpha_CEG) + t10
         - j_x_F;
     rhs(3) = omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t13) + t12 - j_y_F
-        - omega_CEG * (Scalar(3) * t11 + Scalar(3) * alpha_CEG * t14 - omega_CEG * (Scalar(3) * t09
-        - omega_CEG * t15));
+        - omega_CEG * (Scalar(3) * t11 + Scalar(3) * t14 * alpha_CEG - omega_CEG * (Scalar(3) * t09
+        - t15 * omega_CEG));
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -419,35 +419,35 @@ struct Model02 {
     const Scalar v_h_C_BC = d_rate(3);
     const Scalar v_DE = d_rate(4);
     const Scalar v_FG = d_rate(5);
-    const Scalar DE_x = q.theta_DE.cos * d.DE;
+    const Scalar DE_x = d.DE * q.theta_DE.cos;
     const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
     const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar CE_x = q.theta_CEG.sin * d.h_C_CEG;
-    const Scalar CE_y = -q.theta_CEG.cos * d.h_C_CEG;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = -d.h_C_CEG * q.theta_CEG.cos;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = q.theta_CEG.sin * t01 + q.theta_CEG.cos * d.x_G_CEG;
-    const Scalar CG_y = q.theta_CEG.sin * d.x_G_CEG - q.theta_CEG.cos * t01;
+    const Scalar CG_x = t01 * q.theta_CEG.sin + d.x_G_CEG * q.theta_CEG.cos;
+    const Scalar CG_y = d.x_G_CEG * q.theta_CEG.sin - t01 * q.theta_CEG.cos;
     const Scalar t02 = v_h_C_CEG - v_h_C_BC;
     const Scalar t03 = BC_x - slide_C_x;
     const Scalar t04 = BC_y - slide_C_y;
     const Scalar t05 = v_s_C - v_x_G_CEG;
     const Scalar t06 = t02 - v_y_G_CEG;
-    rhs(0) = omega_DE * (Scalar(2) * q.theta_DE.sin * v_DE + omega_DE * DE_x)
+    rhs(0) = omega_DE * (Scalar(2) * q.theta_DE.sin * v_DE + DE_x * omega_DE)
         + omega_CEG * (Scalar(2) * q.theta_CEG.cos * t02 + Scalar(2) * q.theta_CEG.sin * v_s_C
-        - omega_CEG * (CE_x + t03));
+        - (CE_x + t03) * omega_CEG);
     rhs(1) = omega_CEG * (Scalar(2) * q.theta_CEG.sin * t02 - Scalar(2) * q.theta_CEG.cos * v_s_C
-        - omega_CEG * (CE_y + t04)) - omega_DE * (Scalar(2) * q.theta_DE.cos * v_DE
-        - omega_DE * DE_y);
-    rhs(2) = omega_FG * (Scalar(2) * q.theta_FG.sin * v_FG + omega_FG * FG_x)
-        + omega_CEG * (Scalar(2) * q.theta_CEG.sin * t05 + Scalar(2) * q.theta_CEG.cos * t06
-        - omega_CEG * (CG_x + t03));
-    rhs(3) = -omega_FG * (Scalar(2) * q.theta_FG.cos * v_FG - omega_FG * FG_y)
-        - omega_CEG * (Scalar(2) * q.theta_CEG.cos * t05 + omega_CEG * (CG_y + t04)
+        - (CE_y + t04) * omega_CEG) - omega_DE * (Scalar(2) * q.theta_DE.cos * v_DE
+        - DE_y * omega_DE);
+    rhs(2) = omega_FG * (Scalar(2) * q.theta_FG.sin * v_FG + FG_x * omega_FG)
+        + omega_CEG * (Scalar(2) * q.theta_CEG.sin * t05 + Scalar(2) * q.theta_CEG.cos * t06 - (CG_x
+        + t03) * omega_CEG);
+    rhs(3) = -omega_FG * (Scalar(2) * q.theta_FG.cos * v_FG - FG_y * omega_FG)
+        - omega_CEG * (Scalar(2) * q.theta_CEG.cos * t05 + (CG_y + t04) * omega_CEG
         - Scalar(2) * q.theta_CEG.sin * t06);
   }
 
@@ -455,12 +455,12 @@ struct Model02 {
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
     const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar CE_x = q.theta_CEG.sin * d.h_C_CEG;
-    const Scalar CE_y = -q.theta_CEG.cos * d.h_C_CEG;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = -d.h_C_CEG * q.theta_CEG.cos;
     poses[0].x = u.x_B + BC_x + CE_x - slide_C_x;
     poses[0].y = u.y_B + BC_y + CE_y - slide_C_y;
     poses[0].direction.cos = q.theta_CEG.cos;
@@ -489,12 +489,12 @@ struct Model02 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
     const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar CE_x = q.theta_CEG.sin * d.h_C_CEG;
-    const Scalar CE_y = -q.theta_CEG.cos * d.h_C_CEG;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = -d.h_C_CEG * q.theta_CEG.cos;
     P_q(0, 0) = slide_C_y - BC_y - CE_y;
     P_q(0, 3) = -q.theta_CEG.cos;
     P_q(1, 0) = BC_x + CE_x - slide_C_x;
@@ -532,14 +532,14 @@ struct Model02 {
     const Scalar v_y_D = u_rate(3);
     const Scalar v_x_F = u_rate(4);
     const Scalar v_y_F = u_rate(5);
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
     const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar CE_x = q.theta_CEG.sin * d.h_C_CEG;
-    const Scalar CE_y = -q.theta_CEG.cos * d.h_C_CEG;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = -d.h_C_CEG * q.theta_CEG.cos;
     v(0, 0) = v_x_B - (BC_y + CE_y - slide_C_y) * omega_CEG - q.theta_CEG.cos * v_s_C;
-    v(0, 1) = omega_CEG * (BC_x + CE_x - slide_C_x) + v_y_B - q.theta_CEG.sin * v_s_C;
+    v(0, 1) = (BC_x + CE_x - slide_C_x) * omega_CEG + v_y_B - q.theta_CEG.sin * v_s_C;
     v(0, 2) = omega_CEG;
     v(1, 0) = v_x_B;
     v(1, 1) = v_y_B;
@@ -570,17 +570,17 @@ struct Model02 {
     const Scalar a_y_D = u_second_rate(3);
     const Scalar a_x_F = u_second_rate(4);
     const Scalar a_y_F = u_second_rate(5);
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
     const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar CE_x = q.theta_CEG.sin * d.h_C_CEG;
-    const Scalar CE_y = -q.theta_CEG.cos * d.h_C_CEG;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = -d.h_C_CEG * q.theta_CEG.cos;
     const Scalar t01 = BC_x + CE_x - slide_C_x;
     const Scalar t02 = BC_y + CE_y - slide_C_y;
     a(0, 0) = a_x_B - omega_CEG * (t01 * omega_CEG - Scalar(2) * q.theta_CEG.sin * v_s_C)
         - t02 * alpha_CEG - q.theta_CEG.cos * a_s_C;
-    a(0, 1) = t01 * alpha_CEG + a_y_B - omega_CEG * (omega_CEG * t02
+    a(0, 1) = t01 * alpha_CEG + a_y_B - omega_CEG * (t02 * omega_CEG
         + Scalar(2) * q.theta_CEG.cos * v_s_C) - q.theta_CEG.sin * a_s_C;
     a(0, 2) = alpha_CEG;
     a(1, 0) = a_x_B;
@@ -606,16 +606,16 @@ struct Model02 {
     const Scalar v_h_C_CEG = d_rate(0);
     const Scalar v_h_C_BC = d_rate(3);
     p.setZero();
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
     const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar CE_x = q.theta_CEG.sin * d.h_C_CEG;
-    const Scalar CE_y = -q.theta_CEG.cos * d.h_C_CEG;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = -d.h_C_CEG * q.theta_CEG.cos;
     const Scalar t01 = v_h_C_CEG - v_h_C_BC;
     p(0, 0) = -omega_CEG * ((BC_x + CE_x - slide_C_x) * omega_CEG
         - Scalar(2) * q.theta_CEG.cos * t01 - Scalar(2) * q.theta_CEG.sin * v_s_C);
-    p(0, 1) = -omega_CEG * (omega_CEG * (BC_y + CE_y - slide_C_y)
+    p(0, 1) = -omega_CEG * ((BC_y + CE_y - slide_C_y) * omega_CEG
         + Scalar(2) * q.theta_CEG.cos * v_s_C - Scalar(2) * q.theta_CEG.sin * t01);
   }
 
@@ -637,9 +637,9 @@ struct Model02 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.h_C_BC;
     const Scalar CEG_across_DE = t01 * cos_CEG_minus_DE + q.s_C * sin_CEG_minus_DE;
-    const Scalar CEG_across_FG = (q.s_C - d.x_G_CEG) * sin_CEG_minus_FG + cos_CEG_minus_FG * (t01
-        - d.y_G_CEG);
-    const Scalar determinant = cos_CEG_minus_DE * CEG_across_FG - cos_CEG_minus_FG * CEG_across_DE;
+    const Scalar CEG_across_FG = (q.s_C - d.x_G_CEG) * sin_CEG_minus_FG + (t01
+        - d.y_G_CEG) * cos_CEG_minus_FG;
+    const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
     const Scalar t02 = abs(d.h_C_BC) + abs(q.s_C) + abs(d.h_C_CEG);
     const Scalar t03 = abs(d.x_G_CEG) + abs(d.y_G_CEG);
     const Scalar t04 = abs(d.FG) + t03;
@@ -666,12 +666,12 @@ struct Model02 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.h_C_BC;
     const Scalar CEG_along_DE = q.s_C * cos_CEG_minus_DE - t01 * sin_CEG_minus_DE;
-    const Scalar CEG_across_DE = t01 * cos_CEG_minus_DE + sin_CEG_minus_DE * q.s_C;
+    const Scalar CEG_across_DE = t01 * cos_CEG_minus_DE + q.s_C * sin_CEG_minus_DE;
     const Scalar t02 = q.s_C - d.x_G_CEG;
     const Scalar t03 = t01 - d.y_G_CEG;
-    const Scalar CEG_along_FG = t02 * cos_CEG_minus_FG - sin_CEG_minus_FG * t03;
-    const Scalar CEG_across_FG = sin_CEG_minus_FG * t02 + cos_CEG_minus_FG * t03;
-    const Scalar determinant = cos_CEG_minus_DE * CEG_across_FG - cos_CEG_minus_FG * CEG_across_DE;
+    const Scalar CEG_along_FG = t02 * cos_CEG_minus_FG - t03 * sin_CEG_minus_FG;
+    const Scalar CEG_across_FG = t02 * sin_CEG_minus_FG + t03 * cos_CEG_minus_FG;
+    const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
     const Scalar t04 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t04;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
@@ -679,30 +679,30 @@ struct Model02 {
     const Scalar t05 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t05;
     const Scalar inverse_DE = d.FG * t05;
-    const Scalar CEG_per_along_DE = cos_CEG_minus_FG * inverse_determinant;
+    const Scalar CEG_per_along_DE = inverse_determinant * cos_CEG_minus_FG;
     const Scalar s_C_per_along_DE = CEG_across_FG * inverse_determinant;
-    const Scalar FG_per_along_DE = -(sin_CEG_minus_FG * s_C_per_along_DE
-        + CEG_along_FG * CEG_per_along_DE) * inverse_FG;
-    const Scalar DE_per_along_DE = -(sin_CEG_minus_DE * s_C_per_along_DE
-        + CEG_per_along_DE * CEG_along_DE) * inverse_DE;
-    const Scalar CEG_per_along_FG = -cos_CEG_minus_DE * inverse_determinant;
+    const Scalar FG_per_along_DE = -inverse_FG * (sin_CEG_minus_FG * s_C_per_along_DE
+        + CEG_along_FG * CEG_per_along_DE);
+    const Scalar DE_per_along_DE = -inverse_DE * (sin_CEG_minus_DE * s_C_per_along_DE
+        + CEG_per_along_DE * CEG_along_DE);
+    const Scalar CEG_per_along_FG = -inverse_determinant * cos_CEG_minus_DE;
     const Scalar s_C_per_along_FG = -CEG_across_DE * inverse_determinant;
     const Scalar FG_per_along_FG = -inverse_FG * (sin_CEG_minus_FG * s_C_per_along_FG
         + CEG_along_FG * CEG_per_along_FG);
     const Scalar DE_per_along_FG = -inverse_DE * (sin_CEG_minus_DE * s_C_per_along_FG
         + CEG_along_DE * CEG_per_along_FG);
-    J_inverse(0, 0) = q.theta_DE.cos * CEG_per_along_DE;
-    J_inverse(0, 1) = q.theta_DE.sin * CEG_per_along_DE;
-    J_inverse(0, 2) = q.theta_FG.cos * CEG_per_along_FG;
-    J_inverse(0, 3) = q.theta_FG.sin * CEG_per_along_FG;
-    J_inverse(1, 0) = q.theta_DE.cos * DE_per_along_DE - q.theta_DE.sin * inverse_DE;
-    J_inverse(1, 1) = q.theta_DE.cos * inverse_DE + q.theta_DE.sin * DE_per_along_DE;
-    J_inverse(1, 2) = q.theta_FG.cos * DE_per_along_FG;
-    J_inverse(1, 3) = q.theta_FG.sin * DE_per_along_FG;
-    J_inverse(2, 0) = q.theta_DE.cos * FG_per_along_DE;
-    J_inverse(2, 1) = q.theta_DE.sin * FG_per_along_DE;
-    J_inverse(2, 2) = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    J_inverse(2, 3) = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
+    J_inverse(0, 0) = CEG_per_along_DE * q.theta_DE.cos;
+    J_inverse(0, 1) = CEG_per_along_DE * q.theta_DE.sin;
+    J_inverse(0, 2) = CEG_per_along_FG * q.theta_FG.cos;
+    J_inverse(0, 3) = CEG_per_along_FG * q.theta_FG.sin;
+    J_inverse(1, 0) = DE_per_along_DE * q.theta_DE.cos - inverse_DE * q.theta_DE.sin;
+    J_inverse(1, 1) = inverse_DE * q.theta_DE.cos + DE_per_along_DE * q.theta_DE.sin;
+    J_inverse(1, 2) = DE_per_along_FG * q.theta_FG.cos;
+    J_inverse(1, 3) = DE_per_along_FG * q.theta_FG.sin;
+    J_inverse(2, 0) = FG_per_along_DE * q.theta_DE.cos;
+    J_inverse(2, 1) = FG_per_along_DE * q.theta_DE.sin;
+    J_inverse(2, 2) = FG_per_along_FG * q.theta_FG.cos - inverse_FG * q.theta_FG.sin;
+    J_inverse(2, 3) = inverse_FG * q.theta_FG.cos + FG_per_along_FG * q.theta_FG.sin;
     J_inverse(3, 0) = q.theta_DE.cos * s_C_per_along_DE;
     J_inverse(3, 1) = q.theta_DE.sin * s_C_per_along_DE;
     J_inverse(3, 2) = q.theta_FG.cos * s_C_per_along_FG;
@@ -724,12 +724,12 @@ struct Model02 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.h_C_BC;
     const Scalar CEG_along_DE = q.s_C * cos_CEG_minus_DE - t01 * sin_CEG_minus_DE;
-    const Scalar CEG_across_DE = t01 * cos_CEG_minus_DE + sin_CEG_minus_DE * q.s_C;
+    const Scalar CEG_across_DE = t01 * cos_CEG_minus_DE + q.s_C * sin_CEG_minus_DE;
     const Scalar t02 = q.s_C - d.x_G_CEG;
     const Scalar t03 = t01 - d.y_G_CEG;
-    const Scalar CEG_along_FG = t02 * cos_CEG_minus_FG - sin_CEG_minus_FG * t03;
-    const Scalar CEG_across_FG = sin_CEG_minus_FG * t02 + cos_CEG_minus_FG * t03;
-    const Scalar determinant = cos_CEG_minus_DE * CEG_across_FG - cos_CEG_minus_FG * CEG_across_DE;
+    const Scalar CEG_along_FG = t02 * cos_CEG_minus_FG - t03 * sin_CEG_minus_FG;
+    const Scalar CEG_across_FG = t02 * sin_CEG_minus_FG + t03 * cos_CEG_minus_FG;
+    const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
     const Scalar t04 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t04;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
@@ -737,55 +737,55 @@ struct Model02 {
     const Scalar t05 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t05;
     const Scalar inverse_DE = d.FG * t05;
-    const Scalar CEG_per_along_DE = cos_CEG_minus_FG * inverse_determinant;
+    const Scalar CEG_per_along_DE = inverse_determinant * cos_CEG_minus_FG;
     const Scalar s_C_per_along_DE = CEG_across_FG * inverse_determinant;
-    const Scalar FG_per_along_DE = -(sin_CEG_minus_FG * s_C_per_along_DE
-        + CEG_along_FG * CEG_per_along_DE) * inverse_FG;
+    const Scalar FG_per_along_DE = -inverse_FG * (sin_CEG_minus_FG * s_C_per_along_DE
+        + CEG_along_FG * CEG_per_along_DE);
     const Scalar t06 = sin_CEG_minus_DE * s_C_per_along_DE;
-    const Scalar DE_per_along_DE = -(t06 + CEG_per_along_DE * CEG_along_DE) * inverse_DE;
-    const Scalar CEG_per_along_FG = -cos_CEG_minus_DE * inverse_determinant;
+    const Scalar DE_per_along_DE = -inverse_DE * (t06 + CEG_per_along_DE * CEG_along_DE);
+    const Scalar CEG_per_along_FG = -inverse_determinant * cos_CEG_minus_DE;
     const Scalar s_C_per_along_FG = -CEG_across_DE * inverse_determinant;
     const Scalar t07 = sin_CEG_minus_FG * s_C_per_along_FG;
     const Scalar FG_per_along_FG = -inverse_FG * (t07 + CEG_along_FG * CEG_per_along_FG);
     const Scalar DE_per_along_FG = -inverse_DE * (sin_CEG_minus_DE * s_C_per_along_FG
         + CEG_along_DE * CEG_per_along_FG);
-    const Scalar t08 = sin_CEG_minus_FG * CEG_per_along_FG;
-    const Scalar t09 = sin_CEG_minus_DE * CEG_per_along_DE + t08;
-    const Scalar t10 = sin_CEG_minus_FG * DE_per_along_FG;
-    const Scalar t11 = cos_CEG_minus_DE * inverse_DE - sin_CEG_minus_DE * DE_per_along_DE - t10;
-    const Scalar t12 = cos_CEG_minus_FG * inverse_FG - sin_CEG_minus_FG * FG_per_along_FG;
-    const Scalar t13 = sin_CEG_minus_DE * FG_per_along_DE - t12;
+    const Scalar CEG_per_x_D = -CEG_per_along_DE * q.theta_DE.cos;
+    const Scalar DE_per_x_D = inverse_DE * q.theta_DE.sin - DE_per_along_DE * q.theta_DE.cos;
+    const Scalar FG_per_x_D = -FG_per_along_DE * q.theta_DE.cos;
+    const Scalar s_C_per_x_D = -q.theta_DE.cos * s_C_per_along_DE;
+    const Scalar CEG_per_y_D = -CEG_per_along_DE * q.theta_DE.sin;
+    const Scalar DE_per_y_D = -inverse_DE * q.theta_DE.cos - DE_per_along_DE * q.theta_DE.sin;
+    const Scalar FG_per_y_D = -FG_per_along_DE * q.theta_DE.sin;
+    const Scalar s_C_per_y_D = -q.theta_DE.sin * s_C_per_along_DE;
+    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
+    const Scalar DE_per_x_F = -DE_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
+    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
+    const Scalar DE_per_y_F = -DE_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
+    const Scalar t08 = CEG_per_along_FG * sin_CEG_minus_FG;
+    const Scalar t09 = CEG_per_along_DE * sin_CEG_minus_DE + t08;
+    const Scalar t10 = DE_per_along_FG * sin_CEG_minus_FG;
+    const Scalar t11 = inverse_DE * cos_CEG_minus_DE - DE_per_along_DE * sin_CEG_minus_DE - t10;
+    const Scalar t12 = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
+    const Scalar t13 = FG_per_along_DE * sin_CEG_minus_DE - t12;
     const Scalar t14 = t06 + t07;
-    const Scalar t15 = q.theta_DE.cos * CEG_per_along_DE;
-    const Scalar t16 = q.theta_FG.cos * CEG_per_along_FG;
-    const Scalar t17 = q.theta_DE.sin * CEG_per_along_DE;
-    const Scalar t18 = q.theta_FG.sin * CEG_per_along_FG;
-    const Scalar t19 = q.theta_FG.cos * DE_per_along_FG;
-    const Scalar t20 = q.theta_DE.cos * DE_per_along_DE - q.theta_DE.sin * inverse_DE;
-    const Scalar t21 = q.theta_FG.sin * DE_per_along_FG;
-    const Scalar t22 = q.theta_DE.cos * inverse_DE + q.theta_DE.sin * DE_per_along_DE;
-    const Scalar t23 = q.theta_DE.cos * FG_per_along_DE;
-    const Scalar t24 = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    const Scalar t25 = q.theta_DE.sin * FG_per_along_DE;
-    const Scalar t26 = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
-    const Scalar t27 = q.theta_DE.cos * s_C_per_along_DE;
-    const Scalar t28 = q.theta_FG.cos * s_C_per_along_FG;
-    const Scalar t29 = q.theta_DE.sin * s_C_per_along_DE;
-    const Scalar t30 = q.theta_FG.sin * s_C_per_along_FG;
     S_d(0, 0) = t09;
-    S_d(0, 1) = cos_CEG_minus_FG * CEG_per_along_FG;
+    S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
     S_d(0, 2) = -t08;
     S_d(0, 3) = -t09;
     S_d(0, 4) = -CEG_per_along_DE;
     S_d(0, 5) = -CEG_per_along_FG;
     S_d(1, 0) = -t11;
-    S_d(1, 1) = cos_CEG_minus_FG * DE_per_along_FG;
+    S_d(1, 1) = DE_per_along_FG * cos_CEG_minus_FG;
     S_d(1, 2) = -t10;
     S_d(1, 3) = t11;
     S_d(1, 4) = -DE_per_along_DE;
     S_d(1, 5) = -DE_per_along_FG;
     S_d(2, 0) = t13;
-    S_d(2, 1) = cos_CEG_minus_FG * FG_per_along_FG + sin_CEG_minus_FG * inverse_FG;
+    S_d(2, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
     S_d(2, 2) = t12;
     S_d(2, 3) = -t13;
     S_d(2, 4) = -FG_per_along_DE;
@@ -796,30 +796,30 @@ struct Model02 {
     S_d(3, 3) = -t14;
     S_d(3, 4) = -s_C_per_along_DE;
     S_d(3, 5) = -s_C_per_along_FG;
-    S_u(0, 0) = t15 + t16;
-    S_u(0, 1) = t17 + t18;
-    S_u(0, 2) = -t15;
-    S_u(0, 3) = -t17;
-    S_u(0, 4) = -t16;
-    S_u(0, 5) = -t18;
-    S_u(1, 0) = t19 + t20;
-    S_u(1, 1) = t21 + t22;
-    S_u(1, 2) = -t20;
-    S_u(1, 3) = -t22;
-    S_u(1, 4) = -t19;
-    S_u(1, 5) = -t21;
-    S_u(2, 0) = t23 + t24;
-    S_u(2, 1) = t25 + t26;
-    S_u(2, 2) = -t23;
-    S_u(2, 3) = -t25;
-    S_u(2, 4) = -t24;
-    S_u(2, 5) = -t26;
-    S_u(3, 0) = t27 + t28;
-    S_u(3, 1) = t29 + t30;
-    S_u(3, 2) = -t27;
-    S_u(3, 3) = -t29;
-    S_u(3, 4) = -t28;
-    S_u(3, 5) = -t30;
+    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;
+    S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
+    S_u(0, 2) = CEG_per_x_D;
+    S_u(0, 3) = CEG_per_y_D;
+    S_u(0, 4) = CEG_per_x_F;
+    S_u(0, 5) = CEG_per_y_F;
+    S_u(1, 0) = -DE_per_x_D - DE_per_x_F;
+    S_u(1, 1) = -DE_per_y_D - DE_per_y_F;
+    S_u(1, 2) = DE_per_x_D;
+    S_u(1, 3) = DE_per_y_D;
+    S_u(1, 4) = DE_per_x_F;
+    S_u(1, 5) = DE_per_y_F;
+    S_u(2, 0) = -FG_per_x_D - FG_per_x_F;
+    S_u(2, 1) = -FG_per_y_D - FG_per_y_F;
+    S_u(2, 2) = FG_per_x_D;
+    S_u(2, 3) = FG_per_y_D;
+    S_u(2, 4) = FG_per_x_F;
+    S_u(2, 5) = FG_per_y_F;
+    S_u(3, 0) = -s_C_per_x_D - s_C_per_x_F;
+    S_u(3, 1) = -s_C_per_y_D - s_C_per_y_F;
+    S_u(3, 2) = s_C_per_x_D;
+    S_u(3, 3) = s_C_per_y_D;
+    S_u(3, 4) = s_C_per_x_F;
+    S_u(3, 5) = s_C_per_y_F;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -843,12 +843,12 @@ struct Model02 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.h_C_BC;
     const Scalar CEG_along_DE = q.s_C * cos_CEG_minus_DE - t01 * sin_CEG_minus_DE;
-    const Scalar CEG_across_DE = t01 * cos_CEG_minus_DE + sin_CEG_minus_DE * q.s_C;
+    const Scalar CEG_across_DE = t01 * cos_CEG_minus_DE + q.s_C * sin_CEG_minus_DE;
     const Scalar t02 = q.s_C - d.x_G_CEG;
     const Scalar t03 = t01 - d.y_G_CEG;
-    const Scalar CEG_along_FG = t02 * cos_CEG_minus_FG - sin_CEG_minus_FG * t03;
-    const Scalar CEG_across_FG = sin_CEG_minus_FG * t02 + cos_CEG_minus_FG * t03;
-    const Scalar determinant = cos_CEG_minus_DE * CEG_across_FG - cos_CEG_minus_FG * CEG_across_DE;
+    const Scalar CEG_along_FG = t02 * cos_CEG_minus_FG - t03 * sin_CEG_minus_FG;
+    const Scalar CEG_across_FG = t02 * sin_CEG_minus_FG + t03 * cos_CEG_minus_FG;
+    const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
     const Scalar t04 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t04;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
@@ -864,14 +864,14 @@ struct Model02 {
     const Scalar t09 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t08 + q.theta_FG.sin * t09;
     const Scalar velocity_across_FG = q.theta_FG.cos * t09 - q.theta_FG.sin * t08;
-    const Scalar omega_CEG = -(cos_CEG_minus_DE * velocity_along_FG
-        - cos_CEG_minus_FG * velocity_along_DE) * inverse_determinant;
+    const Scalar omega_CEG = -inverse_determinant * (cos_CEG_minus_DE * velocity_along_FG
+        - cos_CEG_minus_FG * velocity_along_DE);
     const Scalar v_s_C = -inverse_determinant * (CEG_across_DE * velocity_along_FG
         - CEG_across_FG * velocity_along_DE);
-    const Scalar omega_FG = -(omega_CEG * CEG_along_FG + sin_CEG_minus_FG * v_s_C
-        - velocity_across_FG) * inverse_FG;
-    const Scalar omega_DE = -(omega_CEG * CEG_along_DE + sin_CEG_minus_DE * v_s_C
-        - velocity_across_DE) * inverse_DE;
+    const Scalar omega_FG = -inverse_FG * (CEG_along_FG * omega_CEG + sin_CEG_minus_FG * v_s_C
+        - velocity_across_FG);
+    const Scalar omega_DE = -inverse_DE * (CEG_along_DE * omega_CEG + sin_CEG_minus_DE * v_s_C
+        - velocity_across_DE);
     q_rate(0) = omega_CEG;
     q_rate(1) = omega_DE;
     q_rate(2) = omega_FG;
@@ -906,12 +906,12 @@ struct Model02 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.h_C_BC;
     const Scalar CEG_along_DE = q.s_C * cos_CEG_minus_DE - t01 * sin_CEG_minus_DE;
-    const Scalar CEG_across_DE = t01 * cos_CEG_minus_DE + sin_CEG_minus_DE * q.s_C;
+    const Scalar CEG_across_DE = t01 * cos_CEG_minus_DE + q.s_C * sin_CEG_minus_DE;
     const Scalar t02 = q.s_C - d.x_G_CEG;
     const Scalar t03 = t01 - d.y_G_CEG;
-    const Scalar CEG_along_FG = t02 * cos_CEG_minus_FG - sin_CEG_minus_FG * t03;
-    const Scalar CEG_across_FG = sin_CEG_minus_FG * t02 + cos_CEG_minus_FG * t03;
-    const Scalar determinant = cos_CEG_minus_DE * CEG_across_FG - cos_CEG_minus_FG * CEG_across_DE;
+    const Scalar CEG_along_FG = t02 * cos_CEG_minus_FG - t03 * sin_CEG_minus_FG;
+    const Scalar CEG_across_FG = t02 * sin_CEG_minus_FG + t03 * cos_CEG_minus_FG;
+    const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
     const Scalar t04 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t04;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
@@ -927,16 +927,16 @@ struct Model02 {
     const Scalar t09 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t08 + q.theta_FG.sin * t09;
     const Scalar velocity_across_FG = q.theta_FG.cos * t09 - q.theta_FG.sin * t08;
-    const Scalar omega_CEG = -(cos_CEG_minus_DE * velocity_along_FG
-        - cos_CEG_minus_FG * velocity_along_DE) * inverse_determinant;
+    const Scalar omega_CEG = -inverse_determinant * (cos_CEG_minus_DE * velocity_along_FG
+        - cos_CEG_minus_FG * velocity_along_DE);
     const Scalar v_s_C = -inverse_determinant * (CEG_across_DE * velocity_along_FG
         - CEG_across_FG * velocity_along_DE);
-    const Scalar t10 = omega_CEG * CEG_along_FG;
+    const Scalar t10 = CEG_along_FG * omega_CEG;
     const Scalar t11 = sin_CEG_minus_FG * v_s_C;
-    const Scalar omega_FG = -(t10 + t11 - velocity_across_FG) * inverse_FG;
-    const Scalar t12 = omega_CEG * CEG_along_DE;
+    const Scalar omega_FG = -inverse_FG * (t10 + t11 - velocity_across_FG);
+    const Scalar t12 = CEG_along_DE * omega_CEG;
     const Scalar t13 = sin_CEG_minus_DE * v_s_C;
-    const Scalar omega_DE = -(t12 + t13 - velocity_across_DE) * inverse_DE;
+    const Scalar omega_DE = -inverse_DE * (t12 + t13 - velocity_across_DE);
     const Scalar t14 = a_x_B - a_x_D;
     const Scalar t15 = a_y_B - a_y_D;
     const Scalar acceleration_along_DE = q.theta_DE.cos * t14 + q.theta_DE.sin * t15
@@ -999,12 +999,12 @@ struct Model02 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.h_C_BC;
     const Scalar CEG_along_DE = q.s_C * cos_CEG_minus_DE - t01 * sin_CEG_minus_DE;
-    const Scalar CEG_across_DE = t01 * cos_CEG_minus_DE + sin_CEG_minus_DE * q.s_C;
+    const Scalar CEG_across_DE = t01 * cos_CEG_minus_DE + q.s_C * sin_CEG_minus_DE;
     const Scalar t02 = q.s_C - d.x_G_CEG;
     const Scalar t03 = t01 - d.y_G_CEG;
-    const Scalar CEG_along_FG = t02 * cos_CEG_minus_FG - sin_CEG_minus_FG * t03;
-    const Scalar CEG_across_FG = sin_CEG_minus_FG * t02 + cos_CEG_minus_FG * t03;
-    const Scalar determinant = cos_CEG_minus_DE * CEG_across_FG - cos_CEG_minus_FG * CEG_across_DE;
+    const Scalar CEG_along_FG = t02 * cos_CEG_minus_FG - t03 * sin_CEG_minus_FG;
+    const Scalar CEG_across_FG = t02 * sin_CEG_minus_FG + t03 * cos_CEG_minus_FG;
+    const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
     const Scalar t04 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t04;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
@@ -1012,74 +1012,50 @@ struct Model02 {
     const Scalar t05 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t05;
     const Scalar inverse_DE = d.FG * t05;
-    const Scalar CEG_per_along_DE = cos_CEG_minus_FG * inverse_determinant;
+    const Scalar CEG_per_along_DE = inverse_determinant * cos_CEG_minus_FG;
     const Scalar s_C_per_along_DE = CEG_across_FG * inverse_determinant;
-    const Scalar FG_per_along_DE = -(sin_CEG_minus_FG * s_C_per_along_DE
-        + CEG_along_FG * CEG_per_along_DE) * inverse_FG;
+    const Scalar FG_per_along_DE = -inverse_FG * (sin_CEG_minus_FG * s_C_per_along_DE
+        + CEG_along_FG * CEG_per_along_DE);
     const Scalar t06 = sin_CEG_minus_DE * s_C_per_along_DE;
-    const Scalar DE_per_along_DE = -(t06 + CEG_per_along_DE * CEG_along_DE) * inverse_DE;
-    const Scalar CEG_per_along_FG = -cos_CEG_minus_DE * inverse_determinant;
+    const Scalar DE_per_along_DE = -inverse_DE * (t06 + CEG_per_along_DE * CEG_along_DE);
+    const Scalar CEG_per_along_FG = -inverse_determinant * cos_CEG_minus_DE;
     const Scalar s_C_per_along_FG = -CEG_across_DE * inverse_determinant;
     const Scalar t07 = sin_CEG_minus_FG * s_C_per_along_FG;
     const Scalar FG_per_along_FG = -inverse_FG * (t07 + CEG_along_FG * CEG_per_along_FG);
     const Scalar DE_per_along_FG = -inverse_DE * (sin_CEG_minus_DE * s_C_per_along_FG
         + CEG_along_DE * CEG_per_along_FG);
-    const Scalar t08 = q.theta_DE.cos * CEG_per_along_DE;
-    const Scalar t09 = q.theta_FG.cos * CEG_per_along_FG;
-    const Scalar t10 = t08 + t09;
-    const Scalar CEG_per_x_B = t10;
-    const Scalar t11 = q.theta_FG.cos * DE_per_along_FG;
-    const Scalar t12 = q.theta_DE.cos * DE_per_along_DE - q.theta_DE.sin * inverse_DE;
-    const Scalar t13 = t11 + t12;
-    const Scalar DE_per_x_B = t13;
-    const Scalar t14 = q.theta_DE.cos * FG_per_along_DE;
-    const Scalar t15 = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    const Scalar t16 = t14 + t15;
-    const Scalar FG_per_x_B = t16;
-    const Scalar t17 = q.theta_DE.cos * s_C_per_along_DE;
-    const Scalar t18 = q.theta_FG.cos * s_C_per_along_FG;
-    const Scalar t19 = t17 + t18;
-    const Scalar s_C_per_x_B = t19;
-    const Scalar t20 = q.theta_DE.sin * CEG_per_along_DE;
-    const Scalar t21 = q.theta_FG.sin * CEG_per_along_FG;
-    const Scalar t22 = t20 + t21;
-    const Scalar CEG_per_y_B = t22;
-    const Scalar t23 = q.theta_FG.sin * DE_per_along_FG;
-    const Scalar t24 = q.theta_DE.cos * inverse_DE + q.theta_DE.sin * DE_per_along_DE;
-    const Scalar t25 = t23 + t24;
-    const Scalar DE_per_y_B = t25;
-    const Scalar t26 = q.theta_DE.sin * FG_per_along_DE;
-    const Scalar t27 = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
-    const Scalar t28 = t26 + t27;
-    const Scalar FG_per_y_B = t28;
-    const Scalar t29 = q.theta_DE.sin * s_C_per_along_DE;
-    const Scalar t30 = q.theta_FG.sin * s_C_per_along_FG;
-    const Scalar t31 = t29 + t30;
-    const Scalar s_C_per_y_B = t31;
-    const Scalar CEG_per_x_D = -t08;
-    const Scalar DE_per_x_D = -t12;
-    const Scalar FG_per_x_D = -t14;
-    const Scalar s_C_per_x_D = -t17;
-    const Scalar CEG_per_y_D = -t20;
-    const Scalar DE_per_y_D = -t24;
-    const Scalar FG_per_y_D = -t26;
-    const Scalar s_C_per_y_D = -t29;
-    const Scalar CEG_per_x_F = -t09;
-    const Scalar DE_per_x_F = -t11;
-    const Scalar FG_per_x_F = -t15;
-    const Scalar s_C_per_x_F = -t18;
-    const Scalar CEG_per_y_F = -t21;
-    const Scalar DE_per_y_F = -t23;
-    const Scalar FG_per_y_F = -t27;
-    const Scalar s_C_per_y_F = -t30;
-    const Scalar omega_CEG = v_x_B * CEG_per_x_B + v_y_B * CEG_per_y_B + v_x_D * CEG_per_x_D
-        + v_y_D * CEG_per_y_D + v_x_F * CEG_per_x_F + v_y_F * CEG_per_y_F;
-    const Scalar omega_DE = v_x_B * DE_per_x_B + v_y_B * DE_per_y_B + v_x_D * DE_per_x_D
-        + v_y_D * DE_per_y_D + v_x_F * DE_per_x_F + v_y_F * DE_per_y_F;
-    const Scalar omega_FG = v_x_B * FG_per_x_B + v_y_B * FG_per_y_B + v_x_D * FG_per_x_D
-        + v_y_D * FG_per_y_D + v_x_F * FG_per_x_F + v_y_F * FG_per_y_F;
-    const Scalar v_s_C = v_x_B * s_C_per_x_B + v_y_B * s_C_per_y_B + v_x_D * s_C_per_x_D
-        + v_y_D * s_C_per_y_D + v_x_F * s_C_per_x_F + v_y_F * s_C_per_y_F;
+    const Scalar CEG_per_x_D = -CEG_per_along_DE * q.theta_DE.cos;
+    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
+    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
+    const Scalar DE_per_x_D = inverse_DE * q.theta_DE.sin - DE_per_along_DE * q.theta_DE.cos;
+    const Scalar DE_per_x_F = -DE_per_along_FG * q.theta_FG.cos;
+    const Scalar DE_per_x_B = -DE_per_x_D - DE_per_x_F;
+    const Scalar FG_per_x_D = -FG_per_along_DE * q.theta_DE.cos;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
+    const Scalar s_C_per_x_D = -q.theta_DE.cos * s_C_per_along_DE;
+    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
+    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
+    const Scalar CEG_per_y_D = -CEG_per_along_DE * q.theta_DE.sin;
+    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
+    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
+    const Scalar DE_per_y_D = -inverse_DE * q.theta_DE.cos - DE_per_along_DE * q.theta_DE.sin;
+    const Scalar DE_per_y_F = -DE_per_along_FG * q.theta_FG.sin;
+    const Scalar DE_per_y_B = -DE_per_y_D - DE_per_y_F;
+    const Scalar FG_per_y_D = -FG_per_along_DE * q.theta_DE.sin;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
+    const Scalar s_C_per_y_D = -q.theta_DE.sin * s_C_per_along_DE;
+    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
+    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
+    const Scalar omega_CEG = CEG_per_x_B * v_x_B + CEG_per_y_B * v_y_B + CEG_per_x_D * v_x_D
+        + CEG_per_y_D * v_y_D + CEG_per_x_F * v_x_F + CEG_per_y_F * v_y_F;
+    const Scalar omega_DE = DE_per_x_B * v_x_B + DE_per_y_B * v_y_B + DE_per_x_D * v_x_D
+        + DE_per_y_D * v_y_D + DE_per_x_F * v_x_F + DE_per_y_F * v_y_F;
+    const Scalar omega_FG = FG_per_x_B * v_x_B + FG_per_y_B * v_y_B + FG_per_x_D * v_x_D
+        + FG_per_y_D * v_y_D + FG_per_x_F * v_x_F + FG_per_y_F * v_y_F;
+    const Scalar v_s_C = s_C_per_x_B * v_x_B + s_C_per_y_B * v_y_B + s_C_per_x_D * v_x_D
+        + s_C_per_y_D * v_y_D + s_C_per_x_F * v_x_F + s_C_per_y_F * v_y_F;
     const Scalar centripetal_along_DE = omega_CEG * (CEG_along_DE * omega_CEG
         + Scalar(2) * sin_CEG_minus_DE * v_s_C) + d.DE * omega_DE * omega_DE;
     const Scalar centripetal_across_DE = omega_CEG * (CEG_across_DE * omega_CEG
@@ -1088,61 +1064,61 @@ struct Model02 {
         + Scalar(2) * sin_CEG_minus_FG * v_s_C) + d.FG * omega_FG * omega_FG;
     const Scalar centripetal_across_FG = omega_CEG * (CEG_across_FG * omega_CEG
         - Scalar(2) * cos_CEG_minus_FG * v_s_C);
-    const Scalar t32 = sin_CEG_minus_FG * CEG_per_along_FG;
-    const Scalar t33 = sin_CEG_minus_DE * CEG_per_along_DE + t32;
-    const Scalar t34 = sin_CEG_minus_FG * DE_per_along_FG;
-    const Scalar t35 = cos_CEG_minus_DE * inverse_DE - sin_CEG_minus_DE * DE_per_along_DE - t34;
-    const Scalar t36 = cos_CEG_minus_FG * inverse_FG - sin_CEG_minus_FG * FG_per_along_FG;
-    const Scalar t37 = sin_CEG_minus_DE * FG_per_along_DE - t36;
-    const Scalar t38 = t06 + t07;
-    S_d(0, 0) = t33;
-    S_d(0, 1) = cos_CEG_minus_FG * CEG_per_along_FG;
-    S_d(0, 2) = -t32;
-    S_d(0, 3) = -t33;
+    const Scalar t08 = CEG_per_along_FG * sin_CEG_minus_FG;
+    const Scalar t09 = CEG_per_along_DE * sin_CEG_minus_DE + t08;
+    const Scalar t10 = DE_per_along_FG * sin_CEG_minus_FG;
+    const Scalar t11 = inverse_DE * cos_CEG_minus_DE - DE_per_along_DE * sin_CEG_minus_DE - t10;
+    const Scalar t12 = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
+    const Scalar t13 = FG_per_along_DE * sin_CEG_minus_DE - t12;
+    const Scalar t14 = t06 + t07;
+    S_d(0, 0) = t09;
+    S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
+    S_d(0, 2) = -t08;
+    S_d(0, 3) = -t09;
     S_d(0, 4) = -CEG_per_along_DE;
     S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = -t35;
-    S_d(1, 1) = cos_CEG_minus_FG * DE_per_along_FG;
-    S_d(1, 2) = -t34;
-    S_d(1, 3) = t35;
+    S_d(1, 0) = -t11;
+    S_d(1, 1) = DE_per_along_FG * cos_CEG_minus_FG;
+    S_d(1, 2) = -t10;
+    S_d(1, 3) = t11;
     S_d(1, 4) = -DE_per_along_DE;
     S_d(1, 5) = -DE_per_along_FG;
-    S_d(2, 0) = t37;
-    S_d(2, 1) = cos_CEG_minus_FG * FG_per_along_FG + sin_CEG_minus_FG * inverse_FG;
-    S_d(2, 2) = t36;
-    S_d(2, 3) = -t37;
+    S_d(2, 0) = t13;
+    S_d(2, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
+    S_d(2, 2) = t12;
+    S_d(2, 3) = -t13;
     S_d(2, 4) = -FG_per_along_DE;
     S_d(2, 5) = -FG_per_along_FG;
-    S_d(3, 0) = t38;
+    S_d(3, 0) = t14;
     S_d(3, 1) = cos_CEG_minus_FG * s_C_per_along_FG;
     S_d(3, 2) = -t07;
-    S_d(3, 3) = -t38;
+    S_d(3, 3) = -t14;
     S_d(3, 4) = -s_C_per_along_DE;
     S_d(3, 5) = -s_C_per_along_FG;
-    S_u(0, 0) = t10;
-    S_u(0, 1) = t22;
-    S_u(0, 2) = -t08;
-    S_u(0, 3) = -t20;
-    S_u(0, 4) = -t09;
-    S_u(0, 5) = -t21;
-    S_u(1, 0) = t13;
-    S_u(1, 1) = t25;
-    S_u(1, 2) = -t12;
-    S_u(1, 3) = -t24;
-    S_u(1, 4) = -t11;
-    S_u(1, 5) = -t23;
-    S_u(2, 0) = t16;
-    S_u(2, 1) = t28;
-    S_u(2, 2) = -t14;
-    S_u(2, 3) = -t26;
-    S_u(2, 4) = -t15;
-    S_u(2, 5) = -t27;
-    S_u(3, 0) = t19;
-    S_u(3, 1) = t31;
-    S_u(3, 2) = -t17;
-    S_u(3, 3) = -t29;
-    S_u(3, 4) = -t18;
-    S_u(3, 5) = -t30;
+    S_u(0, 0) = CEG_per_x_B;
+    S_u(0, 1) = CEG_per_y_B;
+    S_u(0, 2) = CEG_per_x_D;
+    S_u(0, 3) = CEG_per_y_D;
+    S_u(0, 4) = CEG_per_x_F;
+    S_u(0, 5) = CEG_per_y_F;
+    S_u(1, 0) = DE_per_x_B;
+    S_u(1, 1) = DE_per_y_B;
+    S_u(1, 2) = DE_per_x_D;
+    S_u(1, 3) = DE_per_y_D;
+    S_u(1, 4) = DE_per_x_F;
+    S_u(1, 5) = DE_per_y_F;
+    S_u(2, 0) = FG_per_x_B;
+    S_u(2, 1) = FG_per_y_B;
+    S_u(2, 2) = FG_per_x_D;
+    S_u(2, 3) = FG_per_y_D;
+    S_u(2, 4) = FG_per_x_F;
+    S_u(2, 5) = FG_per_y_F;
+    S_u(3, 0) = s_C_per_x_B;
+    S_u(3, 1) = s_C_per_y_B;
+    S_u(3, 2) = s_C_per_x_D;
+    S_u(3, 3) = s_C_per_y_D;
+    S_u(3, 4) = s_C_per_x_F;
+    S_u(3, 5) = s_C_per_y_F;
     q_rate(0) = omega_CEG;
     q_rate(1) = omega_DE;
     q_rate(2) = omega_FG;
@@ -1172,47 +1148,45 @@ struct Model02 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = FB_x - FD_x;
-    const Scalar b_m1_re = -t01;
-    const Scalar t02 = FB_y - FD_y;
-    const Scalar b_m1_im = -t02;
-    const Scalar c_m1_re = t02 * d.h_C_BC - t02 * d.h_C_CEG;
-    const Scalar c_m1_im = t01 * d.h_C_CEG - t01 * d.h_C_BC;
-    const Scalar t03 = d.h_C_CEG - Scalar(2) * d.h_C_BC;
-    const Scalar t04 = d.h_C_BC * d.h_C_BC;
-    const Scalar c_0_re = d.h_C_CEG * t03 + FB_x * (FB_x - Scalar(2) * FD_x) + FB_y * (FB_y
-        - Scalar(2) * FD_y) + t04 + FD_x * FD_x + FD_y * FD_y - d.DE * d.DE;
+    const Scalar b_m1_re = FD_x - FB_x;
+    const Scalar b_m1_im = FD_y - FB_y;
+    const Scalar c_m1_re = d.h_C_CEG * b_m1_im - d.h_C_BC * b_m1_im;
+    const Scalar c_m1_im = d.h_C_BC * b_m1_re - d.h_C_CEG * b_m1_re;
+    const Scalar t01 = d.h_C_CEG - Scalar(2) * d.h_C_BC;
+    const Scalar t02 = d.h_C_BC * d.h_C_BC;
+    const Scalar c_0_re = d.h_C_CEG * t01 + FB_x * (FB_x - Scalar(2) * FD_x) + FB_y * (FB_y
+        - Scalar(2) * FD_y) + t02 + FD_x * FD_x + FD_y * FD_y - d.DE * d.DE;
     const Scalar e_0_re = -Scalar(2) * d.x_G_CEG;
-    const Scalar t05 = d.h_C_CEG - d.h_C_BC - d.y_G_CEG;
-    const Scalar f_m1_re = FB_x * d.x_G_CEG - FB_y * t05;
-    const Scalar f_m1_im = FB_x * t05 + FB_y * d.x_G_CEG;
-    const Scalar f_0_re = t04 + d.y_G_CEG * (Scalar(2) * d.h_C_BC + d.y_G_CEG)
-        + d.x_G_CEG * d.x_G_CEG + FB_x * FB_x + FB_y * FB_y + d.h_C_CEG * (t03
+    const Scalar t03 = d.h_C_CEG - d.h_C_BC - d.y_G_CEG;
+    const Scalar f_m1_re = FB_x * d.x_G_CEG - FB_y * t03;
+    const Scalar f_m1_im = FB_x * t03 + FB_y * d.x_G_CEG;
+    const Scalar f_0_re = t02 + d.y_G_CEG * (Scalar(2) * d.h_C_BC + d.y_G_CEG)
+        + d.x_G_CEG * d.x_G_CEG + FB_x * FB_x + FB_y * FB_y + d.h_C_CEG * (t01
         - Scalar(2) * d.y_G_CEG) - d.FG * d.FG;
     const Scalar M_m1_re = f_m1_re - c_m1_re;
     const Scalar M_m1_im = f_m1_im - c_m1_im;
     const Scalar M_0_re = f_0_re - c_0_re;
-    const Scalar t06 = FB_x * c_m1_re + f_m1_re * b_m1_re;
-    const Scalar t07 = FB_y * c_m1_im + f_m1_im * b_m1_im;
-    const Scalar O_m2_re = t06 - t07;
+    const Scalar t04 = FB_x * c_m1_re + f_m1_re * b_m1_re;
+    const Scalar t05 = FB_y * c_m1_im + f_m1_im * b_m1_im;
+    const Scalar O_m2_re = t04 - t05;
     const Scalar O_m2_im = FB_x * c_m1_im + FB_y * c_m1_re + f_m1_im * b_m1_re + f_m1_re * b_m1_im;
     const Scalar O_m1_re = FB_x * c_0_re + f_0_re * b_m1_re - c_m1_re * e_0_re;
     const Scalar O_m1_im = FB_y * c_0_re + f_0_re * b_m1_im - c_m1_im * e_0_re;
-    const Scalar O_0_re = Scalar(2) * t06 + Scalar(2) * t07 - c_0_re * e_0_re;
-    const Scalar t08 = FD_x * O_m1_re + M_m1_re * M_m1_re;
-    const Scalar t09 = FD_y * O_m1_im + M_m1_im * M_m1_im;
-    const Scalar t10 = FD_y * O_m2_im;
-    const Scalar t11 = FD_x * O_m2_im;
-    T.cosine[0] = M_0_re * M_0_re + Scalar(2) * t08 + Scalar(2) * t09 - e_0_re * O_0_re;
-    T.cosine[1] = Scalar(2) * (FD_x * (O_0_re + O_m2_re) + t10 + Scalar(2) * M_m1_re * M_0_re
+    const Scalar O_0_re = Scalar(2) * t04 + Scalar(2) * t05 - c_0_re * e_0_re;
+    const Scalar t06 = FD_x * O_m1_re + M_m1_re * M_m1_re;
+    const Scalar t07 = FD_y * O_m1_im + M_m1_im * M_m1_im;
+    const Scalar t08 = FD_y * O_m2_im;
+    const Scalar t09 = FD_x * O_m2_im;
+    T.cosine[0] = M_0_re * M_0_re + Scalar(2) * t06 + Scalar(2) * t07 - e_0_re * O_0_re;
+    T.cosine[1] = Scalar(2) * (FD_x * (O_0_re + O_m2_re) + t08 + Scalar(2) * M_m1_re * M_0_re
         - e_0_re * O_m1_re);
-    T.sine[1] = Scalar(2) * (FD_y * (O_0_re - O_m2_re) + t11 + Scalar(2) * M_m1_im * M_0_re
+    T.sine[1] = Scalar(2) * (FD_y * (O_0_re - O_m2_re) + t09 + Scalar(2) * M_m1_im * M_0_re
         - e_0_re * O_m1_im);
-    T.cosine[2] = -Scalar(2) * (e_0_re * O_m2_re + t09 - t08);
+    T.cosine[2] = -Scalar(2) * (e_0_re * O_m2_re + t07 - t06);
     T.sine[2] = Scalar(2) * (FD_x * O_m1_im + FD_y * O_m1_re + Scalar(2) * M_m1_re * M_m1_im
         - e_0_re * O_m2_im);
-    T.cosine[3] = -Scalar(2) * (t10 - FD_x * O_m2_re);
-    T.sine[3] = Scalar(2) * (t11 + FD_y * O_m2_re);
+    T.cosine[3] = -Scalar(2) * (t08 - FD_x * O_m2_re);
+    T.sine[3] = Scalar(2) * (t09 + FD_y * O_m2_re);
   }
 
   /// The reduced equations, one a row, where theta_CEG is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
@@ -1225,22 +1199,22 @@ struct Model02 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = FB_x - FD_x;
-    const Scalar t02 = FB_y - FD_y;
-    const Scalar t03 = q.theta_CEG.cos * t02 - t01 * q.theta_CEG.sin;
-    const Scalar t04 = d.h_C_CEG - Scalar(2) * d.h_C_BC;
-    const Scalar t05 = FB_x * q.theta_CEG.cos + FB_y * q.theta_CEG.sin;
-    const Scalar t06 = q.theta_CEG.cos * FB_y - FB_x * q.theta_CEG.sin;
+    const Scalar b_m1_re = FD_x - FB_x;
+    const Scalar b_m1_im = FD_y - FB_y;
+    const Scalar t01 = b_m1_im * q.theta_CEG.cos - b_m1_re * q.theta_CEG.sin;
+    const Scalar t02 = d.h_C_CEG - Scalar(2) * d.h_C_BC;
+    const Scalar t03 = FB_x * q.theta_CEG.cos + FB_y * q.theta_CEG.sin;
+    const Scalar t04 = FB_y * q.theta_CEG.cos - FB_x * q.theta_CEG.sin;
     e(0, 0) = Scalar(1);
-    e(0, 1) = -Scalar(2) * (t01 * q.theta_CEG.cos + t02 * q.theta_CEG.sin);
+    e(0, 1) = Scalar(2) * (b_m1_re * q.theta_CEG.cos + b_m1_im * q.theta_CEG.sin);
     e(0, 2) = FB_x * (FB_x - Scalar(2) * FD_x) + FB_y * (FB_y - Scalar(2) * FD_y) + FD_x * FD_x
-        + FD_y * FD_y + d.h_C_BC * (d.h_C_BC + Scalar(2) * t03) + d.h_C_CEG * (t04
-        - Scalar(2) * t03) - d.DE * d.DE;
+        + FD_y * FD_y + d.h_C_BC * (d.h_C_BC - Scalar(2) * t01) + d.h_C_CEG * (t02
+        + Scalar(2) * t01) - d.DE * d.DE;
     e(1, 0) = Scalar(1);
-    e(1, 1) = -Scalar(2) * (d.x_G_CEG + t05);
+    e(1, 1) = -Scalar(2) * (d.x_G_CEG + t03);
     e(1, 2) = FB_x * FB_x + FB_y * FB_y + d.y_G_CEG * (Scalar(2) * d.h_C_BC + d.y_G_CEG
-        + Scalar(2) * t06) + d.h_C_BC * (d.h_C_BC + Scalar(2) * t06) + d.h_C_CEG * (t04
-        - Scalar(2) * d.y_G_CEG - Scalar(2) * t06) + d.x_G_CEG * (d.x_G_CEG + Scalar(2) * t05)
+        + Scalar(2) * t04) + d.h_C_BC * (d.h_C_BC + Scalar(2) * t04) + d.h_C_CEG * (t02
+        - Scalar(2) * d.y_G_CEG - Scalar(2) * t04) + d.x_G_CEG * (d.x_G_CEG + Scalar(2) * t03)
         - d.FG * d.FG;
   }
 
@@ -1260,12 +1234,12 @@ struct Model02 {
     const Scalar t01 = d.h_C_CEG - d.h_C_BC;
     const Scalar t02 = q.s_C - d.x_G_CEG;
     const Scalar t03 = t01 - d.y_G_CEG;
-    q.theta_DE.cos = (t01 * q.theta_CEG.sin + FB_x - q.theta_CEG.cos * q.s_C
+    q.theta_DE.cos = (t01 * q.theta_CEG.sin + FB_x - q.s_C * q.theta_CEG.cos
         - FD_x) * inverse_theta_DE;
-    q.theta_DE.sin = -inverse_theta_DE * (t01 * q.theta_CEG.cos + q.theta_CEG.sin * q.s_C + FD_y
+    q.theta_DE.sin = -inverse_theta_DE * (t01 * q.theta_CEG.cos + q.s_C * q.theta_CEG.sin + FD_y
         - FB_y);
-    q.theta_FG.cos = inverse_theta_FG * (FB_x + q.theta_CEG.sin * t03 - q.theta_CEG.cos * t02);
-    q.theta_FG.sin = inverse_theta_FG * (FB_y - q.theta_CEG.sin * t02 - q.theta_CEG.cos * t03);
+    q.theta_FG.cos = inverse_theta_FG * (FB_x + t03 * q.theta_CEG.sin - t02 * q.theta_CEG.cos);
+    q.theta_FG.sin = inverse_theta_FG * (FB_y - t02 * q.theta_CEG.sin - t03 * q.theta_CEG.cos);
   }
 };
 

@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     62, 33, 1
 ///   motion:                       105, 65, 1
 ///   sensitivities_and_motion:     198, 114, 1
-///   position_polynomial:          93, 74, 0
+///   position_polynomial:          95, 74, 0
 ///   second_equations:             49, 39, 0
 ///   complete:                     14, 16, 2
 struct Model03 {
@@ -189,18 +189,18 @@ struct Model03 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar DE_x = q.theta_DE.cos * d.DE;
+    const Scalar DE_x = d.DE * q.theta_DE.cos;
     const Scalar DE_y = d.DE * q.theta_DE.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = q.theta_CEG.cos * d.CE;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos;
     const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = BC_x + u.x_B + slide_B_x;
     const Scalar t02 = BC_y + u.y_B + slide_B_y;
     f(0) = u.x_D + DE_x - CE_x - t01;
@@ -214,14 +214,14 @@ struct Model03 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar DE_x = q.theta_DE.cos * d.DE;
+    const Scalar DE_x = d.DE * q.theta_DE.cos;
     const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar CE_x = q.theta_CEG.cos * d.CE;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos;
     const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     J(0, 0) = CE_y;
     J(0, 1) = -DE_y;
     J(0, 3) = -u.phi_B.cos;
@@ -264,8 +264,8 @@ struct Model03 {
     F_u.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_y + BC_y;
     const Scalar t02 = slide_B_x + BC_x;
     F_u(0, 0) = -Scalar(1);
@@ -296,10 +296,10 @@ struct Model03 {
     const Scalar v_y_F = u_rate(6);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = (slide_B_y + BC_y) * omega_B - v_x_B;
-    const Scalar t02 = omega_B * (slide_B_x + BC_x) + v_y_B;
+    const Scalar t02 = (slide_B_x + BC_x) * omega_B + v_y_B;
     rhs(0) = -v_x_D - t01;
     rhs(1) = t02 - v_y_D;
     rhs(2) = -v_x_F - t01;
@@ -325,25 +325,25 @@ struct Model03 {
     const Scalar a_y_D = u_second_rate(4);
     const Scalar a_x_F = u_second_rate(5);
     const Scalar a_y_F = u_second_rate(6);
-    const Scalar DE_x = q.theta_DE.cos * d.DE;
+    const Scalar DE_x = d.DE * q.theta_DE.cos;
     const Scalar DE_y = d.DE * q.theta_DE.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = q.theta_CEG.cos * d.CE;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos;
     const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = omega_CEG * omega_CEG;
     const Scalar t02 = omega_DE * omega_DE;
     const Scalar t03 = slide_B_x + BC_x;
     const Scalar t04 = slide_B_y + BC_y;
     const Scalar t05 = a_x_B - omega_B * (t03 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B)
         - t04 * alpha_B;
-    const Scalar t06 = a_y_B + t03 * alpha_B - omega_B * (omega_B * t04
+    const Scalar t06 = a_y_B + t03 * alpha_B - omega_B * (t04 * omega_B
         - Scalar(2) * u.phi_B.cos * v_s_B);
     const Scalar t07 = omega_FG * omega_FG;
     rhs(0) = DE_x * t02 + t05 - a_x_D - CE_x * t01;
@@ -377,18 +377,18 @@ struct Model03 {
     const Scalar j_y_D = u_third_rate(4);
     const Scalar j_x_F = u_third_rate(5);
     const Scalar j_y_F = u_third_rate(6);
-    const Scalar DE_x = q.theta_DE.cos * d.DE;
+    const Scalar DE_x = d.DE * q.theta_DE.cos;
     const Scalar DE_y = d.DE * q.theta_DE.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = q.theta_CEG.cos * d.CE;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos;
     const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = omega_CEG * omega_CEG;
     const Scalar t02 = omega_DE * omega_DE;
     const Scalar t03 = slide_B_y + BC_y;
@@ -398,18 +398,18 @@ struct Model03 {
     const Scalar t07 = omega_B * (omega_B * (t03 * omega_B - Scalar(3) * t04)
         - Scalar(3) * t05 * alpha_B - Scalar(3) * u.phi_B.sin * a_s_B) - t03 * jerk_B + j_x_B
         - Scalar(3) * alpha_B * t06;
-    const Scalar t08 = omega_B * (omega_B * (omega_B * t05 + Scalar(3) * t06)
+    const Scalar t08 = omega_B * (omega_B * (t05 * omega_B + Scalar(3) * t06)
         + Scalar(3) * t03 * alpha_B - Scalar(3) * u.phi_B.cos * a_s_B) - t05 * jerk_B - j_y_B
         - Scalar(3) * t04 * alpha_B;
     const Scalar t09 = omega_FG * omega_FG;
-    rhs(0) = omega_DE * (Scalar(3) * alpha_DE * DE_x - DE_y * t02) + t07 - j_x_D
-        - omega_CEG * (Scalar(3) * alpha_CEG * CE_x - CE_y * t01);
+    rhs(0) = omega_DE * (Scalar(3) * DE_x * alpha_DE - DE_y * t02) + t07 - j_x_D
+        - omega_CEG * (Scalar(3) * CE_x * alpha_CEG - CE_y * t01);
     rhs(1) = omega_DE * (Scalar(3) * DE_y * alpha_DE + DE_x * t02) - j_y_D
         - omega_CEG * (Scalar(3) * CE_y * alpha_CEG + CE_x * t01) - t08;
-    rhs(2) = omega_FG * (Scalar(3) * alpha_FG * FG_x - FG_y * t09) + t07 - j_x_F
-        - omega_CEG * (Scalar(3) * alpha_CEG * CG_x - CG_y * t01);
+    rhs(2) = omega_FG * (Scalar(3) * FG_x * alpha_FG - FG_y * t09) + t07 - j_x_F
+        - omega_CEG * (Scalar(3) * CG_x * alpha_CEG - CG_y * t01);
     rhs(3) = omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t09) - j_y_F
-        - omega_CEG * (Scalar(3) * alpha_CEG * CG_y + CG_x * t01) - t08;
+        - omega_CEG * (Scalar(3) * CG_y * alpha_CEG + CG_x * t01) - t08;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -430,32 +430,32 @@ struct Model03 {
     const Scalar v_DE = d_rate(4);
     const Scalar v_FG = d_rate(5);
     const Scalar omega_B = u_rate(2);
-    const Scalar DE_x = q.theta_DE.cos * d.DE;
+    const Scalar DE_x = d.DE * q.theta_DE.cos;
     const Scalar DE_y = d.DE * q.theta_DE.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = q.theta_CEG.cos * d.CE;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos;
     const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
-    const Scalar t02 = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+    const Scalar t02 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BC);
-    rhs(0) = omega_DE * (Scalar(2) * q.theta_DE.sin * v_DE + omega_DE * DE_x) - t01
-        - omega_CEG * (Scalar(2) * q.theta_CEG.sin * v_CE + omega_CEG * CE_x);
-    rhs(1) = omega_CEG * (Scalar(2) * q.theta_CEG.cos * v_CE - omega_CEG * CE_y) - t02
-        - omega_DE * (Scalar(2) * q.theta_DE.cos * v_DE - omega_DE * DE_y);
-    rhs(2) = omega_FG * (Scalar(2) * q.theta_FG.sin * v_FG + omega_FG * FG_x) - t01
+    rhs(0) = omega_DE * (Scalar(2) * q.theta_DE.sin * v_DE + DE_x * omega_DE) - t01
+        - omega_CEG * (Scalar(2) * q.theta_CEG.sin * v_CE + CE_x * omega_CEG);
+    rhs(1) = omega_CEG * (Scalar(2) * q.theta_CEG.cos * v_CE - CE_y * omega_CEG) - t02
+        - omega_DE * (Scalar(2) * q.theta_DE.cos * v_DE - DE_y * omega_DE);
+    rhs(2) = omega_FG * (Scalar(2) * q.theta_FG.sin * v_FG + FG_x * omega_FG) - t01
         - omega_CEG * (Scalar(2) * q.theta_CEG.cos * v_y_G_CEG
-        + Scalar(2) * q.theta_CEG.sin * v_x_G_CEG + omega_CEG * CG_x);
+        + Scalar(2) * q.theta_CEG.sin * v_x_G_CEG + CG_x * omega_CEG);
     rhs(3) = omega_CEG * (Scalar(2) * q.theta_CEG.cos * v_x_G_CEG
-        - Scalar(2) * q.theta_CEG.sin * v_y_G_CEG - omega_CEG * CG_y) - t02
-        - omega_FG * (Scalar(2) * q.theta_FG.cos * v_FG - omega_FG * FG_y);
+        - Scalar(2) * q.theta_CEG.sin * v_y_G_CEG - CG_y * omega_CEG) - t02
+        - omega_FG * (Scalar(2) * q.theta_FG.cos * v_FG - FG_y * omega_FG);
   }
 
   /// Frames of the links in the fixed frame.
@@ -464,8 +464,8 @@ struct Model03 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = u.x_B + slide_B_x + BC_x;
     const Scalar t02 = u.y_B + slide_B_y + BC_y;
     poses[0].x = t01;
@@ -498,8 +498,8 @@ struct Model03 {
     P_u.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_y + BC_y;
     const Scalar t02 = slide_B_x + BC_x;
     P_q(0, 3) = u.phi_B.cos;
@@ -546,10 +546,10 @@ struct Model03 {
     const Scalar v_y_F = u_rate(6);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = (slide_B_y + BC_y) * omega_B - u.phi_B.cos * v_s_B - v_x_B;
-    const Scalar t02 = omega_B * (slide_B_x + BC_x) + u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar t02 = (slide_B_x + BC_x) * omega_B + u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = -t01;
     v(0, 1) = t02;
     v(0, 2) = omega_CEG;
@@ -585,13 +585,13 @@ struct Model03 {
     const Scalar a_y_F = u_second_rate(6);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_x + BC_x;
     const Scalar t02 = slide_B_y + BC_y;
     const Scalar t03 = omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B) + t02 * alpha_B
         - u.phi_B.cos * a_s_B - a_x_B;
-    const Scalar t04 = omega_B * (omega_B * t02 - Scalar(2) * u.phi_B.cos * v_s_B) - t01 * alpha_B
+    const Scalar t04 = omega_B * (t02 * omega_B - Scalar(2) * u.phi_B.cos * v_s_B) - t01 * alpha_B
         - u.phi_B.sin * a_s_B - a_y_B;
     a(0, 0) = -t03;
     a(0, 1) = -t04;
@@ -620,11 +620,11 @@ struct Model03 {
     p.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
-    const Scalar t02 = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+    const Scalar t02 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BC);
     p(0, 0) = -t01;
     p(0, 1) = -t02;
@@ -650,8 +650,8 @@ struct Model03 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar CEG_across_DE = -d.CE * sin_CEG_minus_DE;
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
-    const Scalar determinant = cos_phi_B_minus_FG * CEG_across_DE
-        - cos_phi_B_minus_DE * CEG_across_FG;
+    const Scalar determinant = CEG_across_DE * cos_phi_B_minus_FG
+        - CEG_across_FG * cos_phi_B_minus_DE;
     const Scalar t01 = abs(q.s_B) + abs(d.h_B_BC);
     const Scalar t02 = abs(d.CE) + abs(d.DE);
     const Scalar t03 = abs(d.x_G_CEG) + abs(d.y_G_CEG);
@@ -684,9 +684,9 @@ struct Model03 {
     const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE;
     const Scalar CEG_across_DE = -d.CE * sin_CEG_minus_DE;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - cos_CEG_minus_FG * d.y_G_CEG;
-    const Scalar determinant = cos_phi_B_minus_FG * CEG_across_DE
-        - cos_phi_B_minus_DE * CEG_across_FG;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
+    const Scalar determinant = CEG_across_DE * cos_phi_B_minus_FG
+        - CEG_across_FG * cos_phi_B_minus_DE;
     const Scalar t01 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t01;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
@@ -694,30 +694,30 @@ struct Model03 {
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t02;
     const Scalar inverse_DE = d.FG * t02;
-    const Scalar CEG_per_along_DE = -cos_phi_B_minus_FG * inverse_determinant;
+    const Scalar CEG_per_along_DE = -inverse_determinant * cos_phi_B_minus_FG;
     const Scalar s_B_per_along_DE = CEG_across_FG * inverse_determinant;
-    const Scalar FG_per_along_DE = (sin_phi_B_minus_FG * s_B_per_along_DE
-        - CEG_along_FG * CEG_per_along_DE) * inverse_FG;
-    const Scalar DE_per_along_DE = (s_B_per_along_DE * sin_phi_B_minus_DE
-        - CEG_per_along_DE * CEG_along_DE) * inverse_DE;
-    const Scalar CEG_per_along_FG = cos_phi_B_minus_DE * inverse_determinant;
+    const Scalar FG_per_along_DE = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_DE
+        - CEG_along_FG * CEG_per_along_DE);
+    const Scalar DE_per_along_DE = inverse_DE * (s_B_per_along_DE * sin_phi_B_minus_DE
+        - CEG_per_along_DE * CEG_along_DE);
+    const Scalar CEG_per_along_FG = inverse_determinant * cos_phi_B_minus_DE;
     const Scalar s_B_per_along_FG = -CEG_across_DE * inverse_determinant;
     const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG
         - CEG_along_FG * CEG_per_along_FG);
     const Scalar DE_per_along_FG = inverse_DE * (sin_phi_B_minus_DE * s_B_per_along_FG
         - CEG_along_DE * CEG_per_along_FG);
-    J_inverse(0, 0) = q.theta_DE.cos * CEG_per_along_DE;
-    J_inverse(0, 1) = q.theta_DE.sin * CEG_per_along_DE;
-    J_inverse(0, 2) = q.theta_FG.cos * CEG_per_along_FG;
-    J_inverse(0, 3) = q.theta_FG.sin * CEG_per_along_FG;
-    J_inverse(1, 0) = q.theta_DE.cos * DE_per_along_DE - q.theta_DE.sin * inverse_DE;
-    J_inverse(1, 1) = q.theta_DE.cos * inverse_DE + q.theta_DE.sin * DE_per_along_DE;
-    J_inverse(1, 2) = q.theta_FG.cos * DE_per_along_FG;
-    J_inverse(1, 3) = q.theta_FG.sin * DE_per_along_FG;
-    J_inverse(2, 0) = q.theta_DE.cos * FG_per_along_DE;
-    J_inverse(2, 1) = q.theta_DE.sin * FG_per_along_DE;
-    J_inverse(2, 2) = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    J_inverse(2, 3) = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
+    J_inverse(0, 0) = CEG_per_along_DE * q.theta_DE.cos;
+    J_inverse(0, 1) = CEG_per_along_DE * q.theta_DE.sin;
+    J_inverse(0, 2) = CEG_per_along_FG * q.theta_FG.cos;
+    J_inverse(0, 3) = CEG_per_along_FG * q.theta_FG.sin;
+    J_inverse(1, 0) = DE_per_along_DE * q.theta_DE.cos - inverse_DE * q.theta_DE.sin;
+    J_inverse(1, 1) = inverse_DE * q.theta_DE.cos + DE_per_along_DE * q.theta_DE.sin;
+    J_inverse(1, 2) = DE_per_along_FG * q.theta_FG.cos;
+    J_inverse(1, 3) = DE_per_along_FG * q.theta_FG.sin;
+    J_inverse(2, 0) = FG_per_along_DE * q.theta_DE.cos;
+    J_inverse(2, 1) = FG_per_along_DE * q.theta_DE.sin;
+    J_inverse(2, 2) = FG_per_along_FG * q.theta_FG.cos - inverse_FG * q.theta_FG.sin;
+    J_inverse(2, 3) = inverse_FG * q.theta_FG.cos + FG_per_along_FG * q.theta_FG.sin;
     J_inverse(3, 0) = q.theta_DE.cos * s_B_per_along_DE;
     J_inverse(3, 1) = q.theta_DE.sin * s_B_per_along_DE;
     J_inverse(3, 2) = q.theta_FG.cos * s_B_per_along_FG;
@@ -742,15 +742,15 @@ struct Model03 {
     const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar phi_B_along_DE = -q.s_B * cos_phi_B_minus_DE - d.h_B_BC * sin_phi_B_minus_DE;
-    const Scalar phi_B_across_DE = cos_phi_B_minus_DE * d.h_B_BC - q.s_B * sin_phi_B_minus_DE;
+    const Scalar phi_B_across_DE = d.h_B_BC * cos_phi_B_minus_DE - q.s_B * sin_phi_B_minus_DE;
     const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE;
     const Scalar CEG_across_DE = -d.CE * sin_CEG_minus_DE;
     const Scalar phi_B_along_FG = -q.s_B * cos_phi_B_minus_FG - d.h_B_BC * sin_phi_B_minus_FG;
     const Scalar phi_B_across_FG = d.h_B_BC * cos_phi_B_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - cos_CEG_minus_FG * d.y_G_CEG;
-    const Scalar determinant = cos_phi_B_minus_FG * CEG_across_DE
-        - cos_phi_B_minus_DE * CEG_across_FG;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
+    const Scalar determinant = CEG_across_DE * cos_phi_B_minus_FG
+        - CEG_across_FG * cos_phi_B_minus_DE;
     const Scalar t01 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t01;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
@@ -758,52 +758,52 @@ struct Model03 {
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t02;
     const Scalar inverse_DE = d.FG * t02;
-    const Scalar CEG_per_along_DE = -cos_phi_B_minus_FG * inverse_determinant;
+    const Scalar CEG_per_along_DE = -inverse_determinant * cos_phi_B_minus_FG;
     const Scalar s_B_per_along_DE = CEG_across_FG * inverse_determinant;
-    const Scalar FG_per_along_DE = (sin_phi_B_minus_FG * s_B_per_along_DE
-        - CEG_along_FG * CEG_per_along_DE) * inverse_FG;
+    const Scalar FG_per_along_DE = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_DE
+        - CEG_along_FG * CEG_per_along_DE);
     const Scalar t03 = sin_phi_B_minus_DE * s_B_per_along_DE;
-    const Scalar DE_per_along_DE = (t03 - CEG_per_along_DE * CEG_along_DE) * inverse_DE;
-    const Scalar CEG_per_along_FG = cos_phi_B_minus_DE * inverse_determinant;
+    const Scalar DE_per_along_DE = inverse_DE * (t03 - CEG_per_along_DE * CEG_along_DE);
+    const Scalar CEG_per_along_FG = inverse_determinant * cos_phi_B_minus_DE;
     const Scalar s_B_per_along_FG = -CEG_across_DE * inverse_determinant;
     const Scalar t04 = sin_phi_B_minus_FG * s_B_per_along_FG;
     const Scalar FG_per_along_FG = inverse_FG * (t04 - CEG_along_FG * CEG_per_along_FG);
     const Scalar DE_per_along_FG = inverse_DE * (sin_phi_B_minus_DE * s_B_per_along_FG
         - CEG_along_DE * CEG_per_along_FG);
-    const Scalar t05 = q.theta_DE.cos * CEG_per_along_DE;
-    const Scalar t06 = q.theta_FG.cos * CEG_per_along_FG;
-    const Scalar t07 = q.theta_DE.sin * CEG_per_along_DE;
-    const Scalar t08 = q.theta_FG.sin * CEG_per_along_FG;
-    const Scalar t09 = q.theta_FG.cos * DE_per_along_FG;
-    const Scalar t10 = q.theta_DE.cos * DE_per_along_DE - q.theta_DE.sin * inverse_DE;
-    const Scalar t11 = q.theta_FG.sin * DE_per_along_FG;
-    const Scalar t12 = q.theta_DE.cos * inverse_DE + q.theta_DE.sin * DE_per_along_DE;
-    const Scalar t13 = q.theta_DE.cos * FG_per_along_DE;
-    const Scalar t14 = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    const Scalar t15 = q.theta_DE.sin * FG_per_along_DE;
-    const Scalar t16 = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
-    const Scalar t17 = q.theta_DE.cos * s_B_per_along_DE;
-    const Scalar t18 = q.theta_FG.cos * s_B_per_along_FG;
-    const Scalar t19 = q.theta_DE.sin * s_B_per_along_DE;
-    const Scalar t20 = q.theta_FG.sin * s_B_per_along_FG;
-    S_d(0, 0) = cos_CEG_minus_DE * CEG_per_along_DE;
-    S_d(0, 1) = cos_CEG_minus_FG * CEG_per_along_FG;
-    S_d(0, 2) = -sin_CEG_minus_FG * CEG_per_along_FG;
-    S_d(0, 3) = sin_phi_B_minus_DE * CEG_per_along_DE + sin_phi_B_minus_FG * CEG_per_along_FG;
+    const Scalar CEG_per_x_D = -CEG_per_along_DE * q.theta_DE.cos;
+    const Scalar DE_per_x_D = inverse_DE * q.theta_DE.sin - DE_per_along_DE * q.theta_DE.cos;
+    const Scalar FG_per_x_D = -FG_per_along_DE * q.theta_DE.cos;
+    const Scalar s_B_per_x_D = -q.theta_DE.cos * s_B_per_along_DE;
+    const Scalar CEG_per_y_D = -CEG_per_along_DE * q.theta_DE.sin;
+    const Scalar DE_per_y_D = -inverse_DE * q.theta_DE.cos - DE_per_along_DE * q.theta_DE.sin;
+    const Scalar FG_per_y_D = -FG_per_along_DE * q.theta_DE.sin;
+    const Scalar s_B_per_y_D = -q.theta_DE.sin * s_B_per_along_DE;
+    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
+    const Scalar DE_per_x_F = -DE_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
+    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
+    const Scalar DE_per_y_F = -DE_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
+    S_d(0, 0) = CEG_per_along_DE * cos_CEG_minus_DE;
+    S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
+    S_d(0, 2) = -CEG_per_along_FG * sin_CEG_minus_FG;
+    S_d(0, 3) = CEG_per_along_DE * sin_phi_B_minus_DE + CEG_per_along_FG * sin_phi_B_minus_FG;
     S_d(0, 4) = -CEG_per_along_DE;
     S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = cos_CEG_minus_DE * DE_per_along_DE + sin_CEG_minus_DE * inverse_DE;
-    S_d(1, 1) = cos_CEG_minus_FG * DE_per_along_FG;
-    S_d(1, 2) = -sin_CEG_minus_FG * DE_per_along_FG;
-    S_d(1, 3) = sin_phi_B_minus_DE * DE_per_along_DE + sin_phi_B_minus_FG * DE_per_along_FG
-        - cos_phi_B_minus_DE * inverse_DE;
+    S_d(1, 0) = DE_per_along_DE * cos_CEG_minus_DE + inverse_DE * sin_CEG_minus_DE;
+    S_d(1, 1) = DE_per_along_FG * cos_CEG_minus_FG;
+    S_d(1, 2) = -DE_per_along_FG * sin_CEG_minus_FG;
+    S_d(1, 3) = DE_per_along_DE * sin_phi_B_minus_DE + DE_per_along_FG * sin_phi_B_minus_FG
+        - inverse_DE * cos_phi_B_minus_DE;
     S_d(1, 4) = -DE_per_along_DE;
     S_d(1, 5) = -DE_per_along_FG;
-    S_d(2, 0) = cos_CEG_minus_DE * FG_per_along_DE;
-    S_d(2, 1) = cos_CEG_minus_FG * FG_per_along_FG + sin_CEG_minus_FG * inverse_FG;
-    S_d(2, 2) = cos_CEG_minus_FG * inverse_FG - sin_CEG_minus_FG * FG_per_along_FG;
-    S_d(2, 3) = sin_phi_B_minus_DE * FG_per_along_DE + sin_phi_B_minus_FG * FG_per_along_FG
-        - cos_phi_B_minus_FG * inverse_FG;
+    S_d(2, 0) = FG_per_along_DE * cos_CEG_minus_DE;
+    S_d(2, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
+    S_d(2, 2) = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
+    S_d(2, 3) = FG_per_along_DE * sin_phi_B_minus_DE + FG_per_along_FG * sin_phi_B_minus_FG
+        - inverse_FG * cos_phi_B_minus_FG;
     S_d(2, 4) = -FG_per_along_DE;
     S_d(2, 5) = -FG_per_along_FG;
     S_d(3, 0) = cos_CEG_minus_DE * s_B_per_along_DE;
@@ -812,36 +812,36 @@ struct Model03 {
     S_d(3, 3) = t03 + t04;
     S_d(3, 4) = -s_B_per_along_DE;
     S_d(3, 5) = -s_B_per_along_FG;
-    S_u(0, 0) = t05 + t06;
-    S_u(0, 1) = t07 + t08;
+    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;
+    S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
     S_u(0, 2) = CEG_per_along_DE * phi_B_across_DE + CEG_per_along_FG * phi_B_across_FG;
-    S_u(0, 3) = -t05;
-    S_u(0, 4) = -t07;
-    S_u(0, 5) = -t06;
-    S_u(0, 6) = -t08;
-    S_u(1, 0) = t09 + t10;
-    S_u(1, 1) = t11 + t12;
+    S_u(0, 3) = CEG_per_x_D;
+    S_u(0, 4) = CEG_per_y_D;
+    S_u(0, 5) = CEG_per_x_F;
+    S_u(0, 6) = CEG_per_y_F;
+    S_u(1, 0) = -DE_per_x_D - DE_per_x_F;
+    S_u(1, 1) = -DE_per_y_D - DE_per_y_F;
     S_u(1, 2) = DE_per_along_DE * phi_B_across_DE + DE_per_along_FG * phi_B_across_FG
         - inverse_DE * phi_B_along_DE;
-    S_u(1, 3) = -t10;
-    S_u(1, 4) = -t12;
-    S_u(1, 5) = -t09;
-    S_u(1, 6) = -t11;
-    S_u(2, 0) = t13 + t14;
-    S_u(2, 1) = t15 + t16;
+    S_u(1, 3) = DE_per_x_D;
+    S_u(1, 4) = DE_per_y_D;
+    S_u(1, 5) = DE_per_x_F;
+    S_u(1, 6) = DE_per_y_F;
+    S_u(2, 0) = -FG_per_x_D - FG_per_x_F;
+    S_u(2, 1) = -FG_per_y_D - FG_per_y_F;
     S_u(2, 2) = FG_per_along_DE * phi_B_across_DE + FG_per_along_FG * phi_B_across_FG
         - inverse_FG * phi_B_along_FG;
-    S_u(2, 3) = -t13;
-    S_u(2, 4) = -t15;
-    S_u(2, 5) = -t14;
-    S_u(2, 6) = -t16;
-    S_u(3, 0) = t17 + t18;
-    S_u(3, 1) = t19 + t20;
-    S_u(3, 2) = s_B_per_along_DE * phi_B_across_DE + s_B_per_along_FG * phi_B_across_FG;
-    S_u(3, 3) = -t17;
-    S_u(3, 4) = -t19;
-    S_u(3, 5) = -t18;
-    S_u(3, 6) = -t20;
+    S_u(2, 3) = FG_per_x_D;
+    S_u(2, 4) = FG_per_y_D;
+    S_u(2, 5) = FG_per_x_F;
+    S_u(2, 6) = FG_per_y_F;
+    S_u(3, 0) = -s_B_per_x_D - s_B_per_x_F;
+    S_u(3, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_u(3, 2) = phi_B_across_DE * s_B_per_along_DE + phi_B_across_FG * s_B_per_along_FG;
+    S_u(3, 3) = s_B_per_x_D;
+    S_u(3, 4) = s_B_per_y_D;
+    S_u(3, 5) = s_B_per_x_F;
+    S_u(3, 6) = s_B_per_y_F;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -869,15 +869,15 @@ struct Model03 {
     const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar phi_B_along_DE = -q.s_B * cos_phi_B_minus_DE - d.h_B_BC * sin_phi_B_minus_DE;
-    const Scalar phi_B_across_DE = cos_phi_B_minus_DE * d.h_B_BC - q.s_B * sin_phi_B_minus_DE;
+    const Scalar phi_B_across_DE = d.h_B_BC * cos_phi_B_minus_DE - q.s_B * sin_phi_B_minus_DE;
     const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE;
     const Scalar CEG_across_DE = -d.CE * sin_CEG_minus_DE;
     const Scalar phi_B_along_FG = -q.s_B * cos_phi_B_minus_FG - d.h_B_BC * sin_phi_B_minus_FG;
     const Scalar phi_B_across_FG = d.h_B_BC * cos_phi_B_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - cos_CEG_minus_FG * d.y_G_CEG;
-    const Scalar determinant = cos_phi_B_minus_FG * CEG_across_DE
-        - cos_phi_B_minus_DE * CEG_across_FG;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
+    const Scalar determinant = CEG_across_DE * cos_phi_B_minus_FG
+        - CEG_across_FG * cos_phi_B_minus_DE;
     const Scalar t01 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t01;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
@@ -888,23 +888,23 @@ struct Model03 {
     const Scalar t03 = v_x_B - v_x_D;
     const Scalar t04 = v_y_B - v_y_D;
     const Scalar velocity_along_DE = q.theta_DE.cos * t03 + q.theta_DE.sin * t04
-        + omega_B * phi_B_across_DE;
+        + phi_B_across_DE * omega_B;
     const Scalar velocity_across_DE = q.theta_DE.cos * t04 - q.theta_DE.sin * t03
-        - omega_B * phi_B_along_DE;
+        - phi_B_along_DE * omega_B;
     const Scalar t05 = v_x_B - v_x_F;
     const Scalar t06 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t05 + q.theta_FG.sin * t06
-        + omega_B * phi_B_across_FG;
+        + phi_B_across_FG * omega_B;
     const Scalar velocity_across_FG = q.theta_FG.cos * t06 - q.theta_FG.sin * t05
-        - omega_B * phi_B_along_FG;
-    const Scalar omega_CEG = (cos_phi_B_minus_DE * velocity_along_FG
-        - cos_phi_B_minus_FG * velocity_along_DE) * inverse_determinant;
+        - phi_B_along_FG * omega_B;
+    const Scalar omega_CEG = inverse_determinant * (cos_phi_B_minus_DE * velocity_along_FG
+        - cos_phi_B_minus_FG * velocity_along_DE);
     const Scalar v_s_B = -inverse_determinant * (CEG_across_DE * velocity_along_FG
         - CEG_across_FG * velocity_along_DE);
-    const Scalar omega_FG = -(omega_CEG * CEG_along_FG - sin_phi_B_minus_FG * v_s_B
-        - velocity_across_FG) * inverse_FG;
-    const Scalar omega_DE = -(omega_CEG * CEG_along_DE - sin_phi_B_minus_DE * v_s_B
-        - velocity_across_DE) * inverse_DE;
+    const Scalar omega_FG = -inverse_FG * (CEG_along_FG * omega_CEG - sin_phi_B_minus_FG * v_s_B
+        - velocity_across_FG);
+    const Scalar omega_DE = -inverse_DE * (CEG_along_DE * omega_CEG - sin_phi_B_minus_DE * v_s_B
+        - velocity_across_DE);
     q_rate(0) = omega_CEG;
     q_rate(1) = omega_DE;
     q_rate(2) = omega_FG;
@@ -944,15 +944,15 @@ struct Model03 {
     const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar phi_B_along_DE = -q.s_B * cos_phi_B_minus_DE - d.h_B_BC * sin_phi_B_minus_DE;
-    const Scalar phi_B_across_DE = cos_phi_B_minus_DE * d.h_B_BC - q.s_B * sin_phi_B_minus_DE;
+    const Scalar phi_B_across_DE = d.h_B_BC * cos_phi_B_minus_DE - q.s_B * sin_phi_B_minus_DE;
     const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE;
     const Scalar CEG_across_DE = -d.CE * sin_CEG_minus_DE;
     const Scalar phi_B_along_FG = -q.s_B * cos_phi_B_minus_FG - d.h_B_BC * sin_phi_B_minus_FG;
     const Scalar phi_B_across_FG = d.h_B_BC * cos_phi_B_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - cos_CEG_minus_FG * d.y_G_CEG;
-    const Scalar determinant = cos_phi_B_minus_FG * CEG_across_DE
-        - cos_phi_B_minus_DE * CEG_across_FG;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
+    const Scalar determinant = CEG_across_DE * cos_phi_B_minus_FG
+        - CEG_across_FG * cos_phi_B_minus_DE;
     const Scalar t01 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t01;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
@@ -962,24 +962,24 @@ struct Model03 {
     const Scalar inverse_DE = d.FG * t02;
     const Scalar t03 = v_x_B - v_x_D;
     const Scalar t04 = v_y_B - v_y_D;
-    const Scalar t05 = omega_B * phi_B_across_DE;
+    const Scalar t05 = phi_B_across_DE * omega_B;
     const Scalar velocity_along_DE = q.theta_DE.cos * t03 + q.theta_DE.sin * t04 + t05;
-    const Scalar t06 = omega_B * phi_B_along_DE;
+    const Scalar t06 = phi_B_along_DE * omega_B;
     const Scalar velocity_across_DE = q.theta_DE.cos * t04 - q.theta_DE.sin * t03 - t06;
     const Scalar t07 = v_x_B - v_x_F;
     const Scalar t08 = v_y_B - v_y_F;
-    const Scalar t09 = omega_B * phi_B_across_FG;
+    const Scalar t09 = phi_B_across_FG * omega_B;
     const Scalar velocity_along_FG = q.theta_FG.cos * t07 + q.theta_FG.sin * t08 + t09;
-    const Scalar t10 = omega_B * phi_B_along_FG;
+    const Scalar t10 = phi_B_along_FG * omega_B;
     const Scalar velocity_across_FG = q.theta_FG.cos * t08 - q.theta_FG.sin * t07 - t10;
-    const Scalar omega_CEG = (cos_phi_B_minus_DE * velocity_along_FG
-        - cos_phi_B_minus_FG * velocity_along_DE) * inverse_determinant;
+    const Scalar omega_CEG = inverse_determinant * (cos_phi_B_minus_DE * velocity_along_FG
+        - cos_phi_B_minus_FG * velocity_along_DE);
     const Scalar v_s_B = -inverse_determinant * (CEG_across_DE * velocity_along_FG
         - CEG_across_FG * velocity_along_DE);
     const Scalar t11 = sin_phi_B_minus_FG * v_s_B;
-    const Scalar omega_FG = -(omega_CEG * CEG_along_FG - t11 - velocity_across_FG) * inverse_FG;
+    const Scalar omega_FG = -inverse_FG * (CEG_along_FG * omega_CEG - t11 - velocity_across_FG);
     const Scalar t12 = sin_phi_B_minus_DE * v_s_B;
-    const Scalar omega_DE = -(omega_CEG * CEG_along_DE - t12 - velocity_across_DE) * inverse_DE;
+    const Scalar omega_DE = -inverse_DE * (CEG_along_DE * omega_CEG - t12 - velocity_across_DE);
     const Scalar t13 = a_x_B - a_x_D;
     const Scalar t14 = a_y_B - a_y_D;
     const Scalar t15 = omega_CEG * omega_CEG;
@@ -1050,15 +1050,15 @@ struct Model03 {
     const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar phi_B_along_DE = -q.s_B * cos_phi_B_minus_DE - d.h_B_BC * sin_phi_B_minus_DE;
-    const Scalar phi_B_across_DE = cos_phi_B_minus_DE * d.h_B_BC - q.s_B * sin_phi_B_minus_DE;
+    const Scalar phi_B_across_DE = d.h_B_BC * cos_phi_B_minus_DE - q.s_B * sin_phi_B_minus_DE;
     const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE;
     const Scalar CEG_across_DE = -d.CE * sin_CEG_minus_DE;
     const Scalar phi_B_along_FG = -q.s_B * cos_phi_B_minus_FG - d.h_B_BC * sin_phi_B_minus_FG;
     const Scalar phi_B_across_FG = d.h_B_BC * cos_phi_B_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - cos_CEG_minus_FG * d.y_G_CEG;
-    const Scalar determinant = cos_phi_B_minus_FG * CEG_across_DE
-        - cos_phi_B_minus_DE * CEG_across_FG;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
+    const Scalar determinant = CEG_across_DE * cos_phi_B_minus_FG
+        - CEG_across_FG * cos_phi_B_minus_DE;
     const Scalar t01 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t01;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
@@ -1066,111 +1066,85 @@ struct Model03 {
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t02;
     const Scalar inverse_DE = d.FG * t02;
-    const Scalar CEG_per_along_DE = -cos_phi_B_minus_FG * inverse_determinant;
+    const Scalar CEG_per_along_DE = -inverse_determinant * cos_phi_B_minus_FG;
     const Scalar s_B_per_along_DE = CEG_across_FG * inverse_determinant;
-    const Scalar FG_per_along_DE = (sin_phi_B_minus_FG * s_B_per_along_DE
-        - CEG_along_FG * CEG_per_along_DE) * inverse_FG;
+    const Scalar FG_per_along_DE = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_DE
+        - CEG_along_FG * CEG_per_along_DE);
     const Scalar t03 = sin_phi_B_minus_DE * s_B_per_along_DE;
-    const Scalar DE_per_along_DE = (t03 - CEG_per_along_DE * CEG_along_DE) * inverse_DE;
-    const Scalar CEG_per_along_FG = cos_phi_B_minus_DE * inverse_determinant;
+    const Scalar DE_per_along_DE = inverse_DE * (t03 - CEG_per_along_DE * CEG_along_DE);
+    const Scalar CEG_per_along_FG = inverse_determinant * cos_phi_B_minus_DE;
     const Scalar s_B_per_along_FG = -CEG_across_DE * inverse_determinant;
     const Scalar t04 = sin_phi_B_minus_FG * s_B_per_along_FG;
     const Scalar FG_per_along_FG = inverse_FG * (t04 - CEG_along_FG * CEG_per_along_FG);
     const Scalar DE_per_along_FG = inverse_DE * (sin_phi_B_minus_DE * s_B_per_along_FG
         - CEG_along_DE * CEG_per_along_FG);
-    const Scalar t05 = q.theta_DE.cos * CEG_per_along_DE;
-    const Scalar t06 = q.theta_FG.cos * CEG_per_along_FG;
-    const Scalar t07 = t05 + t06;
-    const Scalar CEG_per_x_B = t07;
-    const Scalar t08 = q.theta_FG.cos * DE_per_along_FG;
-    const Scalar t09 = q.theta_DE.cos * DE_per_along_DE - q.theta_DE.sin * inverse_DE;
-    const Scalar t10 = t08 + t09;
-    const Scalar DE_per_x_B = t10;
-    const Scalar t11 = q.theta_DE.cos * FG_per_along_DE;
-    const Scalar t12 = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    const Scalar t13 = t11 + t12;
-    const Scalar FG_per_x_B = t13;
-    const Scalar t14 = q.theta_DE.cos * s_B_per_along_DE;
-    const Scalar t15 = q.theta_FG.cos * s_B_per_along_FG;
-    const Scalar t16 = t14 + t15;
-    const Scalar s_B_per_x_B = t16;
-    const Scalar t17 = q.theta_DE.sin * CEG_per_along_DE;
-    const Scalar t18 = q.theta_FG.sin * CEG_per_along_FG;
-    const Scalar t19 = t17 + t18;
-    const Scalar CEG_per_y_B = t19;
-    const Scalar t20 = q.theta_FG.sin * DE_per_along_FG;
-    const Scalar t21 = q.theta_DE.cos * inverse_DE + q.theta_DE.sin * DE_per_along_DE;
-    const Scalar t22 = t20 + t21;
-    const Scalar DE_per_y_B = t22;
-    const Scalar t23 = q.theta_DE.sin * FG_per_along_DE;
-    const Scalar t24 = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
-    const Scalar t25 = t23 + t24;
-    const Scalar FG_per_y_B = t25;
-    const Scalar t26 = q.theta_DE.sin * s_B_per_along_DE;
-    const Scalar t27 = q.theta_FG.sin * s_B_per_along_FG;
-    const Scalar t28 = t26 + t27;
-    const Scalar s_B_per_y_B = t28;
-    const Scalar t29 = CEG_per_along_DE * phi_B_across_DE + CEG_per_along_FG * phi_B_across_FG;
-    const Scalar CEG_per_phi_B = t29;
-    const Scalar t30 = inverse_DE * phi_B_along_DE - DE_per_along_DE * phi_B_across_DE
-        - DE_per_along_FG * phi_B_across_FG;
-    const Scalar DE_per_phi_B = -t30;
-    const Scalar t31 = FG_per_along_DE * phi_B_across_DE + FG_per_along_FG * phi_B_across_FG
-        - inverse_FG * phi_B_along_FG;
-    const Scalar FG_per_phi_B = t31;
-    const Scalar t32 = s_B_per_along_DE * phi_B_across_DE + s_B_per_along_FG * phi_B_across_FG;
-    const Scalar s_B_per_phi_B = t32;
-    const Scalar CEG_per_x_D = -t05;
-    const Scalar DE_per_x_D = -t09;
-    const Scalar FG_per_x_D = -t11;
-    const Scalar s_B_per_x_D = -t14;
-    const Scalar CEG_per_y_D = -t17;
-    const Scalar DE_per_y_D = -t21;
-    const Scalar FG_per_y_D = -t23;
-    const Scalar s_B_per_y_D = -t26;
-    const Scalar CEG_per_x_F = -t06;
-    const Scalar DE_per_x_F = -t08;
-    const Scalar FG_per_x_F = -t12;
-    const Scalar s_B_per_x_F = -t15;
-    const Scalar CEG_per_y_F = -t18;
-    const Scalar DE_per_y_F = -t20;
-    const Scalar FG_per_y_F = -t24;
-    const Scalar s_B_per_y_F = -t27;
-    const Scalar omega_CEG = v_x_B * CEG_per_x_B + v_y_B * CEG_per_y_B + omega_B * CEG_per_phi_B
-        + v_x_D * CEG_per_x_D + v_y_D * CEG_per_y_D + v_x_F * CEG_per_x_F + v_y_F * CEG_per_y_F;
-    const Scalar omega_DE = v_x_B * DE_per_x_B + v_y_B * DE_per_y_B + omega_B * DE_per_phi_B
-        + v_x_D * DE_per_x_D + v_y_D * DE_per_y_D + v_x_F * DE_per_x_F + v_y_F * DE_per_y_F;
-    const Scalar omega_FG = v_x_B * FG_per_x_B + v_y_B * FG_per_y_B + omega_B * FG_per_phi_B
-        + v_x_D * FG_per_x_D + v_y_D * FG_per_y_D + v_x_F * FG_per_x_F + v_y_F * FG_per_y_F;
-    const Scalar v_s_B = v_x_B * s_B_per_x_B + v_y_B * s_B_per_y_B + omega_B * s_B_per_phi_B
-        + v_x_D * s_B_per_x_D + v_y_D * s_B_per_y_D + v_x_F * s_B_per_x_F + v_y_F * s_B_per_y_F;
-    const Scalar t33 = omega_CEG * omega_CEG;
-    const Scalar centripetal_along_DE = d.DE * omega_DE * omega_DE + CEG_along_DE * t33
+    const Scalar CEG_per_x_D = -CEG_per_along_DE * q.theta_DE.cos;
+    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
+    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
+    const Scalar DE_per_x_D = inverse_DE * q.theta_DE.sin - DE_per_along_DE * q.theta_DE.cos;
+    const Scalar DE_per_x_F = -DE_per_along_FG * q.theta_FG.cos;
+    const Scalar DE_per_x_B = -DE_per_x_D - DE_per_x_F;
+    const Scalar FG_per_x_D = -FG_per_along_DE * q.theta_DE.cos;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
+    const Scalar s_B_per_x_D = -q.theta_DE.cos * s_B_per_along_DE;
+    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
+    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
+    const Scalar CEG_per_y_D = -CEG_per_along_DE * q.theta_DE.sin;
+    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
+    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
+    const Scalar DE_per_y_D = -inverse_DE * q.theta_DE.cos - DE_per_along_DE * q.theta_DE.sin;
+    const Scalar DE_per_y_F = -DE_per_along_FG * q.theta_FG.sin;
+    const Scalar DE_per_y_B = -DE_per_y_D - DE_per_y_F;
+    const Scalar FG_per_y_D = -FG_per_along_DE * q.theta_DE.sin;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
+    const Scalar s_B_per_y_D = -q.theta_DE.sin * s_B_per_along_DE;
+    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
+    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
+    const Scalar CEG_per_phi_B = CEG_per_along_DE * phi_B_across_DE
+        + CEG_per_along_FG * phi_B_across_FG;
+    const Scalar DE_per_phi_B = DE_per_along_DE * phi_B_across_DE
+        + DE_per_along_FG * phi_B_across_FG - inverse_DE * phi_B_along_DE;
+    const Scalar FG_per_phi_B = FG_per_along_DE * phi_B_across_DE
+        + FG_per_along_FG * phi_B_across_FG - inverse_FG * phi_B_along_FG;
+    const Scalar s_B_per_phi_B = phi_B_across_DE * s_B_per_along_DE
+        + phi_B_across_FG * s_B_per_along_FG;
+    const Scalar omega_CEG = CEG_per_x_B * v_x_B + CEG_per_y_B * v_y_B + CEG_per_phi_B * omega_B
+        + CEG_per_x_D * v_x_D + CEG_per_y_D * v_y_D + CEG_per_x_F * v_x_F + CEG_per_y_F * v_y_F;
+    const Scalar omega_DE = DE_per_x_B * v_x_B + DE_per_y_B * v_y_B + DE_per_phi_B * omega_B
+        + DE_per_x_D * v_x_D + DE_per_y_D * v_y_D + DE_per_x_F * v_x_F + DE_per_y_F * v_y_F;
+    const Scalar omega_FG = FG_per_x_B * v_x_B + FG_per_y_B * v_y_B + FG_per_phi_B * omega_B
+        + FG_per_x_D * v_x_D + FG_per_y_D * v_y_D + FG_per_x_F * v_x_F + FG_per_y_F * v_y_F;
+    const Scalar v_s_B = s_B_per_x_B * v_x_B + s_B_per_y_B * v_y_B + s_B_per_phi_B * omega_B
+        + s_B_per_x_D * v_x_D + s_B_per_y_D * v_y_D + s_B_per_x_F * v_x_F + s_B_per_y_F * v_y_F;
+    const Scalar t05 = omega_CEG * omega_CEG;
+    const Scalar centripetal_along_DE = d.DE * omega_DE * omega_DE + CEG_along_DE * t05
         - omega_B * (Scalar(2) * sin_phi_B_minus_DE * v_s_B - phi_B_along_DE * omega_B);
     const Scalar centripetal_across_DE = omega_B * (Scalar(2) * cos_phi_B_minus_DE * v_s_B
-        + phi_B_across_DE * omega_B) + CEG_across_DE * t33;
-    const Scalar centripetal_along_FG = d.FG * omega_FG * omega_FG + CEG_along_FG * t33
+        + phi_B_across_DE * omega_B) + CEG_across_DE * t05;
+    const Scalar centripetal_along_FG = d.FG * omega_FG * omega_FG + CEG_along_FG * t05
         - omega_B * (Scalar(2) * sin_phi_B_minus_FG * v_s_B - phi_B_along_FG * omega_B);
     const Scalar centripetal_across_FG = omega_B * (Scalar(2) * cos_phi_B_minus_FG * v_s_B
-        + phi_B_across_FG * omega_B) + CEG_across_FG * t33;
-    S_d(0, 0) = cos_CEG_minus_DE * CEG_per_along_DE;
-    S_d(0, 1) = cos_CEG_minus_FG * CEG_per_along_FG;
-    S_d(0, 2) = -sin_CEG_minus_FG * CEG_per_along_FG;
-    S_d(0, 3) = sin_phi_B_minus_DE * CEG_per_along_DE + sin_phi_B_minus_FG * CEG_per_along_FG;
+        + phi_B_across_FG * omega_B) + CEG_across_FG * t05;
+    S_d(0, 0) = CEG_per_along_DE * cos_CEG_minus_DE;
+    S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
+    S_d(0, 2) = -CEG_per_along_FG * sin_CEG_minus_FG;
+    S_d(0, 3) = CEG_per_along_DE * sin_phi_B_minus_DE + CEG_per_along_FG * sin_phi_B_minus_FG;
     S_d(0, 4) = -CEG_per_along_DE;
     S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = cos_CEG_minus_DE * DE_per_along_DE + sin_CEG_minus_DE * inverse_DE;
-    S_d(1, 1) = cos_CEG_minus_FG * DE_per_along_FG;
-    S_d(1, 2) = -sin_CEG_minus_FG * DE_per_along_FG;
-    S_d(1, 3) = sin_phi_B_minus_DE * DE_per_along_DE + sin_phi_B_minus_FG * DE_per_along_FG
-        - cos_phi_B_minus_DE * inverse_DE;
+    S_d(1, 0) = DE_per_along_DE * cos_CEG_minus_DE + inverse_DE * sin_CEG_minus_DE;
+    S_d(1, 1) = DE_per_along_FG * cos_CEG_minus_FG;
+    S_d(1, 2) = -DE_per_along_FG * sin_CEG_minus_FG;
+    S_d(1, 3) = DE_per_along_DE * sin_phi_B_minus_DE + DE_per_along_FG * sin_phi_B_minus_FG
+        - inverse_DE * cos_phi_B_minus_DE;
     S_d(1, 4) = -DE_per_along_DE;
     S_d(1, 5) = -DE_per_along_FG;
-    S_d(2, 0) = cos_CEG_minus_DE * FG_per_along_DE;
-    S_d(2, 1) = cos_CEG_minus_FG * FG_per_along_FG + sin_CEG_minus_FG * inverse_FG;
-    S_d(2, 2) = cos_CEG_minus_FG * inverse_FG - sin_CEG_minus_FG * FG_per_along_FG;
-    S_d(2, 3) = sin_phi_B_minus_DE * FG_per_along_DE + sin_phi_B_minus_FG * FG_per_along_FG
-        - cos_phi_B_minus_FG * inverse_FG;
+    S_d(2, 0) = FG_per_along_DE * cos_CEG_minus_DE;
+    S_d(2, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
+    S_d(2, 2) = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
+    S_d(2, 3) = FG_per_along_DE * sin_phi_B_minus_DE + FG_per_along_FG * sin_phi_B_minus_FG
+        - inverse_FG * cos_phi_B_minus_FG;
     S_d(2, 4) = -FG_per_along_DE;
     S_d(2, 5) = -FG_per_along_FG;
     S_d(3, 0) = cos_CEG_minus_DE * s_B_per_along_DE;
@@ -1179,34 +1153,34 @@ struct Model03 {
     S_d(3, 3) = t03 + t04;
     S_d(3, 4) = -s_B_per_along_DE;
     S_d(3, 5) = -s_B_per_along_FG;
-    S_u(0, 0) = t07;
-    S_u(0, 1) = t19;
-    S_u(0, 2) = t29;
-    S_u(0, 3) = -t05;
-    S_u(0, 4) = -t17;
-    S_u(0, 5) = -t06;
-    S_u(0, 6) = -t18;
-    S_u(1, 0) = t10;
-    S_u(1, 1) = t22;
-    S_u(1, 2) = -t30;
-    S_u(1, 3) = -t09;
-    S_u(1, 4) = -t21;
-    S_u(1, 5) = -t08;
-    S_u(1, 6) = -t20;
-    S_u(2, 0) = t13;
-    S_u(2, 1) = t25;
-    S_u(2, 2) = t31;
-    S_u(2, 3) = -t11;
-    S_u(2, 4) = -t23;
-    S_u(2, 5) = -t12;
-    S_u(2, 6) = -t24;
-    S_u(3, 0) = t16;
-    S_u(3, 1) = t28;
-    S_u(3, 2) = t32;
-    S_u(3, 3) = -t14;
-    S_u(3, 4) = -t26;
-    S_u(3, 5) = -t15;
-    S_u(3, 6) = -t27;
+    S_u(0, 0) = CEG_per_x_B;
+    S_u(0, 1) = CEG_per_y_B;
+    S_u(0, 2) = CEG_per_phi_B;
+    S_u(0, 3) = CEG_per_x_D;
+    S_u(0, 4) = CEG_per_y_D;
+    S_u(0, 5) = CEG_per_x_F;
+    S_u(0, 6) = CEG_per_y_F;
+    S_u(1, 0) = DE_per_x_B;
+    S_u(1, 1) = DE_per_y_B;
+    S_u(1, 2) = DE_per_phi_B;
+    S_u(1, 3) = DE_per_x_D;
+    S_u(1, 4) = DE_per_y_D;
+    S_u(1, 5) = DE_per_x_F;
+    S_u(1, 6) = DE_per_y_F;
+    S_u(2, 0) = FG_per_x_B;
+    S_u(2, 1) = FG_per_y_B;
+    S_u(2, 2) = FG_per_phi_B;
+    S_u(2, 3) = FG_per_x_D;
+    S_u(2, 4) = FG_per_y_D;
+    S_u(2, 5) = FG_per_x_F;
+    S_u(2, 6) = FG_per_y_F;
+    S_u(3, 0) = s_B_per_x_B;
+    S_u(3, 1) = s_B_per_y_B;
+    S_u(3, 2) = s_B_per_phi_B;
+    S_u(3, 3) = s_B_per_x_D;
+    S_u(3, 4) = s_B_per_y_D;
+    S_u(3, 5) = s_B_per_x_F;
+    S_u(3, 6) = s_B_per_y_F;
     q_rate(0) = omega_CEG;
     q_rate(1) = omega_DE;
     q_rate(2) = omega_FG;
@@ -1240,23 +1214,23 @@ struct Model03 {
     const Scalar b_m1_im = d.CE * u.phi_B.sin;
     const Scalar t01 = FB_x - FD_x;
     const Scalar t02 = FB_y - FD_y;
-    const Scalar b_0_re = Scalar(2) * (u.phi_B.cos * t01 + u.phi_B.sin * t02);
-    const Scalar t03 = u.phi_B.sin * d.h_B_BC;
-    const Scalar c_m1_re = d.CE * (t01 + t03);
-    const Scalar t04 = u.phi_B.cos * d.h_B_BC;
-    const Scalar c_m1_im = d.CE * (t02 - t04);
-    const Scalar c_0_re = d.h_B_BC * (d.h_B_BC + Scalar(2) * u.phi_B.sin * t01
-        - Scalar(2) * u.phi_B.cos * t02) + FB_x * (FB_x - Scalar(2) * FD_x) + FB_y * (FB_y
+    const Scalar b_0_re = Scalar(2) * (t01 * u.phi_B.cos + t02 * u.phi_B.sin);
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar c_m1_re = d.CE * (t01 + BC_x);
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar c_m1_im = d.CE * (t02 + BC_y);
+    const Scalar c_0_re = d.h_B_BC * (d.h_B_BC + Scalar(2) * t01 * u.phi_B.sin
+        - Scalar(2) * t02 * u.phi_B.cos) + FB_x * (FB_x - Scalar(2) * FD_x) + FB_y * (FB_y
         - Scalar(2) * FD_y) + d.CE * d.CE + FD_x * FD_x + FD_y * FD_y - d.DE * d.DE;
-    const Scalar e_m1_re = u.phi_B.cos * d.x_G_CEG + u.phi_B.sin * d.y_G_CEG;
-    const Scalar e_m1_im = u.phi_B.sin * d.x_G_CEG - u.phi_B.cos * d.y_G_CEG;
-    const Scalar e_0_re = Scalar(2) * (u.phi_B.cos * FB_x + u.phi_B.sin * FB_y);
-    const Scalar t05 = FB_x + t03;
-    const Scalar t06 = FB_y - t04;
-    const Scalar f_m1_re = d.x_G_CEG * t05 + d.y_G_CEG * t06;
-    const Scalar f_m1_im = d.x_G_CEG * t06 - d.y_G_CEG * t05;
-    const Scalar f_0_re = d.h_B_BC * (d.h_B_BC + Scalar(2) * u.phi_B.sin * FB_x
-        - Scalar(2) * u.phi_B.cos * FB_y) + d.x_G_CEG * d.x_G_CEG + d.y_G_CEG * d.y_G_CEG
+    const Scalar e_m1_re = d.x_G_CEG * u.phi_B.cos + d.y_G_CEG * u.phi_B.sin;
+    const Scalar e_m1_im = d.x_G_CEG * u.phi_B.sin - d.y_G_CEG * u.phi_B.cos;
+    const Scalar e_0_re = Scalar(2) * (FB_x * u.phi_B.cos + FB_y * u.phi_B.sin);
+    const Scalar t03 = FB_x + BC_x;
+    const Scalar t04 = FB_y + BC_y;
+    const Scalar f_m1_re = d.x_G_CEG * t03 + d.y_G_CEG * t04;
+    const Scalar f_m1_im = d.x_G_CEG * t04 - d.y_G_CEG * t03;
+    const Scalar f_0_re = d.h_B_BC * (d.h_B_BC + Scalar(2) * FB_x * u.phi_B.sin
+        - Scalar(2) * FB_y * u.phi_B.cos) + d.x_G_CEG * d.x_G_CEG + d.y_G_CEG * d.y_G_CEG
         + FB_x * FB_x + FB_y * FB_y - d.FG * d.FG;
     const Scalar M_m1_re = f_m1_re - c_m1_re;
     const Scalar M_m1_im = f_m1_im - c_m1_im;
@@ -1264,30 +1238,30 @@ struct Model03 {
     const Scalar N_m1_re = e_m1_re - b_m1_re;
     const Scalar N_m1_im = e_m1_im - b_m1_im;
     const Scalar N_0_re = e_0_re - b_0_re;
-    const Scalar t07 = f_m1_re * b_m1_re - c_m1_re * e_m1_re;
-    const Scalar t08 = f_m1_im * b_m1_im - c_m1_im * e_m1_im;
-    const Scalar O_m2_re = t07 - t08;
+    const Scalar t05 = f_m1_re * b_m1_re - c_m1_re * e_m1_re;
+    const Scalar t06 = f_m1_im * b_m1_im - c_m1_im * e_m1_im;
+    const Scalar O_m2_re = t05 - t06;
     const Scalar O_m2_im = f_m1_im * b_m1_re + f_m1_re * b_m1_im - c_m1_re * e_m1_im
         - c_m1_im * e_m1_re;
     const Scalar O_m1_re = f_0_re * b_m1_re + f_m1_re * b_0_re - c_m1_re * e_0_re
         - c_0_re * e_m1_re;
     const Scalar O_m1_im = f_0_re * b_m1_im + f_m1_im * b_0_re - c_m1_im * e_0_re
         - c_0_re * e_m1_im;
-    const Scalar O_0_re = f_0_re * b_0_re + Scalar(2) * t07 + Scalar(2) * t08 - c_0_re * e_0_re;
-    const Scalar t09 = M_m1_re * M_m1_re - N_m1_re * O_m1_re;
-    const Scalar t10 = M_m1_im * M_m1_im - N_m1_im * O_m1_im;
-    const Scalar t11 = N_m1_im * O_m2_im;
-    const Scalar t12 = N_m1_re * O_m2_im;
-    T.cosine[0] = M_0_re * M_0_re + Scalar(2) * t09 + Scalar(2) * t10 - N_0_re * O_0_re;
-    T.cosine[1] = -Scalar(2) * (N_m1_re * (O_0_re + O_m2_re) + t11 + O_m1_re * N_0_re
+    const Scalar O_0_re = f_0_re * b_0_re + Scalar(2) * t05 + Scalar(2) * t06 - c_0_re * e_0_re;
+    const Scalar t07 = M_m1_re * M_m1_re - N_m1_re * O_m1_re;
+    const Scalar t08 = M_m1_im * M_m1_im - N_m1_im * O_m1_im;
+    const Scalar t09 = N_m1_im * O_m2_im;
+    const Scalar t10 = N_m1_re * O_m2_im;
+    T.cosine[0] = M_0_re * M_0_re + Scalar(2) * t07 + Scalar(2) * t08 - N_0_re * O_0_re;
+    T.cosine[1] = -Scalar(2) * (N_m1_re * (O_0_re + O_m2_re) + t09 + O_m1_re * N_0_re
         - Scalar(2) * M_m1_re * M_0_re);
-    T.sine[1] = -Scalar(2) * (N_m1_im * (O_0_re - O_m2_re) + t12 + O_m1_im * N_0_re
+    T.sine[1] = -Scalar(2) * (N_m1_im * (O_0_re - O_m2_re) + t10 + O_m1_im * N_0_re
         - Scalar(2) * M_m1_im * M_0_re);
-    T.cosine[2] = -Scalar(2) * (N_0_re * O_m2_re + t10 - t09);
+    T.cosine[2] = -Scalar(2) * (N_0_re * O_m2_re + t08 - t07);
     T.sine[2] = Scalar(2) * (Scalar(2) * M_m1_re * M_m1_im - N_m1_re * O_m1_im - O_m1_re * N_m1_im
         - N_0_re * O_m2_im);
-    T.cosine[3] = Scalar(2) * (t11 - N_m1_re * O_m2_re);
-    T.sine[3] = -Scalar(2) * (t12 + N_m1_im * O_m2_re);
+    T.cosine[3] = Scalar(2) * (t09 - N_m1_re * O_m2_re);
+    T.sine[3] = -Scalar(2) * (t10 + N_m1_im * O_m2_re);
   }
 
   /// The reduced equations, one a row, where theta_CEG is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
@@ -1302,21 +1276,21 @@ struct Model03 {
     const Scalar FD_y = u.y_D - u.y_F;
     const Scalar t01 = FB_x - FD_x;
     const Scalar t02 = FB_y - FD_y;
-    const Scalar t03 = FB_x + q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar t04 = FB_y + q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar t03 = FB_x + d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar t04 = FB_y + d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     e(0, 0) = Scalar(1);
-    e(0, 1) = Scalar(2) * (u.phi_B.cos * (q.theta_CEG.cos * d.CE + t01)
-        + u.phi_B.sin * (d.CE * q.theta_CEG.sin + t02));
-    e(0, 2) = d.h_B_BC * (d.h_B_BC + Scalar(2) * u.phi_B.sin * t01 - Scalar(2) * u.phi_B.cos * t02)
+    e(0, 1) = Scalar(2) * ((d.CE * q.theta_CEG.cos + t01) * u.phi_B.cos + (d.CE * q.theta_CEG.sin
+        + t02) * u.phi_B.sin);
+    e(0, 2) = d.h_B_BC * (d.h_B_BC + Scalar(2) * t01 * u.phi_B.sin - Scalar(2) * t02 * u.phi_B.cos)
         + FB_x * (FB_x - Scalar(2) * FD_x) + FB_y * (FB_y - Scalar(2) * FD_y) + FD_x * FD_x
-        + FD_y * FD_y + d.CE * (d.CE + Scalar(2) * q.theta_CEG.cos * (u.phi_B.sin * d.h_B_BC + t01)
-        - Scalar(2) * q.theta_CEG.sin * (u.phi_B.cos * d.h_B_BC - t02)) - d.DE * d.DE;
+        + FD_y * FD_y + d.CE * (d.CE + Scalar(2) * (d.h_B_BC * u.phi_B.sin + t01) * q.theta_CEG.cos
+        - Scalar(2) * (d.h_B_BC * u.phi_B.cos - t02) * q.theta_CEG.sin) - d.DE * d.DE;
     e(1, 0) = Scalar(1);
-    e(1, 1) = Scalar(2) * (u.phi_B.cos * t03 + u.phi_B.sin * t04);
-    e(1, 2) = d.h_B_BC * (d.h_B_BC + Scalar(2) * u.phi_B.sin * t03 - Scalar(2) * u.phi_B.cos * t04)
-        + d.x_G_CEG * (d.x_G_CEG + Scalar(2) * q.theta_CEG.cos * FB_x
-        + Scalar(2) * q.theta_CEG.sin * FB_y) + d.y_G_CEG * (d.y_G_CEG
-        + Scalar(2) * q.theta_CEG.cos * FB_y - Scalar(2) * FB_x * q.theta_CEG.sin) + FB_x * FB_x
+    e(1, 1) = Scalar(2) * (t03 * u.phi_B.cos + t04 * u.phi_B.sin);
+    e(1, 2) = d.h_B_BC * (d.h_B_BC + Scalar(2) * t03 * u.phi_B.sin - Scalar(2) * t04 * u.phi_B.cos)
+        + d.x_G_CEG * (d.x_G_CEG + Scalar(2) * FB_x * q.theta_CEG.cos
+        + Scalar(2) * FB_y * q.theta_CEG.sin) + d.y_G_CEG * (d.y_G_CEG
+        + Scalar(2) * FB_y * q.theta_CEG.cos - Scalar(2) * FB_x * q.theta_CEG.sin) + FB_x * FB_x
         + FB_y * FB_y - d.FG * d.FG;
   }
 
@@ -1334,12 +1308,12 @@ struct Model03 {
     const Scalar inverse_theta_FG = Scalar(1) / d.FG;  // zero: the link that turns by theta_FG has
                                                        //     no length
     const Scalar t01 = FB_x + q.s_B * u.phi_B.cos + d.h_B_BC * u.phi_B.sin;
-    const Scalar t02 = FB_y + q.s_B * u.phi_B.sin - u.phi_B.cos * d.h_B_BC;
-    q.theta_DE.cos = inverse_theta_DE * (q.theta_CEG.cos * d.CE + t01 - FD_x);
+    const Scalar t02 = FB_y + q.s_B * u.phi_B.sin - d.h_B_BC * u.phi_B.cos;
+    q.theta_DE.cos = inverse_theta_DE * (d.CE * q.theta_CEG.cos + t01 - FD_x);
     q.theta_DE.sin = inverse_theta_DE * (d.CE * q.theta_CEG.sin + t02 - FD_y);
-    q.theta_FG.cos = inverse_theta_FG * (q.theta_CEG.cos * d.x_G_CEG + t01
-        - q.theta_CEG.sin * d.y_G_CEG);
-    q.theta_FG.sin = inverse_theta_FG * (q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG
+    q.theta_FG.cos = inverse_theta_FG * (d.x_G_CEG * q.theta_CEG.cos + t01
+        - d.y_G_CEG * q.theta_CEG.sin);
+    q.theta_FG.sin = inverse_theta_FG * (d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin
         + t02);
   }
 };

@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     68, 39, 1
 ///   motion:                       110, 69, 1
 ///   sensitivities_and_motion:     213, 127, 1
-///   position_polynomial:          59, 48, 0
+///   position_polynomial:          64, 48, 0
 ///   second_equations:             47, 40, 0
 ///   complete:                     20, 22, 2
 struct Model04 {
@@ -192,19 +192,19 @@ struct Model04 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DE_x = q.theta_DE.cos * d.DE;
+    const Scalar DE_x = d.DE * q.theta_DE.cos;
     const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     const Scalar t02 = slide_C_x - u.x_B - slide_B_x;
     const Scalar t03 = slide_C_y - u.y_B - slide_B_y;
     f(0) = u.x_D + DE_x + t02 - CE_x;
@@ -220,9 +220,9 @@ struct Model04 {
     J.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DE_x = q.theta_DE.cos * d.DE;
+    const Scalar DE_x = d.DE * q.theta_DE.cos;
     const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
     J(0, 0) = -DE_y;
     J(0, 2) = -u.phi_B.cos;
@@ -247,11 +247,11 @@ struct Model04 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     F_d(0, 0) = -sin_CEG;
     F_d(0, 3) = CE_y - slide_C_y;
     F_d(0, 4) = q.theta_DE.cos;
@@ -277,15 +277,15 @@ struct Model04 {
     F_u.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     const Scalar t02 = slide_B_y - slide_C_y;
     const Scalar t03 = slide_B_x - slide_C_x;
     F_u(0, 0) = -Scalar(1);
@@ -316,21 +316,21 @@ struct Model04 {
     const Scalar v_y_F = u_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     const Scalar t02 = slide_B_y - slide_C_y;
     const Scalar t03 = slide_B_x - slide_C_x;
-    rhs(0) = v_x_B - v_x_D - omega_B * (CE_y + t02);
-    rhs(1) = v_y_B + omega_B * (CE_x + t03) - v_y_D;
-    rhs(2) = v_x_B - v_x_F - omega_B * (CG_y + t02);
-    rhs(3) = v_y_B + omega_B * (CG_x + t03) - v_y_F;
+    rhs(0) = v_x_B - v_x_D - (CE_y + t02) * omega_B;
+    rhs(1) = v_y_B + (CE_x + t03) * omega_B - v_y_D;
+    rhs(2) = v_x_B - v_x_F - (CG_y + t02) * omega_B;
+    rhs(3) = v_y_B + (CG_x + t03) * omega_B - v_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -354,19 +354,19 @@ struct Model04 {
     const Scalar a_y_F = u_second_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DE_x = q.theta_DE.cos * d.DE;
+    const Scalar DE_x = d.DE * q.theta_DE.cos;
     const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     const Scalar t02 = omega_DE * omega_DE;
     const Scalar t03 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
     const Scalar t04 = slide_B_x - slide_C_x;
@@ -377,13 +377,13 @@ struct Model04 {
     const Scalar t09 = omega_FG * omega_FG;
     const Scalar t10 = CG_x + t04;
     const Scalar t11 = CG_y + t06;
-    rhs(0) = a_x_B + DE_x * t02 - a_x_D - omega_B * (Scalar(2) * t03 + omega_B * t05)
-        - alpha_B * t07;
-    rhs(1) = a_y_B + DE_y * t02 + alpha_B * t05 + omega_B * (Scalar(2) * t08 - omega_B * t07)
+    rhs(0) = a_x_B + DE_x * t02 - a_x_D - omega_B * (Scalar(2) * t03 + t05 * omega_B)
+        - t07 * alpha_B;
+    rhs(1) = a_y_B + DE_y * t02 + t05 * alpha_B + omega_B * (Scalar(2) * t08 - t07 * omega_B)
         - a_y_D;
-    rhs(2) = a_x_B + FG_x * t09 - a_x_F - omega_B * (Scalar(2) * t03 + omega_B * t10)
-        - alpha_B * t11;
-    rhs(3) = a_y_B + FG_y * t09 + alpha_B * t10 + omega_B * (Scalar(2) * t08 - omega_B * t11)
+    rhs(2) = a_x_B + FG_x * t09 - a_x_F - omega_B * (Scalar(2) * t03 + t10 * omega_B)
+        - t11 * alpha_B;
+    rhs(3) = a_y_B + FG_y * t09 + t10 * alpha_B + omega_B * (Scalar(2) * t08 - t11 * omega_B)
         - a_y_F;
   }
 
@@ -414,19 +414,19 @@ struct Model04 {
     const Scalar j_y_F = u_third_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DE_x = q.theta_DE.cos * d.DE;
+    const Scalar DE_x = d.DE * q.theta_DE.cos;
     const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     const Scalar t02 = omega_DE * omega_DE;
     const Scalar t03 = slide_B_y - slide_C_y;
     const Scalar t04 = CE_y + t03;
@@ -441,18 +441,18 @@ struct Model04 {
     const Scalar t13 = omega_FG * omega_FG;
     const Scalar t14 = CG_y + t03;
     const Scalar t15 = CG_x + t07;
-    rhs(0) = omega_DE * (Scalar(3) * alpha_DE * DE_x - DE_y * t02) - j_x_D - jerk_B * t04
-        - omega_B * (Scalar(3) * t05 + omega_B * (Scalar(3) * t06 - omega_B * t04)
-        + Scalar(3) * alpha_B * t08) - Scalar(3) * t10;
-    rhs(1) = omega_DE * (Scalar(3) * DE_y * alpha_DE + DE_x * t02) + jerk_B * t08
-        + omega_B * (Scalar(3) * t11 - Scalar(3) * alpha_B * t04 - omega_B * (Scalar(3) * t09
-        + omega_B * t08)) + Scalar(3) * t12 - j_y_D;
-    rhs(2) = omega_FG * (Scalar(3) * alpha_FG * FG_x - FG_y * t13) - j_x_F - jerk_B * t14
-        - omega_B * (Scalar(3) * t05 + omega_B * (Scalar(3) * t06 - omega_B * t14)
-        + Scalar(3) * alpha_B * t15) - Scalar(3) * t10;
-    rhs(3) = omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t13) + jerk_B * t15
-        + omega_B * (Scalar(3) * t11 - Scalar(3) * alpha_B * t14 - omega_B * (Scalar(3) * t09
-        + omega_B * t15)) + Scalar(3) * t12 - j_y_F;
+    rhs(0) = omega_DE * (Scalar(3) * DE_x * alpha_DE - DE_y * t02) - j_x_D - t04 * jerk_B
+        - omega_B * (Scalar(3) * t05 + omega_B * (Scalar(3) * t06 - t04 * omega_B)
+        + Scalar(3) * t08 * alpha_B) - Scalar(3) * t10;
+    rhs(1) = omega_DE * (Scalar(3) * DE_y * alpha_DE + DE_x * t02) + t08 * jerk_B
+        + omega_B * (Scalar(3) * t11 - Scalar(3) * t04 * alpha_B - omega_B * (Scalar(3) * t09
+        + t08 * omega_B)) + Scalar(3) * t12 - j_y_D;
+    rhs(2) = omega_FG * (Scalar(3) * FG_x * alpha_FG - FG_y * t13) - j_x_F - t14 * jerk_B
+        - omega_B * (Scalar(3) * t05 + omega_B * (Scalar(3) * t06 - t14 * omega_B)
+        + Scalar(3) * t15 * alpha_B) - Scalar(3) * t10;
+    rhs(3) = omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t13) + t15 * jerk_B
+        + omega_B * (Scalar(3) * t11 - Scalar(3) * t14 * alpha_B - omega_B * (Scalar(3) * t09
+        + t15 * omega_B)) + Scalar(3) * t12 - j_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -475,45 +475,45 @@ struct Model04 {
     const Scalar omega_B = u_rate(2);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DE_x = q.theta_DE.cos * d.DE;
+    const Scalar DE_x = d.DE * q.theta_DE.cos;
     const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     const Scalar t02 = (slide_C_x - CE_x) * omega_C_BC;
     const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
     const Scalar t04 = u.phi_B.sin * v_s_B;
     const Scalar t05 = slide_B_x - slide_C_x;
-    const Scalar t06 = omega_C_BC * (slide_C_y - CE_y);
+    const Scalar t06 = (slide_C_y - CE_y) * omega_C_BC;
     const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
     const Scalar t08 = u.phi_B.cos * v_s_B;
     const Scalar t09 = slide_B_y - slide_C_y;
-    const Scalar t10 = omega_C_BC * (slide_C_x - CG_x);
+    const Scalar t10 = (slide_C_x - CG_x) * omega_C_BC;
     const Scalar t11 = v_h_C_CEG - v_y_G_CEG;
     const Scalar t12 = v_s_C - v_x_G_CEG;
     const Scalar t13 = cos_CEG * t11 + sin_CEG * t12;
-    const Scalar t14 = omega_C_BC * (slide_C_y - CG_y);
+    const Scalar t14 = (slide_C_y - CG_y) * omega_C_BC;
     const Scalar t15 = cos_CEG * t12 - sin_CEG * t11;
-    rhs(0) = omega_DE * (Scalar(2) * q.theta_DE.sin * v_DE + omega_DE * DE_x) + omega_C_BC * (t02
-        + Scalar(2) * t03) + omega_B * (Scalar(2) * t02 + Scalar(2) * t03 - Scalar(2) * t04
-        - omega_B * (CE_x + t05));
+    rhs(0) = omega_DE * (Scalar(2) * q.theta_DE.sin * v_DE + DE_x * omega_DE) + omega_C_BC * (t02
+        + Scalar(2) * t03) + omega_B * (Scalar(2) * t02 + Scalar(2) * t03 - Scalar(2) * t04 - (CE_x
+        + t05) * omega_B);
     rhs(1) = omega_C_BC * (t06 - Scalar(2) * t07) + omega_B * (Scalar(2) * t06 + Scalar(2) * t08
-        - Scalar(2) * t07 - omega_B * (CE_y + t09)) - omega_DE * (Scalar(2) * q.theta_DE.cos * v_DE
-        - omega_DE * DE_y);
-    rhs(2) = omega_FG * (Scalar(2) * q.theta_FG.sin * v_FG + omega_FG * FG_x) + omega_C_BC * (t10
-        + Scalar(2) * t13) - omega_B * (Scalar(2) * t04 + omega_B * (CG_x + t05) - Scalar(2) * t10
+        - Scalar(2) * t07 - (CE_y + t09) * omega_B) - omega_DE * (Scalar(2) * q.theta_DE.cos * v_DE
+        - DE_y * omega_DE);
+    rhs(2) = omega_FG * (Scalar(2) * q.theta_FG.sin * v_FG + FG_x * omega_FG) + omega_C_BC * (t10
+        + Scalar(2) * t13) - omega_B * (Scalar(2) * t04 + (CG_x + t05) * omega_B - Scalar(2) * t10
         - Scalar(2) * t13);
     rhs(3) = omega_C_BC * (t14 - Scalar(2) * t15) + omega_B * (Scalar(2) * t08 + Scalar(2) * t14
-        - Scalar(2) * t15 - omega_B * (CG_y + t09)) - omega_FG * (Scalar(2) * q.theta_FG.cos * v_FG
-        - omega_FG * FG_y);
+        - Scalar(2) * t15 - (CG_y + t09) * omega_B) - omega_FG * (Scalar(2) * q.theta_FG.cos * v_FG
+        - FG_y * omega_FG);
   }
 
   /// Frames of the links in the fixed frame.
@@ -522,12 +522,12 @@ struct Model04 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = u.x_B + slide_B_x;
     const Scalar t02 = u.y_B + slide_B_y;
     poses[0].x = CE_x + t01 - slide_C_x;
@@ -560,12 +560,12 @@ struct Model04 {
     P_u.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = slide_C_y - CE_y;
     const Scalar t02 = slide_C_x - CE_x;
     P_q(0, 2) = u.phi_B.cos;
@@ -615,19 +615,19 @@ struct Model04 {
     const Scalar v_y_F = u_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
     const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = t01 - (slide_B_y + CE_y - slide_C_y) * omega_B - cos_CEG * v_s_C;
-    v(0, 1) = omega_B * (slide_B_x + CE_x - slide_C_x) + t02 - sin_CEG * v_s_C;
+    v(0, 1) = (slide_B_x + CE_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;
     v(0, 2) = omega_B;
     v(1, 0) = t01 - slide_B_y * omega_B;
-    v(1, 1) = omega_B * slide_B_x + t02;
+    v(1, 1) = slide_B_x * omega_B + t02;
     v(1, 2) = omega_B;
     v(2, 0) = v_x_D;
     v(2, 1) = v_y_D;
@@ -659,12 +659,12 @@ struct Model04 {
     const Scalar a_y_F = u_second_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = slide_B_x + CE_x - slide_C_x;
     const Scalar t02 = u.phi_B.sin * v_s_B;
     const Scalar t03 = slide_B_y + CE_y - slide_C_y;
@@ -673,11 +673,11 @@ struct Model04 {
     const Scalar t06 = u.phi_B.sin * a_s_B + a_y_B;
     a(0, 0) = t04 - omega_B * (t01 * omega_B + Scalar(2) * t02 - Scalar(2) * sin_CEG * v_s_C)
         - t03 * alpha_B - cos_CEG * a_s_C;
-    a(0, 1) = t01 * alpha_B + t06 - omega_B * (omega_B * t03 + Scalar(2) * cos_CEG * v_s_C
+    a(0, 1) = t01 * alpha_B + t06 - omega_B * (t03 * omega_B + Scalar(2) * cos_CEG * v_s_C
         - Scalar(2) * t05) - sin_CEG * a_s_C;
     a(0, 2) = alpha_B;
     a(1, 0) = t04 - omega_B * (Scalar(2) * t02 + slide_B_x * omega_B) - slide_B_y * alpha_B;
-    a(1, 1) = omega_B * (Scalar(2) * t05 - omega_B * slide_B_y) + slide_B_x * alpha_B + t06;
+    a(1, 1) = omega_B * (Scalar(2) * t05 - slide_B_y * omega_B) + slide_B_x * alpha_B + t06;
     a(1, 2) = alpha_B;
     a(2, 0) = a_x_D;
     a(2, 1) = a_y_D;
@@ -702,26 +702,26 @@ struct Model04 {
     p.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = slide_C_x - CE_x;
     const Scalar t02 = t01 * omega_C_BC;
     const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
     const Scalar t04 = u.phi_B.sin * v_s_B;
     const Scalar t05 = slide_C_y - CE_y;
-    const Scalar t06 = omega_C_BC * t05;
+    const Scalar t06 = t05 * omega_C_BC;
     const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
     const Scalar t08 = u.phi_B.cos * v_s_B;
     p(0, 0) = omega_C_BC * (t02 + Scalar(2) * t03) + omega_B * (Scalar(2) * t02 + Scalar(2) * t03
-        - Scalar(2) * t04 - omega_B * (slide_B_x - t01));
+        - Scalar(2) * t04 - (slide_B_x - t01) * omega_B);
     p(0, 1) = omega_C_BC * (t06 - Scalar(2) * t07) + omega_B * (Scalar(2) * t06 + Scalar(2) * t08
-        - Scalar(2) * t07 - omega_B * (slide_B_y - t05));
+        - Scalar(2) * t07 - (slide_B_y - t05) * omega_B);
     p(1, 0) = -omega_B * (Scalar(2) * t04 + slide_B_x * omega_B);
-    p(1, 1) = omega_B * (Scalar(2) * t08 - omega_B * slide_B_y);
+    p(1, 1) = omega_B * (Scalar(2) * t08 - slide_B_y * omega_B);
   }
 
   /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
@@ -766,7 +766,7 @@ struct Model04 {
         - cos_CEG * q.theta_FG.sin;
     const Scalar sin_DE_minus_FG = q.theta_DE.sin * q.theta_FG.cos
         - q.theta_DE.cos * q.theta_FG.sin;
-    const Scalar t01 = d.psi_C_BC.sin * d.DE;
+    const Scalar t01 = d.DE * d.psi_C_BC.sin;
     const Scalar t02 = d.FG * sin_DE_minus_FG;
     const Scalar pivot_product = t01 * t02;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_C_BC) = 0, or sin(theta_DE -
@@ -775,29 +775,29 @@ struct Model04 {
     const Scalar inverse_sin_psi_C_BC = d.DE * t03;
     const Scalar t04 = inverse * t01;
     const Scalar inverse_sin_DE_minus_FG = d.FG * t04;
-    const Scalar inverse_FG = sin_DE_minus_FG * t04;
-    const Scalar inverse_DE = d.psi_C_BC.sin * t03;
+    const Scalar inverse_FG = t04 * sin_DE_minus_FG;
+    const Scalar inverse_DE = t03 * d.psi_C_BC.sin;
     const Scalar t05 = inverse_sin_psi_C_BC * inverse_sin_DE_minus_FG;
     const Scalar s_B_per_along_DE = cos_phi_B_plus_psi_C_BC_minus_FG * t05;
     const Scalar s_C_per_along_DE = cos_phi_B_minus_FG * t05;
-    const Scalar FG_per_along_DE = (sin_phi_B_minus_FG * s_B_per_along_DE
-        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_DE) * inverse_FG;
-    const Scalar DE_per_along_DE = (s_B_per_along_DE * sin_phi_B_minus_DE
-        - s_C_per_along_DE * sin_phi_B_plus_psi_C_BC_minus_DE) * inverse_DE;
+    const Scalar FG_per_along_DE = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_DE
+        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_DE);
+    const Scalar DE_per_along_DE = inverse_DE * (s_B_per_along_DE * sin_phi_B_minus_DE
+        - s_C_per_along_DE * sin_phi_B_plus_psi_C_BC_minus_DE);
     const Scalar s_B_per_along_FG = -cos_phi_B_plus_psi_C_BC_minus_DE * t05;
     const Scalar s_C_per_along_FG = -cos_phi_B_minus_DE * t05;
     const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG
         - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG);
     const Scalar DE_per_along_FG = inverse_DE * (sin_phi_B_minus_DE * s_B_per_along_FG
         - sin_phi_B_plus_psi_C_BC_minus_DE * s_C_per_along_FG);
-    J_inverse(0, 0) = q.theta_DE.cos * DE_per_along_DE - q.theta_DE.sin * inverse_DE;
-    J_inverse(0, 1) = q.theta_DE.cos * inverse_DE + q.theta_DE.sin * DE_per_along_DE;
-    J_inverse(0, 2) = q.theta_FG.cos * DE_per_along_FG;
-    J_inverse(0, 3) = q.theta_FG.sin * DE_per_along_FG;
-    J_inverse(1, 0) = q.theta_DE.cos * FG_per_along_DE;
-    J_inverse(1, 1) = q.theta_DE.sin * FG_per_along_DE;
-    J_inverse(1, 2) = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    J_inverse(1, 3) = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
+    J_inverse(0, 0) = DE_per_along_DE * q.theta_DE.cos - inverse_DE * q.theta_DE.sin;
+    J_inverse(0, 1) = inverse_DE * q.theta_DE.cos + DE_per_along_DE * q.theta_DE.sin;
+    J_inverse(0, 2) = DE_per_along_FG * q.theta_FG.cos;
+    J_inverse(0, 3) = DE_per_along_FG * q.theta_FG.sin;
+    J_inverse(1, 0) = FG_per_along_DE * q.theta_DE.cos;
+    J_inverse(1, 1) = FG_per_along_DE * q.theta_DE.sin;
+    J_inverse(1, 2) = FG_per_along_FG * q.theta_FG.cos - inverse_FG * q.theta_FG.sin;
+    J_inverse(1, 3) = inverse_FG * q.theta_FG.cos + FG_per_along_FG * q.theta_FG.sin;
     J_inverse(2, 0) = q.theta_DE.cos * s_B_per_along_DE;
     J_inverse(2, 1) = q.theta_DE.sin * s_B_per_along_DE;
     J_inverse(2, 2) = q.theta_FG.cos * s_B_per_along_FG;
@@ -830,18 +830,18 @@ struct Model04 {
     const Scalar phi_B_along_DE = q.s_C * cos_phi_B_plus_psi_C_BC_minus_DE
         - q.s_B * cos_phi_B_minus_DE - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_DE;
     const Scalar t01 = q.s_C * sin_phi_B_plus_psi_C_BC_minus_DE
-        + cos_phi_B_plus_psi_C_BC_minus_DE * d.h_C_CEG;
+        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_DE;
     const Scalar phi_B_across_DE = t01 - q.s_B * sin_phi_B_minus_DE;
     const Scalar t02 = q.s_C - d.x_G_CEG;
     const Scalar t03 = d.h_C_CEG - d.y_G_CEG;
     const Scalar phi_B_along_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
         - t03 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
-    const Scalar t04 = cos_phi_B_plus_psi_C_BC_minus_FG * t03
+    const Scalar t04 = t03 * cos_phi_B_plus_psi_C_BC_minus_FG
         + t02 * sin_phi_B_plus_psi_C_BC_minus_FG;
     const Scalar phi_B_across_FG = t04 - q.s_B * sin_phi_B_minus_FG;
     const Scalar sin_DE_minus_FG = q.theta_DE.sin * q.theta_FG.cos
         - q.theta_DE.cos * q.theta_FG.sin;
-    const Scalar t05 = d.psi_C_BC.sin * d.DE;
+    const Scalar t05 = d.DE * d.psi_C_BC.sin;
     const Scalar t06 = d.FG * sin_DE_minus_FG;
     const Scalar pivot_product = t05 * t06;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_C_BC) = 0, or sin(theta_DE -
@@ -850,54 +850,54 @@ struct Model04 {
     const Scalar inverse_sin_psi_C_BC = d.DE * t07;
     const Scalar t08 = inverse * t05;
     const Scalar inverse_sin_DE_minus_FG = d.FG * t08;
-    const Scalar inverse_FG = sin_DE_minus_FG * t08;
-    const Scalar inverse_DE = d.psi_C_BC.sin * t07;
+    const Scalar inverse_FG = t08 * sin_DE_minus_FG;
+    const Scalar inverse_DE = t07 * d.psi_C_BC.sin;
     const Scalar t09 = inverse_sin_psi_C_BC * inverse_sin_DE_minus_FG;
     const Scalar s_B_per_along_DE = cos_phi_B_plus_psi_C_BC_minus_FG * t09;
     const Scalar s_C_per_along_DE = cos_phi_B_minus_FG * t09;
-    const Scalar FG_per_along_DE = (sin_phi_B_minus_FG * s_B_per_along_DE
-        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_DE) * inverse_FG;
+    const Scalar FG_per_along_DE = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_DE
+        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_DE);
     const Scalar t10 = sin_phi_B_plus_psi_C_BC_minus_DE * s_C_per_along_DE;
-    const Scalar DE_per_along_DE = (sin_phi_B_minus_DE * s_B_per_along_DE - t10) * inverse_DE;
+    const Scalar DE_per_along_DE = inverse_DE * (sin_phi_B_minus_DE * s_B_per_along_DE - t10);
     const Scalar s_B_per_along_FG = -cos_phi_B_plus_psi_C_BC_minus_DE * t09;
     const Scalar s_C_per_along_FG = -cos_phi_B_minus_DE * t09;
     const Scalar t11 = sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
     const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG - t11);
     const Scalar DE_per_along_FG = inverse_DE * (sin_phi_B_minus_DE * s_B_per_along_FG
         - sin_phi_B_plus_psi_C_BC_minus_DE * s_C_per_along_FG);
-    const Scalar t12 = sin_phi_B_plus_psi_C_BC_minus_FG * DE_per_along_FG;
-    const Scalar t13 = cos_phi_B_plus_psi_C_BC_minus_DE * inverse_DE
-        - sin_phi_B_plus_psi_C_BC_minus_DE * DE_per_along_DE;
-    const Scalar t14 = cos_phi_B_plus_psi_C_BC_minus_FG * inverse_FG
-        - sin_phi_B_plus_psi_C_BC_minus_FG * FG_per_along_FG;
+    const Scalar DE_per_x_D = inverse_DE * q.theta_DE.sin - DE_per_along_DE * q.theta_DE.cos;
+    const Scalar FG_per_x_D = -FG_per_along_DE * q.theta_DE.cos;
+    const Scalar s_B_per_x_D = -q.theta_DE.cos * s_B_per_along_DE;
+    const Scalar s_C_per_x_D = -q.theta_DE.cos * s_C_per_along_DE;
+    const Scalar DE_per_y_D = -inverse_DE * q.theta_DE.cos - DE_per_along_DE * q.theta_DE.sin;
+    const Scalar FG_per_y_D = -FG_per_along_DE * q.theta_DE.sin;
+    const Scalar s_B_per_y_D = -q.theta_DE.sin * s_B_per_along_DE;
+    const Scalar s_C_per_y_D = -q.theta_DE.sin * s_C_per_along_DE;
+    const Scalar DE_per_x_F = -DE_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
+    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
+    const Scalar DE_per_y_F = -DE_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
+    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
+    const Scalar t12 = DE_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
+    const Scalar t13 = inverse_DE * cos_phi_B_plus_psi_C_BC_minus_DE
+        - DE_per_along_DE * sin_phi_B_plus_psi_C_BC_minus_DE;
+    const Scalar t14 = inverse_FG * cos_phi_B_plus_psi_C_BC_minus_FG
+        - FG_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
     const Scalar t15 = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
-    const Scalar t16 = q.theta_FG.cos * DE_per_along_FG;
-    const Scalar t17 = q.theta_DE.cos * DE_per_along_DE - q.theta_DE.sin * inverse_DE;
-    const Scalar t18 = q.theta_FG.sin * DE_per_along_FG;
-    const Scalar t19 = q.theta_DE.cos * inverse_DE + q.theta_DE.sin * DE_per_along_DE;
-    const Scalar t20 = q.theta_DE.cos * FG_per_along_DE;
-    const Scalar t21 = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    const Scalar t22 = q.theta_DE.sin * FG_per_along_DE;
-    const Scalar t23 = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
-    const Scalar t24 = q.theta_DE.cos * s_B_per_along_DE;
-    const Scalar t25 = q.theta_FG.cos * s_B_per_along_FG;
-    const Scalar t26 = q.theta_DE.sin * s_B_per_along_DE;
-    const Scalar t27 = q.theta_FG.sin * s_B_per_along_FG;
-    const Scalar t28 = q.theta_DE.cos * s_C_per_along_DE;
-    const Scalar t29 = q.theta_FG.cos * s_C_per_along_FG;
-    const Scalar t30 = q.theta_DE.sin * s_C_per_along_DE;
-    const Scalar t31 = q.theta_FG.sin * s_C_per_along_FG;
     S_d(0, 0) = t12 - t13;
-    S_d(0, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * DE_per_along_FG;
+    S_d(0, 1) = DE_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG;
     S_d(0, 2) = -t12;
     S_d(0, 3) = DE_per_along_FG * t04
-        + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_DE * DE_per_along_DE
-        + sin_phi_B_plus_psi_C_BC_minus_DE * inverse_DE) - q.s_C * t13;
+        + d.h_C_CEG * (DE_per_along_DE * cos_phi_B_plus_psi_C_BC_minus_DE
+        + inverse_DE * sin_phi_B_plus_psi_C_BC_minus_DE) - q.s_C * t13;
     S_d(0, 4) = -DE_per_along_DE;
     S_d(0, 5) = -DE_per_along_FG;
-    S_d(1, 0) = sin_phi_B_plus_psi_C_BC_minus_DE * FG_per_along_DE - t14;
-    S_d(1, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * FG_per_along_FG
-        + sin_phi_B_plus_psi_C_BC_minus_FG * inverse_FG;
+    S_d(1, 0) = FG_per_along_DE * sin_phi_B_plus_psi_C_BC_minus_DE - t14;
+    S_d(1, 1) = FG_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG
+        + inverse_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
     S_d(1, 2) = t14;
     S_d(1, 3) = sin_phi_B_plus_psi_C_BC_minus_FG * (t03 * inverse_FG + t02 * FG_per_along_FG)
         + FG_per_along_DE * t01 - cos_phi_B_plus_psi_C_BC_minus_FG * (t02 * inverse_FG
@@ -907,45 +907,45 @@ struct Model04 {
     S_d(2, 0) = sin_phi_B_plus_psi_C_BC_minus_DE * s_B_per_along_DE + t15;
     S_d(2, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
     S_d(2, 2) = -t15;
-    S_d(2, 3) = s_B_per_along_FG * t04 + s_B_per_along_DE * t01;
+    S_d(2, 3) = t04 * s_B_per_along_FG + t01 * s_B_per_along_DE;
     S_d(2, 4) = -s_B_per_along_DE;
     S_d(2, 5) = -s_B_per_along_FG;
     S_d(3, 0) = t10 + t11;
     S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
     S_d(3, 2) = -t11;
-    S_d(3, 3) = s_C_per_along_FG * t04 + s_C_per_along_DE * t01;
+    S_d(3, 3) = t04 * s_C_per_along_FG + t01 * s_C_per_along_DE;
     S_d(3, 4) = -s_C_per_along_DE;
     S_d(3, 5) = -s_C_per_along_FG;
-    S_u(0, 0) = t16 + t17;
-    S_u(0, 1) = t18 + t19;
+    S_u(0, 0) = -DE_per_x_D - DE_per_x_F;
+    S_u(0, 1) = -DE_per_y_D - DE_per_y_F;
     S_u(0, 2) = DE_per_along_DE * phi_B_across_DE + DE_per_along_FG * phi_B_across_FG
         - inverse_DE * phi_B_along_DE;
-    S_u(0, 3) = -t17;
-    S_u(0, 4) = -t19;
-    S_u(0, 5) = -t16;
-    S_u(0, 6) = -t18;
-    S_u(1, 0) = t20 + t21;
-    S_u(1, 1) = t22 + t23;
+    S_u(0, 3) = DE_per_x_D;
+    S_u(0, 4) = DE_per_y_D;
+    S_u(0, 5) = DE_per_x_F;
+    S_u(0, 6) = DE_per_y_F;
+    S_u(1, 0) = -FG_per_x_D - FG_per_x_F;
+    S_u(1, 1) = -FG_per_y_D - FG_per_y_F;
     S_u(1, 2) = FG_per_along_DE * phi_B_across_DE + FG_per_along_FG * phi_B_across_FG
         - inverse_FG * phi_B_along_FG;
-    S_u(1, 3) = -t20;
-    S_u(1, 4) = -t22;
-    S_u(1, 5) = -t21;
-    S_u(1, 6) = -t23;
-    S_u(2, 0) = t24 + t25;
-    S_u(2, 1) = t26 + t27;
-    S_u(2, 2) = s_B_per_along_DE * phi_B_across_DE + s_B_per_along_FG * phi_B_across_FG;
-    S_u(2, 3) = -t24;
-    S_u(2, 4) = -t26;
-    S_u(2, 5) = -t25;
-    S_u(2, 6) = -t27;
-    S_u(3, 0) = t28 + t29;
-    S_u(3, 1) = t30 + t31;
-    S_u(3, 2) = s_C_per_along_DE * phi_B_across_DE + s_C_per_along_FG * phi_B_across_FG;
-    S_u(3, 3) = -t28;
-    S_u(3, 4) = -t30;
-    S_u(3, 5) = -t29;
-    S_u(3, 6) = -t31;
+    S_u(1, 3) = FG_per_x_D;
+    S_u(1, 4) = FG_per_y_D;
+    S_u(1, 5) = FG_per_x_F;
+    S_u(1, 6) = FG_per_y_F;
+    S_u(2, 0) = -s_B_per_x_D - s_B_per_x_F;
+    S_u(2, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_u(2, 2) = phi_B_across_DE * s_B_per_along_DE + phi_B_across_FG * s_B_per_along_FG;
+    S_u(2, 3) = s_B_per_x_D;
+    S_u(2, 4) = s_B_per_y_D;
+    S_u(2, 5) = s_B_per_x_F;
+    S_u(2, 6) = s_B_per_y_F;
+    S_u(3, 0) = -s_C_per_x_D - s_C_per_x_F;
+    S_u(3, 1) = -s_C_per_y_D - s_C_per_y_F;
+    S_u(3, 2) = phi_B_across_DE * s_C_per_along_DE + phi_B_across_FG * s_C_per_along_FG;
+    S_u(3, 3) = s_C_per_x_D;
+    S_u(3, 4) = s_C_per_y_D;
+    S_u(3, 5) = s_C_per_x_F;
+    S_u(3, 6) = s_C_per_y_F;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -977,16 +977,16 @@ struct Model04 {
     const Scalar phi_B_along_DE = q.s_C * cos_phi_B_plus_psi_C_BC_minus_DE
         - q.s_B * cos_phi_B_minus_DE - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_DE;
     const Scalar phi_B_across_DE = q.s_C * sin_phi_B_plus_psi_C_BC_minus_DE
-        + cos_phi_B_plus_psi_C_BC_minus_DE * d.h_C_CEG - q.s_B * sin_phi_B_minus_DE;
+        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_DE - q.s_B * sin_phi_B_minus_DE;
     const Scalar t01 = q.s_C - d.x_G_CEG;
     const Scalar t02 = d.h_C_CEG - d.y_G_CEG;
     const Scalar phi_B_along_FG = t01 * cos_phi_B_plus_psi_C_BC_minus_FG
         - t02 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
-    const Scalar phi_B_across_FG = cos_phi_B_plus_psi_C_BC_minus_FG * t02
+    const Scalar phi_B_across_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
         + t01 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar sin_DE_minus_FG = q.theta_DE.sin * q.theta_FG.cos
         - q.theta_DE.cos * q.theta_FG.sin;
-    const Scalar t03 = d.psi_C_BC.sin * d.DE;
+    const Scalar t03 = d.DE * d.psi_C_BC.sin;
     const Scalar t04 = d.FG * sin_DE_minus_FG;
     const Scalar pivot_product = t03 * t04;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_C_BC) = 0, or sin(theta_DE -
@@ -995,29 +995,29 @@ struct Model04 {
     const Scalar inverse_sin_psi_C_BC = d.DE * t05;
     const Scalar t06 = inverse * t03;
     const Scalar inverse_sin_DE_minus_FG = d.FG * t06;
-    const Scalar inverse_FG = sin_DE_minus_FG * t06;
-    const Scalar inverse_DE = d.psi_C_BC.sin * t05;
+    const Scalar inverse_FG = t06 * sin_DE_minus_FG;
+    const Scalar inverse_DE = t05 * d.psi_C_BC.sin;
     const Scalar t07 = v_x_B - v_x_D;
     const Scalar t08 = v_y_B - v_y_D;
     const Scalar velocity_along_DE = q.theta_DE.cos * t07 + q.theta_DE.sin * t08
-        + omega_B * phi_B_across_DE;
+        + phi_B_across_DE * omega_B;
     const Scalar velocity_across_DE = q.theta_DE.cos * t08 - q.theta_DE.sin * t07
-        - omega_B * phi_B_along_DE;
+        - phi_B_along_DE * omega_B;
     const Scalar t09 = v_x_B - v_x_F;
     const Scalar t10 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t09 + q.theta_FG.sin * t10
-        + omega_B * phi_B_across_FG;
+        + phi_B_across_FG * omega_B;
     const Scalar velocity_across_FG = q.theta_FG.cos * t10 - q.theta_FG.sin * t09
-        - omega_B * phi_B_along_FG;
+        - phi_B_along_FG * omega_B;
     const Scalar t11 = inverse_sin_DE_minus_FG * inverse_sin_psi_C_BC;
-    const Scalar v_s_B = -(cos_phi_B_plus_psi_C_BC_minus_DE * velocity_along_FG
-        - cos_phi_B_plus_psi_C_BC_minus_FG * velocity_along_DE) * t11;
-    const Scalar v_s_C = -(cos_phi_B_minus_DE * velocity_along_FG
-        - cos_phi_B_minus_FG * velocity_along_DE) * t11;
-    const Scalar omega_FG = (sin_phi_B_minus_FG * v_s_B + velocity_across_FG
-        - sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C) * inverse_FG;
-    const Scalar omega_DE = (sin_phi_B_minus_DE * v_s_B + velocity_across_DE
-        - sin_phi_B_plus_psi_C_BC_minus_DE * v_s_C) * inverse_DE;
+    const Scalar v_s_B = -t11 * (cos_phi_B_plus_psi_C_BC_minus_DE * velocity_along_FG
+        - cos_phi_B_plus_psi_C_BC_minus_FG * velocity_along_DE);
+    const Scalar v_s_C = -t11 * (cos_phi_B_minus_DE * velocity_along_FG
+        - cos_phi_B_minus_FG * velocity_along_DE);
+    const Scalar omega_FG = inverse_FG * (sin_phi_B_minus_FG * v_s_B + velocity_across_FG
+        - sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C);
+    const Scalar omega_DE = inverse_DE * (sin_phi_B_minus_DE * v_s_B + velocity_across_DE
+        - sin_phi_B_plus_psi_C_BC_minus_DE * v_s_C);
     q_rate(0) = omega_DE;
     q_rate(1) = omega_FG;
     q_rate(2) = v_s_B;
@@ -1061,16 +1061,16 @@ struct Model04 {
     const Scalar phi_B_along_DE = q.s_C * cos_phi_B_plus_psi_C_BC_minus_DE
         - q.s_B * cos_phi_B_minus_DE - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_DE;
     const Scalar phi_B_across_DE = q.s_C * sin_phi_B_plus_psi_C_BC_minus_DE
-        + cos_phi_B_plus_psi_C_BC_minus_DE * d.h_C_CEG - q.s_B * sin_phi_B_minus_DE;
+        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_DE - q.s_B * sin_phi_B_minus_DE;
     const Scalar t01 = q.s_C - d.x_G_CEG;
     const Scalar t02 = d.h_C_CEG - d.y_G_CEG;
     const Scalar phi_B_along_FG = t01 * cos_phi_B_plus_psi_C_BC_minus_FG
         - t02 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
-    const Scalar phi_B_across_FG = cos_phi_B_plus_psi_C_BC_minus_FG * t02
+    const Scalar phi_B_across_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
         + t01 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar sin_DE_minus_FG = q.theta_DE.sin * q.theta_FG.cos
         - q.theta_DE.cos * q.theta_FG.sin;
-    const Scalar t03 = d.psi_C_BC.sin * d.DE;
+    const Scalar t03 = d.DE * d.psi_C_BC.sin;
     const Scalar t04 = d.FG * sin_DE_minus_FG;
     const Scalar pivot_product = t03 * t04;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_C_BC) = 0, or sin(theta_DE -
@@ -1079,25 +1079,25 @@ struct Model04 {
     const Scalar inverse_sin_psi_C_BC = d.DE * t05;
     const Scalar t06 = inverse * t03;
     const Scalar inverse_sin_DE_minus_FG = d.FG * t06;
-    const Scalar inverse_FG = sin_DE_minus_FG * t06;
-    const Scalar inverse_DE = d.psi_C_BC.sin * t05;
+    const Scalar inverse_FG = t06 * sin_DE_minus_FG;
+    const Scalar inverse_DE = t05 * d.psi_C_BC.sin;
     const Scalar t07 = v_x_B - v_x_D;
     const Scalar t08 = v_y_B - v_y_D;
-    const Scalar t09 = omega_B * phi_B_across_DE;
+    const Scalar t09 = phi_B_across_DE * omega_B;
     const Scalar velocity_along_DE = q.theta_DE.cos * t07 + q.theta_DE.sin * t08 + t09;
-    const Scalar t10 = omega_B * phi_B_along_DE;
+    const Scalar t10 = phi_B_along_DE * omega_B;
     const Scalar velocity_across_DE = q.theta_DE.cos * t08 - q.theta_DE.sin * t07 - t10;
     const Scalar t11 = v_x_B - v_x_F;
     const Scalar t12 = v_y_B - v_y_F;
-    const Scalar t13 = omega_B * phi_B_across_FG;
+    const Scalar t13 = phi_B_across_FG * omega_B;
     const Scalar velocity_along_FG = q.theta_FG.cos * t11 + q.theta_FG.sin * t12 + t13;
-    const Scalar t14 = omega_B * phi_B_along_FG;
+    const Scalar t14 = phi_B_along_FG * omega_B;
     const Scalar velocity_across_FG = q.theta_FG.cos * t12 - q.theta_FG.sin * t11 - t14;
     const Scalar t15 = inverse_sin_DE_minus_FG * inverse_sin_psi_C_BC;
-    const Scalar v_s_B = -(cos_phi_B_plus_psi_C_BC_minus_DE * velocity_along_FG
-        - cos_phi_B_plus_psi_C_BC_minus_FG * velocity_along_DE) * t15;
-    const Scalar v_s_C = -(cos_phi_B_minus_DE * velocity_along_FG
-        - cos_phi_B_minus_FG * velocity_along_DE) * t15;
+    const Scalar v_s_B = -t15 * (cos_phi_B_plus_psi_C_BC_minus_DE * velocity_along_FG
+        - cos_phi_B_plus_psi_C_BC_minus_FG * velocity_along_DE);
+    const Scalar v_s_C = -t15 * (cos_phi_B_minus_DE * velocity_along_FG
+        - cos_phi_B_minus_FG * velocity_along_DE);
     const Scalar t16 = sin_phi_B_minus_FG * v_s_B - sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C;
     const Scalar omega_FG = inverse_FG * (velocity_across_FG + t16);
     const Scalar t17 = sin_phi_B_minus_DE * v_s_B - sin_phi_B_plus_psi_C_BC_minus_DE * v_s_C;
@@ -1118,10 +1118,10 @@ struct Model04 {
     const Scalar acceleration_across_FG = omega_B * (t13 + Scalar(2) * cos_phi_B_minus_FG * v_s_B
         - Scalar(2) * cos_phi_B_plus_psi_C_BC_minus_FG * v_s_C) + q.theta_FG.cos * t21
         - q.theta_FG.sin * t20 - phi_B_along_FG * alpha_B;
-    const Scalar a_s_B = -(cos_phi_B_plus_psi_C_BC_minus_DE * acceleration_along_FG
-        - cos_phi_B_plus_psi_C_BC_minus_FG * acceleration_along_DE) * t15;
-    const Scalar a_s_C = -(cos_phi_B_minus_DE * acceleration_along_FG
-        - cos_phi_B_minus_FG * acceleration_along_DE) * t15;
+    const Scalar a_s_B = -t15 * (cos_phi_B_plus_psi_C_BC_minus_DE * acceleration_along_FG
+        - cos_phi_B_plus_psi_C_BC_minus_FG * acceleration_along_DE);
+    const Scalar a_s_C = -t15 * (cos_phi_B_minus_DE * acceleration_along_FG
+        - cos_phi_B_minus_FG * acceleration_along_DE);
     const Scalar alpha_FG = inverse_FG * (sin_phi_B_minus_FG * a_s_B + acceleration_across_FG
         - sin_phi_B_plus_psi_C_BC_minus_FG * a_s_C);
     const Scalar alpha_DE = inverse_DE * (sin_phi_B_minus_DE * a_s_B + acceleration_across_DE
@@ -1175,18 +1175,18 @@ struct Model04 {
     const Scalar phi_B_along_DE = q.s_C * cos_phi_B_plus_psi_C_BC_minus_DE
         - q.s_B * cos_phi_B_minus_DE - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_DE;
     const Scalar t01 = q.s_C * sin_phi_B_plus_psi_C_BC_minus_DE
-        + cos_phi_B_plus_psi_C_BC_minus_DE * d.h_C_CEG;
+        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_DE;
     const Scalar phi_B_across_DE = t01 - q.s_B * sin_phi_B_minus_DE;
     const Scalar t02 = q.s_C - d.x_G_CEG;
     const Scalar t03 = d.h_C_CEG - d.y_G_CEG;
     const Scalar phi_B_along_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
         - t03 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
-    const Scalar t04 = cos_phi_B_plus_psi_C_BC_minus_FG * t03
+    const Scalar t04 = t03 * cos_phi_B_plus_psi_C_BC_minus_FG
         + t02 * sin_phi_B_plus_psi_C_BC_minus_FG;
     const Scalar phi_B_across_FG = t04 - q.s_B * sin_phi_B_minus_FG;
     const Scalar sin_DE_minus_FG = q.theta_DE.sin * q.theta_FG.cos
         - q.theta_DE.cos * q.theta_FG.sin;
-    const Scalar t05 = d.psi_C_BC.sin * d.DE;
+    const Scalar t05 = d.DE * d.psi_C_BC.sin;
     const Scalar t06 = d.FG * sin_DE_minus_FG;
     const Scalar pivot_product = t05 * t06;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_C_BC) = 0, or sin(theta_DE -
@@ -1195,87 +1195,61 @@ struct Model04 {
     const Scalar inverse_sin_psi_C_BC = d.DE * t07;
     const Scalar t08 = inverse * t05;
     const Scalar inverse_sin_DE_minus_FG = d.FG * t08;
-    const Scalar inverse_FG = sin_DE_minus_FG * t08;
-    const Scalar inverse_DE = d.psi_C_BC.sin * t07;
+    const Scalar inverse_FG = t08 * sin_DE_minus_FG;
+    const Scalar inverse_DE = t07 * d.psi_C_BC.sin;
     const Scalar t09 = inverse_sin_psi_C_BC * inverse_sin_DE_minus_FG;
     const Scalar s_B_per_along_DE = cos_phi_B_plus_psi_C_BC_minus_FG * t09;
     const Scalar s_C_per_along_DE = cos_phi_B_minus_FG * t09;
-    const Scalar FG_per_along_DE = (sin_phi_B_minus_FG * s_B_per_along_DE
-        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_DE) * inverse_FG;
+    const Scalar FG_per_along_DE = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_DE
+        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_DE);
     const Scalar t10 = sin_phi_B_plus_psi_C_BC_minus_DE * s_C_per_along_DE;
-    const Scalar DE_per_along_DE = (sin_phi_B_minus_DE * s_B_per_along_DE - t10) * inverse_DE;
+    const Scalar DE_per_along_DE = inverse_DE * (sin_phi_B_minus_DE * s_B_per_along_DE - t10);
     const Scalar s_B_per_along_FG = -cos_phi_B_plus_psi_C_BC_minus_DE * t09;
     const Scalar s_C_per_along_FG = -cos_phi_B_minus_DE * t09;
     const Scalar t11 = sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
     const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG - t11);
     const Scalar DE_per_along_FG = inverse_DE * (sin_phi_B_minus_DE * s_B_per_along_FG
         - sin_phi_B_plus_psi_C_BC_minus_DE * s_C_per_along_FG);
-    const Scalar t12 = q.theta_FG.cos * DE_per_along_FG;
-    const Scalar t13 = q.theta_DE.cos * DE_per_along_DE - q.theta_DE.sin * inverse_DE;
-    const Scalar t14 = t12 + t13;
-    const Scalar DE_per_x_B = t14;
-    const Scalar t15 = q.theta_DE.cos * FG_per_along_DE;
-    const Scalar t16 = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    const Scalar t17 = t15 + t16;
-    const Scalar FG_per_x_B = t17;
-    const Scalar t18 = q.theta_DE.cos * s_B_per_along_DE;
-    const Scalar t19 = q.theta_FG.cos * s_B_per_along_FG;
-    const Scalar t20 = t18 + t19;
-    const Scalar s_B_per_x_B = t20;
-    const Scalar t21 = q.theta_DE.cos * s_C_per_along_DE;
-    const Scalar t22 = q.theta_FG.cos * s_C_per_along_FG;
-    const Scalar t23 = t21 + t22;
-    const Scalar s_C_per_x_B = t23;
-    const Scalar t24 = q.theta_FG.sin * DE_per_along_FG;
-    const Scalar t25 = q.theta_DE.cos * inverse_DE + q.theta_DE.sin * DE_per_along_DE;
-    const Scalar t26 = t24 + t25;
-    const Scalar DE_per_y_B = t26;
-    const Scalar t27 = q.theta_DE.sin * FG_per_along_DE;
-    const Scalar t28 = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
-    const Scalar t29 = t27 + t28;
-    const Scalar FG_per_y_B = t29;
-    const Scalar t30 = q.theta_DE.sin * s_B_per_along_DE;
-    const Scalar t31 = q.theta_FG.sin * s_B_per_along_FG;
-    const Scalar t32 = t30 + t31;
-    const Scalar s_B_per_y_B = t32;
-    const Scalar t33 = q.theta_DE.sin * s_C_per_along_DE;
-    const Scalar t34 = q.theta_FG.sin * s_C_per_along_FG;
-    const Scalar t35 = t33 + t34;
-    const Scalar s_C_per_y_B = t35;
-    const Scalar t36 = inverse_DE * phi_B_along_DE - DE_per_along_DE * phi_B_across_DE
-        - DE_per_along_FG * phi_B_across_FG;
-    const Scalar DE_per_phi_B = -t36;
-    const Scalar t37 = FG_per_along_DE * phi_B_across_DE + FG_per_along_FG * phi_B_across_FG
-        - inverse_FG * phi_B_along_FG;
-    const Scalar FG_per_phi_B = t37;
-    const Scalar t38 = s_B_per_along_DE * phi_B_across_DE + s_B_per_along_FG * phi_B_across_FG;
-    const Scalar s_B_per_phi_B = t38;
-    const Scalar t39 = s_C_per_along_DE * phi_B_across_DE + s_C_per_along_FG * phi_B_across_FG;
-    const Scalar s_C_per_phi_B = t39;
-    const Scalar DE_per_x_D = -t13;
-    const Scalar FG_per_x_D = -t15;
-    const Scalar s_B_per_x_D = -t18;
-    const Scalar s_C_per_x_D = -t21;
-    const Scalar DE_per_y_D = -t25;
-    const Scalar FG_per_y_D = -t27;
-    const Scalar s_B_per_y_D = -t30;
-    const Scalar s_C_per_y_D = -t33;
-    const Scalar DE_per_x_F = -t12;
-    const Scalar FG_per_x_F = -t16;
-    const Scalar s_B_per_x_F = -t19;
-    const Scalar s_C_per_x_F = -t22;
-    const Scalar DE_per_y_F = -t24;
-    const Scalar FG_per_y_F = -t28;
-    const Scalar s_B_per_y_F = -t31;
-    const Scalar s_C_per_y_F = -t34;
-    const Scalar omega_DE = v_x_B * DE_per_x_B + v_y_B * DE_per_y_B + omega_B * DE_per_phi_B
-        + v_x_D * DE_per_x_D + v_y_D * DE_per_y_D + v_x_F * DE_per_x_F + v_y_F * DE_per_y_F;
-    const Scalar omega_FG = v_x_B * FG_per_x_B + v_y_B * FG_per_y_B + omega_B * FG_per_phi_B
-        + v_x_D * FG_per_x_D + v_y_D * FG_per_y_D + v_x_F * FG_per_x_F + v_y_F * FG_per_y_F;
-    const Scalar v_s_B = v_x_B * s_B_per_x_B + v_y_B * s_B_per_y_B + omega_B * s_B_per_phi_B
-        + v_x_D * s_B_per_x_D + v_y_D * s_B_per_y_D + v_x_F * s_B_per_x_F + v_y_F * s_B_per_y_F;
-    const Scalar v_s_C = v_x_B * s_C_per_x_B + v_y_B * s_C_per_y_B + omega_B * s_C_per_phi_B
-        + v_x_D * s_C_per_x_D + v_y_D * s_C_per_y_D + v_x_F * s_C_per_x_F + v_y_F * s_C_per_y_F;
+    const Scalar DE_per_x_D = inverse_DE * q.theta_DE.sin - DE_per_along_DE * q.theta_DE.cos;
+    const Scalar DE_per_x_F = -DE_per_along_FG * q.theta_FG.cos;
+    const Scalar DE_per_x_B = -DE_per_x_D - DE_per_x_F;
+    const Scalar FG_per_x_D = -FG_per_along_DE * q.theta_DE.cos;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
+    const Scalar s_B_per_x_D = -q.theta_DE.cos * s_B_per_along_DE;
+    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
+    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
+    const Scalar s_C_per_x_D = -q.theta_DE.cos * s_C_per_along_DE;
+    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
+    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
+    const Scalar DE_per_y_D = -inverse_DE * q.theta_DE.cos - DE_per_along_DE * q.theta_DE.sin;
+    const Scalar DE_per_y_F = -DE_per_along_FG * q.theta_FG.sin;
+    const Scalar DE_per_y_B = -DE_per_y_D - DE_per_y_F;
+    const Scalar FG_per_y_D = -FG_per_along_DE * q.theta_DE.sin;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
+    const Scalar s_B_per_y_D = -q.theta_DE.sin * s_B_per_along_DE;
+    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
+    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
+    const Scalar s_C_per_y_D = -q.theta_DE.sin * s_C_per_along_DE;
+    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
+    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
+    const Scalar DE_per_phi_B = DE_per_along_DE * phi_B_across_DE
+        + DE_per_along_FG * phi_B_across_FG - inverse_DE * phi_B_along_DE;
+    const Scalar FG_per_phi_B = FG_per_along_DE * phi_B_across_DE
+        + FG_per_along_FG * phi_B_across_FG - inverse_FG * phi_B_along_FG;
+    const Scalar s_B_per_phi_B = phi_B_across_DE * s_B_per_along_DE
+        + phi_B_across_FG * s_B_per_along_FG;
+    const Scalar s_C_per_phi_B = phi_B_across_DE * s_C_per_along_DE
+        + phi_B_across_FG * s_C_per_along_FG;
+    const Scalar omega_DE = DE_per_x_B * v_x_B + DE_per_y_B * v_y_B + DE_per_phi_B * omega_B
+        + DE_per_x_D * v_x_D + DE_per_y_D * v_y_D + DE_per_x_F * v_x_F + DE_per_y_F * v_y_F;
+    const Scalar omega_FG = FG_per_x_B * v_x_B + FG_per_y_B * v_y_B + FG_per_phi_B * omega_B
+        + FG_per_x_D * v_x_D + FG_per_y_D * v_y_D + FG_per_x_F * v_x_F + FG_per_y_F * v_y_F;
+    const Scalar v_s_B = s_B_per_x_B * v_x_B + s_B_per_y_B * v_y_B + s_B_per_phi_B * omega_B
+        + s_B_per_x_D * v_x_D + s_B_per_y_D * v_y_D + s_B_per_x_F * v_x_F + s_B_per_y_F * v_y_F;
+    const Scalar v_s_C = s_C_per_x_B * v_x_B + s_C_per_y_B * v_y_B + s_C_per_phi_B * omega_B
+        + s_C_per_x_D * v_x_D + s_C_per_y_D * v_y_D + s_C_per_x_F * v_x_F + s_C_per_y_F * v_y_F;
     const Scalar centripetal_along_DE = d.DE * omega_DE * omega_DE
         - omega_B * (Scalar(2) * sin_phi_B_minus_DE * v_s_B
         - Scalar(2) * sin_phi_B_plus_psi_C_BC_minus_DE * v_s_C - phi_B_along_DE * omega_B);
@@ -1286,69 +1260,69 @@ struct Model04 {
         - Scalar(2) * sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C - phi_B_along_FG * omega_B);
     const Scalar centripetal_across_FG = omega_B * (Scalar(2) * cos_phi_B_minus_FG * v_s_B
         + phi_B_across_FG * omega_B - Scalar(2) * cos_phi_B_plus_psi_C_BC_minus_FG * v_s_C);
-    const Scalar t40 = sin_phi_B_plus_psi_C_BC_minus_FG * DE_per_along_FG;
-    const Scalar t41 = cos_phi_B_plus_psi_C_BC_minus_DE * inverse_DE
-        - sin_phi_B_plus_psi_C_BC_minus_DE * DE_per_along_DE;
-    const Scalar t42 = cos_phi_B_plus_psi_C_BC_minus_FG * inverse_FG
-        - sin_phi_B_plus_psi_C_BC_minus_FG * FG_per_along_FG;
-    const Scalar t43 = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
-    S_d(0, 0) = t40 - t41;
-    S_d(0, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * DE_per_along_FG;
-    S_d(0, 2) = -t40;
+    const Scalar t12 = DE_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
+    const Scalar t13 = inverse_DE * cos_phi_B_plus_psi_C_BC_minus_DE
+        - DE_per_along_DE * sin_phi_B_plus_psi_C_BC_minus_DE;
+    const Scalar t14 = inverse_FG * cos_phi_B_plus_psi_C_BC_minus_FG
+        - FG_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
+    const Scalar t15 = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
+    S_d(0, 0) = t12 - t13;
+    S_d(0, 1) = DE_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG;
+    S_d(0, 2) = -t12;
     S_d(0, 3) = DE_per_along_FG * t04
-        + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_DE * DE_per_along_DE
-        + sin_phi_B_plus_psi_C_BC_minus_DE * inverse_DE) - q.s_C * t41;
+        + d.h_C_CEG * (DE_per_along_DE * cos_phi_B_plus_psi_C_BC_minus_DE
+        + inverse_DE * sin_phi_B_plus_psi_C_BC_minus_DE) - q.s_C * t13;
     S_d(0, 4) = -DE_per_along_DE;
     S_d(0, 5) = -DE_per_along_FG;
-    S_d(1, 0) = sin_phi_B_plus_psi_C_BC_minus_DE * FG_per_along_DE - t42;
-    S_d(1, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * FG_per_along_FG
-        + sin_phi_B_plus_psi_C_BC_minus_FG * inverse_FG;
-    S_d(1, 2) = t42;
+    S_d(1, 0) = FG_per_along_DE * sin_phi_B_plus_psi_C_BC_minus_DE - t14;
+    S_d(1, 1) = FG_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG
+        + inverse_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
+    S_d(1, 2) = t14;
     S_d(1, 3) = sin_phi_B_plus_psi_C_BC_minus_FG * (t03 * inverse_FG + t02 * FG_per_along_FG)
         + FG_per_along_DE * t01 - cos_phi_B_plus_psi_C_BC_minus_FG * (t02 * inverse_FG
         - t03 * FG_per_along_FG);
     S_d(1, 4) = -FG_per_along_DE;
     S_d(1, 5) = -FG_per_along_FG;
-    S_d(2, 0) = sin_phi_B_plus_psi_C_BC_minus_DE * s_B_per_along_DE + t43;
+    S_d(2, 0) = sin_phi_B_plus_psi_C_BC_minus_DE * s_B_per_along_DE + t15;
     S_d(2, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
-    S_d(2, 2) = -t43;
-    S_d(2, 3) = s_B_per_along_FG * t04 + s_B_per_along_DE * t01;
+    S_d(2, 2) = -t15;
+    S_d(2, 3) = t04 * s_B_per_along_FG + t01 * s_B_per_along_DE;
     S_d(2, 4) = -s_B_per_along_DE;
     S_d(2, 5) = -s_B_per_along_FG;
     S_d(3, 0) = t10 + t11;
     S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
     S_d(3, 2) = -t11;
-    S_d(3, 3) = s_C_per_along_FG * t04 + s_C_per_along_DE * t01;
+    S_d(3, 3) = t04 * s_C_per_along_FG + t01 * s_C_per_along_DE;
     S_d(3, 4) = -s_C_per_along_DE;
     S_d(3, 5) = -s_C_per_along_FG;
-    S_u(0, 0) = t14;
-    S_u(0, 1) = t26;
-    S_u(0, 2) = -t36;
-    S_u(0, 3) = -t13;
-    S_u(0, 4) = -t25;
-    S_u(0, 5) = -t12;
-    S_u(0, 6) = -t24;
-    S_u(1, 0) = t17;
-    S_u(1, 1) = t29;
-    S_u(1, 2) = t37;
-    S_u(1, 3) = -t15;
-    S_u(1, 4) = -t27;
-    S_u(1, 5) = -t16;
-    S_u(1, 6) = -t28;
-    S_u(2, 0) = t20;
-    S_u(2, 1) = t32;
-    S_u(2, 2) = t38;
-    S_u(2, 3) = -t18;
-    S_u(2, 4) = -t30;
-    S_u(2, 5) = -t19;
-    S_u(2, 6) = -t31;
-    S_u(3, 0) = t23;
-    S_u(3, 1) = t35;
-    S_u(3, 2) = t39;
-    S_u(3, 3) = -t21;
-    S_u(3, 4) = -t33;
-    S_u(3, 5) = -t22;
-    S_u(3, 6) = -t34;
+    S_u(0, 0) = DE_per_x_B;
+    S_u(0, 1) = DE_per_y_B;
+    S_u(0, 2) = DE_per_phi_B;
+    S_u(0, 3) = DE_per_x_D;
+    S_u(0, 4) = DE_per_y_D;
+    S_u(0, 5) = DE_per_x_F;
+    S_u(0, 6) = DE_per_y_F;
+    S_u(1, 0) = FG_per_x_B;
+    S_u(1, 1) = FG_per_y_B;
+    S_u(1, 2) = FG_per_phi_B;
+    S_u(1, 3) = FG_per_x_D;
+    S_u(1, 4) = FG_per_y_D;
+    S_u(1, 5) = FG_per_x_F;
+    S_u(1, 6) = FG_per_y_F;
+    S_u(2, 0) = s_B_per_x_B;
+    S_u(2, 1) = s_B_per_y_B;
+    S_u(2, 2) = s_B_per_phi_B;
+    S_u(2, 3) = s_B_per_x_D;
+    S_u(2, 4) = s_B_per_y_D;
+    S_u(2, 5) = s_B_per_x_F;
+    S_u(2, 6) = s_B_per_y_F;
+    S_u(3, 0) = s_C_per_x_B;
+    S_u(3, 1) = s_C_per_y_B;
+    S_u(3, 2) = s_C_per_phi_B;
+    S_u(3, 3) = s_C_per_x_D;
+    S_u(3, 4) = s_C_per_y_D;
+    S_u(3, 5) = s_C_per_x_F;
+    S_u(3, 6) = s_C_per_y_F;
     q_rate(0) = omega_DE;
     q_rate(1) = omega_FG;
     q_rate(2) = v_s_B;
@@ -1381,33 +1355,30 @@ struct Model04 {
     const Scalar t01 = FB_x - FD_x;
     const Scalar t02 = FB_y - FD_y;
     const Scalar t03 = t01 * u.phi_B.cos + t02 * u.phi_B.sin;
-    const Scalar t04 = u.phi_B.cos * t02 - t01 * u.phi_B.sin;
+    const Scalar t04 = t02 * u.phi_B.cos - t01 * u.phi_B.sin;
     const Scalar b_0_re = -Scalar(2) * (t03 * d.psi_C_BC.cos + t04 * d.psi_C_BC.sin);
     const Scalar b_1_re = -Scalar(2) * d.psi_C_BC.cos;
     const Scalar c_0_re = FB_x * (FB_x - Scalar(2) * FD_x) + FB_y * (FB_y - Scalar(2) * FD_y)
-        + FD_x * FD_x + FD_y * FD_y - d.h_C_CEG * (Scalar(2) * d.psi_C_BC.cos * t04
+        + FD_x * FD_x + FD_y * FD_y - d.h_C_CEG * (Scalar(2) * t04 * d.psi_C_BC.cos
         - Scalar(2) * t03 * d.psi_C_BC.sin - d.h_C_CEG) - d.DE * d.DE;
-    const Scalar c_1_re = Scalar(2) * (t03 + d.psi_C_BC.sin * d.h_C_CEG);
+    const Scalar c_1_re = Scalar(2) * (t03 + d.h_C_CEG * d.psi_C_BC.sin);
     const Scalar t05 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
-    const Scalar e_0_re = -Scalar(2) * (d.psi_C_BC.cos * t05 + d.psi_C_BC.sin * (u.phi_B.cos * FB_y
-        - FB_x * u.phi_B.sin) + d.x_G_CEG);
+    const Scalar e_0_re = -Scalar(2) * (t05 * d.psi_C_BC.cos + (FB_y * u.phi_B.cos
+        - FB_x * u.phi_B.sin) * d.psi_C_BC.sin + d.x_G_CEG);
     const Scalar t06 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar t07 = u.phi_B.sin * t06 + u.phi_B.cos * d.x_G_CEG;
-    const Scalar t08 = u.phi_B.cos * t06 - u.phi_B.sin * d.x_G_CEG;
-    const Scalar f_0_re = FB_x * (FB_x + Scalar(2) * d.psi_C_BC.cos * t07
-        + Scalar(2) * d.psi_C_BC.sin * t08) + FB_y * (FB_y + Scalar(2) * d.psi_C_BC.sin * t07
-        - Scalar(2) * d.psi_C_BC.cos * t08) + d.h_C_CEG * (d.h_C_CEG - Scalar(2) * d.y_G_CEG)
+    const Scalar t07 = t06 * u.phi_B.sin + d.x_G_CEG * u.phi_B.cos;
+    const Scalar t08 = t06 * u.phi_B.cos - d.x_G_CEG * u.phi_B.sin;
+    const Scalar f_0_re = FB_x * (FB_x + Scalar(2) * t07 * d.psi_C_BC.cos
+        + Scalar(2) * t08 * d.psi_C_BC.sin) + FB_y * (FB_y + Scalar(2) * t07 * d.psi_C_BC.sin
+        - Scalar(2) * t08 * d.psi_C_BC.cos) + d.h_C_CEG * (d.h_C_CEG - Scalar(2) * d.y_G_CEG)
         + d.x_G_CEG * d.x_G_CEG + d.y_G_CEG * d.y_G_CEG - d.FG * d.FG;
-    const Scalar f_1_re = Scalar(2) * (t05 + d.psi_C_BC.sin * t06 + d.psi_C_BC.cos * d.x_G_CEG);
-    const Scalar t09 = c_0_re - f_0_re;
-    const Scalar M_0_re = -t09;
-    const Scalar t10 = c_1_re - f_1_re;
-    const Scalar M_1_re = -t10;
-    const Scalar t11 = b_0_re - e_0_re;
-    const Scalar N_0_re = -t11;
+    const Scalar f_1_re = Scalar(2) * (t05 + t06 * d.psi_C_BC.sin + d.x_G_CEG * d.psi_C_BC.cos);
+    const Scalar M_0_re = f_0_re - c_0_re;
+    const Scalar M_1_re = f_1_re - c_1_re;
+    const Scalar N_0_re = e_0_re - b_0_re;
     const Scalar O_0_re = f_0_re * b_0_re - c_0_re * e_0_re;
-    const Scalar O_1_re = f_1_re * b_0_re - t09 * b_1_re - c_1_re * e_0_re;
-    const Scalar O_2_re = t11 - t10 * b_1_re;
+    const Scalar O_1_re = f_1_re * b_0_re + M_0_re * b_1_re - c_1_re * e_0_re;
+    const Scalar O_2_re = M_1_re * b_1_re - N_0_re;
     T(0) = M_0_re * M_0_re - N_0_re * O_0_re;
     T(1) = Scalar(2) * M_0_re * M_1_re - N_0_re * O_1_re;
     T(2) = M_1_re * M_1_re - N_0_re * O_2_re;
@@ -1424,25 +1395,25 @@ struct Model04 {
     const Scalar FD_y = u.y_D - u.y_F;
     const Scalar t01 = FB_y - FD_y;
     const Scalar t02 = FB_x - FD_x;
-    const Scalar t03 = u.phi_B.cos * t01 - t02 * u.phi_B.sin;
+    const Scalar t03 = t01 * u.phi_B.cos - t02 * u.phi_B.sin;
     const Scalar t04 = t02 * u.phi_B.cos + t01 * u.phi_B.sin;
     const Scalar t05 = q.s_B + t04;
-    const Scalar t06 = u.phi_B.cos * FB_y - FB_x * u.phi_B.sin;
+    const Scalar t06 = FB_y * u.phi_B.cos - FB_x * u.phi_B.sin;
     const Scalar t07 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
     const Scalar t08 = q.s_B + t07;
     e(0, 0) = Scalar(1);
-    e(0, 1) = -Scalar(2) * (t03 * d.psi_C_BC.sin + d.psi_C_BC.cos * t05);
+    e(0, 1) = -Scalar(2) * (t03 * d.psi_C_BC.sin + t05 * d.psi_C_BC.cos);
     e(0, 2) = FB_x * (FB_x - Scalar(2) * FD_x) + FB_y * (FB_y - Scalar(2) * FD_y) + FD_x * FD_x
         + FD_y * FD_y + q.s_B * (q.s_B + Scalar(2) * t04) - d.DE * d.DE
-        - d.h_C_CEG * (Scalar(2) * d.psi_C_BC.cos * t03 - d.h_C_CEG
-        - Scalar(2) * d.psi_C_BC.sin * t05);
+        - d.h_C_CEG * (Scalar(2) * t03 * d.psi_C_BC.cos - d.h_C_CEG
+        - Scalar(2) * t05 * d.psi_C_BC.sin);
     e(1, 0) = Scalar(1);
-    e(1, 1) = -Scalar(2) * (d.psi_C_BC.sin * t06 + d.x_G_CEG + d.psi_C_BC.cos * t08);
+    e(1, 1) = -Scalar(2) * (t06 * d.psi_C_BC.sin + d.x_G_CEG + t08 * d.psi_C_BC.cos);
     e(1, 2) = d.h_C_CEG * (d.h_C_CEG - Scalar(2) * d.y_G_CEG) + d.x_G_CEG * d.x_G_CEG
-        + d.y_G_CEG * d.y_G_CEG + FB_x * FB_x + FB_y * FB_y
-        + Scalar(2) * d.psi_C_BC.sin * (t06 * d.x_G_CEG + d.h_C_CEG * t08 - d.y_G_CEG * t08)
-        + q.s_B * (q.s_B + Scalar(2) * t07) - d.FG * d.FG
-        - Scalar(2) * d.psi_C_BC.cos * (d.h_C_CEG * t06 - t06 * d.y_G_CEG - d.x_G_CEG * t08);
+        + d.y_G_CEG * d.y_G_CEG + FB_x * FB_x + FB_y * FB_y + Scalar(2) * (t06 * d.x_G_CEG
+        + d.h_C_CEG * t08 - d.y_G_CEG * t08) * d.psi_C_BC.sin + q.s_B * (q.s_B + Scalar(2) * t07)
+        - d.FG * d.FG - Scalar(2) * (d.h_C_CEG * t06 - t06 * d.y_G_CEG
+        - d.x_G_CEG * t08) * d.psi_C_BC.cos;
   }
 
   /// The other unknowns of a configuration in which those of the reduced
@@ -1459,15 +1430,15 @@ struct Model04 {
     const Scalar inverse_theta_FG = Scalar(1) / d.FG;  // zero: the link that turns by theta_FG has
                                                        //     no length
     const Scalar t01 = q.s_B + d.h_C_CEG * d.psi_C_BC.sin - q.s_C * d.psi_C_BC.cos;
-    const Scalar t02 = q.s_C * d.psi_C_BC.sin + d.psi_C_BC.cos * d.h_C_CEG;
+    const Scalar t02 = q.s_C * d.psi_C_BC.sin + d.h_C_CEG * d.psi_C_BC.cos;
     const Scalar t03 = q.s_C - d.x_G_CEG;
     const Scalar t04 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar t05 = q.s_B + d.psi_C_BC.sin * t04 - d.psi_C_BC.cos * t03;
-    const Scalar t06 = d.psi_C_BC.cos * t04 + d.psi_C_BC.sin * t03;
+    const Scalar t05 = q.s_B + t04 * d.psi_C_BC.sin - t03 * d.psi_C_BC.cos;
+    const Scalar t06 = t04 * d.psi_C_BC.cos + t03 * d.psi_C_BC.sin;
     q.theta_DE.cos = (t01 * u.phi_B.cos + t02 * u.phi_B.sin + FB_x - FD_x) * inverse_theta_DE;
-    q.theta_DE.sin = inverse_theta_DE * (t01 * u.phi_B.sin + FB_y - u.phi_B.cos * t02 - FD_y);
-    q.theta_FG.cos = (FB_x + u.phi_B.cos * t05 + u.phi_B.sin * t06) * inverse_theta_FG;
-    q.theta_FG.sin = inverse_theta_FG * (FB_y + u.phi_B.sin * t05 - u.phi_B.cos * t06);
+    q.theta_DE.sin = inverse_theta_DE * (t01 * u.phi_B.sin + FB_y - t02 * u.phi_B.cos - FD_y);
+    q.theta_FG.cos = (FB_x + t05 * u.phi_B.cos + t06 * u.phi_B.sin) * inverse_theta_FG;
+    q.theta_FG.sin = inverse_theta_FG * (FB_y + t05 * u.phi_B.sin - t06 * u.phi_B.cos);
   }
 };
 

@@ -39,7 +39,7 @@ namespace assur::triad {
 ///   velocity_rhs:                 0, 4, 0
 ///   acceleration_rhs:             42, 31, 0
 ///   jerk_rhs:                     76, 47, 0
-///   curvature_rhs:                69, 45, 0
+///   curvature_rhs:                71, 43, 0
 ///   link_poses:                   10, 8, 0
 ///   pose_jacobians:               6, 4, 0
 ///   link_velocities:              10, 8, 0
@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     40, 27, 1
 ///   motion:                       74, 51, 1
 ///   sensitivities_and_motion:     140, 92, 1
-///   position_polynomial:          44, 30, 0
+///   position_polynomial:          46, 30, 0
 ///   second_equations:             21, 22, 0
 ///   complete:                     12, 16, 1
 struct Model05 {
@@ -192,19 +192,19 @@ struct Model05 {
     const Scalar sin_DE = t02 + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
-    const Scalar BC_y = q.theta_CEG.cos * d.h_C_BC;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar t03 = d.h_C_CEG - d.psi_E_CEG.cos * d.h_E_CEG;
-    const Scalar CE_x = q.theta_CEG.sin * t03 - t02 * d.h_E_CEG;
-    const Scalar CE_y = -q.theta_CEG.cos * t03 - t01 * d.h_E_CEG;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar t03 = d.h_C_CEG - d.h_E_CEG * d.psi_E_CEG.cos;
+    const Scalar CE_x = t03 * q.theta_CEG.sin - d.h_E_CEG * t02;
+    const Scalar CE_y = -t03 * q.theta_CEG.cos - d.h_E_CEG * t01;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.sin * d.h_C_CEG;
-    const Scalar CG_y = -q.theta_CEG.cos * d.h_C_CEG;
+    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos;
     const Scalar t04 = slide_C_x - u.x_B - BC_x;
     const Scalar t05 = slide_C_y - u.y_B - BC_y;
     f(0) = u.x_D + DE_x + t04 - CE_x - slide_E_x;
@@ -224,19 +224,19 @@ struct Model05 {
     const Scalar sin_DE = t02 + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
-    const Scalar BC_y = q.theta_CEG.cos * d.h_C_BC;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar t03 = d.h_C_CEG - d.psi_E_CEG.cos * d.h_E_CEG;
-    const Scalar CE_x = q.theta_CEG.sin * t03 - t02 * d.h_E_CEG;
-    const Scalar CE_y = -q.theta_CEG.cos * t03 - t01 * d.h_E_CEG;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar t03 = d.h_C_CEG - d.h_E_CEG * d.psi_E_CEG.cos;
+    const Scalar CE_x = t03 * q.theta_CEG.sin - d.h_E_CEG * t02;
+    const Scalar CE_y = -t03 * q.theta_CEG.cos - d.h_E_CEG * t01;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.sin * d.h_C_CEG;
-    const Scalar CG_y = -q.theta_CEG.cos * d.h_C_CEG;
+    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos;
     const Scalar t04 = BC_y - slide_C_y;
     const Scalar t05 = BC_x - slide_C_x;
     J(0, 0) = CE_y + slide_E_y + t04 - DE_y;
@@ -258,21 +258,19 @@ struct Model05 {
   static void dimension_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    const Scalar t01 = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
-    const Scalar cos_DE = t01;
-    const Scalar t02 = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar sin_DE = t02;
+    const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
+    const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
     F_d(0, 0) = -q.theta_CEG.sin;
-    F_d(0, 1) = t01 * d.h_E_CEG + slide_E_y - DE_y;
+    F_d(0, 1) = slide_E_y + d.h_E_CEG * cos_DE - DE_y;
     F_d(0, 2) = sin_DE;
     F_d(0, 3) = q.theta_CEG.sin;
     F_d(0, 4) = -sin_DE;
     F_d(1, 0) = q.theta_CEG.cos;
-    F_d(1, 1) = t02 * d.h_E_CEG + DE_x - slide_E_x;
+    F_d(1, 1) = DE_x + d.h_E_CEG * sin_DE - slide_E_x;
     F_d(1, 2) = -cos_DE;
     F_d(1, 3) = -q.theta_CEG.cos;
     F_d(1, 4) = cos_DE;
@@ -339,30 +337,30 @@ struct Model05 {
     const Scalar sin_DE = t02 + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
-    const Scalar BC_y = q.theta_CEG.cos * d.h_C_BC;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar t03 = d.h_C_CEG - d.psi_E_CEG.cos * d.h_E_CEG;
-    const Scalar CE_x = q.theta_CEG.sin * t03 - t02 * d.h_E_CEG;
-    const Scalar CE_y = -q.theta_CEG.cos * t03 - t01 * d.h_E_CEG;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar t03 = d.h_C_CEG - d.h_E_CEG * d.psi_E_CEG.cos;
+    const Scalar CE_x = t03 * q.theta_CEG.sin - d.h_E_CEG * t02;
+    const Scalar CE_y = -t03 * q.theta_CEG.cos - d.h_E_CEG * t01;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.sin * d.h_C_CEG;
-    const Scalar CG_y = -q.theta_CEG.cos * d.h_C_CEG;
+    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos;
     const Scalar t04 = q.theta_CEG.sin * v_s_C;
     const Scalar t05 = BC_x - slide_C_x;
     const Scalar t06 = q.theta_CEG.cos * v_s_C;
     const Scalar t07 = BC_y - slide_C_y;
     const Scalar t08 = omega_FG * omega_FG;
-    rhs(0) = a_x_B + omega_CEG * (Scalar(2) * t04 + omega_CEG * (DE_x - CE_x - slide_E_x - t05)
+    rhs(0) = a_x_B + omega_CEG * (Scalar(2) * t04 + (DE_x - CE_x - slide_E_x - t05) * omega_CEG
         - Scalar(2) * sin_DE * v_s_E) - a_x_D;
-    rhs(1) = a_y_B - a_y_D - omega_CEG * (Scalar(2) * t06 - Scalar(2) * cos_DE * v_s_E
-        - omega_CEG * (DE_y - CE_y - slide_E_y - t07));
-    rhs(2) = a_x_B + FG_x * t08 + omega_CEG * (Scalar(2) * t04 - omega_CEG * (CG_x + t05)) - a_x_F;
-    rhs(3) = a_y_B + FG_y * t08 - a_y_F - omega_CEG * (Scalar(2) * t06 + omega_CEG * (CG_y + t07));
+    rhs(1) = a_y_B - a_y_D - omega_CEG * (Scalar(2) * t06 - Scalar(2) * cos_DE * v_s_E - (DE_y
+        - CE_y - slide_E_y - t07) * omega_CEG);
+    rhs(2) = a_x_B + FG_x * t08 + omega_CEG * (Scalar(2) * t04 - (CG_x + t05) * omega_CEG) - a_x_F;
+    rhs(3) = a_y_B + FG_y * t08 - a_y_F - omega_CEG * (Scalar(2) * t06 + (CG_y + t07) * omega_CEG);
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -393,19 +391,19 @@ struct Model05 {
     const Scalar sin_DE = t02 + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
-    const Scalar BC_y = q.theta_CEG.cos * d.h_C_BC;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar t03 = d.h_C_CEG - d.psi_E_CEG.cos * d.h_E_CEG;
-    const Scalar CE_x = q.theta_CEG.sin * t03 - t02 * d.h_E_CEG;
-    const Scalar CE_y = -q.theta_CEG.cos * t03 - t01 * d.h_E_CEG;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar t03 = d.h_C_CEG - d.h_E_CEG * d.psi_E_CEG.cos;
+    const Scalar CE_x = t03 * q.theta_CEG.sin - d.h_E_CEG * t02;
+    const Scalar CE_y = -t03 * q.theta_CEG.cos - d.h_E_CEG * t01;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.sin * d.h_C_CEG;
-    const Scalar CG_y = -q.theta_CEG.cos * d.h_C_CEG;
+    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos;
     const Scalar t04 = q.theta_CEG.sin * v_s_C;
     const Scalar t05 = t04 - sin_DE * v_s_E;
     const Scalar t06 = q.theta_CEG.sin * a_s_C;
@@ -420,17 +418,17 @@ struct Model05 {
     const Scalar t15 = CG_y + t09;
     const Scalar t16 = CG_x + t11;
     rhs(0) = Scalar(3) * alpha_CEG * t05 + j_x_B + omega_CEG * (Scalar(3) * t06
-        + omega_CEG * (Scalar(3) * t08 - omega_CEG * t10) + Scalar(3) * alpha_CEG * t12
+        + omega_CEG * (Scalar(3) * t08 - t10 * omega_CEG) + Scalar(3) * t12 * alpha_CEG
         - Scalar(3) * sin_DE * a_s_E) - j_x_D;
     rhs(1) = j_y_B - Scalar(3) * t08 * alpha_CEG - j_y_D - omega_CEG * (Scalar(3) * t13
-        - Scalar(3) * cos_DE * a_s_E - Scalar(3) * alpha_CEG * t10 - omega_CEG * (Scalar(3) * t05
-        + omega_CEG * t12));
-    rhs(2) = j_x_B + Scalar(3) * alpha_CEG * t04 + omega_FG * (Scalar(3) * alpha_FG * FG_x
+        - Scalar(3) * cos_DE * a_s_E - Scalar(3) * t10 * alpha_CEG - omega_CEG * (Scalar(3) * t05
+        + t12 * omega_CEG));
+    rhs(2) = j_x_B + Scalar(3) * alpha_CEG * t04 + omega_FG * (Scalar(3) * FG_x * alpha_FG
         - FG_y * t14) + omega_CEG * (Scalar(3) * t06 + omega_CEG * (Scalar(3) * t07
-        + omega_CEG * t15) - Scalar(3) * alpha_CEG * t16) - j_x_F;
+        + t15 * omega_CEG) - Scalar(3) * t16 * alpha_CEG) - j_x_F;
     rhs(3) = j_y_B + omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t14) - j_y_F
-        - Scalar(3) * t07 * alpha_CEG - omega_CEG * (Scalar(3) * t13 + Scalar(3) * alpha_CEG * t15
-        - omega_CEG * (Scalar(3) * t04 - omega_CEG * t16));
+        - Scalar(3) * t07 * alpha_CEG - omega_CEG * (Scalar(3) * t13 + Scalar(3) * t15 * alpha_CEG
+        - omega_CEG * (Scalar(3) * t04 - t16 * omega_CEG));
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -451,48 +449,46 @@ struct Model05 {
     const Scalar v_h_E_DE = d_rate(4);
     const Scalar v_FG = d_rate(5);
     const Scalar t01 = q.theta_CEG.sin * d.psi_E_CEG.sin;
-    const Scalar t02 = q.theta_CEG.cos * d.psi_E_CEG.cos - t01;
-    const Scalar cos_DE = t02;
-    const Scalar t03 = q.theta_CEG.cos * d.psi_E_CEG.sin;
-    const Scalar t04 = t03 + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar sin_DE = t04;
+    const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - t01;
+    const Scalar t02 = q.theta_CEG.cos * d.psi_E_CEG.sin;
+    const Scalar sin_DE = t02 + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
-    const Scalar BC_y = q.theta_CEG.cos * d.h_C_BC;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar t05 = d.h_C_CEG - d.psi_E_CEG.cos * d.h_E_CEG;
-    const Scalar CE_x = q.theta_CEG.sin * t05 - t03 * d.h_E_CEG;
-    const Scalar CE_y = -q.theta_CEG.cos * t05 - t01 * d.h_E_CEG;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar t03 = d.h_C_CEG - d.h_E_CEG * d.psi_E_CEG.cos;
+    const Scalar CE_x = t03 * q.theta_CEG.sin - d.h_E_CEG * t02;
+    const Scalar CE_y = -t03 * q.theta_CEG.cos - d.h_E_CEG * t01;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.sin * d.h_C_CEG;
-    const Scalar CG_y = -q.theta_CEG.cos * d.h_C_CEG;
-    const Scalar t06 = sin_DE * v_s_E;
-    const Scalar t07 = DE_x - slide_E_x;
-    const Scalar t08 = omega_E_CEG * (t04 * d.h_E_CEG + t07);
-    const Scalar t09 = v_h_E_CEG - v_h_E_DE;
-    const Scalar t10 = v_h_C_CEG - v_h_C_BC;
-    const Scalar t11 = q.theta_CEG.cos * t10 + q.theta_CEG.sin * v_s_C;
-    const Scalar t12 = BC_x - slide_C_x;
-    const Scalar t13 = cos_DE * v_s_E;
-    const Scalar t14 = DE_y - slide_E_y;
-    const Scalar t15 = omega_E_CEG * (t02 * d.h_E_CEG - t14);
-    const Scalar t16 = q.theta_CEG.sin * t10 - q.theta_CEG.cos * v_s_C;
-    const Scalar t17 = BC_y - slide_C_y;
-    rhs(0) = -omega_E_CEG * (Scalar(2) * t06 + v_h_E_CEG * (t02 + cos_DE)
-        - Scalar(2) * cos_DE * v_h_E_DE - t08) - omega_CEG * (Scalar(2) * cos_DE * t09
-        + Scalar(2) * t06 + omega_CEG * (CE_x + t12 - t07) - Scalar(2) * t11 - Scalar(2) * t08);
-    rhs(1) = omega_E_CEG * (Scalar(2) * t13 + Scalar(2) * sin_DE * v_h_E_DE - v_h_E_CEG * (t04
-        + sin_DE) - t15) - omega_CEG * (Scalar(2) * sin_DE * t09 + Scalar(2) * t15
-        + omega_CEG * (CE_y + t17 - t14) - Scalar(2) * t13 - Scalar(2) * t16);
-    rhs(2) = omega_FG * (Scalar(2) * q.theta_FG.sin * v_FG + omega_FG * FG_x)
-        + omega_CEG * (Scalar(2) * t11 - omega_CEG * (CG_x + t12));
-    rhs(3) = omega_CEG * (Scalar(2) * t16 - omega_CEG * (CG_y + t17))
-        - omega_FG * (Scalar(2) * q.theta_FG.cos * v_FG - omega_FG * FG_y);
+    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos;
+    const Scalar t04 = sin_DE * v_s_E;
+    const Scalar t05 = DE_x - slide_E_x;
+    const Scalar t06 = (t05 + d.h_E_CEG * sin_DE) * omega_E_CEG;
+    const Scalar t07 = v_h_E_CEG - v_h_E_DE;
+    const Scalar t08 = v_h_C_CEG - v_h_C_BC;
+    const Scalar t09 = q.theta_CEG.cos * t08 + q.theta_CEG.sin * v_s_C;
+    const Scalar t10 = BC_x - slide_C_x;
+    const Scalar t11 = cos_DE * v_s_E;
+    const Scalar t12 = DE_y - slide_E_y;
+    const Scalar t13 = (t12 - d.h_E_CEG * cos_DE) * omega_E_CEG;
+    const Scalar t14 = q.theta_CEG.sin * t08 - q.theta_CEG.cos * v_s_C;
+    const Scalar t15 = BC_y - slide_C_y;
+    rhs(0) = -omega_E_CEG * (Scalar(2) * t04 + Scalar(2) * cos_DE * v_h_E_CEG
+        - Scalar(2) * cos_DE * v_h_E_DE - t06) - omega_CEG * (Scalar(2) * cos_DE * t07
+        + Scalar(2) * t04 + (CE_x + t10 - t05) * omega_CEG - Scalar(2) * t09 - Scalar(2) * t06);
+    rhs(1) = omega_E_CEG * (Scalar(2) * t11 + Scalar(2) * sin_DE * v_h_E_DE + t13
+        - Scalar(2) * sin_DE * v_h_E_CEG) - omega_CEG * (Scalar(2) * sin_DE * t07 + (CE_y + t15
+        - t12) * omega_CEG - Scalar(2) * t11 - Scalar(2) * t14 - Scalar(2) * t13);
+    rhs(2) = omega_FG * (Scalar(2) * q.theta_FG.sin * v_FG + FG_x * omega_FG)
+        + omega_CEG * (Scalar(2) * t09 - (CG_x + t10) * omega_CEG);
+    rhs(3) = omega_CEG * (Scalar(2) * t14 - (CG_y + t15) * omega_CEG)
+        - omega_FG * (Scalar(2) * q.theta_FG.cos * v_FG - FG_y * omega_FG);
   }
 
   /// Frames of the links in the fixed frame.
@@ -501,12 +497,12 @@ struct Model05 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
-    const Scalar BC_y = q.theta_CEG.cos * d.h_C_BC;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar CG_x = q.theta_CEG.sin * d.h_C_CEG;
-    const Scalar CG_y = -q.theta_CEG.cos * d.h_C_CEG;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos;
     poses[0].x = u.x_B + BC_x + CG_x - slide_C_x;
     poses[0].y = u.y_B + BC_y + CG_y - slide_C_y;
     poses[0].direction.cos = q.theta_CEG.cos;
@@ -535,12 +531,12 @@ struct Model05 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
     const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar CG_x = q.theta_CEG.sin * d.h_C_CEG;
-    const Scalar CG_y = -q.theta_CEG.cos * d.h_C_CEG;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos;
     P_q(0, 0) = slide_C_y - BC_y - CG_y;
     P_q(0, 2) = -q.theta_CEG.cos;
     P_q(1, 0) = BC_x + CG_x - slide_C_x;
@@ -578,14 +574,14 @@ struct Model05 {
     const Scalar v_y_D = u_rate(3);
     const Scalar v_x_F = u_rate(4);
     const Scalar v_y_F = u_rate(5);
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
     const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar CG_x = q.theta_CEG.sin * d.h_C_CEG;
-    const Scalar CG_y = -q.theta_CEG.cos * d.h_C_CEG;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos;
     v(0, 0) = v_x_B - (BC_y + CG_y - slide_C_y) * omega_CEG - q.theta_CEG.cos * v_s_C;
-    v(0, 1) = omega_CEG * (BC_x + CG_x - slide_C_x) + v_y_B - q.theta_CEG.sin * v_s_C;
+    v(0, 1) = (BC_x + CG_x - slide_C_x) * omega_CEG + v_y_B - q.theta_CEG.sin * v_s_C;
     v(0, 2) = omega_CEG;
     v(1, 0) = v_x_B;
     v(1, 1) = v_y_B;
@@ -615,17 +611,17 @@ struct Model05 {
     const Scalar a_y_D = u_second_rate(3);
     const Scalar a_x_F = u_second_rate(4);
     const Scalar a_y_F = u_second_rate(5);
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
     const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar CG_x = q.theta_CEG.sin * d.h_C_CEG;
-    const Scalar CG_y = -q.theta_CEG.cos * d.h_C_CEG;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos;
     const Scalar t01 = BC_x + CG_x - slide_C_x;
     const Scalar t02 = BC_y + CG_y - slide_C_y;
     a(0, 0) = a_x_B - omega_CEG * (t01 * omega_CEG - Scalar(2) * q.theta_CEG.sin * v_s_C)
         - t02 * alpha_CEG - q.theta_CEG.cos * a_s_C;
-    a(0, 1) = t01 * alpha_CEG + a_y_B - omega_CEG * (omega_CEG * t02
+    a(0, 1) = t01 * alpha_CEG + a_y_B - omega_CEG * (t02 * omega_CEG
         + Scalar(2) * q.theta_CEG.cos * v_s_C) - q.theta_CEG.sin * a_s_C;
     a(0, 2) = alpha_CEG;
     a(1, 0) = a_x_B;
@@ -651,16 +647,16 @@ struct Model05 {
     const Scalar v_h_C_CEG = d_rate(0);
     const Scalar v_h_C_BC = d_rate(3);
     p.setZero();
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
     const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar CG_x = q.theta_CEG.sin * d.h_C_CEG;
-    const Scalar CG_y = -q.theta_CEG.cos * d.h_C_CEG;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos;
     const Scalar t01 = v_h_C_CEG - v_h_C_BC;
     p(0, 0) = -omega_CEG * ((BC_x + CG_x - slide_C_x) * omega_CEG
         - Scalar(2) * q.theta_CEG.cos * t01 - Scalar(2) * q.theta_CEG.sin * v_s_C);
-    p(0, 1) = -omega_CEG * (omega_CEG * (BC_y + CG_y - slide_C_y)
+    p(0, 1) = -omega_CEG * ((BC_y + CG_y - slide_C_y) * omega_CEG
         + Scalar(2) * q.theta_CEG.cos * v_s_C - Scalar(2) * q.theta_CEG.sin * t01);
   }
 
@@ -679,8 +675,8 @@ struct Model05 {
     const Scalar t01 = d.h_C_CEG - d.h_C_BC;
     const Scalar CEG_along_slide_E = t01 * d.psi_E_CEG.sin + q.s_C * d.psi_E_CEG.cos - q.s_E;
     const Scalar CEG_across_FG = t01 * cos_CEG_minus_FG + q.s_C * sin_CEG_minus_FG;
-    const Scalar determinant = cos_CEG_minus_FG * CEG_along_slide_E
-        - d.psi_E_CEG.sin * CEG_across_FG;
+    const Scalar determinant = CEG_along_slide_E * cos_CEG_minus_FG
+        - CEG_across_FG * d.psi_E_CEG.sin;
     const Scalar t02 = abs(d.h_C_BC) + abs(q.s_C) + abs(d.h_C_CEG);
     const Scalar t03 = abs(q.s_E) + abs(d.h_E_CEG) + abs(d.h_E_DE) + Scalar(2) * t02;
     p(0) = determinant;
@@ -701,24 +697,24 @@ struct Model05 {
     const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.h_C_BC;
-    const Scalar CEG_along_slide_E = d.psi_E_CEG.sin * t01 + d.psi_E_CEG.cos * q.s_C - q.s_E;
-    const Scalar CEG_across_slide_E = d.psi_E_CEG.cos * t01 + d.h_E_DE - d.psi_E_CEG.sin * q.s_C
+    const Scalar CEG_along_slide_E = t01 * d.psi_E_CEG.sin + q.s_C * d.psi_E_CEG.cos - q.s_E;
+    const Scalar CEG_across_slide_E = t01 * d.psi_E_CEG.cos + d.h_E_DE - q.s_C * d.psi_E_CEG.sin
         - d.h_E_CEG;
     const Scalar CEG_along_FG = q.s_C * cos_CEG_minus_FG - t01 * sin_CEG_minus_FG;
     const Scalar CEG_across_FG = t01 * cos_CEG_minus_FG + q.s_C * sin_CEG_minus_FG;
-    const Scalar determinant = cos_CEG_minus_FG * CEG_along_slide_E
-        - d.psi_E_CEG.sin * CEG_across_FG;
+    const Scalar determinant = CEG_along_slide_E * cos_CEG_minus_FG
+        - CEG_across_FG * d.psi_E_CEG.sin;
     const Scalar pivot_product = d.FG * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
-    const Scalar CEG_per_across_slide_E = cos_CEG_minus_FG * inverse_determinant;
+    const Scalar CEG_per_across_slide_E = inverse_determinant * cos_CEG_minus_FG;
     const Scalar s_C_per_across_slide_E = CEG_across_FG * inverse_determinant;
     const Scalar s_E_per_across_slide_E = d.psi_E_CEG.cos * s_C_per_across_slide_E
         - CEG_across_slide_E * CEG_per_across_slide_E;
-    const Scalar FG_per_across_slide_E = -(sin_CEG_minus_FG * s_C_per_across_slide_E
-        + CEG_per_across_slide_E * CEG_along_FG) * inverse_FG;
-    const Scalar CEG_per_along_FG = d.psi_E_CEG.sin * inverse_determinant;
+    const Scalar FG_per_across_slide_E = -inverse_FG * (sin_CEG_minus_FG * s_C_per_across_slide_E
+        + CEG_per_across_slide_E * CEG_along_FG);
+    const Scalar CEG_per_along_FG = inverse_determinant * d.psi_E_CEG.sin;
     const Scalar s_C_per_along_FG = CEG_along_slide_E * inverse_determinant;
     const Scalar s_E_per_along_FG = d.psi_E_CEG.cos * s_C_per_along_FG
         - CEG_across_slide_E * CEG_per_along_FG;
@@ -726,12 +722,12 @@ struct Model05 {
         + CEG_along_FG * CEG_per_along_FG);
     J_inverse(0, 0) = -CEG_per_across_slide_E * sin_DE;
     J_inverse(0, 1) = CEG_per_across_slide_E * cos_DE;
-    J_inverse(0, 2) = q.theta_FG.cos * CEG_per_along_FG;
-    J_inverse(0, 3) = q.theta_FG.sin * CEG_per_along_FG;
-    J_inverse(1, 0) = -sin_DE * FG_per_across_slide_E;
-    J_inverse(1, 1) = cos_DE * FG_per_across_slide_E;
-    J_inverse(1, 2) = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    J_inverse(1, 3) = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
+    J_inverse(0, 2) = CEG_per_along_FG * q.theta_FG.cos;
+    J_inverse(0, 3) = CEG_per_along_FG * q.theta_FG.sin;
+    J_inverse(1, 0) = -FG_per_across_slide_E * sin_DE;
+    J_inverse(1, 1) = FG_per_across_slide_E * cos_DE;
+    J_inverse(1, 2) = FG_per_along_FG * q.theta_FG.cos - inverse_FG * q.theta_FG.sin;
+    J_inverse(1, 3) = inverse_FG * q.theta_FG.cos + FG_per_along_FG * q.theta_FG.sin;
     J_inverse(2, 0) = -s_C_per_across_slide_E * sin_DE;
     J_inverse(2, 1) = s_C_per_across_slide_E * cos_DE;
     J_inverse(2, 2) = q.theta_FG.cos * s_C_per_along_FG;
@@ -754,52 +750,52 @@ struct Model05 {
     const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.h_C_BC;
-    const Scalar CEG_along_slide_E = d.psi_E_CEG.sin * t01 + d.psi_E_CEG.cos * q.s_C - q.s_E;
+    const Scalar CEG_along_slide_E = t01 * d.psi_E_CEG.sin + q.s_C * d.psi_E_CEG.cos - q.s_E;
     const Scalar t02 = d.h_E_CEG - d.h_E_DE;
-    const Scalar CEG_across_slide_E = d.psi_E_CEG.cos * t01 - d.psi_E_CEG.sin * q.s_C - t02;
+    const Scalar CEG_across_slide_E = t01 * d.psi_E_CEG.cos - q.s_C * d.psi_E_CEG.sin - t02;
     const Scalar CEG_along_FG = q.s_C * cos_CEG_minus_FG - t01 * sin_CEG_minus_FG;
     const Scalar CEG_across_FG = t01 * cos_CEG_minus_FG + q.s_C * sin_CEG_minus_FG;
-    const Scalar determinant = cos_CEG_minus_FG * CEG_along_slide_E
-        - d.psi_E_CEG.sin * CEG_across_FG;
+    const Scalar determinant = CEG_along_slide_E * cos_CEG_minus_FG
+        - CEG_across_FG * d.psi_E_CEG.sin;
     const Scalar pivot_product = d.FG * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
-    const Scalar CEG_per_across_slide_E = cos_CEG_minus_FG * inverse_determinant;
+    const Scalar CEG_per_across_slide_E = inverse_determinant * cos_CEG_minus_FG;
     const Scalar s_C_per_across_slide_E = CEG_across_FG * inverse_determinant;
     const Scalar t03 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
     const Scalar s_E_per_across_slide_E = t03 - CEG_across_slide_E * CEG_per_across_slide_E;
-    const Scalar FG_per_across_slide_E = -(sin_CEG_minus_FG * s_C_per_across_slide_E
-        + CEG_per_across_slide_E * CEG_along_FG) * inverse_FG;
-    const Scalar CEG_per_along_FG = d.psi_E_CEG.sin * inverse_determinant;
+    const Scalar FG_per_across_slide_E = -inverse_FG * (sin_CEG_minus_FG * s_C_per_across_slide_E
+        + CEG_per_across_slide_E * CEG_along_FG);
+    const Scalar CEG_per_along_FG = inverse_determinant * d.psi_E_CEG.sin;
     const Scalar s_C_per_along_FG = CEG_along_slide_E * inverse_determinant;
     const Scalar s_E_per_along_FG = d.psi_E_CEG.cos * s_C_per_along_FG
         - CEG_across_slide_E * CEG_per_along_FG;
     const Scalar t04 = sin_CEG_minus_FG * s_C_per_along_FG;
     const Scalar FG_per_along_FG = -inverse_FG * (t04 + CEG_along_FG * CEG_per_along_FG);
-    const Scalar t05 = d.psi_E_CEG.cos * CEG_per_across_slide_E
-        - sin_CEG_minus_FG * CEG_per_along_FG;
-    const Scalar t06 = d.psi_E_CEG.cos * FG_per_across_slide_E + cos_CEG_minus_FG * inverse_FG
-        - sin_CEG_minus_FG * FG_per_along_FG;
+    const Scalar CEG_per_x_D = CEG_per_across_slide_E * sin_DE;
+    const Scalar FG_per_x_D = FG_per_across_slide_E * sin_DE;
+    const Scalar s_C_per_x_D = s_C_per_across_slide_E * sin_DE;
+    const Scalar s_E_per_x_D = cos_DE + s_E_per_across_slide_E * sin_DE;
+    const Scalar CEG_per_y_D = -CEG_per_across_slide_E * cos_DE;
+    const Scalar FG_per_y_D = -FG_per_across_slide_E * cos_DE;
+    const Scalar s_C_per_y_D = -s_C_per_across_slide_E * cos_DE;
+    const Scalar s_E_per_y_D = sin_DE - s_E_per_across_slide_E * cos_DE;
+    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
+    const Scalar s_E_per_x_F = -q.theta_FG.cos * s_E_per_along_FG;
+    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
+    const Scalar s_E_per_y_F = -q.theta_FG.sin * s_E_per_along_FG;
+    const Scalar t05 = CEG_per_across_slide_E * d.psi_E_CEG.cos
+        - CEG_per_along_FG * sin_CEG_minus_FG;
+    const Scalar t06 = FG_per_across_slide_E * d.psi_E_CEG.cos + inverse_FG * cos_CEG_minus_FG
+        - FG_per_along_FG * sin_CEG_minus_FG;
     const Scalar t07 = t03 - t04;
     const Scalar t08 = d.psi_E_CEG.sin + sin_CEG_minus_FG * s_E_per_along_FG
         - d.psi_E_CEG.cos * s_E_per_across_slide_E;
-    const Scalar t09 = q.theta_FG.cos * CEG_per_along_FG;
-    const Scalar t10 = CEG_per_across_slide_E * sin_DE;
-    const Scalar t11 = q.theta_FG.sin * CEG_per_along_FG;
-    const Scalar t12 = CEG_per_across_slide_E * cos_DE;
-    const Scalar t13 = FG_per_across_slide_E * sin_DE;
-    const Scalar t14 = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    const Scalar t15 = FG_per_across_slide_E * cos_DE;
-    const Scalar t16 = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
-    const Scalar t17 = q.theta_FG.cos * s_C_per_along_FG;
-    const Scalar t18 = s_C_per_across_slide_E * sin_DE;
-    const Scalar t19 = q.theta_FG.sin * s_C_per_along_FG;
-    const Scalar t20 = s_C_per_across_slide_E * cos_DE;
-    const Scalar t21 = q.theta_FG.cos * s_E_per_along_FG;
-    const Scalar t22 = cos_DE + s_E_per_across_slide_E * sin_DE;
-    const Scalar t23 = q.theta_FG.sin * s_E_per_along_FG;
-    const Scalar t24 = sin_DE - s_E_per_across_slide_E * cos_DE;
     S_d(0, 0) = -t05;
     S_d(0, 1) = q.s_E * CEG_per_across_slide_E;
     S_d(0, 2) = CEG_per_across_slide_E;
@@ -824,30 +820,30 @@ struct Model05 {
     S_d(3, 3) = -t08;
     S_d(3, 4) = -s_E_per_across_slide_E;
     S_d(3, 5) = -s_E_per_along_FG;
-    S_u(0, 0) = t09 - t10;
-    S_u(0, 1) = t11 + t12;
-    S_u(0, 2) = t10;
-    S_u(0, 3) = -t12;
-    S_u(0, 4) = -t09;
-    S_u(0, 5) = -t11;
-    S_u(1, 0) = t14 - t13;
-    S_u(1, 1) = t15 + t16;
-    S_u(1, 2) = t13;
-    S_u(1, 3) = -t15;
-    S_u(1, 4) = -t14;
-    S_u(1, 5) = -t16;
-    S_u(2, 0) = t17 - t18;
-    S_u(2, 1) = t19 + t20;
-    S_u(2, 2) = t18;
-    S_u(2, 3) = -t20;
-    S_u(2, 4) = -t17;
-    S_u(2, 5) = -t19;
-    S_u(3, 0) = t21 - t22;
-    S_u(3, 1) = t23 - t24;
-    S_u(3, 2) = t22;
-    S_u(3, 3) = t24;
-    S_u(3, 4) = -t21;
-    S_u(3, 5) = -t23;
+    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;
+    S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
+    S_u(0, 2) = CEG_per_x_D;
+    S_u(0, 3) = CEG_per_y_D;
+    S_u(0, 4) = CEG_per_x_F;
+    S_u(0, 5) = CEG_per_y_F;
+    S_u(1, 0) = -FG_per_x_D - FG_per_x_F;
+    S_u(1, 1) = -FG_per_y_D - FG_per_y_F;
+    S_u(1, 2) = FG_per_x_D;
+    S_u(1, 3) = FG_per_y_D;
+    S_u(1, 4) = FG_per_x_F;
+    S_u(1, 5) = FG_per_y_F;
+    S_u(2, 0) = -s_C_per_x_D - s_C_per_x_F;
+    S_u(2, 1) = -s_C_per_y_D - s_C_per_y_F;
+    S_u(2, 2) = s_C_per_x_D;
+    S_u(2, 3) = s_C_per_y_D;
+    S_u(2, 4) = s_C_per_x_F;
+    S_u(2, 5) = s_C_per_y_F;
+    S_u(3, 0) = -s_E_per_x_D - s_E_per_x_F;
+    S_u(3, 1) = -s_E_per_y_D - s_E_per_y_F;
+    S_u(3, 2) = s_E_per_x_D;
+    S_u(3, 3) = s_E_per_y_D;
+    S_u(3, 4) = s_E_per_x_F;
+    S_u(3, 5) = s_E_per_y_F;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -868,33 +864,33 @@ struct Model05 {
     const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.h_C_BC;
-    const Scalar CEG_along_slide_E = d.psi_E_CEG.sin * t01 + d.psi_E_CEG.cos * q.s_C - q.s_E;
-    const Scalar CEG_across_slide_E = d.psi_E_CEG.cos * t01 + d.h_E_DE - d.psi_E_CEG.sin * q.s_C
+    const Scalar CEG_along_slide_E = t01 * d.psi_E_CEG.sin + q.s_C * d.psi_E_CEG.cos - q.s_E;
+    const Scalar CEG_across_slide_E = t01 * d.psi_E_CEG.cos + d.h_E_DE - q.s_C * d.psi_E_CEG.sin
         - d.h_E_CEG;
     const Scalar CEG_along_FG = q.s_C * cos_CEG_minus_FG - t01 * sin_CEG_minus_FG;
     const Scalar CEG_across_FG = t01 * cos_CEG_minus_FG + q.s_C * sin_CEG_minus_FG;
-    const Scalar determinant = cos_CEG_minus_FG * CEG_along_slide_E
-        - d.psi_E_CEG.sin * CEG_across_FG;
+    const Scalar determinant = CEG_along_slide_E * cos_CEG_minus_FG
+        - CEG_across_FG * d.psi_E_CEG.sin;
     const Scalar pivot_product = d.FG * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
     const Scalar t02 = v_x_B - v_x_D;
     const Scalar t03 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_E = t02 * cos_DE + t03 * sin_DE;
-    const Scalar velocity_across_slide_E = cos_DE * t03 - t02 * sin_DE;
+    const Scalar velocity_along_slide_E = cos_DE * t02 + sin_DE * t03;
+    const Scalar velocity_across_slide_E = cos_DE * t03 - sin_DE * t02;
     const Scalar t04 = v_x_B - v_x_F;
     const Scalar t05 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t04 + q.theta_FG.sin * t05;
     const Scalar velocity_across_FG = q.theta_FG.cos * t05 - q.theta_FG.sin * t04;
-    const Scalar omega_CEG = (d.psi_E_CEG.sin * velocity_along_FG
-        + cos_CEG_minus_FG * velocity_across_slide_E) * inverse_determinant;
+    const Scalar omega_CEG = inverse_determinant * (d.psi_E_CEG.sin * velocity_along_FG
+        + cos_CEG_minus_FG * velocity_across_slide_E);
     const Scalar v_s_C = inverse_determinant * (CEG_along_slide_E * velocity_along_FG
         + CEG_across_FG * velocity_across_slide_E);
-    const Scalar v_s_E = d.psi_E_CEG.cos * v_s_C - omega_CEG * CEG_across_slide_E
+    const Scalar v_s_E = d.psi_E_CEG.cos * v_s_C - CEG_across_slide_E * omega_CEG
         - velocity_along_slide_E;
-    const Scalar omega_FG = -(omega_CEG * CEG_along_FG + sin_CEG_minus_FG * v_s_C
-        - velocity_across_FG) * inverse_FG;
+    const Scalar omega_FG = -inverse_FG * (CEG_along_FG * omega_CEG + sin_CEG_minus_FG * v_s_C
+        - velocity_across_FG);
     q_rate(0) = omega_CEG;
     q_rate(1) = omega_FG;
     q_rate(2) = v_s_C;
@@ -926,35 +922,35 @@ struct Model05 {
     const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.h_C_BC;
-    const Scalar CEG_along_slide_E = d.psi_E_CEG.sin * t01 + d.psi_E_CEG.cos * q.s_C - q.s_E;
-    const Scalar CEG_across_slide_E = d.psi_E_CEG.cos * t01 + d.h_E_DE - d.psi_E_CEG.sin * q.s_C
+    const Scalar CEG_along_slide_E = t01 * d.psi_E_CEG.sin + q.s_C * d.psi_E_CEG.cos - q.s_E;
+    const Scalar CEG_across_slide_E = t01 * d.psi_E_CEG.cos + d.h_E_DE - q.s_C * d.psi_E_CEG.sin
         - d.h_E_CEG;
     const Scalar CEG_along_FG = q.s_C * cos_CEG_minus_FG - t01 * sin_CEG_minus_FG;
     const Scalar CEG_across_FG = t01 * cos_CEG_minus_FG + q.s_C * sin_CEG_minus_FG;
-    const Scalar determinant = cos_CEG_minus_FG * CEG_along_slide_E
-        - d.psi_E_CEG.sin * CEG_across_FG;
+    const Scalar determinant = CEG_along_slide_E * cos_CEG_minus_FG
+        - CEG_across_FG * d.psi_E_CEG.sin;
     const Scalar pivot_product = d.FG * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
     const Scalar t02 = v_x_B - v_x_D;
     const Scalar t03 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_E = t02 * cos_DE + t03 * sin_DE;
-    const Scalar velocity_across_slide_E = cos_DE * t03 - t02 * sin_DE;
+    const Scalar velocity_along_slide_E = cos_DE * t02 + sin_DE * t03;
+    const Scalar velocity_across_slide_E = cos_DE * t03 - sin_DE * t02;
     const Scalar t04 = v_x_B - v_x_F;
     const Scalar t05 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t04 + q.theta_FG.sin * t05;
     const Scalar velocity_across_FG = q.theta_FG.cos * t05 - q.theta_FG.sin * t04;
-    const Scalar omega_CEG = (d.psi_E_CEG.sin * velocity_along_FG
-        + cos_CEG_minus_FG * velocity_across_slide_E) * inverse_determinant;
+    const Scalar omega_CEG = inverse_determinant * (d.psi_E_CEG.sin * velocity_along_FG
+        + cos_CEG_minus_FG * velocity_across_slide_E);
     const Scalar v_s_C = inverse_determinant * (CEG_along_slide_E * velocity_along_FG
         + CEG_across_FG * velocity_across_slide_E);
     const Scalar t06 = d.psi_E_CEG.cos * v_s_C;
-    const Scalar t07 = omega_CEG * CEG_across_slide_E;
+    const Scalar t07 = CEG_across_slide_E * omega_CEG;
     const Scalar v_s_E = t06 - t07 - velocity_along_slide_E;
-    const Scalar t08 = omega_CEG * CEG_along_FG;
+    const Scalar t08 = CEG_along_FG * omega_CEG;
     const Scalar t09 = sin_CEG_minus_FG * v_s_C;
-    const Scalar omega_FG = -(t08 + t09 - velocity_across_FG) * inverse_FG;
+    const Scalar omega_FG = -inverse_FG * (t08 + t09 - velocity_across_FG);
     const Scalar t10 = a_x_B - a_x_D;
     const Scalar t11 = a_y_B - a_y_D;
     const Scalar acceleration_along_slide_E = cos_DE * t10 + sin_DE * t11
@@ -1013,85 +1009,61 @@ struct Model05 {
     const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.h_C_BC;
-    const Scalar CEG_along_slide_E = d.psi_E_CEG.sin * t01 + d.psi_E_CEG.cos * q.s_C - q.s_E;
+    const Scalar CEG_along_slide_E = t01 * d.psi_E_CEG.sin + q.s_C * d.psi_E_CEG.cos - q.s_E;
     const Scalar t02 = d.h_E_CEG - d.h_E_DE;
-    const Scalar CEG_across_slide_E = d.psi_E_CEG.cos * t01 - d.psi_E_CEG.sin * q.s_C - t02;
+    const Scalar CEG_across_slide_E = t01 * d.psi_E_CEG.cos - q.s_C * d.psi_E_CEG.sin - t02;
     const Scalar CEG_along_FG = q.s_C * cos_CEG_minus_FG - t01 * sin_CEG_minus_FG;
     const Scalar CEG_across_FG = t01 * cos_CEG_minus_FG + q.s_C * sin_CEG_minus_FG;
-    const Scalar determinant = cos_CEG_minus_FG * CEG_along_slide_E
-        - d.psi_E_CEG.sin * CEG_across_FG;
+    const Scalar determinant = CEG_along_slide_E * cos_CEG_minus_FG
+        - CEG_across_FG * d.psi_E_CEG.sin;
     const Scalar pivot_product = d.FG * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
-    const Scalar CEG_per_across_slide_E = cos_CEG_minus_FG * inverse_determinant;
+    const Scalar CEG_per_across_slide_E = inverse_determinant * cos_CEG_minus_FG;
     const Scalar s_C_per_across_slide_E = CEG_across_FG * inverse_determinant;
     const Scalar t03 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
     const Scalar s_E_per_across_slide_E = t03 - CEG_across_slide_E * CEG_per_across_slide_E;
-    const Scalar FG_per_across_slide_E = -(sin_CEG_minus_FG * s_C_per_across_slide_E
-        + CEG_per_across_slide_E * CEG_along_FG) * inverse_FG;
-    const Scalar CEG_per_along_FG = d.psi_E_CEG.sin * inverse_determinant;
+    const Scalar FG_per_across_slide_E = -inverse_FG * (sin_CEG_minus_FG * s_C_per_across_slide_E
+        + CEG_per_across_slide_E * CEG_along_FG);
+    const Scalar CEG_per_along_FG = inverse_determinant * d.psi_E_CEG.sin;
     const Scalar s_C_per_along_FG = CEG_along_slide_E * inverse_determinant;
     const Scalar s_E_per_along_FG = d.psi_E_CEG.cos * s_C_per_along_FG
         - CEG_across_slide_E * CEG_per_along_FG;
     const Scalar t04 = sin_CEG_minus_FG * s_C_per_along_FG;
     const Scalar FG_per_along_FG = -inverse_FG * (t04 + CEG_along_FG * CEG_per_along_FG);
-    const Scalar t05 = q.theta_FG.cos * CEG_per_along_FG;
-    const Scalar t06 = CEG_per_across_slide_E * sin_DE;
-    const Scalar t07 = t05 - t06;
-    const Scalar CEG_per_x_B = t07;
-    const Scalar t08 = sin_DE * FG_per_across_slide_E;
-    const Scalar t09 = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    const Scalar t10 = t08 - t09;
-    const Scalar FG_per_x_B = -t10;
-    const Scalar t11 = q.theta_FG.cos * s_C_per_along_FG;
-    const Scalar t12 = s_C_per_across_slide_E * sin_DE;
-    const Scalar t13 = t11 - t12;
-    const Scalar s_C_per_x_B = t13;
-    const Scalar t14 = q.theta_FG.cos * s_E_per_along_FG;
-    const Scalar t15 = cos_DE + sin_DE * s_E_per_across_slide_E;
-    const Scalar t16 = t14 - t15;
-    const Scalar s_E_per_x_B = t16;
-    const Scalar t17 = q.theta_FG.sin * CEG_per_along_FG;
-    const Scalar t18 = CEG_per_across_slide_E * cos_DE;
-    const Scalar t19 = t17 + t18;
-    const Scalar CEG_per_y_B = t19;
-    const Scalar t20 = FG_per_across_slide_E * cos_DE;
-    const Scalar t21 = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
-    const Scalar t22 = t20 + t21;
-    const Scalar FG_per_y_B = t22;
-    const Scalar t23 = q.theta_FG.sin * s_C_per_along_FG;
-    const Scalar t24 = s_C_per_across_slide_E * cos_DE;
-    const Scalar t25 = t23 + t24;
-    const Scalar s_C_per_y_B = t25;
-    const Scalar t26 = q.theta_FG.sin * s_E_per_along_FG;
-    const Scalar t27 = sin_DE - cos_DE * s_E_per_across_slide_E;
-    const Scalar t28 = t26 - t27;
-    const Scalar s_E_per_y_B = t28;
-    const Scalar CEG_per_x_D = t06;
-    const Scalar FG_per_x_D = t08;
-    const Scalar s_C_per_x_D = t12;
-    const Scalar s_E_per_x_D = t15;
-    const Scalar CEG_per_y_D = -t18;
-    const Scalar FG_per_y_D = -t20;
-    const Scalar s_C_per_y_D = -t24;
-    const Scalar s_E_per_y_D = t27;
-    const Scalar CEG_per_x_F = -t05;
-    const Scalar FG_per_x_F = -t09;
-    const Scalar s_C_per_x_F = -t11;
-    const Scalar s_E_per_x_F = -t14;
-    const Scalar CEG_per_y_F = -t17;
-    const Scalar FG_per_y_F = -t21;
-    const Scalar s_C_per_y_F = -t23;
-    const Scalar s_E_per_y_F = -t26;
-    const Scalar omega_CEG = v_x_B * CEG_per_x_B + v_y_B * CEG_per_y_B + v_x_D * CEG_per_x_D
-        + v_y_D * CEG_per_y_D + v_x_F * CEG_per_x_F + v_y_F * CEG_per_y_F;
-    const Scalar omega_FG = v_x_B * FG_per_x_B + v_y_B * FG_per_y_B + v_x_D * FG_per_x_D
-        + v_y_D * FG_per_y_D + v_x_F * FG_per_x_F + v_y_F * FG_per_y_F;
-    const Scalar v_s_C = v_x_B * s_C_per_x_B + v_y_B * s_C_per_y_B + v_x_D * s_C_per_x_D
-        + v_y_D * s_C_per_y_D + v_x_F * s_C_per_x_F + v_y_F * s_C_per_y_F;
-    const Scalar v_s_E = v_x_B * s_E_per_x_B + v_y_B * s_E_per_y_B + v_x_D * s_E_per_x_D
-        + v_y_D * s_E_per_y_D + v_x_F * s_E_per_x_F + v_y_F * s_E_per_y_F;
+    const Scalar CEG_per_x_D = CEG_per_across_slide_E * sin_DE;
+    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
+    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
+    const Scalar FG_per_x_D = FG_per_across_slide_E * sin_DE;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
+    const Scalar s_C_per_x_D = s_C_per_across_slide_E * sin_DE;
+    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
+    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
+    const Scalar s_E_per_x_D = cos_DE + sin_DE * s_E_per_across_slide_E;
+    const Scalar s_E_per_x_F = -q.theta_FG.cos * s_E_per_along_FG;
+    const Scalar s_E_per_x_B = -s_E_per_x_D - s_E_per_x_F;
+    const Scalar CEG_per_y_D = -CEG_per_across_slide_E * cos_DE;
+    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
+    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
+    const Scalar FG_per_y_D = -FG_per_across_slide_E * cos_DE;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
+    const Scalar s_C_per_y_D = -s_C_per_across_slide_E * cos_DE;
+    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
+    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
+    const Scalar s_E_per_y_D = sin_DE - cos_DE * s_E_per_across_slide_E;
+    const Scalar s_E_per_y_F = -q.theta_FG.sin * s_E_per_along_FG;
+    const Scalar s_E_per_y_B = -s_E_per_y_D - s_E_per_y_F;
+    const Scalar omega_CEG = CEG_per_x_B * v_x_B + CEG_per_y_B * v_y_B + CEG_per_x_D * v_x_D
+        + CEG_per_y_D * v_y_D + CEG_per_x_F * v_x_F + CEG_per_y_F * v_y_F;
+    const Scalar omega_FG = FG_per_x_B * v_x_B + FG_per_y_B * v_y_B + FG_per_x_D * v_x_D
+        + FG_per_y_D * v_y_D + FG_per_x_F * v_x_F + FG_per_y_F * v_y_F;
+    const Scalar v_s_C = s_C_per_x_B * v_x_B + s_C_per_y_B * v_y_B + s_C_per_x_D * v_x_D
+        + s_C_per_y_D * v_y_D + s_C_per_x_F * v_x_F + s_C_per_y_F * v_y_F;
+    const Scalar v_s_E = s_E_per_x_B * v_x_B + s_E_per_y_B * v_y_B + s_E_per_x_D * v_x_D
+        + s_E_per_y_D * v_y_D + s_E_per_x_F * v_x_F + s_E_per_y_F * v_y_F;
     const Scalar centripetal_along_slide_E = -omega_CEG * (Scalar(2) * d.psi_E_CEG.sin * v_s_C
         - CEG_along_slide_E * omega_CEG);
     const Scalar centripetal_across_slide_E = -omega_CEG * (Scalar(2) * d.psi_E_CEG.cos * v_s_C
@@ -1100,61 +1072,61 @@ struct Model05 {
         + Scalar(2) * sin_CEG_minus_FG * v_s_C) + d.FG * omega_FG * omega_FG;
     const Scalar centripetal_across_FG = omega_CEG * (CEG_across_FG * omega_CEG
         - Scalar(2) * cos_CEG_minus_FG * v_s_C);
-    const Scalar t29 = d.psi_E_CEG.cos * CEG_per_across_slide_E
-        - sin_CEG_minus_FG * CEG_per_along_FG;
-    const Scalar t30 = d.psi_E_CEG.cos * FG_per_across_slide_E + cos_CEG_minus_FG * inverse_FG
-        - sin_CEG_minus_FG * FG_per_along_FG;
-    const Scalar t31 = t03 - t04;
-    const Scalar t32 = d.psi_E_CEG.sin + sin_CEG_minus_FG * s_E_per_along_FG
+    const Scalar t05 = CEG_per_across_slide_E * d.psi_E_CEG.cos
+        - CEG_per_along_FG * sin_CEG_minus_FG;
+    const Scalar t06 = FG_per_across_slide_E * d.psi_E_CEG.cos + inverse_FG * cos_CEG_minus_FG
+        - FG_per_along_FG * sin_CEG_minus_FG;
+    const Scalar t07 = t03 - t04;
+    const Scalar t08 = d.psi_E_CEG.sin + sin_CEG_minus_FG * s_E_per_along_FG
         - d.psi_E_CEG.cos * s_E_per_across_slide_E;
-    S_d(0, 0) = -t29;
+    S_d(0, 0) = -t05;
     S_d(0, 1) = q.s_E * CEG_per_across_slide_E;
     S_d(0, 2) = CEG_per_across_slide_E;
-    S_d(0, 3) = t29;
+    S_d(0, 3) = t05;
     S_d(0, 4) = -CEG_per_across_slide_E;
     S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = -t30;
+    S_d(1, 0) = -t06;
     S_d(1, 1) = q.s_E * FG_per_across_slide_E;
     S_d(1, 2) = FG_per_across_slide_E;
-    S_d(1, 3) = t30;
+    S_d(1, 3) = t06;
     S_d(1, 4) = -FG_per_across_slide_E;
     S_d(1, 5) = -FG_per_along_FG;
-    S_d(2, 0) = -t31;
+    S_d(2, 0) = -t07;
     S_d(2, 1) = q.s_E * s_C_per_across_slide_E;
     S_d(2, 2) = s_C_per_across_slide_E;
-    S_d(2, 3) = t31;
+    S_d(2, 3) = t07;
     S_d(2, 4) = -s_C_per_across_slide_E;
     S_d(2, 5) = -s_C_per_along_FG;
-    S_d(3, 0) = t32;
+    S_d(3, 0) = t08;
     S_d(3, 1) = q.s_E * s_E_per_across_slide_E + t02;
     S_d(3, 2) = s_E_per_across_slide_E;
-    S_d(3, 3) = -t32;
+    S_d(3, 3) = -t08;
     S_d(3, 4) = -s_E_per_across_slide_E;
     S_d(3, 5) = -s_E_per_along_FG;
-    S_u(0, 0) = t07;
-    S_u(0, 1) = t19;
-    S_u(0, 2) = t06;
-    S_u(0, 3) = -t18;
-    S_u(0, 4) = -t05;
-    S_u(0, 5) = -t17;
-    S_u(1, 0) = -t10;
-    S_u(1, 1) = t22;
-    S_u(1, 2) = t08;
-    S_u(1, 3) = -t20;
-    S_u(1, 4) = -t09;
-    S_u(1, 5) = -t21;
-    S_u(2, 0) = t13;
-    S_u(2, 1) = t25;
-    S_u(2, 2) = t12;
-    S_u(2, 3) = -t24;
-    S_u(2, 4) = -t11;
-    S_u(2, 5) = -t23;
-    S_u(3, 0) = t16;
-    S_u(3, 1) = t28;
-    S_u(3, 2) = t15;
-    S_u(3, 3) = t27;
-    S_u(3, 4) = -t14;
-    S_u(3, 5) = -t26;
+    S_u(0, 0) = CEG_per_x_B;
+    S_u(0, 1) = CEG_per_y_B;
+    S_u(0, 2) = CEG_per_x_D;
+    S_u(0, 3) = CEG_per_y_D;
+    S_u(0, 4) = CEG_per_x_F;
+    S_u(0, 5) = CEG_per_y_F;
+    S_u(1, 0) = FG_per_x_B;
+    S_u(1, 1) = FG_per_y_B;
+    S_u(1, 2) = FG_per_x_D;
+    S_u(1, 3) = FG_per_y_D;
+    S_u(1, 4) = FG_per_x_F;
+    S_u(1, 5) = FG_per_y_F;
+    S_u(2, 0) = s_C_per_x_B;
+    S_u(2, 1) = s_C_per_y_B;
+    S_u(2, 2) = s_C_per_x_D;
+    S_u(2, 3) = s_C_per_y_D;
+    S_u(2, 4) = s_C_per_x_F;
+    S_u(2, 5) = s_C_per_y_F;
+    S_u(3, 0) = s_E_per_x_B;
+    S_u(3, 1) = s_E_per_y_B;
+    S_u(3, 2) = s_E_per_x_D;
+    S_u(3, 3) = s_E_per_y_D;
+    S_u(3, 4) = s_E_per_x_F;
+    S_u(3, 5) = s_E_per_y_F;
     q_rate(0) = omega_CEG;
     q_rate(1) = omega_FG;
     q_rate(2) = v_s_C;
@@ -1194,21 +1166,21 @@ struct Model05 {
     const Scalar e_0_re = Scalar(2) * d.psi_E_CEG.sin;
     const Scalar t02 = FB_y - FD_y;
     const Scalar t03 = FB_x - FD_x;
-    const Scalar f_m1_re = t02 * d.psi_E_CEG.cos - d.psi_E_CEG.sin * t03;
-    const Scalar f_m1_im = -d.psi_E_CEG.cos * t03 - d.psi_E_CEG.sin * t02;
+    const Scalar f_m1_re = t02 * d.psi_E_CEG.cos - t03 * d.psi_E_CEG.sin;
+    const Scalar f_m1_im = -t03 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
     const Scalar f_0_re = -Scalar(2) * (t01 * d.psi_E_CEG.cos + d.h_E_DE - d.h_E_CEG);
     const Scalar t04 = FB_x * f_m1_re;
     const Scalar t05 = FB_y * f_m1_im;
     const Scalar t06 = f_m1_re * f_m1_re;
     const Scalar t07 = f_m1_im * f_m1_im;
-    T.cosine[0] = e_0_re * (Scalar(2) * t04 + Scalar(2) * t05 + c_0_re * e_0_re) + Scalar(2) * t06
+    T.cosine[0] = (Scalar(2) * t04 + Scalar(2) * t05 + c_0_re * e_0_re) * e_0_re + Scalar(2) * t06
         + Scalar(2) * t07 + f_0_re * f_0_re;
-    T.cosine[1] = Scalar(2) * (e_0_re * (FB_x * f_0_re + e_0_re * c_m1_re)
+    T.cosine[1] = Scalar(2) * ((FB_x * f_0_re + c_m1_re * e_0_re) * e_0_re
         + Scalar(2) * f_m1_re * f_0_re);
-    T.sine[1] = Scalar(2) * (e_0_re * (FB_y * f_0_re + e_0_re * c_m1_im)
+    T.sine[1] = Scalar(2) * ((FB_y * f_0_re + c_m1_im * e_0_re) * e_0_re
         + Scalar(2) * f_m1_im * f_0_re);
-    T.cosine[2] = Scalar(2) * (t06 + e_0_re * (t04 - t05) - t07);
-    T.sine[2] = Scalar(2) * (e_0_re * (FB_x * f_m1_im + FB_y * f_m1_re)
+    T.cosine[2] = Scalar(2) * (t06 + (t04 - t05) * e_0_re - t07);
+    T.sine[2] = Scalar(2) * ((FB_x * f_m1_im + FB_y * f_m1_re) * e_0_re
         + Scalar(2) * f_m1_re * f_m1_im);
   }
 
@@ -1228,10 +1200,10 @@ struct Model05 {
     const Scalar t03 = FB_y * q.theta_CEG.cos - FB_x * q.theta_CEG.sin;
     e(0, 1) = Scalar(2) * d.psi_E_CEG.sin;
     e(0, 2) = Scalar(2) * ((t01 * q.theta_CEG.cos + d.h_C_BC - t02 * q.theta_CEG.sin
-        - d.h_C_CEG) * d.psi_E_CEG.cos + d.h_E_CEG - d.psi_E_CEG.sin * (q.theta_CEG.cos * t02
-        + t01 * q.theta_CEG.sin) - d.h_E_DE);
+        - d.h_C_CEG) * d.psi_E_CEG.cos + d.h_E_CEG - (t02 * q.theta_CEG.cos
+        + t01 * q.theta_CEG.sin) * d.psi_E_CEG.sin - d.h_E_DE);
     e(1, 0) = Scalar(1);
-    e(1, 1) = -Scalar(2) * (q.theta_CEG.cos * FB_x + FB_y * q.theta_CEG.sin);
+    e(1, 1) = -Scalar(2) * (FB_x * q.theta_CEG.cos + FB_y * q.theta_CEG.sin);
     e(1, 2) = FB_x * FB_x + FB_y * FB_y + d.h_C_CEG * (d.h_C_CEG - Scalar(2) * d.h_C_BC
         - Scalar(2) * t03) + d.h_C_BC * (d.h_C_BC + Scalar(2) * t03) - d.FG * d.FG;
   }
@@ -1250,10 +1222,10 @@ struct Model05 {
     const Scalar t01 = FB_x - FD_x;
     const Scalar t02 = FB_y - FD_y;
     const Scalar t03 = d.h_C_CEG - d.h_C_BC;
-    q.s_E = -(q.theta_CEG.cos * t01 + t02 * q.theta_CEG.sin - q.s_C) * d.psi_E_CEG.cos
-        - d.psi_E_CEG.sin * (t02 * q.theta_CEG.cos - t01 * q.theta_CEG.sin - t03);
-    q.theta_FG.cos = (FB_x + q.theta_CEG.sin * t03 - q.theta_CEG.cos * q.s_C) * inverse_theta_FG;
-    q.theta_FG.sin = inverse_theta_FG * (FB_y - q.theta_CEG.cos * t03 - q.theta_CEG.sin * q.s_C);
+    q.s_E = -(t01 * q.theta_CEG.cos + t02 * q.theta_CEG.sin - q.s_C) * d.psi_E_CEG.cos
+        - (t02 * q.theta_CEG.cos - t01 * q.theta_CEG.sin - t03) * d.psi_E_CEG.sin;
+    q.theta_FG.cos = (FB_x + t03 * q.theta_CEG.sin - q.s_C * q.theta_CEG.cos) * inverse_theta_FG;
+    q.theta_FG.sin = inverse_theta_FG * (FB_y - t03 * q.theta_CEG.cos - q.s_C * q.theta_CEG.sin);
   }
 };
 

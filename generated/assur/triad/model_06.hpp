@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     52, 32, 1
 ///   motion:                       93, 64, 1
 ///   sensitivities_and_motion:     177, 112, 1
-///   position_polynomial:          73, 53, 0
+///   position_polynomial:          75, 53, 0
 ///   second_equations:             33, 28, 0
 ///   complete:                     12, 15, 1
 struct Model06 {
@@ -191,20 +191,20 @@ struct Model06 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar DE_x = -q.theta_CEG.sin * d.h_E_DE;
+    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin;
     const Scalar DE_y = d.h_E_DE * q.theta_CEG.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = -q.theta_CEG.sin * d.h_E_CEG;
-    const Scalar CE_y = q.theta_CEG.cos * d.h_E_CEG;
-    const Scalar slide_E_x = q.theta_CEG.cos * q.s_E;
-    const Scalar slide_E_y = q.theta_CEG.sin * q.s_E;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = d.h_E_CEG * q.theta_CEG.cos;
+    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos;
+    const Scalar slide_E_y = q.s_E * q.theta_CEG.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = BC_x + u.x_B + slide_B_x;
     const Scalar t02 = BC_y + u.y_B + slide_B_y;
     f(0) = u.x_D + DE_x - CE_x - slide_E_x - t01;
@@ -218,16 +218,16 @@ struct Model06 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar DE_x = -q.theta_CEG.sin * d.h_E_DE;
+    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin;
     const Scalar DE_y = d.h_E_DE * q.theta_CEG.cos;
-    const Scalar CE_x = -q.theta_CEG.sin * d.h_E_CEG;
-    const Scalar CE_y = q.theta_CEG.cos * d.h_E_CEG;
-    const Scalar slide_E_x = q.theta_CEG.cos * q.s_E;
-    const Scalar slide_E_y = q.theta_CEG.sin * q.s_E;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = d.h_E_CEG * q.theta_CEG.cos;
+    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos;
+    const Scalar slide_E_y = q.s_E * q.theta_CEG.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     J(0, 0) = CE_y + slide_E_y - DE_y;
     J(0, 2) = -u.phi_B.cos;
     J(0, 3) = -q.theta_CEG.cos;
@@ -270,8 +270,8 @@ struct Model06 {
     F_u.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_y + BC_y;
     const Scalar t02 = slide_B_x + BC_x;
     F_u(0, 0) = -Scalar(1);
@@ -302,10 +302,10 @@ struct Model06 {
     const Scalar v_y_F = u_rate(6);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = (slide_B_y + BC_y) * omega_B - v_x_B;
-    const Scalar t02 = omega_B * (slide_B_x + BC_x) + v_y_B;
+    const Scalar t02 = (slide_B_x + BC_x) * omega_B + v_y_B;
     rhs(0) = -v_x_D - t01;
     rhs(1) = t02 - v_y_D;
     rhs(2) = -v_x_F - t01;
@@ -331,31 +331,31 @@ struct Model06 {
     const Scalar a_y_D = u_second_rate(4);
     const Scalar a_x_F = u_second_rate(5);
     const Scalar a_y_F = u_second_rate(6);
-    const Scalar DE_x = -q.theta_CEG.sin * d.h_E_DE;
+    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin;
     const Scalar DE_y = d.h_E_DE * q.theta_CEG.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = -q.theta_CEG.sin * d.h_E_CEG;
-    const Scalar CE_y = q.theta_CEG.cos * d.h_E_CEG;
-    const Scalar slide_E_x = q.theta_CEG.cos * q.s_E;
-    const Scalar slide_E_y = q.theta_CEG.sin * q.s_E;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = d.h_E_CEG * q.theta_CEG.cos;
+    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos;
+    const Scalar slide_E_y = q.s_E * q.theta_CEG.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = slide_B_x + BC_x;
     const Scalar t02 = slide_B_y + BC_y;
     const Scalar t03 = a_x_B - omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B)
         - t02 * alpha_B;
-    const Scalar t04 = a_y_B + t01 * alpha_B - omega_B * (omega_B * t02
+    const Scalar t04 = a_y_B + t01 * alpha_B - omega_B * (t02 * omega_B
         - Scalar(2) * u.phi_B.cos * v_s_B);
     const Scalar t05 = omega_CEG * omega_CEG;
     const Scalar t06 = omega_FG * omega_FG;
     rhs(0) = omega_CEG * ((DE_x - CE_x - slide_E_x) * omega_CEG
         - Scalar(2) * q.theta_CEG.sin * v_s_E) + t03 - a_x_D;
-    rhs(1) = omega_CEG * (omega_CEG * (DE_y - CE_y - slide_E_y)
+    rhs(1) = omega_CEG * ((DE_y - CE_y - slide_E_y) * omega_CEG
         + Scalar(2) * q.theta_CEG.cos * v_s_E) + t04 - a_y_D;
     rhs(2) = FG_x * t06 + t03 - a_x_F - CG_x * t05;
     rhs(3) = FG_y * t06 + t04 - a_y_F - CG_y * t05;
@@ -386,20 +386,20 @@ struct Model06 {
     const Scalar j_y_D = u_third_rate(4);
     const Scalar j_x_F = u_third_rate(5);
     const Scalar j_y_F = u_third_rate(6);
-    const Scalar DE_x = -q.theta_CEG.sin * d.h_E_DE;
+    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin;
     const Scalar DE_y = d.h_E_DE * q.theta_CEG.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = -q.theta_CEG.sin * d.h_E_CEG;
-    const Scalar CE_y = q.theta_CEG.cos * d.h_E_CEG;
-    const Scalar slide_E_x = q.theta_CEG.cos * q.s_E;
-    const Scalar slide_E_y = q.theta_CEG.sin * q.s_E;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = d.h_E_CEG * q.theta_CEG.cos;
+    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos;
+    const Scalar slide_E_y = q.s_E * q.theta_CEG.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = DE_y - CE_y - slide_E_y;
     const Scalar t02 = q.theta_CEG.cos * v_s_E;
     const Scalar t03 = DE_x - CE_x - slide_E_x;
@@ -411,7 +411,7 @@ struct Model06 {
     const Scalar t09 = omega_B * (omega_B * (t05 * omega_B - Scalar(3) * t06)
         - Scalar(3) * t07 * alpha_B - Scalar(3) * u.phi_B.sin * a_s_B) - t05 * jerk_B + j_x_B
         - Scalar(3) * alpha_B * t08;
-    const Scalar t10 = omega_B * (omega_B * (omega_B * t07 + Scalar(3) * t08)
+    const Scalar t10 = omega_B * (omega_B * (t07 * omega_B + Scalar(3) * t08)
         + Scalar(3) * t05 * alpha_B - Scalar(3) * u.phi_B.cos * a_s_B) - t07 * jerk_B - j_y_B
         - Scalar(3) * t06 * alpha_B;
     const Scalar t11 = omega_CEG * omega_CEG;
@@ -419,13 +419,13 @@ struct Model06 {
     rhs(0) = t09 - omega_CEG * (omega_CEG * (t01 * omega_CEG + Scalar(3) * t02)
         + Scalar(3) * q.theta_CEG.sin * a_s_E - Scalar(3) * t03 * alpha_CEG) - j_x_D
         - Scalar(3) * alpha_CEG * t04;
-    rhs(1) = omega_CEG * (omega_CEG * (omega_CEG * t03 - Scalar(3) * t04)
+    rhs(1) = omega_CEG * (omega_CEG * (t03 * omega_CEG - Scalar(3) * t04)
         + Scalar(3) * t01 * alpha_CEG + Scalar(3) * q.theta_CEG.cos * a_s_E)
         + Scalar(3) * t02 * alpha_CEG - j_y_D - t10;
-    rhs(2) = omega_FG * (Scalar(3) * alpha_FG * FG_x - FG_y * t12) + t09 - j_x_F
-        - omega_CEG * (Scalar(3) * alpha_CEG * CG_x - CG_y * t11);
+    rhs(2) = omega_FG * (Scalar(3) * FG_x * alpha_FG - FG_y * t12) + t09 - j_x_F
+        - omega_CEG * (Scalar(3) * CG_x * alpha_CEG - CG_y * t11);
     rhs(3) = omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t12) - j_y_F
-        - omega_CEG * (Scalar(3) * alpha_CEG * CG_y + CG_x * t11) - t10;
+        - omega_CEG * (Scalar(3) * CG_y * alpha_CEG + CG_x * t11) - t10;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -446,35 +446,35 @@ struct Model06 {
     const Scalar v_h_E_DE = d_rate(4);
     const Scalar v_FG = d_rate(5);
     const Scalar omega_B = u_rate(2);
-    const Scalar DE_x = -q.theta_CEG.sin * d.h_E_DE;
+    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin;
     const Scalar DE_y = d.h_E_DE * q.theta_CEG.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = -q.theta_CEG.sin * d.h_E_CEG;
-    const Scalar CE_y = q.theta_CEG.cos * d.h_E_CEG;
-    const Scalar slide_E_x = q.theta_CEG.cos * q.s_E;
-    const Scalar slide_E_y = q.theta_CEG.sin * q.s_E;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = d.h_E_CEG * q.theta_CEG.cos;
+    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos;
+    const Scalar slide_E_y = q.s_E * q.theta_CEG.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = v_h_E_CEG - v_h_E_DE;
     const Scalar t02 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
-    const Scalar t03 = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+    const Scalar t03 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BC);
     rhs(0) = omega_CEG * ((DE_x - CE_x - slide_E_x) * omega_CEG - Scalar(2) * q.theta_CEG.cos * t01
         - Scalar(2) * q.theta_CEG.sin * v_s_E) - t02;
-    rhs(1) = omega_CEG * (omega_CEG * (DE_y - CE_y - slide_E_y)
+    rhs(1) = omega_CEG * ((DE_y - CE_y - slide_E_y) * omega_CEG
         + Scalar(2) * q.theta_CEG.cos * v_s_E - Scalar(2) * q.theta_CEG.sin * t01) - t03;
-    rhs(2) = omega_FG * (Scalar(2) * q.theta_FG.sin * v_FG + omega_FG * FG_x) - t02
+    rhs(2) = omega_FG * (Scalar(2) * q.theta_FG.sin * v_FG + FG_x * omega_FG) - t02
         - omega_CEG * (Scalar(2) * q.theta_CEG.cos * v_y_G_CEG
-        + Scalar(2) * q.theta_CEG.sin * v_x_G_CEG + omega_CEG * CG_x);
+        + Scalar(2) * q.theta_CEG.sin * v_x_G_CEG + CG_x * omega_CEG);
     rhs(3) = omega_CEG * (Scalar(2) * q.theta_CEG.cos * v_x_G_CEG
-        - Scalar(2) * q.theta_CEG.sin * v_y_G_CEG - omega_CEG * CG_y) - t03
-        - omega_FG * (Scalar(2) * q.theta_FG.cos * v_FG - omega_FG * FG_y);
+        - Scalar(2) * q.theta_CEG.sin * v_y_G_CEG - CG_y * omega_CEG) - t03
+        - omega_FG * (Scalar(2) * q.theta_FG.cos * v_FG - FG_y * omega_FG);
   }
 
   /// Frames of the links in the fixed frame.
@@ -483,8 +483,8 @@ struct Model06 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = u.x_B + slide_B_x + BC_x;
     const Scalar t02 = u.y_B + slide_B_y + BC_y;
     poses[0].x = t01;
@@ -517,8 +517,8 @@ struct Model06 {
     P_u.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_y + BC_y;
     const Scalar t02 = slide_B_x + BC_x;
     P_q(0, 2) = u.phi_B.cos;
@@ -564,10 +564,10 @@ struct Model06 {
     const Scalar v_y_F = u_rate(6);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = (slide_B_y + BC_y) * omega_B - u.phi_B.cos * v_s_B - v_x_B;
-    const Scalar t02 = omega_B * (slide_B_x + BC_x) + u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar t02 = (slide_B_x + BC_x) * omega_B + u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = -t01;
     v(0, 1) = t02;
     v(0, 2) = omega_CEG;
@@ -602,13 +602,13 @@ struct Model06 {
     const Scalar a_y_F = u_second_rate(6);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_x + BC_x;
     const Scalar t02 = slide_B_y + BC_y;
     const Scalar t03 = omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B) + t02 * alpha_B
         - u.phi_B.cos * a_s_B - a_x_B;
-    const Scalar t04 = omega_B * (omega_B * t02 - Scalar(2) * u.phi_B.cos * v_s_B) - t01 * alpha_B
+    const Scalar t04 = omega_B * (t02 * omega_B - Scalar(2) * u.phi_B.cos * v_s_B) - t01 * alpha_B
         - u.phi_B.sin * a_s_B - a_y_B;
     a(0, 0) = -t03;
     a(0, 1) = -t04;
@@ -637,11 +637,11 @@ struct Model06 {
     p.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
-    const Scalar t02 = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+    const Scalar t02 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BC);
     p(0, 0) = -t01;
     p(0, 1) = -t02;
@@ -665,7 +665,7 @@ struct Model06 {
     const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
-    const Scalar determinant = q.s_E * cos_phi_B_minus_FG - sin_phi_B_minus_CEG * CEG_across_FG;
+    const Scalar determinant = q.s_E * cos_phi_B_minus_FG - CEG_across_FG * sin_phi_B_minus_CEG;
     const Scalar t01 = abs(q.s_B) + abs(d.h_B_BC);
     const Scalar t02 = abs(d.x_G_CEG) + abs(d.y_G_CEG);
     const Scalar t03 = abs(q.s_E) + abs(d.h_E_CEG) + abs(d.h_E_DE) + t02;
@@ -692,32 +692,32 @@ struct Model06 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar CEG_across_slide_E = d.h_E_DE - d.h_E_CEG;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - cos_CEG_minus_FG * d.y_G_CEG;
-    const Scalar determinant = q.s_E * cos_phi_B_minus_FG - sin_phi_B_minus_CEG * CEG_across_FG;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
+    const Scalar determinant = q.s_E * cos_phi_B_minus_FG - CEG_across_FG * sin_phi_B_minus_CEG;
     const Scalar pivot_product = d.FG * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
-    const Scalar CEG_per_across_slide_E = -cos_phi_B_minus_FG * inverse_determinant;
+    const Scalar CEG_per_across_slide_E = -inverse_determinant * cos_phi_B_minus_FG;
     const Scalar s_B_per_across_slide_E = CEG_across_FG * inverse_determinant;
     const Scalar s_E_per_across_slide_E = -cos_phi_B_minus_CEG * s_B_per_across_slide_E
         - CEG_across_slide_E * CEG_per_across_slide_E;
-    const Scalar FG_per_across_slide_E = (s_B_per_across_slide_E * sin_phi_B_minus_FG
-        - CEG_per_across_slide_E * CEG_along_FG) * inverse_FG;
-    const Scalar CEG_per_along_FG = sin_phi_B_minus_CEG * inverse_determinant;
+    const Scalar FG_per_across_slide_E = inverse_FG * (s_B_per_across_slide_E * sin_phi_B_minus_FG
+        - CEG_per_across_slide_E * CEG_along_FG);
+    const Scalar CEG_per_along_FG = inverse_determinant * sin_phi_B_minus_CEG;
     const Scalar s_B_per_along_FG = -q.s_E * inverse_determinant;
     const Scalar s_E_per_along_FG = -cos_phi_B_minus_CEG * s_B_per_along_FG
         - CEG_across_slide_E * CEG_per_along_FG;
     const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG
         - CEG_along_FG * CEG_per_along_FG);
-    J_inverse(0, 0) = -q.theta_CEG.sin * CEG_per_across_slide_E;
-    J_inverse(0, 1) = q.theta_CEG.cos * CEG_per_across_slide_E;
-    J_inverse(0, 2) = q.theta_FG.cos * CEG_per_along_FG;
-    J_inverse(0, 3) = q.theta_FG.sin * CEG_per_along_FG;
-    J_inverse(1, 0) = -q.theta_CEG.sin * FG_per_across_slide_E;
-    J_inverse(1, 1) = q.theta_CEG.cos * FG_per_across_slide_E;
-    J_inverse(1, 2) = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    J_inverse(1, 3) = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
+    J_inverse(0, 0) = -CEG_per_across_slide_E * q.theta_CEG.sin;
+    J_inverse(0, 1) = CEG_per_across_slide_E * q.theta_CEG.cos;
+    J_inverse(0, 2) = CEG_per_along_FG * q.theta_FG.cos;
+    J_inverse(0, 3) = CEG_per_along_FG * q.theta_FG.sin;
+    J_inverse(1, 0) = -FG_per_across_slide_E * q.theta_CEG.sin;
+    J_inverse(1, 1) = FG_per_across_slide_E * q.theta_CEG.cos;
+    J_inverse(1, 2) = FG_per_along_FG * q.theta_FG.cos - inverse_FG * q.theta_FG.sin;
+    J_inverse(1, 3) = inverse_FG * q.theta_FG.cos + FG_per_along_FG * q.theta_FG.sin;
     J_inverse(2, 0) = -q.theta_CEG.sin * s_B_per_across_slide_E;
     J_inverse(2, 1) = q.theta_CEG.cos * s_B_per_across_slide_E;
     J_inverse(2, 2) = q.theta_FG.cos * s_B_per_along_FG;
@@ -745,58 +745,58 @@ struct Model06 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar phi_B_along_slide_E = -q.s_B * cos_phi_B_minus_CEG
         - d.h_B_BC * sin_phi_B_minus_CEG;
-    const Scalar phi_B_across_slide_E = cos_phi_B_minus_CEG * d.h_B_BC
+    const Scalar phi_B_across_slide_E = d.h_B_BC * cos_phi_B_minus_CEG
         - q.s_B * sin_phi_B_minus_CEG;
     const Scalar CEG_across_slide_E = d.h_E_DE - d.h_E_CEG;
     const Scalar phi_B_along_FG = -q.s_B * cos_phi_B_minus_FG - d.h_B_BC * sin_phi_B_minus_FG;
     const Scalar phi_B_across_FG = d.h_B_BC * cos_phi_B_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - cos_CEG_minus_FG * d.y_G_CEG;
-    const Scalar determinant = cos_phi_B_minus_FG * q.s_E - sin_phi_B_minus_CEG * CEG_across_FG;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
+    const Scalar determinant = q.s_E * cos_phi_B_minus_FG - CEG_across_FG * sin_phi_B_minus_CEG;
     const Scalar pivot_product = d.FG * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
-    const Scalar CEG_per_across_slide_E = -cos_phi_B_minus_FG * inverse_determinant;
+    const Scalar CEG_per_across_slide_E = -inverse_determinant * cos_phi_B_minus_FG;
     const Scalar s_B_per_across_slide_E = CEG_across_FG * inverse_determinant;
     const Scalar t01 = cos_phi_B_minus_CEG * s_B_per_across_slide_E;
     const Scalar s_E_per_across_slide_E = -t01 - CEG_across_slide_E * CEG_per_across_slide_E;
-    const Scalar FG_per_across_slide_E = (sin_phi_B_minus_FG * s_B_per_across_slide_E
-        - CEG_per_across_slide_E * CEG_along_FG) * inverse_FG;
-    const Scalar CEG_per_along_FG = sin_phi_B_minus_CEG * inverse_determinant;
+    const Scalar FG_per_across_slide_E = inverse_FG * (sin_phi_B_minus_FG * s_B_per_across_slide_E
+        - CEG_per_across_slide_E * CEG_along_FG);
+    const Scalar CEG_per_along_FG = inverse_determinant * sin_phi_B_minus_CEG;
     const Scalar s_B_per_along_FG = -q.s_E * inverse_determinant;
     const Scalar s_E_per_along_FG = -cos_phi_B_minus_CEG * s_B_per_along_FG
         - CEG_across_slide_E * CEG_per_along_FG;
     const Scalar t02 = sin_phi_B_minus_FG * s_B_per_along_FG;
     const Scalar FG_per_along_FG = inverse_FG * (t02 - CEG_along_FG * CEG_per_along_FG);
-    const Scalar t03 = q.theta_CEG.sin * CEG_per_across_slide_E;
-    const Scalar t04 = q.theta_FG.cos * CEG_per_along_FG;
-    const Scalar t05 = q.theta_CEG.cos * CEG_per_across_slide_E;
-    const Scalar t06 = q.theta_FG.sin * CEG_per_along_FG;
-    const Scalar t07 = q.theta_CEG.sin * FG_per_across_slide_E;
-    const Scalar t08 = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    const Scalar t09 = q.theta_CEG.cos * FG_per_across_slide_E;
-    const Scalar t10 = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
-    const Scalar t11 = q.theta_CEG.sin * s_B_per_across_slide_E;
-    const Scalar t12 = q.theta_FG.cos * s_B_per_along_FG;
-    const Scalar t13 = q.theta_CEG.cos * s_B_per_across_slide_E;
-    const Scalar t14 = q.theta_FG.sin * s_B_per_along_FG;
-    const Scalar t15 = q.theta_FG.cos * s_E_per_along_FG;
-    const Scalar t16 = q.theta_CEG.cos + q.theta_CEG.sin * s_E_per_across_slide_E;
-    const Scalar t17 = q.theta_FG.sin * s_E_per_along_FG;
-    const Scalar t18 = q.theta_CEG.sin - q.theta_CEG.cos * s_E_per_across_slide_E;
+    const Scalar CEG_per_x_D = CEG_per_across_slide_E * q.theta_CEG.sin;
+    const Scalar FG_per_x_D = FG_per_across_slide_E * q.theta_CEG.sin;
+    const Scalar s_B_per_x_D = q.theta_CEG.sin * s_B_per_across_slide_E;
+    const Scalar s_E_per_x_D = q.theta_CEG.cos + q.theta_CEG.sin * s_E_per_across_slide_E;
+    const Scalar CEG_per_y_D = -CEG_per_across_slide_E * q.theta_CEG.cos;
+    const Scalar FG_per_y_D = -FG_per_across_slide_E * q.theta_CEG.cos;
+    const Scalar s_B_per_y_D = -q.theta_CEG.cos * s_B_per_across_slide_E;
+    const Scalar s_E_per_y_D = q.theta_CEG.sin - q.theta_CEG.cos * s_E_per_across_slide_E;
+    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
+    const Scalar s_E_per_x_F = -q.theta_FG.cos * s_E_per_along_FG;
+    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
+    const Scalar s_E_per_y_F = -q.theta_FG.sin * s_E_per_along_FG;
     S_d(0, 0) = CEG_per_across_slide_E;
-    S_d(0, 1) = cos_CEG_minus_FG * CEG_per_along_FG;
-    S_d(0, 2) = -sin_CEG_minus_FG * CEG_per_along_FG;
-    S_d(0, 3) = sin_phi_B_minus_FG * CEG_per_along_FG
-        - cos_phi_B_minus_CEG * CEG_per_across_slide_E;
+    S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
+    S_d(0, 2) = -CEG_per_along_FG * sin_CEG_minus_FG;
+    S_d(0, 3) = CEG_per_along_FG * sin_phi_B_minus_FG
+        - CEG_per_across_slide_E * cos_phi_B_minus_CEG;
     S_d(0, 4) = -CEG_per_across_slide_E;
     S_d(0, 5) = -CEG_per_along_FG;
     S_d(1, 0) = FG_per_across_slide_E;
-    S_d(1, 1) = cos_CEG_minus_FG * FG_per_along_FG + sin_CEG_minus_FG * inverse_FG;
-    S_d(1, 2) = cos_CEG_minus_FG * inverse_FG - sin_CEG_minus_FG * FG_per_along_FG;
-    S_d(1, 3) = sin_phi_B_minus_FG * FG_per_along_FG - cos_phi_B_minus_CEG * FG_per_across_slide_E
-        - cos_phi_B_minus_FG * inverse_FG;
+    S_d(1, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
+    S_d(1, 2) = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
+    S_d(1, 3) = FG_per_along_FG * sin_phi_B_minus_FG - FG_per_across_slide_E * cos_phi_B_minus_CEG
+        - inverse_FG * cos_phi_B_minus_FG;
     S_d(1, 4) = -FG_per_across_slide_E;
     S_d(1, 5) = -FG_per_along_FG;
     S_d(2, 0) = s_B_per_across_slide_E;
@@ -812,36 +812,36 @@ struct Model06 {
         - cos_phi_B_minus_CEG * s_E_per_across_slide_E;
     S_d(3, 4) = -s_E_per_across_slide_E;
     S_d(3, 5) = -s_E_per_along_FG;
-    S_u(0, 0) = t04 - t03;
-    S_u(0, 1) = t05 + t06;
+    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;
+    S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
     S_u(0, 2) = CEG_per_along_FG * phi_B_across_FG - CEG_per_across_slide_E * phi_B_along_slide_E;
-    S_u(0, 3) = t03;
-    S_u(0, 4) = -t05;
-    S_u(0, 5) = -t04;
-    S_u(0, 6) = -t06;
-    S_u(1, 0) = t08 - t07;
-    S_u(1, 1) = t09 + t10;
+    S_u(0, 3) = CEG_per_x_D;
+    S_u(0, 4) = CEG_per_y_D;
+    S_u(0, 5) = CEG_per_x_F;
+    S_u(0, 6) = CEG_per_y_F;
+    S_u(1, 0) = -FG_per_x_D - FG_per_x_F;
+    S_u(1, 1) = -FG_per_y_D - FG_per_y_F;
     S_u(1, 2) = FG_per_along_FG * phi_B_across_FG - FG_per_across_slide_E * phi_B_along_slide_E
         - inverse_FG * phi_B_along_FG;
-    S_u(1, 3) = t07;
-    S_u(1, 4) = -t09;
-    S_u(1, 5) = -t08;
-    S_u(1, 6) = -t10;
-    S_u(2, 0) = t12 - t11;
-    S_u(2, 1) = t13 + t14;
-    S_u(2, 2) = s_B_per_along_FG * phi_B_across_FG - s_B_per_across_slide_E * phi_B_along_slide_E;
-    S_u(2, 3) = t11;
-    S_u(2, 4) = -t13;
-    S_u(2, 5) = -t12;
-    S_u(2, 6) = -t14;
-    S_u(3, 0) = t15 - t16;
-    S_u(3, 1) = t17 - t18;
-    S_u(3, 2) = s_E_per_along_FG * phi_B_across_FG - s_E_per_across_slide_E * phi_B_along_slide_E
+    S_u(1, 3) = FG_per_x_D;
+    S_u(1, 4) = FG_per_y_D;
+    S_u(1, 5) = FG_per_x_F;
+    S_u(1, 6) = FG_per_y_F;
+    S_u(2, 0) = -s_B_per_x_D - s_B_per_x_F;
+    S_u(2, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_u(2, 2) = phi_B_across_FG * s_B_per_along_FG - phi_B_along_slide_E * s_B_per_across_slide_E;
+    S_u(2, 3) = s_B_per_x_D;
+    S_u(2, 4) = s_B_per_y_D;
+    S_u(2, 5) = s_B_per_x_F;
+    S_u(2, 6) = s_B_per_y_F;
+    S_u(3, 0) = -s_E_per_x_D - s_E_per_x_F;
+    S_u(3, 1) = -s_E_per_y_D - s_E_per_y_F;
+    S_u(3, 2) = phi_B_across_FG * s_E_per_along_FG - phi_B_along_slide_E * s_E_per_across_slide_E
         - phi_B_across_slide_E;
-    S_u(3, 3) = t16;
-    S_u(3, 4) = t18;
-    S_u(3, 5) = -t15;
-    S_u(3, 6) = -t17;
+    S_u(3, 3) = s_E_per_x_D;
+    S_u(3, 4) = s_E_per_y_D;
+    S_u(3, 5) = s_E_per_x_F;
+    S_u(3, 6) = s_E_per_y_F;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -868,14 +868,14 @@ struct Model06 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar phi_B_along_slide_E = -q.s_B * cos_phi_B_minus_CEG
         - d.h_B_BC * sin_phi_B_minus_CEG;
-    const Scalar phi_B_across_slide_E = cos_phi_B_minus_CEG * d.h_B_BC
+    const Scalar phi_B_across_slide_E = d.h_B_BC * cos_phi_B_minus_CEG
         - q.s_B * sin_phi_B_minus_CEG;
     const Scalar CEG_across_slide_E = d.h_E_DE - d.h_E_CEG;
     const Scalar phi_B_along_FG = -q.s_B * cos_phi_B_minus_FG - d.h_B_BC * sin_phi_B_minus_FG;
     const Scalar phi_B_across_FG = d.h_B_BC * cos_phi_B_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - cos_CEG_minus_FG * d.y_G_CEG;
-    const Scalar determinant = cos_phi_B_minus_FG * q.s_E - sin_phi_B_minus_CEG * CEG_across_FG;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
+    const Scalar determinant = q.s_E * cos_phi_B_minus_FG - CEG_across_FG * sin_phi_B_minus_CEG;
     const Scalar pivot_product = d.FG * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
     const Scalar inverse_determinant = d.FG * inverse;
@@ -883,23 +883,23 @@ struct Model06 {
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_E = q.theta_CEG.cos * t01 + q.theta_CEG.sin * t02
-        + omega_B * phi_B_across_slide_E;
+        + phi_B_across_slide_E * omega_B;
     const Scalar velocity_across_slide_E = q.theta_CEG.cos * t02 - q.theta_CEG.sin * t01
-        - omega_B * phi_B_along_slide_E;
+        - phi_B_along_slide_E * omega_B;
     const Scalar t03 = v_x_B - v_x_F;
     const Scalar t04 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t03 + q.theta_FG.sin * t04
-        + omega_B * phi_B_across_FG;
+        + phi_B_across_FG * omega_B;
     const Scalar velocity_across_FG = q.theta_FG.cos * t04 - q.theta_FG.sin * t03
-        - omega_B * phi_B_along_FG;
-    const Scalar omega_CEG = (sin_phi_B_minus_CEG * velocity_along_FG
-        - cos_phi_B_minus_FG * velocity_across_slide_E) * inverse_determinant;
+        - phi_B_along_FG * omega_B;
+    const Scalar omega_CEG = inverse_determinant * (sin_phi_B_minus_CEG * velocity_along_FG
+        - cos_phi_B_minus_FG * velocity_across_slide_E);
     const Scalar v_s_B = -inverse_determinant * (q.s_E * velocity_along_FG
         - CEG_across_FG * velocity_across_slide_E);
-    const Scalar v_s_E = -omega_CEG * CEG_across_slide_E - cos_phi_B_minus_CEG * v_s_B
+    const Scalar v_s_E = -CEG_across_slide_E * omega_CEG - cos_phi_B_minus_CEG * v_s_B
         - velocity_along_slide_E;
-    const Scalar omega_FG = -(omega_CEG * CEG_along_FG - sin_phi_B_minus_FG * v_s_B
-        - velocity_across_FG) * inverse_FG;
+    const Scalar omega_FG = -inverse_FG * (CEG_along_FG * omega_CEG - sin_phi_B_minus_FG * v_s_B
+        - velocity_across_FG);
     q_rate(0) = omega_CEG;
     q_rate(1) = omega_FG;
     q_rate(2) = v_s_B;
@@ -938,39 +938,39 @@ struct Model06 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar phi_B_along_slide_E = -q.s_B * cos_phi_B_minus_CEG
         - d.h_B_BC * sin_phi_B_minus_CEG;
-    const Scalar phi_B_across_slide_E = cos_phi_B_minus_CEG * d.h_B_BC
+    const Scalar phi_B_across_slide_E = d.h_B_BC * cos_phi_B_minus_CEG
         - q.s_B * sin_phi_B_minus_CEG;
     const Scalar CEG_across_slide_E = d.h_E_DE - d.h_E_CEG;
     const Scalar phi_B_along_FG = -q.s_B * cos_phi_B_minus_FG - d.h_B_BC * sin_phi_B_minus_FG;
     const Scalar phi_B_across_FG = d.h_B_BC * cos_phi_B_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - cos_CEG_minus_FG * d.y_G_CEG;
-    const Scalar determinant = cos_phi_B_minus_FG * q.s_E - sin_phi_B_minus_CEG * CEG_across_FG;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
+    const Scalar determinant = q.s_E * cos_phi_B_minus_FG - CEG_across_FG * sin_phi_B_minus_CEG;
     const Scalar pivot_product = d.FG * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
-    const Scalar t03 = omega_B * phi_B_across_slide_E;
+    const Scalar t03 = phi_B_across_slide_E * omega_B;
     const Scalar velocity_along_slide_E = q.theta_CEG.cos * t01 + q.theta_CEG.sin * t02 + t03;
-    const Scalar t04 = omega_B * phi_B_along_slide_E;
+    const Scalar t04 = phi_B_along_slide_E * omega_B;
     const Scalar velocity_across_slide_E = q.theta_CEG.cos * t02 - q.theta_CEG.sin * t01 - t04;
     const Scalar t05 = v_x_B - v_x_F;
     const Scalar t06 = v_y_B - v_y_F;
-    const Scalar t07 = omega_B * phi_B_across_FG;
+    const Scalar t07 = phi_B_across_FG * omega_B;
     const Scalar velocity_along_FG = q.theta_FG.cos * t05 + q.theta_FG.sin * t06 + t07;
-    const Scalar t08 = omega_B * phi_B_along_FG;
+    const Scalar t08 = phi_B_along_FG * omega_B;
     const Scalar velocity_across_FG = q.theta_FG.cos * t06 - q.theta_FG.sin * t05 - t08;
-    const Scalar omega_CEG = (sin_phi_B_minus_CEG * velocity_along_FG
-        - cos_phi_B_minus_FG * velocity_across_slide_E) * inverse_determinant;
+    const Scalar omega_CEG = inverse_determinant * (sin_phi_B_minus_CEG * velocity_along_FG
+        - cos_phi_B_minus_FG * velocity_across_slide_E);
     const Scalar v_s_B = -inverse_determinant * (q.s_E * velocity_along_FG
         - CEG_across_FG * velocity_across_slide_E);
-    const Scalar t09 = omega_CEG * CEG_across_slide_E;
+    const Scalar t09 = CEG_across_slide_E * omega_CEG;
     const Scalar t10 = cos_phi_B_minus_CEG * v_s_B;
     const Scalar v_s_E = -t09 - t10 - velocity_along_slide_E;
     const Scalar t11 = sin_phi_B_minus_FG * v_s_B;
-    const Scalar omega_FG = -(omega_CEG * CEG_along_FG - t11 - velocity_across_FG) * inverse_FG;
+    const Scalar omega_FG = -inverse_FG * (CEG_along_FG * omega_CEG - t11 - velocity_across_FG);
     const Scalar t12 = a_x_B - a_x_D;
     const Scalar t13 = a_y_B - a_y_D;
     const Scalar t14 = omega_CEG * omega_CEG;
@@ -1040,120 +1040,92 @@ struct Model06 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar phi_B_along_slide_E = -q.s_B * cos_phi_B_minus_CEG
         - d.h_B_BC * sin_phi_B_minus_CEG;
-    const Scalar phi_B_across_slide_E = cos_phi_B_minus_CEG * d.h_B_BC
+    const Scalar phi_B_across_slide_E = d.h_B_BC * cos_phi_B_minus_CEG
         - q.s_B * sin_phi_B_minus_CEG;
     const Scalar CEG_across_slide_E = d.h_E_DE - d.h_E_CEG;
     const Scalar phi_B_along_FG = -q.s_B * cos_phi_B_minus_FG - d.h_B_BC * sin_phi_B_minus_FG;
     const Scalar phi_B_across_FG = d.h_B_BC * cos_phi_B_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - cos_CEG_minus_FG * d.y_G_CEG;
-    const Scalar determinant = cos_phi_B_minus_FG * q.s_E - sin_phi_B_minus_CEG * CEG_across_FG;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
+    const Scalar determinant = q.s_E * cos_phi_B_minus_FG - CEG_across_FG * sin_phi_B_minus_CEG;
     const Scalar pivot_product = d.FG * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
-    const Scalar CEG_per_across_slide_E = -cos_phi_B_minus_FG * inverse_determinant;
+    const Scalar CEG_per_across_slide_E = -inverse_determinant * cos_phi_B_minus_FG;
     const Scalar s_B_per_across_slide_E = CEG_across_FG * inverse_determinant;
     const Scalar t01 = cos_phi_B_minus_CEG * s_B_per_across_slide_E;
     const Scalar s_E_per_across_slide_E = -t01 - CEG_across_slide_E * CEG_per_across_slide_E;
-    const Scalar FG_per_across_slide_E = (sin_phi_B_minus_FG * s_B_per_across_slide_E
-        - CEG_per_across_slide_E * CEG_along_FG) * inverse_FG;
-    const Scalar CEG_per_along_FG = sin_phi_B_minus_CEG * inverse_determinant;
+    const Scalar FG_per_across_slide_E = inverse_FG * (sin_phi_B_minus_FG * s_B_per_across_slide_E
+        - CEG_per_across_slide_E * CEG_along_FG);
+    const Scalar CEG_per_along_FG = inverse_determinant * sin_phi_B_minus_CEG;
     const Scalar s_B_per_along_FG = -q.s_E * inverse_determinant;
     const Scalar s_E_per_along_FG = -cos_phi_B_minus_CEG * s_B_per_along_FG
         - CEG_across_slide_E * CEG_per_along_FG;
     const Scalar t02 = sin_phi_B_minus_FG * s_B_per_along_FG;
     const Scalar FG_per_along_FG = inverse_FG * (t02 - CEG_along_FG * CEG_per_along_FG);
-    const Scalar t03 = q.theta_CEG.sin * CEG_per_across_slide_E;
-    const Scalar t04 = q.theta_FG.cos * CEG_per_along_FG;
-    const Scalar t05 = t03 - t04;
-    const Scalar CEG_per_x_B = -t05;
-    const Scalar t06 = q.theta_CEG.sin * FG_per_across_slide_E;
-    const Scalar t07 = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    const Scalar t08 = t06 - t07;
-    const Scalar FG_per_x_B = -t08;
-    const Scalar t09 = q.theta_CEG.sin * s_B_per_across_slide_E;
-    const Scalar t10 = q.theta_FG.cos * s_B_per_along_FG;
-    const Scalar t11 = t09 - t10;
-    const Scalar s_B_per_x_B = -t11;
-    const Scalar t12 = q.theta_FG.cos * s_E_per_along_FG;
-    const Scalar t13 = q.theta_CEG.cos + q.theta_CEG.sin * s_E_per_across_slide_E;
-    const Scalar t14 = t12 - t13;
-    const Scalar s_E_per_x_B = t14;
-    const Scalar t15 = q.theta_CEG.cos * CEG_per_across_slide_E;
-    const Scalar t16 = q.theta_FG.sin * CEG_per_along_FG;
-    const Scalar t17 = t15 + t16;
-    const Scalar CEG_per_y_B = t17;
-    const Scalar t18 = q.theta_CEG.cos * FG_per_across_slide_E;
-    const Scalar t19 = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
-    const Scalar t20 = t18 + t19;
-    const Scalar FG_per_y_B = t20;
-    const Scalar t21 = q.theta_CEG.cos * s_B_per_across_slide_E;
-    const Scalar t22 = q.theta_FG.sin * s_B_per_along_FG;
-    const Scalar t23 = t21 + t22;
-    const Scalar s_B_per_y_B = t23;
-    const Scalar t24 = q.theta_FG.sin * s_E_per_along_FG;
-    const Scalar t25 = q.theta_CEG.sin - q.theta_CEG.cos * s_E_per_across_slide_E;
-    const Scalar t26 = t24 - t25;
-    const Scalar s_E_per_y_B = t26;
-    const Scalar t27 = CEG_per_across_slide_E * phi_B_along_slide_E
-        - CEG_per_along_FG * phi_B_across_FG;
-    const Scalar CEG_per_phi_B = -t27;
-    const Scalar t28 = FG_per_across_slide_E * phi_B_along_slide_E + inverse_FG * phi_B_along_FG
-        - FG_per_along_FG * phi_B_across_FG;
-    const Scalar FG_per_phi_B = -t28;
-    const Scalar t29 = s_B_per_across_slide_E * phi_B_along_slide_E
-        - s_B_per_along_FG * phi_B_across_FG;
-    const Scalar s_B_per_phi_B = -t29;
-    const Scalar t30 = s_E_per_across_slide_E * phi_B_along_slide_E + phi_B_across_slide_E
-        - s_E_per_along_FG * phi_B_across_FG;
-    const Scalar s_E_per_phi_B = -t30;
-    const Scalar CEG_per_x_D = t03;
-    const Scalar FG_per_x_D = t06;
-    const Scalar s_B_per_x_D = t09;
-    const Scalar s_E_per_x_D = t13;
-    const Scalar CEG_per_y_D = -t15;
-    const Scalar FG_per_y_D = -t18;
-    const Scalar s_B_per_y_D = -t21;
-    const Scalar s_E_per_y_D = t25;
-    const Scalar CEG_per_x_F = -t04;
-    const Scalar FG_per_x_F = -t07;
-    const Scalar s_B_per_x_F = -t10;
-    const Scalar s_E_per_x_F = -t12;
-    const Scalar CEG_per_y_F = -t16;
-    const Scalar FG_per_y_F = -t19;
-    const Scalar s_B_per_y_F = -t22;
-    const Scalar s_E_per_y_F = -t24;
-    const Scalar omega_CEG = v_x_B * CEG_per_x_B + v_y_B * CEG_per_y_B + omega_B * CEG_per_phi_B
-        + v_x_D * CEG_per_x_D + v_y_D * CEG_per_y_D + v_x_F * CEG_per_x_F + v_y_F * CEG_per_y_F;
-    const Scalar omega_FG = v_x_B * FG_per_x_B + v_y_B * FG_per_y_B + omega_B * FG_per_phi_B
-        + v_x_D * FG_per_x_D + v_y_D * FG_per_y_D + v_x_F * FG_per_x_F + v_y_F * FG_per_y_F;
-    const Scalar v_s_B = v_x_B * s_B_per_x_B + v_y_B * s_B_per_y_B + omega_B * s_B_per_phi_B
-        + v_x_D * s_B_per_x_D + v_y_D * s_B_per_y_D + v_x_F * s_B_per_x_F + v_y_F * s_B_per_y_F;
-    const Scalar v_s_E = v_x_B * s_E_per_x_B + v_y_B * s_E_per_y_B + omega_B * s_E_per_phi_B
-        + v_x_D * s_E_per_x_D + v_y_D * s_E_per_y_D + v_x_F * s_E_per_x_F + v_y_F * s_E_per_y_F;
-    const Scalar t31 = omega_CEG * omega_CEG;
+    const Scalar CEG_per_x_D = CEG_per_across_slide_E * q.theta_CEG.sin;
+    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
+    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
+    const Scalar FG_per_x_D = FG_per_across_slide_E * q.theta_CEG.sin;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
+    const Scalar s_B_per_x_D = q.theta_CEG.sin * s_B_per_across_slide_E;
+    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
+    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
+    const Scalar s_E_per_x_D = q.theta_CEG.cos + q.theta_CEG.sin * s_E_per_across_slide_E;
+    const Scalar s_E_per_x_F = -q.theta_FG.cos * s_E_per_along_FG;
+    const Scalar s_E_per_x_B = -s_E_per_x_D - s_E_per_x_F;
+    const Scalar CEG_per_y_D = -CEG_per_across_slide_E * q.theta_CEG.cos;
+    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
+    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
+    const Scalar FG_per_y_D = -FG_per_across_slide_E * q.theta_CEG.cos;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
+    const Scalar s_B_per_y_D = -q.theta_CEG.cos * s_B_per_across_slide_E;
+    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
+    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
+    const Scalar s_E_per_y_D = q.theta_CEG.sin - q.theta_CEG.cos * s_E_per_across_slide_E;
+    const Scalar s_E_per_y_F = -q.theta_FG.sin * s_E_per_along_FG;
+    const Scalar s_E_per_y_B = -s_E_per_y_D - s_E_per_y_F;
+    const Scalar CEG_per_phi_B = CEG_per_along_FG * phi_B_across_FG
+        - CEG_per_across_slide_E * phi_B_along_slide_E;
+    const Scalar FG_per_phi_B = FG_per_along_FG * phi_B_across_FG
+        - FG_per_across_slide_E * phi_B_along_slide_E - inverse_FG * phi_B_along_FG;
+    const Scalar s_B_per_phi_B = phi_B_across_FG * s_B_per_along_FG
+        - phi_B_along_slide_E * s_B_per_across_slide_E;
+    const Scalar s_E_per_phi_B = phi_B_across_FG * s_E_per_along_FG
+        - phi_B_along_slide_E * s_E_per_across_slide_E - phi_B_across_slide_E;
+    const Scalar omega_CEG = CEG_per_x_B * v_x_B + CEG_per_y_B * v_y_B + CEG_per_phi_B * omega_B
+        + CEG_per_x_D * v_x_D + CEG_per_y_D * v_y_D + CEG_per_x_F * v_x_F + CEG_per_y_F * v_y_F;
+    const Scalar omega_FG = FG_per_x_B * v_x_B + FG_per_y_B * v_y_B + FG_per_phi_B * omega_B
+        + FG_per_x_D * v_x_D + FG_per_y_D * v_y_D + FG_per_x_F * v_x_F + FG_per_y_F * v_y_F;
+    const Scalar v_s_B = s_B_per_x_B * v_x_B + s_B_per_y_B * v_y_B + s_B_per_phi_B * omega_B
+        + s_B_per_x_D * v_x_D + s_B_per_y_D * v_y_D + s_B_per_x_F * v_x_F + s_B_per_y_F * v_y_F;
+    const Scalar v_s_E = s_E_per_x_B * v_x_B + s_E_per_y_B * v_y_B + s_E_per_phi_B * omega_B
+        + s_E_per_x_D * v_x_D + s_E_per_y_D * v_y_D + s_E_per_x_F * v_x_F + s_E_per_y_F * v_y_F;
+    const Scalar t03 = omega_CEG * omega_CEG;
     const Scalar centripetal_along_slide_E = -omega_B * (Scalar(2) * sin_phi_B_minus_CEG * v_s_B
-        - phi_B_along_slide_E * omega_B) - q.s_E * t31;
+        - phi_B_along_slide_E * omega_B) - q.s_E * t03;
     const Scalar centripetal_across_slide_E = omega_CEG * (CEG_across_slide_E * omega_CEG
         + Scalar(2) * v_s_E) + omega_B * (Scalar(2) * cos_phi_B_minus_CEG * v_s_B
         + phi_B_across_slide_E * omega_B);
-    const Scalar centripetal_along_FG = d.FG * omega_FG * omega_FG + CEG_along_FG * t31
+    const Scalar centripetal_along_FG = d.FG * omega_FG * omega_FG + CEG_along_FG * t03
         - omega_B * (Scalar(2) * sin_phi_B_minus_FG * v_s_B - phi_B_along_FG * omega_B);
     const Scalar centripetal_across_FG = omega_B * (Scalar(2) * cos_phi_B_minus_FG * v_s_B
-        + phi_B_across_FG * omega_B) + CEG_across_FG * t31;
+        + phi_B_across_FG * omega_B) + CEG_across_FG * t03;
     S_d(0, 0) = CEG_per_across_slide_E;
-    S_d(0, 1) = cos_CEG_minus_FG * CEG_per_along_FG;
-    S_d(0, 2) = -sin_CEG_minus_FG * CEG_per_along_FG;
-    S_d(0, 3) = sin_phi_B_minus_FG * CEG_per_along_FG
-        - cos_phi_B_minus_CEG * CEG_per_across_slide_E;
+    S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
+    S_d(0, 2) = -CEG_per_along_FG * sin_CEG_minus_FG;
+    S_d(0, 3) = CEG_per_along_FG * sin_phi_B_minus_FG
+        - CEG_per_across_slide_E * cos_phi_B_minus_CEG;
     S_d(0, 4) = -CEG_per_across_slide_E;
     S_d(0, 5) = -CEG_per_along_FG;
     S_d(1, 0) = FG_per_across_slide_E;
-    S_d(1, 1) = cos_CEG_minus_FG * FG_per_along_FG + sin_CEG_minus_FG * inverse_FG;
-    S_d(1, 2) = cos_CEG_minus_FG * inverse_FG - sin_CEG_minus_FG * FG_per_along_FG;
-    S_d(1, 3) = sin_phi_B_minus_FG * FG_per_along_FG - cos_phi_B_minus_CEG * FG_per_across_slide_E
-        - cos_phi_B_minus_FG * inverse_FG;
+    S_d(1, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
+    S_d(1, 2) = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
+    S_d(1, 3) = FG_per_along_FG * sin_phi_B_minus_FG - FG_per_across_slide_E * cos_phi_B_minus_CEG
+        - inverse_FG * cos_phi_B_minus_FG;
     S_d(1, 4) = -FG_per_across_slide_E;
     S_d(1, 5) = -FG_per_along_FG;
     S_d(2, 0) = s_B_per_across_slide_E;
@@ -1169,34 +1141,34 @@ struct Model06 {
         - cos_phi_B_minus_CEG * s_E_per_across_slide_E;
     S_d(3, 4) = -s_E_per_across_slide_E;
     S_d(3, 5) = -s_E_per_along_FG;
-    S_u(0, 0) = -t05;
-    S_u(0, 1) = t17;
-    S_u(0, 2) = -t27;
-    S_u(0, 3) = t03;
-    S_u(0, 4) = -t15;
-    S_u(0, 5) = -t04;
-    S_u(0, 6) = -t16;
-    S_u(1, 0) = -t08;
-    S_u(1, 1) = t20;
-    S_u(1, 2) = -t28;
-    S_u(1, 3) = t06;
-    S_u(1, 4) = -t18;
-    S_u(1, 5) = -t07;
-    S_u(1, 6) = -t19;
-    S_u(2, 0) = -t11;
-    S_u(2, 1) = t23;
-    S_u(2, 2) = -t29;
-    S_u(2, 3) = t09;
-    S_u(2, 4) = -t21;
-    S_u(2, 5) = -t10;
-    S_u(2, 6) = -t22;
-    S_u(3, 0) = t14;
-    S_u(3, 1) = t26;
-    S_u(3, 2) = -t30;
-    S_u(3, 3) = t13;
-    S_u(3, 4) = t25;
-    S_u(3, 5) = -t12;
-    S_u(3, 6) = -t24;
+    S_u(0, 0) = CEG_per_x_B;
+    S_u(0, 1) = CEG_per_y_B;
+    S_u(0, 2) = CEG_per_phi_B;
+    S_u(0, 3) = CEG_per_x_D;
+    S_u(0, 4) = CEG_per_y_D;
+    S_u(0, 5) = CEG_per_x_F;
+    S_u(0, 6) = CEG_per_y_F;
+    S_u(1, 0) = FG_per_x_B;
+    S_u(1, 1) = FG_per_y_B;
+    S_u(1, 2) = FG_per_phi_B;
+    S_u(1, 3) = FG_per_x_D;
+    S_u(1, 4) = FG_per_y_D;
+    S_u(1, 5) = FG_per_x_F;
+    S_u(1, 6) = FG_per_y_F;
+    S_u(2, 0) = s_B_per_x_B;
+    S_u(2, 1) = s_B_per_y_B;
+    S_u(2, 2) = s_B_per_phi_B;
+    S_u(2, 3) = s_B_per_x_D;
+    S_u(2, 4) = s_B_per_y_D;
+    S_u(2, 5) = s_B_per_x_F;
+    S_u(2, 6) = s_B_per_y_F;
+    S_u(3, 0) = s_E_per_x_B;
+    S_u(3, 1) = s_E_per_y_B;
+    S_u(3, 2) = s_E_per_phi_B;
+    S_u(3, 3) = s_E_per_x_D;
+    S_u(3, 4) = s_E_per_y_D;
+    S_u(3, 5) = s_E_per_x_F;
+    S_u(3, 6) = s_E_per_y_F;
     q_rate(0) = omega_CEG;
     q_rate(1) = omega_FG;
     q_rate(2) = v_s_B;
@@ -1229,45 +1201,45 @@ struct Model06 {
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     const Scalar b_m1_re = d.x_G_CEG * u.phi_B.cos + d.y_G_CEG * u.phi_B.sin;
-    const Scalar b_m1_im = d.x_G_CEG * u.phi_B.sin - u.phi_B.cos * d.y_G_CEG;
-    const Scalar b_0_re = Scalar(2) * (u.phi_B.cos * FB_x + u.phi_B.sin * FB_y);
-    const Scalar t01 = FB_x + u.phi_B.sin * d.h_B_BC;
-    const Scalar t02 = FB_y - u.phi_B.cos * d.h_B_BC;
+    const Scalar b_m1_im = d.x_G_CEG * u.phi_B.sin - d.y_G_CEG * u.phi_B.cos;
+    const Scalar b_0_re = Scalar(2) * (FB_x * u.phi_B.cos + FB_y * u.phi_B.sin);
+    const Scalar t01 = FB_x + d.h_B_BC * u.phi_B.sin;
+    const Scalar t02 = FB_y - d.h_B_BC * u.phi_B.cos;
     const Scalar c_m1_re = d.x_G_CEG * t01 + d.y_G_CEG * t02;
     const Scalar c_m1_im = d.x_G_CEG * t02 - d.y_G_CEG * t01;
-    const Scalar c_0_re = d.h_B_BC * (d.h_B_BC + Scalar(2) * u.phi_B.sin * FB_x
-        - Scalar(2) * u.phi_B.cos * FB_y) + d.x_G_CEG * d.x_G_CEG + d.y_G_CEG * d.y_G_CEG
+    const Scalar c_0_re = d.h_B_BC * (d.h_B_BC + Scalar(2) * FB_x * u.phi_B.sin
+        - Scalar(2) * FB_y * u.phi_B.cos) + d.x_G_CEG * d.x_G_CEG + d.y_G_CEG * d.y_G_CEG
         + FB_x * FB_x + FB_y * FB_y - d.FG * d.FG;
     const Scalar f_m1_re = t02 - FD_y;
     const Scalar f_m1_im = FD_x - t01;
     const Scalar f_0_re = Scalar(2) * (d.h_E_CEG - d.h_E_DE);
-    const Scalar t03 = u.phi_B.sin * c_0_re;
+    const Scalar t03 = c_0_re * u.phi_B.sin;
     const Scalar t04 = f_0_re * b_m1_re + b_0_re * f_m1_re;
-    const Scalar t05 = f_m1_re * f_m1_re + u.phi_B.sin * (t03 - t04);
+    const Scalar t05 = f_m1_re * f_m1_re + (t03 - t04) * u.phi_B.sin;
     const Scalar t06 = b_m1_im * f_0_re + b_0_re * f_m1_im;
-    const Scalar t07 = f_m1_im * f_m1_im + u.phi_B.cos * (u.phi_B.cos * c_0_re + t06);
+    const Scalar t07 = f_m1_im * f_m1_im + (c_0_re * u.phi_B.cos + t06) * u.phi_B.cos;
     const Scalar t08 = f_m1_im * b_m1_re + b_m1_im * f_m1_re;
-    const Scalar t09 = u.phi_B.cos * c_m1_re + t08;
-    const Scalar t10 = u.phi_B.cos * c_m1_im;
+    const Scalar t09 = c_m1_re * u.phi_B.cos + t08;
+    const Scalar t10 = c_m1_im * u.phi_B.cos;
     const Scalar t11 = b_m1_im * f_m1_im;
     const Scalar t12 = f_0_re * b_0_re;
-    const Scalar t13 = u.phi_B.sin * c_m1_re;
+    const Scalar t13 = c_m1_re * u.phi_B.sin;
     const Scalar t14 = b_m1_re * f_m1_re;
     const Scalar t15 = t13 - t14;
-    const Scalar t16 = u.phi_B.sin * c_m1_im;
-    const Scalar t17 = u.phi_B.sin * (t16 - t08);
+    const Scalar t16 = c_m1_im * u.phi_B.sin;
+    const Scalar t17 = (t16 - t08) * u.phi_B.sin;
     const Scalar t18 = t10 + t11;
-    const Scalar t19 = t13 - Scalar(1) / Scalar(2) * t14;
+    const Scalar t19 = t13 - Scalar(0.5) * t14;
     T.cosine[0] = f_0_re * f_0_re + Scalar(2) * t05 + Scalar(2) * t07;
-    T.cosine[1] = Scalar(2) * (Scalar(2) * f_0_re * f_m1_re + u.phi_B.cos * t09
-        - u.phi_B.sin * (Scalar(2) * t10 + t11 + t12 - Scalar(3) * t15));
-    T.sine[1] = Scalar(2) * (Scalar(2) * f_0_re * f_m1_im + t17 + u.phi_B.cos * (t12
-        + Scalar(3) * t18 - Scalar(2) * t19));
+    T.cosine[1] = Scalar(2) * (Scalar(2) * f_0_re * f_m1_re + t09 * u.phi_B.cos - (Scalar(2) * t10
+        + t11 + t12 - Scalar(3) * t15) * u.phi_B.sin);
+    T.sine[1] = Scalar(2) * (Scalar(2) * f_0_re * f_m1_im + t17 + (t12 + Scalar(3) * t18
+        - Scalar(2) * t19) * u.phi_B.cos);
     T.cosine[2] = Scalar(2) * (t05 - t07);
-    T.sine[2] = -Scalar(2) * (u.phi_B.sin * t06 + u.phi_B.cos * (Scalar(2) * t03 - t04)
+    T.sine[2] = -Scalar(2) * (t06 * u.phi_B.sin + (Scalar(2) * t03 - t04) * u.phi_B.cos
         - Scalar(2) * f_m1_im * f_m1_re);
-    T.cosine[3] = Scalar(2) * (u.phi_B.sin * (t11 + t15) + u.phi_B.cos * (Scalar(2) * t16 - t09));
-    T.sine[3] = Scalar(2) * (t17 - u.phi_B.cos * (t18 + Scalar(2) * t19));
+    T.cosine[3] = Scalar(2) * ((t11 + t15) * u.phi_B.sin + (Scalar(2) * t16 - t09) * u.phi_B.cos);
+    T.sine[3] = Scalar(2) * (t17 - (t18 + Scalar(2) * t19) * u.phi_B.cos);
   }
 
   /// The reduced equations, one a row, where theta_CEG is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
@@ -1281,17 +1253,17 @@ struct Model06 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = FB_x + q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar t02 = FB_y + q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar t01 = FB_x + d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar t02 = FB_y + d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     e(0, 1) = Scalar(2) * (q.theta_CEG.cos * u.phi_B.sin - q.theta_CEG.sin * u.phi_B.cos);
-    e(0, 2) = -Scalar(2) * (q.theta_CEG.cos * (u.phi_B.cos * d.h_B_BC + FD_y - FB_y)
-        + q.theta_CEG.sin * (u.phi_B.sin * d.h_B_BC + FB_x - FD_x) + d.h_E_DE - d.h_E_CEG);
+    e(0, 2) = -Scalar(2) * ((d.h_B_BC * u.phi_B.cos + FD_y - FB_y) * q.theta_CEG.cos
+        + (d.h_B_BC * u.phi_B.sin + FB_x - FD_x) * q.theta_CEG.sin + d.h_E_DE - d.h_E_CEG);
     e(1, 0) = Scalar(1);
-    e(1, 1) = Scalar(2) * (u.phi_B.cos * t01 + u.phi_B.sin * t02);
-    e(1, 2) = d.h_B_BC * (d.h_B_BC + Scalar(2) * u.phi_B.sin * t01 - Scalar(2) * u.phi_B.cos * t02)
-        + d.x_G_CEG * (d.x_G_CEG + Scalar(2) * q.theta_CEG.cos * FB_x
-        + Scalar(2) * q.theta_CEG.sin * FB_y) + d.y_G_CEG * (d.y_G_CEG
-        + Scalar(2) * q.theta_CEG.cos * FB_y - Scalar(2) * q.theta_CEG.sin * FB_x) + FB_x * FB_x
+    e(1, 1) = Scalar(2) * (t01 * u.phi_B.cos + t02 * u.phi_B.sin);
+    e(1, 2) = d.h_B_BC * (d.h_B_BC + Scalar(2) * t01 * u.phi_B.sin - Scalar(2) * t02 * u.phi_B.cos)
+        + d.x_G_CEG * (d.x_G_CEG + Scalar(2) * FB_x * q.theta_CEG.cos
+        + Scalar(2) * FB_y * q.theta_CEG.sin) + d.y_G_CEG * (d.y_G_CEG
+        + Scalar(2) * FB_y * q.theta_CEG.cos - Scalar(2) * FB_x * q.theta_CEG.sin) + FB_x * FB_x
         + FB_y * FB_y - d.FG * d.FG;
   }
 
@@ -1307,11 +1279,11 @@ struct Model06 {
     const Scalar inverse_theta_FG = Scalar(1) / d.FG;  // zero: the link that turns by theta_FG has
                                                        //     no length
     const Scalar t01 = FB_x + q.s_B * u.phi_B.cos + d.h_B_BC * u.phi_B.sin;
-    const Scalar t02 = FB_y + q.s_B * u.phi_B.sin - u.phi_B.cos * d.h_B_BC;
-    q.s_E = q.theta_CEG.cos * (FD_x - t01) + q.theta_CEG.sin * (FD_y - t02);
-    q.theta_FG.cos = inverse_theta_FG * (q.theta_CEG.cos * d.x_G_CEG + t01
-        - q.theta_CEG.sin * d.y_G_CEG);
-    q.theta_FG.sin = inverse_theta_FG * (q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG
+    const Scalar t02 = FB_y + q.s_B * u.phi_B.sin - d.h_B_BC * u.phi_B.cos;
+    q.s_E = (FD_x - t01) * q.theta_CEG.cos + (FD_y - t02) * q.theta_CEG.sin;
+    q.theta_FG.cos = inverse_theta_FG * (d.x_G_CEG * q.theta_CEG.cos + t01
+        - d.y_G_CEG * q.theta_CEG.sin);
+    q.theta_FG.sin = inverse_theta_FG * (d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin
         + t02);
   }
 };

@@ -32,14 +32,14 @@ namespace assur::triad {
 ///   none: link CEG does not close exactly one loop
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:                     26, 26, 0
+///   residual:                     22, 24, 0
 ///   jacobian:                     10, 4, 0
-///   dimension_jacobian:           22, 18, 0
-///   input_jacobian:               24, 18, 0
-///   velocity_rhs:                 28, 26, 0
-///   acceleration_rhs:             53, 40, 0
-///   jerk_rhs:                     89, 58, 0
-///   curvature_rhs:                103, 74, 0
+///   dimension_jacobian:           18, 16, 0
+///   input_jacobian:               20, 16, 0
+///   velocity_rhs:                 24, 24, 0
+///   acceleration_rhs:             49, 38, 0
+///   jerk_rhs:                     85, 56, 0
+///   curvature_rhs:                101, 70, 0
 ///   link_poses:                   14, 10, 0
 ///   pose_jacobians:               10, 6, 0
 ///   link_velocities:              18, 14, 0
@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     64, 40, 1
 ///   motion:                       104, 70, 1
 ///   sensitivities_and_motion:     198, 129, 1
-///   position_polynomial:          40, 31, 0
+///   position_polynomial:          46, 31, 0
 ///   second_equations:             29, 26, 0
 ///   complete:                     20, 21, 1
 struct Model07 {
@@ -192,34 +192,30 @@ struct Model07 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t03 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t03 - (d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG) * d.h_E_CEG;
-    const Scalar t04 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = d.h_E_CEG * (d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG) - t04;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_x = CG_x - d.h_E_CEG * sin_DE;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
+    const Scalar CE_y = CG_y + d.h_E_CEG * cos_DE;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = t03;
-    const Scalar CG_y = -t04;
-    const Scalar t05 = slide_C_x - u.x_B - slide_B_x;
-    const Scalar t06 = slide_C_y - u.y_B - slide_B_y;
-    f(0) = u.x_D + DE_x + t05 - CE_x - slide_E_x;
-    f(1) = u.y_D + DE_y + t06 - CE_y - slide_E_y;
-    f(2) = u.x_F + FG_x + t05 - CG_x;
-    f(3) = u.y_F + FG_y + t06 - CG_y;
+    const Scalar t01 = slide_C_x - u.x_B - slide_B_x;
+    const Scalar t02 = slide_C_y - u.y_B - slide_B_y;
+    f(0) = u.x_D + DE_x + t01 - CE_x - slide_E_x;
+    f(1) = u.y_D + DE_y + t02 - CE_y - slide_E_y;
+    f(2) = u.x_F + FG_x + t01 - CG_x;
+    f(3) = u.y_F + FG_y + t02 - CG_y;
   }
 
   /// J = df/dq.
@@ -227,13 +223,11 @@ struct Model07 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
     J(0, 1) = -u.phi_B.cos;
     J(0, 2) = cos_CEG;
@@ -254,37 +248,33 @@ struct Model07 {
   static void dimension_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t03 = (d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG) * d.h_E_CEG;
-    const Scalar t04 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t04 - t03;
-    const Scalar t05 = d.h_E_CEG * (d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG);
-    const Scalar t06 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = t05 - t06;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
-    const Scalar CG_x = t04;
-    const Scalar CG_y = -t06;
-    const Scalar t07 = DE_y - slide_E_y;
-    const Scalar t08 = DE_x - slide_E_x;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar t01 = d.h_E_CEG * sin_DE;
+    const Scalar CE_x = CG_x - t01;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t02 = d.h_E_CEG * cos_DE;
+    const Scalar CE_y = CG_y + t02;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
+    const Scalar t03 = DE_y - slide_E_y;
+    const Scalar t04 = DE_x - slide_E_x;
     F_d(0, 0) = -sin_CEG;
-    F_d(0, 1) = t05 - t07;
+    F_d(0, 1) = t02 - t03;
     F_d(0, 2) = sin_DE;
-    F_d(0, 3) = CE_y - t07 - slide_C_y;
+    F_d(0, 3) = CE_y - t03 - slide_C_y;
     F_d(0, 4) = -sin_DE;
     F_d(1, 0) = cos_CEG;
-    F_d(1, 1) = t03 + t08;
+    F_d(1, 1) = t04 + t01;
     F_d(1, 2) = -cos_DE;
-    F_d(1, 3) = t08 + slide_C_x - CE_x;
+    F_d(1, 3) = t04 + slide_C_x - CE_x;
     F_d(1, 4) = cos_DE;
     F_d(2, 0) = -sin_CEG;
     F_d(2, 3) = CG_y - slide_C_y;
@@ -299,39 +289,35 @@ struct Model07 {
   static void input_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t03 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t03 - (d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG) * d.h_E_CEG;
-    const Scalar t04 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = d.h_E_CEG * (d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG) - t04;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
-    const Scalar CG_x = t03;
-    const Scalar CG_y = -t04;
-    const Scalar t05 = slide_B_y - slide_C_y;
-    const Scalar t06 = slide_B_x - slide_C_x;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_x = CG_x - d.h_E_CEG * sin_DE;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
+    const Scalar CE_y = CG_y + d.h_E_CEG * cos_DE;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
+    const Scalar t01 = slide_B_y - slide_C_y;
+    const Scalar t02 = slide_B_x - slide_C_x;
     F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = CE_y + slide_E_y + t05 - DE_y;
+    F_u(0, 2) = CE_y + slide_E_y + t01 - DE_y;
     F_u(0, 3) = Scalar(1);
     F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = DE_x - CE_x - slide_E_x - t06;
+    F_u(1, 2) = DE_x - CE_x - slide_E_x - t02;
     F_u(1, 4) = Scalar(1);
     F_u(2, 0) = -Scalar(1);
-    F_u(2, 2) = CG_y + t05;
+    F_u(2, 2) = CG_y + t01;
     F_u(2, 5) = Scalar(1);
     F_u(3, 1) = -Scalar(1);
-    F_u(3, 2) = -CG_x - t06;
+    F_u(3, 2) = -CG_x - t02;
     F_u(3, 6) = Scalar(1);
   }
 
@@ -347,32 +333,28 @@ struct Model07 {
     const Scalar v_y_D = u_rate(4);
     const Scalar v_x_F = u_rate(5);
     const Scalar v_y_F = u_rate(6);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t03 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t03 - (d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG) * d.h_E_CEG;
-    const Scalar t04 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = d.h_E_CEG * (d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG) - t04;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
-    const Scalar CG_x = t03;
-    const Scalar CG_y = -t04;
-    const Scalar t05 = slide_B_y - slide_C_y;
-    const Scalar t06 = slide_B_x - slide_C_x;
-    rhs(0) = v_x_B + omega_B * (DE_y - CE_y - slide_E_y - t05) - v_x_D;
-    rhs(1) = v_y_B - v_y_D - omega_B * (DE_x - CE_x - slide_E_x - t06);
-    rhs(2) = v_x_B - v_x_F - omega_B * (CG_y + t05);
-    rhs(3) = v_y_B + omega_B * (CG_x + t06) - v_y_F;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_x = CG_x - d.h_E_CEG * sin_DE;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
+    const Scalar CE_y = CG_y + d.h_E_CEG * cos_DE;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
+    const Scalar t01 = slide_B_y - slide_C_y;
+    const Scalar t02 = slide_B_x - slide_C_x;
+    rhs(0) = v_x_B + (DE_y - CE_y - slide_E_y - t01) * omega_B - v_x_D;
+    rhs(1) = v_y_B - v_y_D - (DE_x - CE_x - slide_E_x - t02) * omega_B;
+    rhs(2) = v_x_B - v_x_F - (CG_y + t01) * omega_B;
+    rhs(3) = v_y_B + (CG_x + t02) * omega_B - v_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -394,44 +376,40 @@ struct Model07 {
     const Scalar a_y_D = u_second_rate(4);
     const Scalar a_x_F = u_second_rate(5);
     const Scalar a_y_F = u_second_rate(6);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t03 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t03 - (d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG) * d.h_E_CEG;
-    const Scalar t04 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = d.h_E_CEG * (d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG) - t04;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_x = CG_x - d.h_E_CEG * sin_DE;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
+    const Scalar CE_y = CG_y + d.h_E_CEG * cos_DE;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = t03;
-    const Scalar CG_y = -t04;
-    const Scalar t05 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t06 = slide_B_x - slide_C_x;
-    const Scalar t07 = DE_x - CE_x - slide_E_x - t06;
-    const Scalar t08 = slide_B_y - slide_C_y;
-    const Scalar t09 = DE_y - CE_y - slide_E_y - t08;
-    const Scalar t10 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t11 = omega_FG * omega_FG;
-    const Scalar t12 = CG_x + t06;
-    const Scalar t13 = CG_y + t08;
-    rhs(0) = a_x_B + alpha_B * t09 - a_x_D - omega_B * (Scalar(2) * sin_DE * v_s_E + Scalar(2) * t05
-        - omega_B * t07);
-    rhs(1) = a_y_B + omega_B * (Scalar(2) * cos_DE * v_s_E + Scalar(2) * t10 + omega_B * t09)
-        - a_y_D - alpha_B * t07;
-    rhs(2) = a_x_B + FG_x * t11 - a_x_F - omega_B * (Scalar(2) * t05 + omega_B * t12)
-        - alpha_B * t13;
-    rhs(3) = a_y_B + FG_y * t11 + alpha_B * t12 + omega_B * (Scalar(2) * t10 - omega_B * t13)
+    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
+    const Scalar t02 = slide_B_x - slide_C_x;
+    const Scalar t03 = DE_x - CE_x - slide_E_x - t02;
+    const Scalar t04 = slide_B_y - slide_C_y;
+    const Scalar t05 = DE_y - CE_y - slide_E_y - t04;
+    const Scalar t06 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
+    const Scalar t07 = omega_FG * omega_FG;
+    const Scalar t08 = CG_x + t02;
+    const Scalar t09 = CG_y + t04;
+    rhs(0) = a_x_B + t05 * alpha_B - a_x_D - omega_B * (Scalar(2) * sin_DE * v_s_E + Scalar(2) * t01
+        - t03 * omega_B);
+    rhs(1) = a_y_B + omega_B * (Scalar(2) * cos_DE * v_s_E + Scalar(2) * t06 + t05 * omega_B)
+        - a_y_D - t03 * alpha_B;
+    rhs(2) = a_x_B + FG_x * t07 - a_x_F - omega_B * (Scalar(2) * t01 + t08 * omega_B)
+        - t09 * alpha_B;
+    rhs(3) = a_y_B + FG_y * t07 + t08 * alpha_B + omega_B * (Scalar(2) * t06 - t09 * omega_B)
         - a_y_F;
   }
 
@@ -460,53 +438,49 @@ struct Model07 {
     const Scalar j_y_D = u_third_rate(4);
     const Scalar j_x_F = u_third_rate(5);
     const Scalar j_y_F = u_third_rate(6);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t03 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t03 - (d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG) * d.h_E_CEG;
-    const Scalar t04 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = d.h_E_CEG * (d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG) - t04;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_x = CG_x - d.h_E_CEG * sin_DE;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
+    const Scalar CE_y = CG_y + d.h_E_CEG * cos_DE;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = t03;
-    const Scalar CG_y = -t04;
-    const Scalar t05 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t06 = sin_DE * v_s_E + t05;
-    const Scalar t07 = slide_B_y - slide_C_y;
-    const Scalar t08 = DE_y - CE_y - slide_E_y - t07;
-    const Scalar t09 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t10 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t11 = cos_DE * v_s_E + t10;
-    const Scalar t12 = slide_B_x - slide_C_x;
-    const Scalar t13 = DE_x - CE_x - slide_E_x - t12;
-    const Scalar t14 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t15 = omega_FG * omega_FG;
-    const Scalar t16 = CG_y + t07;
-    const Scalar t17 = CG_x + t12;
-    rhs(0) = j_x_B + jerk_B * t08 - j_x_D - Scalar(3) * alpha_B * t06
-        - omega_B * (Scalar(3) * sin_DE * a_s_E + Scalar(3) * t09 + omega_B * (Scalar(3) * t11
-        + omega_B * t08) - Scalar(3) * alpha_B * t13);
-    rhs(1) = j_y_B + Scalar(3) * alpha_B * t11 + omega_B * (Scalar(3) * cos_DE * a_s_E
-        + Scalar(3) * t14 + Scalar(3) * alpha_B * t08 - omega_B * (Scalar(3) * t06 - omega_B * t13))
-        - j_y_D - jerk_B * t13;
-    rhs(2) = j_x_B + omega_FG * (Scalar(3) * alpha_FG * FG_x - FG_y * t15)
-        - Scalar(3) * alpha_B * t05 - j_x_F - jerk_B * t16 - omega_B * (Scalar(3) * t09
-        + omega_B * (Scalar(3) * t10 - omega_B * t16) + Scalar(3) * alpha_B * t17);
-    rhs(3) = j_y_B + Scalar(3) * alpha_B * t10 + omega_FG * (Scalar(3) * FG_y * alpha_FG
-        + FG_x * t15) + jerk_B * t17 + omega_B * (Scalar(3) * t14 - Scalar(3) * alpha_B * t16
-        - omega_B * (Scalar(3) * t05 + omega_B * t17)) - j_y_F;
+    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
+    const Scalar t02 = sin_DE * v_s_E + t01;
+    const Scalar t03 = slide_B_y - slide_C_y;
+    const Scalar t04 = DE_y - CE_y - slide_E_y - t03;
+    const Scalar t05 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
+    const Scalar t06 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
+    const Scalar t07 = cos_DE * v_s_E + t06;
+    const Scalar t08 = slide_B_x - slide_C_x;
+    const Scalar t09 = DE_x - CE_x - slide_E_x - t08;
+    const Scalar t10 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
+    const Scalar t11 = omega_FG * omega_FG;
+    const Scalar t12 = CG_y + t03;
+    const Scalar t13 = CG_x + t08;
+    rhs(0) = j_x_B + t04 * jerk_B - j_x_D - Scalar(3) * alpha_B * t02
+        - omega_B * (Scalar(3) * sin_DE * a_s_E + Scalar(3) * t05 + omega_B * (Scalar(3) * t07
+        + t04 * omega_B) - Scalar(3) * t09 * alpha_B);
+    rhs(1) = j_y_B + Scalar(3) * alpha_B * t07 + omega_B * (Scalar(3) * cos_DE * a_s_E
+        + Scalar(3) * t10 + Scalar(3) * t04 * alpha_B - omega_B * (Scalar(3) * t02 - t09 * omega_B))
+        - j_y_D - t09 * jerk_B;
+    rhs(2) = j_x_B + omega_FG * (Scalar(3) * FG_x * alpha_FG - FG_y * t11)
+        - Scalar(3) * alpha_B * t01 - j_x_F - t12 * jerk_B - omega_B * (Scalar(3) * t05
+        + omega_B * (Scalar(3) * t06 - t12 * omega_B) + Scalar(3) * t13 * alpha_B);
+    rhs(3) = j_y_B + Scalar(3) * alpha_B * t06 + omega_FG * (Scalar(3) * FG_y * alpha_FG
+        + FG_x * t11) + t13 * jerk_B + omega_B * (Scalar(3) * t10 - Scalar(3) * t12 * alpha_B
+        - omega_B * (Scalar(3) * t01 + t13 * omega_B)) - j_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -527,97 +501,89 @@ struct Model07 {
     const Scalar v_h_E_DE = d_rate(4);
     const Scalar v_FG = d_rate(5);
     const Scalar omega_B = u_rate(2);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar t01 = d.psi_E_CEG.cos * cos_CEG;
+    const Scalar t02 = d.psi_E_CEG.sin * sin_CEG;
+    const Scalar cos_DE = t01 - t02;
     const Scalar t03 = d.psi_E_CEG.cos * sin_CEG;
     const Scalar t04 = d.psi_E_CEG.sin * cos_CEG;
-    const Scalar t05 = t03 + t04;
-    const Scalar t06 = t05 * d.h_E_CEG;
-    const Scalar t07 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t07 - t06;
-    const Scalar t08 = d.psi_E_CEG.cos * cos_CEG;
-    const Scalar t09 = d.psi_E_CEG.sin * sin_CEG;
-    const Scalar t10 = t08 - t09;
-    const Scalar t11 = d.h_E_CEG * t10;
-    const Scalar t12 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = t11 - t12;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar sin_DE = t03 + t04;
+    const Scalar DE_x = -d.h_E_DE * sin_DE;
+    const Scalar DE_y = d.h_E_DE * cos_DE;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG;
+    const Scalar slide_C_y = q.s_C * sin_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar t05 = d.h_E_CEG * sin_DE;
+    const Scalar CE_x = CG_x - t05;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t06 = d.h_E_CEG * cos_DE;
+    const Scalar CE_y = CG_y + t06;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = t07;
-    const Scalar CG_y = -t12;
-    const Scalar t13 = sin_DE * v_s_E;
-    const Scalar t14 = DE_x - slide_E_x;
-    const Scalar t15 = omega_E_CEG + Scalar(2) * omega_C_BC;
-    const Scalar t16 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
-    const Scalar t17 = CE_x - t14;
-    const Scalar t18 = omega_C_BC * (slide_C_x - t17);
-    const Scalar t19 = v_h_E_CEG - v_h_E_DE;
-    const Scalar t20 = cos_DE * t19 + t13;
-    const Scalar t21 = slide_B_x - slide_C_x;
-    const Scalar t22 = u.phi_B.sin * v_s_B - t16;
-    const Scalar t23 = cos_DE * v_s_E;
-    const Scalar t24 = DE_y - slide_E_y;
-    const Scalar t25 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
-    const Scalar t26 = CE_y - t24;
-    const Scalar t27 = omega_C_BC * (slide_C_y - t26);
-    const Scalar t28 = sin_DE * t19 - t23;
-    const Scalar t29 = slide_B_y - slide_C_y;
-    const Scalar t30 = u.phi_B.cos * v_s_B - t25;
-    const Scalar t31 = omega_C_BC * (slide_C_x - CG_x);
-    const Scalar t32 = omega_C_BC * (slide_C_y - CG_y);
-    rhs(0) = omega_C_BC * (Scalar(2) * t16 + t18 - Scalar(2) * t20)
-        + omega_B * (Scalar(2) * omega_E_CEG * (t06 + t14) + Scalar(2) * t18 - omega_B * (t21 + t17)
-        - Scalar(2) * t20 - Scalar(2) * t22) - omega_E_CEG * (Scalar(2) * t13 + v_h_E_CEG * (cos_DE
-        + t10) - t14 * omega_E_CEG - Scalar(2) * t14 * omega_C_BC - Scalar(2) * cos_DE * v_h_E_DE
-        - d.h_E_CEG * (t03 * t15 + t04 * t15));
-    rhs(1) = omega_E_CEG * (Scalar(2) * t23 + omega_E_CEG * t24 + Scalar(2) * omega_C_BC * t24
-        + Scalar(2) * sin_DE * v_h_E_DE - d.h_E_CEG * (t08 * t15 - t09 * t15) - v_h_E_CEG * (sin_DE
-        + t05)) - omega_C_BC * (Scalar(2) * t25 + Scalar(2) * t28 - t27)
-        - omega_B * (Scalar(2) * omega_E_CEG * (t11 - t24) + omega_B * (t29 + t26) + Scalar(2) * t28
-        - Scalar(2) * t27 - Scalar(2) * t30);
-    rhs(2) = omega_FG * (Scalar(2) * q.theta_FG.sin * v_FG + omega_FG * FG_x) + omega_C_BC * (t31
-        + Scalar(2) * t16) + omega_B * (Scalar(2) * t31 - omega_B * (CG_x + t21) - Scalar(2) * t22);
-    rhs(3) = omega_C_BC * (t32 - Scalar(2) * t25) + omega_B * (Scalar(2) * t32 + Scalar(2) * t30
-        - omega_B * (CG_y + t29)) - omega_FG * (Scalar(2) * q.theta_FG.cos * v_FG
-        - omega_FG * FG_y);
+    const Scalar t07 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
+    const Scalar t08 = DE_x - slide_E_x;
+    const Scalar t09 = CE_x - t08;
+    const Scalar t10 = (slide_C_x - t09) * omega_C_BC;
+    const Scalar t11 = v_h_E_CEG - v_h_E_DE;
+    const Scalar t12 = sin_DE * v_s_E;
+    const Scalar t13 = cos_DE * t11 + t12;
+    const Scalar t14 = omega_E_CEG + Scalar(2) * omega_C_BC;
+    const Scalar t15 = slide_B_x - slide_C_x;
+    const Scalar t16 = u.phi_B.sin * v_s_B - t07;
+    const Scalar t17 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
+    const Scalar t18 = DE_y - slide_E_y;
+    const Scalar t19 = CE_y - t18;
+    const Scalar t20 = (slide_C_y - t19) * omega_C_BC;
+    const Scalar t21 = cos_DE * v_s_E;
+    const Scalar t22 = sin_DE * t11 - t21;
+    const Scalar t23 = slide_B_y - slide_C_y;
+    const Scalar t24 = u.phi_B.cos * v_s_B - t17;
+    const Scalar t25 = (slide_C_x - CG_x) * omega_C_BC;
+    const Scalar t26 = (slide_C_y - CG_y) * omega_C_BC;
+    rhs(0) = omega_C_BC * (Scalar(2) * t07 + t10 - Scalar(2) * t13) + omega_B * (Scalar(2) * t10
+        + Scalar(2) * (t08 + t05) * omega_E_CEG - (t15 + t09) * omega_B - Scalar(2) * t13
+        - Scalar(2) * t16) - omega_E_CEG * (Scalar(2) * t12 + Scalar(2) * cos_DE * v_h_E_CEG
+        - t08 * omega_E_CEG - Scalar(2) * t08 * omega_C_BC - Scalar(2) * cos_DE * v_h_E_DE
+        - d.h_E_CEG * (t03 * t14 + t04 * t14));
+    rhs(1) = omega_E_CEG * (Scalar(2) * t21 + t18 * omega_E_CEG + Scalar(2) * t18 * omega_C_BC
+        + Scalar(2) * sin_DE * v_h_E_DE - d.h_E_CEG * (t01 * t14 - t02 * t14)
+        - Scalar(2) * sin_DE * v_h_E_CEG) + omega_B * (Scalar(2) * t20 + Scalar(2) * t24
+        + Scalar(2) * (t18 - t06) * omega_E_CEG - (t23 + t19) * omega_B - Scalar(2) * t22)
+        - omega_C_BC * (Scalar(2) * t17 + Scalar(2) * t22 - t20);
+    rhs(2) = omega_FG * (Scalar(2) * q.theta_FG.sin * v_FG + FG_x * omega_FG) + omega_C_BC * (t25
+        + Scalar(2) * t07) + omega_B * (Scalar(2) * t25 - (CG_x + t15) * omega_B - Scalar(2) * t16);
+    rhs(3) = omega_C_BC * (t26 - Scalar(2) * t17) + omega_B * (Scalar(2) * t26 + Scalar(2) * t24
+        - (CG_y + t23) * omega_B) - omega_FG * (Scalar(2) * q.theta_FG.cos * v_FG
+        - FG_y * omega_FG);
   }
 
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = sin_CEG * d.h_C_CEG;
-    const Scalar CG_y = -cos_CEG * d.h_C_CEG;
-    const Scalar t03 = u.x_B + slide_B_x;
-    const Scalar t04 = u.y_B + slide_B_y;
-    poses[0].x = CG_x + t03 - slide_C_x;
-    poses[0].y = CG_y + t04 - slide_C_y;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t01 = u.x_B + slide_B_x;
+    const Scalar t02 = u.y_B + slide_B_y;
+    poses[0].x = CG_x + t01 - slide_C_x;
+    poses[0].y = CG_y + t02 - slide_C_y;
     poses[0].direction.cos = cos_CEG;
     poses[0].direction.sin = sin_CEG;
-    poses[1].x = t03;
-    poses[1].y = t04;
+    poses[1].x = t01;
+    poses[1].y = t02;
     poses[1].direction.cos = u.phi_B.cos;
     poses[1].direction.sin = u.phi_B.sin;
     poses[2].x = u.x_D;
@@ -642,12 +608,12 @@ struct Model07 {
     P_u.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = sin_CEG * d.h_C_CEG;
-    const Scalar CG_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = slide_C_y - CG_y;
     const Scalar t02 = slide_C_x - CG_x;
     P_q(0, 1) = u.phi_B.cos;
@@ -698,19 +664,19 @@ struct Model07 {
     const Scalar v_y_F = u_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = sin_CEG * d.h_C_CEG;
-    const Scalar CG_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
     const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = t01 - (slide_B_y + CG_y - slide_C_y) * omega_B - cos_CEG * v_s_C;
-    v(0, 1) = omega_B * (slide_B_x + CG_x - slide_C_x) + t02 - sin_CEG * v_s_C;
+    v(0, 1) = (slide_B_x + CG_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;
     v(0, 2) = omega_B;
     v(1, 0) = t01 - slide_B_y * omega_B;
-    v(1, 1) = omega_B * slide_B_x + t02;
+    v(1, 1) = slide_B_x * omega_B + t02;
     v(1, 2) = omega_B;
     v(2, 0) = v_x_D;
     v(2, 1) = v_y_D;
@@ -741,12 +707,12 @@ struct Model07 {
     const Scalar a_y_F = u_second_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = sin_CEG * d.h_C_CEG;
-    const Scalar CG_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = slide_B_x + CG_x - slide_C_x;
     const Scalar t02 = u.phi_B.sin * v_s_B;
     const Scalar t03 = slide_B_y + CG_y - slide_C_y;
@@ -755,11 +721,11 @@ struct Model07 {
     const Scalar t06 = u.phi_B.sin * a_s_B + a_y_B;
     a(0, 0) = t04 - omega_B * (t01 * omega_B + Scalar(2) * t02 - Scalar(2) * sin_CEG * v_s_C)
         - t03 * alpha_B - cos_CEG * a_s_C;
-    a(0, 1) = t01 * alpha_B + t06 - omega_B * (omega_B * t03 + Scalar(2) * cos_CEG * v_s_C
+    a(0, 1) = t01 * alpha_B + t06 - omega_B * (t03 * omega_B + Scalar(2) * cos_CEG * v_s_C
         - Scalar(2) * t05) - sin_CEG * a_s_C;
     a(0, 2) = alpha_B;
     a(1, 0) = t04 - omega_B * (Scalar(2) * t02 + slide_B_x * omega_B) - slide_B_y * alpha_B;
-    a(1, 1) = omega_B * (Scalar(2) * t05 - omega_B * slide_B_y) + slide_B_x * alpha_B + t06;
+    a(1, 1) = omega_B * (Scalar(2) * t05 - slide_B_y * omega_B) + slide_B_x * alpha_B + t06;
     a(1, 2) = alpha_B;
     a(2, 0) = a_x_D;
     a(2, 1) = a_y_D;
@@ -784,26 +750,26 @@ struct Model07 {
     p.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = sin_CEG * d.h_C_CEG;
-    const Scalar CG_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = slide_C_x - CG_x;
     const Scalar t02 = t01 * omega_C_BC;
     const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
     const Scalar t04 = u.phi_B.sin * v_s_B;
     const Scalar t05 = slide_C_y - CG_y;
-    const Scalar t06 = omega_C_BC * t05;
+    const Scalar t06 = t05 * omega_C_BC;
     const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
     const Scalar t08 = u.phi_B.cos * v_s_B;
     p(0, 0) = omega_C_BC * (t02 + Scalar(2) * t03) + omega_B * (Scalar(2) * t02 + Scalar(2) * t03
-        - Scalar(2) * t04 - omega_B * (slide_B_x - t01));
+        - Scalar(2) * t04 - (slide_B_x - t01) * omega_B);
     p(0, 1) = omega_C_BC * (t06 - Scalar(2) * t07) + omega_B * (Scalar(2) * t06 + Scalar(2) * t08
-        - Scalar(2) * t07 - omega_B * (slide_B_y - t05));
+        - Scalar(2) * t07 - (slide_B_y - t05) * omega_B);
     p(1, 0) = -omega_B * (Scalar(2) * t04 + slide_B_x * omega_B);
-    p(1, 1) = omega_B * (Scalar(2) * t08 - omega_B * slide_B_y);
+    p(1, 1) = omega_B * (Scalar(2) * t08 - slide_B_y * omega_B);
   }
 
   /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
@@ -814,10 +780,10 @@ struct Model07 {
       const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,
       Vector<Scalar, pivot_count>& size, Scalar& terms) {
     using std::abs;
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = d.psi_E_CEG.cos * t02 + t01 * d.psi_E_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = q.theta_FG.cos * cos_DE
         + q.theta_FG.sin * sin_DE;
     p(0) = cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
@@ -833,12 +799,10 @@ struct Model07 {
   template <typename Scalar>
   static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar cos_minus_psi_C_BC_minus_psi_E_CEG = d.psi_C_BC.cos * d.psi_E_CEG.cos
         - d.psi_C_BC.sin * d.psi_E_CEG.sin;
     const Scalar sin_minus_psi_C_BC_minus_psi_E_CEG = -d.psi_C_BC.sin * d.psi_E_CEG.cos
@@ -851,33 +815,33 @@ struct Model07 {
         - q.theta_FG.sin * cos_CEG;
     const Scalar cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = q.theta_FG.cos * cos_DE
         + q.theta_FG.sin * sin_DE;
-    const Scalar t03 = d.psi_C_BC.sin * d.FG;
-    const Scalar pivot_product = cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG * t03;
+    const Scalar t01 = d.FG * d.psi_C_BC.sin;
+    const Scalar pivot_product = t01 * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BC + psi_E_CEG -
                                                        //     theta_FG) = 0, or sin(psi_C_BC) = 0,
                                                        //     or FG = 0
-    const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t03;
-    const Scalar t04 = cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG * inverse;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t04;
-    const Scalar inverse_FG = d.psi_C_BC.sin * t04;
-    const Scalar t05 = inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG *
+    const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t01;
+    const Scalar t02 = inverse * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
+    const Scalar inverse_sin_psi_C_BC = d.FG * t02;
+    const Scalar inverse_FG = t02 * d.psi_C_BC.sin;
+    const Scalar t03 = inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG *
         inverse_sin_psi_C_BC;
-    const Scalar s_B_per_across_slide_E = cos_phi_B_plus_psi_C_BC_minus_FG * t05;
-    const Scalar s_C_per_across_slide_E = cos_phi_B_minus_FG * t05;
+    const Scalar s_B_per_across_slide_E = cos_phi_B_plus_psi_C_BC_minus_FG * t03;
+    const Scalar s_C_per_across_slide_E = cos_phi_B_minus_FG * t03;
     const Scalar s_E_per_across_slide_E = d.psi_E_CEG.cos * s_C_per_across_slide_E
         - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_across_slide_E;
-    const Scalar FG_per_across_slide_E = (s_B_per_across_slide_E * sin_phi_B_minus_FG
-        - s_C_per_across_slide_E * sin_phi_B_plus_psi_C_BC_minus_FG) * inverse_FG;
-    const Scalar s_B_per_along_FG = d.psi_E_CEG.sin * t05;
-    const Scalar s_C_per_along_FG = -sin_minus_psi_C_BC_minus_psi_E_CEG * t05;
+    const Scalar FG_per_across_slide_E = inverse_FG * (s_B_per_across_slide_E * sin_phi_B_minus_FG
+        - s_C_per_across_slide_E * sin_phi_B_plus_psi_C_BC_minus_FG);
+    const Scalar s_B_per_along_FG = d.psi_E_CEG.sin * t03;
+    const Scalar s_C_per_along_FG = -sin_minus_psi_C_BC_minus_psi_E_CEG * t03;
     const Scalar s_E_per_along_FG = d.psi_E_CEG.cos * s_C_per_along_FG
         - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_along_FG;
     const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG
         - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG);
-    J_inverse(0, 0) = -sin_DE * FG_per_across_slide_E;
-    J_inverse(0, 1) = cos_DE * FG_per_across_slide_E;
-    J_inverse(0, 2) = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    J_inverse(0, 3) = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
+    J_inverse(0, 0) = -FG_per_across_slide_E * sin_DE;
+    J_inverse(0, 1) = FG_per_across_slide_E * cos_DE;
+    J_inverse(0, 2) = FG_per_along_FG * q.theta_FG.cos - inverse_FG * q.theta_FG.sin;
+    J_inverse(0, 3) = inverse_FG * q.theta_FG.cos + FG_per_along_FG * q.theta_FG.sin;
     J_inverse(1, 0) = -sin_DE * s_B_per_across_slide_E;
     J_inverse(1, 1) = cos_DE * s_B_per_across_slide_E;
     J_inverse(1, 2) = q.theta_FG.cos * s_B_per_along_FG;
@@ -897,12 +861,10 @@ struct Model07 {
   static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar cos_minus_psi_C_BC_minus_psi_E_CEG = d.psi_C_BC.cos * d.psi_E_CEG.cos
         - d.psi_C_BC.sin * d.psi_E_CEG.sin;
     const Scalar sin_minus_psi_C_BC_minus_psi_E_CEG = -d.psi_C_BC.sin * d.psi_E_CEG.cos
@@ -913,124 +875,124 @@ struct Model07 {
         + q.theta_FG.sin * sin_CEG;
     const Scalar sin_phi_B_plus_psi_C_BC_minus_FG = q.theta_FG.cos * sin_CEG
         - q.theta_FG.sin * cos_CEG;
-    const Scalar t03 = d.psi_E_CEG.sin * d.h_C_CEG + d.psi_E_CEG.cos * q.s_C - q.s_E;
-    const Scalar phi_B_along_slide_E = t03 - q.s_B * cos_minus_psi_C_BC_minus_psi_E_CEG;
-    const Scalar t04 = d.h_E_CEG - d.h_E_DE;
-    const Scalar phi_B_across_slide_E = d.psi_E_CEG.cos * d.h_C_CEG
-        - q.s_B * sin_minus_psi_C_BC_minus_psi_E_CEG - d.psi_E_CEG.sin * q.s_C - t04;
+    const Scalar t01 = d.h_C_CEG * d.psi_E_CEG.sin + q.s_C * d.psi_E_CEG.cos - q.s_E;
+    const Scalar phi_B_along_slide_E = t01 - q.s_B * cos_minus_psi_C_BC_minus_psi_E_CEG;
+    const Scalar t02 = d.h_E_CEG - d.h_E_DE;
+    const Scalar phi_B_across_slide_E = d.h_C_CEG * d.psi_E_CEG.cos
+        - q.s_B * sin_minus_psi_C_BC_minus_psi_E_CEG - q.s_C * d.psi_E_CEG.sin - t02;
     const Scalar phi_B_along_FG = q.s_C * cos_phi_B_plus_psi_C_BC_minus_FG
         - q.s_B * cos_phi_B_minus_FG - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar t05 = q.s_C * sin_phi_B_plus_psi_C_BC_minus_FG
+    const Scalar t03 = q.s_C * sin_phi_B_plus_psi_C_BC_minus_FG
         + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar phi_B_across_FG = t05 - q.s_B * sin_phi_B_minus_FG;
+    const Scalar phi_B_across_FG = t03 - q.s_B * sin_phi_B_minus_FG;
     const Scalar cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = q.theta_FG.cos * cos_DE
         + q.theta_FG.sin * sin_DE;
-    const Scalar t06 = d.psi_C_BC.sin * d.FG;
-    const Scalar pivot_product = cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG * t06;
+    const Scalar t04 = d.FG * d.psi_C_BC.sin;
+    const Scalar pivot_product = t04 * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BC + psi_E_CEG -
                                                        //     theta_FG) = 0, or sin(psi_C_BC) = 0,
                                                        //     or FG = 0
-    const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t06;
-    const Scalar t07 = cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG * inverse;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t07;
-    const Scalar inverse_FG = d.psi_C_BC.sin * t07;
-    const Scalar t08 = inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG *
+    const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t04;
+    const Scalar t05 = inverse * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
+    const Scalar inverse_sin_psi_C_BC = d.FG * t05;
+    const Scalar inverse_FG = t05 * d.psi_C_BC.sin;
+    const Scalar t06 = inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG *
         inverse_sin_psi_C_BC;
-    const Scalar s_B_per_across_slide_E = cos_phi_B_plus_psi_C_BC_minus_FG * t08;
-    const Scalar s_C_per_across_slide_E = cos_phi_B_minus_FG * t08;
-    const Scalar t09 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
-    const Scalar s_E_per_across_slide_E = t09
+    const Scalar s_B_per_across_slide_E = cos_phi_B_plus_psi_C_BC_minus_FG * t06;
+    const Scalar s_C_per_across_slide_E = cos_phi_B_minus_FG * t06;
+    const Scalar t07 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
+    const Scalar s_E_per_across_slide_E = t07
         - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_across_slide_E;
-    const Scalar FG_per_across_slide_E = (sin_phi_B_minus_FG * s_B_per_across_slide_E
-        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_across_slide_E) * inverse_FG;
-    const Scalar s_B_per_along_FG = d.psi_E_CEG.sin * t08;
-    const Scalar s_C_per_along_FG = -sin_minus_psi_C_BC_minus_psi_E_CEG * t08;
+    const Scalar FG_per_across_slide_E = inverse_FG * (sin_phi_B_minus_FG * s_B_per_across_slide_E
+        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_across_slide_E);
+    const Scalar s_B_per_along_FG = d.psi_E_CEG.sin * t06;
+    const Scalar s_C_per_along_FG = -sin_minus_psi_C_BC_minus_psi_E_CEG * t06;
     const Scalar s_E_per_along_FG = d.psi_E_CEG.cos * s_C_per_along_FG
         - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_along_FG;
-    const Scalar t10 = sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
-    const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG - t10);
-    const Scalar t11 = d.psi_E_CEG.cos * FG_per_across_slide_E
-        + cos_phi_B_plus_psi_C_BC_minus_FG * inverse_FG
-        - sin_phi_B_plus_psi_C_BC_minus_FG * FG_per_along_FG;
-    const Scalar t12 = q.s_E * FG_per_across_slide_E;
-    const Scalar t13 = d.psi_E_CEG.sin + sin_phi_B_plus_psi_C_BC_minus_FG * s_E_per_along_FG
+    const Scalar t08 = sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
+    const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG - t08);
+    const Scalar FG_per_x_D = FG_per_across_slide_E * sin_DE;
+    const Scalar s_B_per_x_D = sin_DE * s_B_per_across_slide_E;
+    const Scalar s_C_per_x_D = sin_DE * s_C_per_across_slide_E;
+    const Scalar s_E_per_x_D = cos_DE + sin_DE * s_E_per_across_slide_E;
+    const Scalar FG_per_y_D = -FG_per_across_slide_E * cos_DE;
+    const Scalar s_B_per_y_D = -cos_DE * s_B_per_across_slide_E;
+    const Scalar s_C_per_y_D = -cos_DE * s_C_per_across_slide_E;
+    const Scalar s_E_per_y_D = sin_DE - cos_DE * s_E_per_across_slide_E;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
+    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
+    const Scalar s_E_per_x_F = -q.theta_FG.cos * s_E_per_along_FG;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
+    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
+    const Scalar s_E_per_y_F = -q.theta_FG.sin * s_E_per_along_FG;
+    const Scalar t09 = FG_per_across_slide_E * d.psi_E_CEG.cos
+        + inverse_FG * cos_phi_B_plus_psi_C_BC_minus_FG
+        - FG_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
+    const Scalar t10 = q.s_E * FG_per_across_slide_E;
+    const Scalar t11 = d.psi_E_CEG.sin + sin_phi_B_plus_psi_C_BC_minus_FG * s_E_per_along_FG
         - d.psi_E_CEG.cos * s_E_per_across_slide_E;
-    const Scalar t14 = q.s_E * s_E_per_across_slide_E + t04;
-    const Scalar t15 = sin_DE * FG_per_across_slide_E;
-    const Scalar t16 = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    const Scalar t17 = cos_DE * FG_per_across_slide_E;
-    const Scalar t18 = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
-    const Scalar t19 = q.theta_FG.cos * s_B_per_along_FG;
-    const Scalar t20 = sin_DE * s_B_per_across_slide_E;
-    const Scalar t21 = q.theta_FG.sin * s_B_per_along_FG;
-    const Scalar t22 = cos_DE * s_B_per_across_slide_E;
-    const Scalar t23 = q.theta_FG.cos * s_C_per_along_FG;
-    const Scalar t24 = sin_DE * s_C_per_across_slide_E;
-    const Scalar t25 = q.theta_FG.sin * s_C_per_along_FG;
-    const Scalar t26 = cos_DE * s_C_per_across_slide_E;
-    const Scalar t27 = q.theta_FG.cos * s_E_per_along_FG;
-    const Scalar t28 = cos_DE + sin_DE * s_E_per_across_slide_E;
-    const Scalar t29 = q.theta_FG.sin * s_E_per_along_FG;
-    const Scalar t30 = sin_DE - cos_DE * s_E_per_across_slide_E;
-    S_d(0, 0) = -t11;
-    S_d(0, 1) = t12;
+    const Scalar t12 = q.s_E * s_E_per_across_slide_E + t02;
+    S_d(0, 0) = -t09;
+    S_d(0, 1) = t10;
     S_d(0, 2) = FG_per_across_slide_E;
-    S_d(0, 3) = t12 - q.s_C * t11 - d.h_C_CEG * (d.psi_E_CEG.sin * FG_per_across_slide_E
-        - cos_phi_B_plus_psi_C_BC_minus_FG * FG_per_along_FG
-        - sin_phi_B_plus_psi_C_BC_minus_FG * inverse_FG);
+    S_d(0, 3) = t10 - q.s_C * t09 - d.h_C_CEG * (FG_per_across_slide_E * d.psi_E_CEG.sin
+        - FG_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG
+        - inverse_FG * sin_phi_B_plus_psi_C_BC_minus_FG);
     S_d(0, 4) = -FG_per_across_slide_E;
     S_d(0, 5) = -FG_per_along_FG;
     S_d(1, 0) = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG
         - d.psi_E_CEG.cos * s_B_per_across_slide_E;
     S_d(1, 1) = q.s_E * s_B_per_across_slide_E;
     S_d(1, 2) = s_B_per_across_slide_E;
-    S_d(1, 3) = s_B_per_along_FG * t05 - s_B_per_across_slide_E * t03;
+    S_d(1, 3) = t03 * s_B_per_along_FG - t01 * s_B_per_across_slide_E;
     S_d(1, 4) = -s_B_per_across_slide_E;
     S_d(1, 5) = -s_B_per_along_FG;
-    S_d(2, 0) = t10 - t09;
+    S_d(2, 0) = t08 - t07;
     S_d(2, 1) = q.s_E * s_C_per_across_slide_E;
     S_d(2, 2) = s_C_per_across_slide_E;
-    S_d(2, 3) = s_C_per_along_FG * t05 - s_C_per_across_slide_E * t03;
+    S_d(2, 3) = t03 * s_C_per_along_FG - t01 * s_C_per_across_slide_E;
     S_d(2, 4) = -s_C_per_across_slide_E;
     S_d(2, 5) = -s_C_per_along_FG;
-    S_d(3, 0) = t13;
-    S_d(3, 1) = t14;
+    S_d(3, 0) = t11;
+    S_d(3, 1) = t12;
     S_d(3, 2) = s_E_per_across_slide_E;
-    S_d(3, 3) = q.s_C * t13 + t14 - d.h_C_CEG * (d.psi_E_CEG.cos
+    S_d(3, 3) = q.s_C * t11 + t12 - d.h_C_CEG * (d.psi_E_CEG.cos
         + d.psi_E_CEG.sin * s_E_per_across_slide_E
         - cos_phi_B_plus_psi_C_BC_minus_FG * s_E_per_along_FG);
     S_d(3, 4) = -s_E_per_across_slide_E;
     S_d(3, 5) = -s_E_per_along_FG;
-    S_u(0, 0) = t16 - t15;
-    S_u(0, 1) = t17 + t18;
+    S_u(0, 0) = -FG_per_x_D - FG_per_x_F;
+    S_u(0, 1) = -FG_per_y_D - FG_per_y_F;
     S_u(0, 2) = FG_per_along_FG * phi_B_across_FG - FG_per_across_slide_E * phi_B_along_slide_E
         - inverse_FG * phi_B_along_FG;
-    S_u(0, 3) = t15;
-    S_u(0, 4) = -t17;
-    S_u(0, 5) = -t16;
-    S_u(0, 6) = -t18;
-    S_u(1, 0) = t19 - t20;
-    S_u(1, 1) = t21 + t22;
-    S_u(1, 2) = s_B_per_along_FG * phi_B_across_FG - s_B_per_across_slide_E * phi_B_along_slide_E;
-    S_u(1, 3) = t20;
-    S_u(1, 4) = -t22;
-    S_u(1, 5) = -t19;
-    S_u(1, 6) = -t21;
-    S_u(2, 0) = t23 - t24;
-    S_u(2, 1) = t25 + t26;
-    S_u(2, 2) = s_C_per_along_FG * phi_B_across_FG - s_C_per_across_slide_E * phi_B_along_slide_E;
-    S_u(2, 3) = t24;
-    S_u(2, 4) = -t26;
-    S_u(2, 5) = -t23;
-    S_u(2, 6) = -t25;
-    S_u(3, 0) = t27 - t28;
-    S_u(3, 1) = t29 - t30;
-    S_u(3, 2) = s_E_per_along_FG * phi_B_across_FG - s_E_per_across_slide_E * phi_B_along_slide_E
+    S_u(0, 3) = FG_per_x_D;
+    S_u(0, 4) = FG_per_y_D;
+    S_u(0, 5) = FG_per_x_F;
+    S_u(0, 6) = FG_per_y_F;
+    S_u(1, 0) = -s_B_per_x_D - s_B_per_x_F;
+    S_u(1, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_u(1, 2) = phi_B_across_FG * s_B_per_along_FG - phi_B_along_slide_E * s_B_per_across_slide_E;
+    S_u(1, 3) = s_B_per_x_D;
+    S_u(1, 4) = s_B_per_y_D;
+    S_u(1, 5) = s_B_per_x_F;
+    S_u(1, 6) = s_B_per_y_F;
+    S_u(2, 0) = -s_C_per_x_D - s_C_per_x_F;
+    S_u(2, 1) = -s_C_per_y_D - s_C_per_y_F;
+    S_u(2, 2) = phi_B_across_FG * s_C_per_along_FG - phi_B_along_slide_E * s_C_per_across_slide_E;
+    S_u(2, 3) = s_C_per_x_D;
+    S_u(2, 4) = s_C_per_y_D;
+    S_u(2, 5) = s_C_per_x_F;
+    S_u(2, 6) = s_C_per_y_F;
+    S_u(3, 0) = -s_E_per_x_D - s_E_per_x_F;
+    S_u(3, 1) = -s_E_per_y_D - s_E_per_y_F;
+    S_u(3, 2) = phi_B_across_FG * s_E_per_along_FG - phi_B_along_slide_E * s_E_per_across_slide_E
         - phi_B_across_slide_E;
-    S_u(3, 3) = t28;
-    S_u(3, 4) = t30;
-    S_u(3, 5) = -t27;
-    S_u(3, 6) = -t29;
+    S_u(3, 3) = s_E_per_x_D;
+    S_u(3, 4) = s_E_per_y_D;
+    S_u(3, 5) = s_E_per_x_F;
+    S_u(3, 6) = s_E_per_y_F;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1045,12 +1007,10 @@ struct Model07 {
     const Scalar v_y_D = u_rate(4);
     const Scalar v_x_F = u_rate(5);
     const Scalar v_y_F = u_rate(6);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar cos_minus_psi_C_BC_minus_psi_E_CEG = d.psi_C_BC.cos * d.psi_E_CEG.cos
         - d.psi_C_BC.sin * d.psi_E_CEG.sin;
     const Scalar sin_minus_psi_C_BC_minus_psi_E_CEG = -d.psi_C_BC.sin * d.psi_E_CEG.cos
@@ -1061,47 +1021,47 @@ struct Model07 {
         + q.theta_FG.sin * sin_CEG;
     const Scalar sin_phi_B_plus_psi_C_BC_minus_FG = q.theta_FG.cos * sin_CEG
         - q.theta_FG.sin * cos_CEG;
-    const Scalar phi_B_along_slide_E = d.psi_E_CEG.cos * q.s_C + d.psi_E_CEG.sin * d.h_C_CEG
+    const Scalar phi_B_along_slide_E = q.s_C * d.psi_E_CEG.cos + d.h_C_CEG * d.psi_E_CEG.sin
         - q.s_B * cos_minus_psi_C_BC_minus_psi_E_CEG - q.s_E;
-    const Scalar phi_B_across_slide_E = d.psi_E_CEG.cos * d.h_C_CEG + d.h_E_DE
-        - q.s_B * sin_minus_psi_C_BC_minus_psi_E_CEG - d.psi_E_CEG.sin * q.s_C - d.h_E_CEG;
+    const Scalar phi_B_across_slide_E = d.h_C_CEG * d.psi_E_CEG.cos + d.h_E_DE
+        - q.s_B * sin_minus_psi_C_BC_minus_psi_E_CEG - q.s_C * d.psi_E_CEG.sin - d.h_E_CEG;
     const Scalar phi_B_along_FG = q.s_C * cos_phi_B_plus_psi_C_BC_minus_FG
         - q.s_B * cos_phi_B_minus_FG - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_FG;
     const Scalar phi_B_across_FG = q.s_C * sin_phi_B_plus_psi_C_BC_minus_FG
         + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = q.theta_FG.cos * cos_DE
         + q.theta_FG.sin * sin_DE;
-    const Scalar t03 = d.psi_C_BC.sin * d.FG;
-    const Scalar pivot_product = cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG * t03;
+    const Scalar t01 = d.FG * d.psi_C_BC.sin;
+    const Scalar pivot_product = t01 * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BC + psi_E_CEG -
                                                        //     theta_FG) = 0, or sin(psi_C_BC) = 0,
                                                        //     or FG = 0
-    const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t03;
-    const Scalar t04 = cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG * inverse;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t04;
-    const Scalar inverse_FG = d.psi_C_BC.sin * t04;
-    const Scalar t05 = v_x_B - v_x_D;
-    const Scalar t06 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_E = cos_DE * t05 + sin_DE * t06
-        + omega_B * phi_B_across_slide_E;
-    const Scalar velocity_across_slide_E = cos_DE * t06 - sin_DE * t05
-        - omega_B * phi_B_along_slide_E;
-    const Scalar t07 = v_x_B - v_x_F;
-    const Scalar t08 = v_y_B - v_y_F;
-    const Scalar velocity_along_FG = q.theta_FG.cos * t07 + q.theta_FG.sin * t08
-        + omega_B * phi_B_across_FG;
-    const Scalar velocity_across_FG = q.theta_FG.cos * t08 - q.theta_FG.sin * t07
-        - omega_B * phi_B_along_FG;
-    const Scalar t09 = inverse_sin_psi_C_BC *
+    const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t01;
+    const Scalar t02 = inverse * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
+    const Scalar inverse_sin_psi_C_BC = d.FG * t02;
+    const Scalar inverse_FG = t02 * d.psi_C_BC.sin;
+    const Scalar t03 = v_x_B - v_x_D;
+    const Scalar t04 = v_y_B - v_y_D;
+    const Scalar velocity_along_slide_E = cos_DE * t03 + sin_DE * t04
+        + phi_B_across_slide_E * omega_B;
+    const Scalar velocity_across_slide_E = cos_DE * t04 - sin_DE * t03
+        - phi_B_along_slide_E * omega_B;
+    const Scalar t05 = v_x_B - v_x_F;
+    const Scalar t06 = v_y_B - v_y_F;
+    const Scalar velocity_along_FG = q.theta_FG.cos * t05 + q.theta_FG.sin * t06
+        + phi_B_across_FG * omega_B;
+    const Scalar velocity_across_FG = q.theta_FG.cos * t06 - q.theta_FG.sin * t05
+        - phi_B_along_FG * omega_B;
+    const Scalar t07 = inverse_sin_psi_C_BC *
         inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
-    const Scalar v_s_B = (d.psi_E_CEG.sin * velocity_along_FG
-        + cos_phi_B_plus_psi_C_BC_minus_FG * velocity_across_slide_E) * t09;
-    const Scalar v_s_C = -(sin_minus_psi_C_BC_minus_psi_E_CEG * velocity_along_FG
-        - cos_phi_B_minus_FG * velocity_across_slide_E) * t09;
+    const Scalar v_s_B = t07 * (d.psi_E_CEG.sin * velocity_along_FG
+        + cos_phi_B_plus_psi_C_BC_minus_FG * velocity_across_slide_E);
+    const Scalar v_s_C = -t07 * (sin_minus_psi_C_BC_minus_psi_E_CEG * velocity_along_FG
+        - cos_phi_B_minus_FG * velocity_across_slide_E);
     const Scalar v_s_E = d.psi_E_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_E_CEG * v_s_B
         - velocity_along_slide_E;
-    const Scalar omega_FG = (sin_phi_B_minus_FG * v_s_B + velocity_across_FG
-        - sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C) * inverse_FG;
+    const Scalar omega_FG = inverse_FG * (sin_phi_B_minus_FG * v_s_B + velocity_across_FG
+        - sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C);
     q_rate(0) = omega_FG;
     q_rate(1) = v_s_B;
     q_rate(2) = v_s_C;
@@ -1128,12 +1088,10 @@ struct Model07 {
     const Scalar a_x_F = u_second_rate(5);
     const Scalar v_y_F = u_rate(6);
     const Scalar a_y_F = u_second_rate(6);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar cos_minus_psi_C_BC_minus_psi_E_CEG = d.psi_C_BC.cos * d.psi_E_CEG.cos
         - d.psi_C_BC.sin * d.psi_E_CEG.sin;
     const Scalar sin_minus_psi_C_BC_minus_psi_E_CEG = -d.psi_C_BC.sin * d.psi_E_CEG.cos
@@ -1144,66 +1102,66 @@ struct Model07 {
         + q.theta_FG.sin * sin_CEG;
     const Scalar sin_phi_B_plus_psi_C_BC_minus_FG = q.theta_FG.cos * sin_CEG
         - q.theta_FG.sin * cos_CEG;
-    const Scalar phi_B_along_slide_E = d.psi_E_CEG.cos * q.s_C + d.psi_E_CEG.sin * d.h_C_CEG
+    const Scalar phi_B_along_slide_E = q.s_C * d.psi_E_CEG.cos + d.h_C_CEG * d.psi_E_CEG.sin
         - q.s_B * cos_minus_psi_C_BC_minus_psi_E_CEG - q.s_E;
-    const Scalar phi_B_across_slide_E = d.psi_E_CEG.cos * d.h_C_CEG + d.h_E_DE
-        - q.s_B * sin_minus_psi_C_BC_minus_psi_E_CEG - d.psi_E_CEG.sin * q.s_C - d.h_E_CEG;
+    const Scalar phi_B_across_slide_E = d.h_C_CEG * d.psi_E_CEG.cos + d.h_E_DE
+        - q.s_B * sin_minus_psi_C_BC_minus_psi_E_CEG - q.s_C * d.psi_E_CEG.sin - d.h_E_CEG;
     const Scalar phi_B_along_FG = q.s_C * cos_phi_B_plus_psi_C_BC_minus_FG
         - q.s_B * cos_phi_B_minus_FG - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_FG;
     const Scalar phi_B_across_FG = q.s_C * sin_phi_B_plus_psi_C_BC_minus_FG
         + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = q.theta_FG.cos * cos_DE
         + q.theta_FG.sin * sin_DE;
-    const Scalar t03 = d.psi_C_BC.sin * d.FG;
-    const Scalar pivot_product = cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG * t03;
+    const Scalar t01 = d.FG * d.psi_C_BC.sin;
+    const Scalar pivot_product = t01 * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BC + psi_E_CEG -
                                                        //     theta_FG) = 0, or sin(psi_C_BC) = 0,
                                                        //     or FG = 0
-    const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t03;
-    const Scalar t04 = cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG * inverse;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t04;
-    const Scalar inverse_FG = d.psi_C_BC.sin * t04;
-    const Scalar t05 = v_x_B - v_x_D;
-    const Scalar t06 = v_y_B - v_y_D;
-    const Scalar t07 = omega_B * phi_B_across_slide_E;
-    const Scalar velocity_along_slide_E = cos_DE * t05 + sin_DE * t06 + t07;
-    const Scalar t08 = omega_B * phi_B_along_slide_E;
-    const Scalar velocity_across_slide_E = cos_DE * t06 - sin_DE * t05 - t08;
-    const Scalar t09 = v_x_B - v_x_F;
-    const Scalar t10 = v_y_B - v_y_F;
-    const Scalar t11 = omega_B * phi_B_across_FG;
-    const Scalar velocity_along_FG = q.theta_FG.cos * t09 + q.theta_FG.sin * t10 + t11;
-    const Scalar t12 = omega_B * phi_B_along_FG;
-    const Scalar velocity_across_FG = q.theta_FG.cos * t10 - q.theta_FG.sin * t09 - t12;
-    const Scalar t13 = inverse_sin_psi_C_BC *
+    const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t01;
+    const Scalar t02 = inverse * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
+    const Scalar inverse_sin_psi_C_BC = d.FG * t02;
+    const Scalar inverse_FG = t02 * d.psi_C_BC.sin;
+    const Scalar t03 = v_x_B - v_x_D;
+    const Scalar t04 = v_y_B - v_y_D;
+    const Scalar t05 = phi_B_across_slide_E * omega_B;
+    const Scalar velocity_along_slide_E = cos_DE * t03 + sin_DE * t04 + t05;
+    const Scalar t06 = phi_B_along_slide_E * omega_B;
+    const Scalar velocity_across_slide_E = cos_DE * t04 - sin_DE * t03 - t06;
+    const Scalar t07 = v_x_B - v_x_F;
+    const Scalar t08 = v_y_B - v_y_F;
+    const Scalar t09 = phi_B_across_FG * omega_B;
+    const Scalar velocity_along_FG = q.theta_FG.cos * t07 + q.theta_FG.sin * t08 + t09;
+    const Scalar t10 = phi_B_along_FG * omega_B;
+    const Scalar velocity_across_FG = q.theta_FG.cos * t08 - q.theta_FG.sin * t07 - t10;
+    const Scalar t11 = inverse_sin_psi_C_BC *
         inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
-    const Scalar v_s_B = (d.psi_E_CEG.sin * velocity_along_FG
-        + cos_phi_B_plus_psi_C_BC_minus_FG * velocity_across_slide_E) * t13;
-    const Scalar v_s_C = -(sin_minus_psi_C_BC_minus_psi_E_CEG * velocity_along_FG
-        - cos_phi_B_minus_FG * velocity_across_slide_E) * t13;
-    const Scalar t14 = d.psi_E_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_E_CEG * v_s_B;
-    const Scalar v_s_E = t14 - velocity_along_slide_E;
-    const Scalar t15 = sin_phi_B_minus_FG * v_s_B - sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C;
-    const Scalar omega_FG = inverse_FG * (velocity_across_FG + t15);
-    const Scalar t16 = a_x_B - a_x_D;
-    const Scalar t17 = a_y_B - a_y_D;
-    const Scalar acceleration_along_slide_E = omega_B * (t08 - Scalar(2) * d.psi_E_CEG.sin * v_s_C
-        - Scalar(2) * sin_minus_psi_C_BC_minus_psi_E_CEG * v_s_B) + cos_DE * t16 + sin_DE * t17
+    const Scalar v_s_B = t11 * (d.psi_E_CEG.sin * velocity_along_FG
+        + cos_phi_B_plus_psi_C_BC_minus_FG * velocity_across_slide_E);
+    const Scalar v_s_C = -t11 * (sin_minus_psi_C_BC_minus_psi_E_CEG * velocity_along_FG
+        - cos_phi_B_minus_FG * velocity_across_slide_E);
+    const Scalar t12 = d.psi_E_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_E_CEG * v_s_B;
+    const Scalar v_s_E = t12 - velocity_along_slide_E;
+    const Scalar t13 = sin_phi_B_minus_FG * v_s_B - sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C;
+    const Scalar omega_FG = inverse_FG * (velocity_across_FG + t13);
+    const Scalar t14 = a_x_B - a_x_D;
+    const Scalar t15 = a_y_B - a_y_D;
+    const Scalar acceleration_along_slide_E = omega_B * (t06 - Scalar(2) * d.psi_E_CEG.sin * v_s_C
+        - Scalar(2) * sin_minus_psi_C_BC_minus_psi_E_CEG * v_s_B) + cos_DE * t14 + sin_DE * t15
         + phi_B_across_slide_E * alpha_B;
-    const Scalar acceleration_across_slide_E = cos_DE * t17 + omega_B * (t07 + Scalar(2) * v_s_E
-        - Scalar(2) * t14) - sin_DE * t16 - phi_B_along_slide_E * alpha_B;
-    const Scalar t18 = a_x_B - a_x_F;
-    const Scalar t19 = a_y_B - a_y_F;
-    const Scalar acceleration_along_FG = q.theta_FG.cos * t18 + q.theta_FG.sin * t19
-        + d.FG * omega_FG * omega_FG + phi_B_across_FG * alpha_B + omega_B * (t12
-        - Scalar(2) * t15);
-    const Scalar acceleration_across_FG = omega_B * (t11 + Scalar(2) * cos_phi_B_minus_FG * v_s_B
-        - Scalar(2) * cos_phi_B_plus_psi_C_BC_minus_FG * v_s_C) + q.theta_FG.cos * t19
-        - q.theta_FG.sin * t18 - phi_B_along_FG * alpha_B;
-    const Scalar a_s_B = (d.psi_E_CEG.sin * acceleration_along_FG
-        + cos_phi_B_plus_psi_C_BC_minus_FG * acceleration_across_slide_E) * t13;
-    const Scalar a_s_C = -(sin_minus_psi_C_BC_minus_psi_E_CEG * acceleration_along_FG
-        - cos_phi_B_minus_FG * acceleration_across_slide_E) * t13;
+    const Scalar acceleration_across_slide_E = cos_DE * t15 + omega_B * (t05 + Scalar(2) * v_s_E
+        - Scalar(2) * t12) - sin_DE * t14 - phi_B_along_slide_E * alpha_B;
+    const Scalar t16 = a_x_B - a_x_F;
+    const Scalar t17 = a_y_B - a_y_F;
+    const Scalar acceleration_along_FG = q.theta_FG.cos * t16 + q.theta_FG.sin * t17
+        + d.FG * omega_FG * omega_FG + phi_B_across_FG * alpha_B + omega_B * (t10
+        - Scalar(2) * t13);
+    const Scalar acceleration_across_FG = omega_B * (t09 + Scalar(2) * cos_phi_B_minus_FG * v_s_B
+        - Scalar(2) * cos_phi_B_plus_psi_C_BC_minus_FG * v_s_C) + q.theta_FG.cos * t17
+        - q.theta_FG.sin * t16 - phi_B_along_FG * alpha_B;
+    const Scalar a_s_B = t11 * (d.psi_E_CEG.sin * acceleration_along_FG
+        + cos_phi_B_plus_psi_C_BC_minus_FG * acceleration_across_slide_E);
+    const Scalar a_s_C = -t11 * (sin_minus_psi_C_BC_minus_psi_E_CEG * acceleration_along_FG
+        - cos_phi_B_minus_FG * acceleration_across_slide_E);
     const Scalar a_s_E = d.psi_E_CEG.cos * a_s_C - cos_minus_psi_C_BC_minus_psi_E_CEG * a_s_B
         - acceleration_along_slide_E;
     const Scalar alpha_FG = inverse_FG * (sin_phi_B_minus_FG * a_s_B + acceleration_across_FG
@@ -1240,12 +1198,10 @@ struct Model07 {
     const Scalar a_x_F = u_second_rate(5);
     const Scalar v_y_F = u_rate(6);
     const Scalar a_y_F = u_second_rate(6);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar cos_minus_psi_C_BC_minus_psi_E_CEG = d.psi_C_BC.cos * d.psi_E_CEG.cos
         - d.psi_C_BC.sin * d.psi_E_CEG.sin;
     const Scalar sin_minus_psi_C_BC_minus_psi_E_CEG = -d.psi_C_BC.sin * d.psi_E_CEG.cos
@@ -1256,110 +1212,82 @@ struct Model07 {
         + q.theta_FG.sin * sin_CEG;
     const Scalar sin_phi_B_plus_psi_C_BC_minus_FG = q.theta_FG.cos * sin_CEG
         - q.theta_FG.sin * cos_CEG;
-    const Scalar t03 = d.psi_E_CEG.sin * d.h_C_CEG + d.psi_E_CEG.cos * q.s_C - q.s_E;
-    const Scalar phi_B_along_slide_E = t03 - q.s_B * cos_minus_psi_C_BC_minus_psi_E_CEG;
-    const Scalar t04 = d.h_E_CEG - d.h_E_DE;
-    const Scalar phi_B_across_slide_E = d.psi_E_CEG.cos * d.h_C_CEG
-        - q.s_B * sin_minus_psi_C_BC_minus_psi_E_CEG - d.psi_E_CEG.sin * q.s_C - t04;
+    const Scalar t01 = d.h_C_CEG * d.psi_E_CEG.sin + q.s_C * d.psi_E_CEG.cos - q.s_E;
+    const Scalar phi_B_along_slide_E = t01 - q.s_B * cos_minus_psi_C_BC_minus_psi_E_CEG;
+    const Scalar t02 = d.h_E_CEG - d.h_E_DE;
+    const Scalar phi_B_across_slide_E = d.h_C_CEG * d.psi_E_CEG.cos
+        - q.s_B * sin_minus_psi_C_BC_minus_psi_E_CEG - q.s_C * d.psi_E_CEG.sin - t02;
     const Scalar phi_B_along_FG = q.s_C * cos_phi_B_plus_psi_C_BC_minus_FG
         - q.s_B * cos_phi_B_minus_FG - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar t05 = q.s_C * sin_phi_B_plus_psi_C_BC_minus_FG
+    const Scalar t03 = q.s_C * sin_phi_B_plus_psi_C_BC_minus_FG
         + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar phi_B_across_FG = t05 - q.s_B * sin_phi_B_minus_FG;
+    const Scalar phi_B_across_FG = t03 - q.s_B * sin_phi_B_minus_FG;
     const Scalar cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = q.theta_FG.cos * cos_DE
         + q.theta_FG.sin * sin_DE;
-    const Scalar t06 = d.psi_C_BC.sin * d.FG;
-    const Scalar pivot_product = cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG * t06;
+    const Scalar t04 = d.FG * d.psi_C_BC.sin;
+    const Scalar pivot_product = t04 * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BC + psi_E_CEG -
                                                        //     theta_FG) = 0, or sin(psi_C_BC) = 0,
                                                        //     or FG = 0
-    const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t06;
-    const Scalar t07 = cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG * inverse;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t07;
-    const Scalar inverse_FG = d.psi_C_BC.sin * t07;
-    const Scalar t08 = inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG *
+    const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t04;
+    const Scalar t05 = inverse * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
+    const Scalar inverse_sin_psi_C_BC = d.FG * t05;
+    const Scalar inverse_FG = t05 * d.psi_C_BC.sin;
+    const Scalar t06 = inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG *
         inverse_sin_psi_C_BC;
-    const Scalar s_B_per_across_slide_E = cos_phi_B_plus_psi_C_BC_minus_FG * t08;
-    const Scalar s_C_per_across_slide_E = cos_phi_B_minus_FG * t08;
-    const Scalar t09 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
-    const Scalar s_E_per_across_slide_E = t09
+    const Scalar s_B_per_across_slide_E = cos_phi_B_plus_psi_C_BC_minus_FG * t06;
+    const Scalar s_C_per_across_slide_E = cos_phi_B_minus_FG * t06;
+    const Scalar t07 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
+    const Scalar s_E_per_across_slide_E = t07
         - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_across_slide_E;
-    const Scalar FG_per_across_slide_E = (sin_phi_B_minus_FG * s_B_per_across_slide_E
-        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_across_slide_E) * inverse_FG;
-    const Scalar s_B_per_along_FG = d.psi_E_CEG.sin * t08;
-    const Scalar s_C_per_along_FG = -sin_minus_psi_C_BC_minus_psi_E_CEG * t08;
+    const Scalar FG_per_across_slide_E = inverse_FG * (sin_phi_B_minus_FG * s_B_per_across_slide_E
+        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_across_slide_E);
+    const Scalar s_B_per_along_FG = d.psi_E_CEG.sin * t06;
+    const Scalar s_C_per_along_FG = -sin_minus_psi_C_BC_minus_psi_E_CEG * t06;
     const Scalar s_E_per_along_FG = d.psi_E_CEG.cos * s_C_per_along_FG
         - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_along_FG;
-    const Scalar t10 = sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
-    const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG - t10);
-    const Scalar t11 = sin_DE * FG_per_across_slide_E;
-    const Scalar t12 = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    const Scalar t13 = t11 - t12;
-    const Scalar FG_per_x_B = -t13;
-    const Scalar t14 = q.theta_FG.cos * s_B_per_along_FG;
-    const Scalar t15 = sin_DE * s_B_per_across_slide_E;
-    const Scalar t16 = t14 - t15;
-    const Scalar s_B_per_x_B = t16;
-    const Scalar t17 = q.theta_FG.cos * s_C_per_along_FG;
-    const Scalar t18 = sin_DE * s_C_per_across_slide_E;
-    const Scalar t19 = t17 - t18;
-    const Scalar s_C_per_x_B = t19;
-    const Scalar t20 = q.theta_FG.cos * s_E_per_along_FG;
-    const Scalar t21 = cos_DE + sin_DE * s_E_per_across_slide_E;
-    const Scalar t22 = t20 - t21;
-    const Scalar s_E_per_x_B = t22;
-    const Scalar t23 = cos_DE * FG_per_across_slide_E;
-    const Scalar t24 = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
-    const Scalar t25 = t23 + t24;
-    const Scalar FG_per_y_B = t25;
-    const Scalar t26 = q.theta_FG.sin * s_B_per_along_FG;
-    const Scalar t27 = cos_DE * s_B_per_across_slide_E;
-    const Scalar t28 = t26 + t27;
-    const Scalar s_B_per_y_B = t28;
-    const Scalar t29 = q.theta_FG.sin * s_C_per_along_FG;
-    const Scalar t30 = cos_DE * s_C_per_across_slide_E;
-    const Scalar t31 = t29 + t30;
-    const Scalar s_C_per_y_B = t31;
-    const Scalar t32 = q.theta_FG.sin * s_E_per_along_FG;
-    const Scalar t33 = sin_DE - cos_DE * s_E_per_across_slide_E;
-    const Scalar t34 = t32 - t33;
-    const Scalar s_E_per_y_B = t34;
-    const Scalar t35 = FG_per_across_slide_E * phi_B_along_slide_E + inverse_FG * phi_B_along_FG
-        - FG_per_along_FG * phi_B_across_FG;
-    const Scalar FG_per_phi_B = -t35;
-    const Scalar t36 = s_B_per_across_slide_E * phi_B_along_slide_E
-        - s_B_per_along_FG * phi_B_across_FG;
-    const Scalar s_B_per_phi_B = -t36;
-    const Scalar t37 = s_C_per_across_slide_E * phi_B_along_slide_E
-        - s_C_per_along_FG * phi_B_across_FG;
-    const Scalar s_C_per_phi_B = -t37;
-    const Scalar t38 = s_E_per_across_slide_E * phi_B_along_slide_E + phi_B_across_slide_E
-        - s_E_per_along_FG * phi_B_across_FG;
-    const Scalar s_E_per_phi_B = -t38;
-    const Scalar FG_per_x_D = t11;
-    const Scalar s_B_per_x_D = t15;
-    const Scalar s_C_per_x_D = t18;
-    const Scalar s_E_per_x_D = t21;
-    const Scalar FG_per_y_D = -t23;
-    const Scalar s_B_per_y_D = -t27;
-    const Scalar s_C_per_y_D = -t30;
-    const Scalar s_E_per_y_D = t33;
-    const Scalar FG_per_x_F = -t12;
-    const Scalar s_B_per_x_F = -t14;
-    const Scalar s_C_per_x_F = -t17;
-    const Scalar s_E_per_x_F = -t20;
-    const Scalar FG_per_y_F = -t24;
-    const Scalar s_B_per_y_F = -t26;
-    const Scalar s_C_per_y_F = -t29;
-    const Scalar s_E_per_y_F = -t32;
-    const Scalar omega_FG = v_x_B * FG_per_x_B + v_y_B * FG_per_y_B + omega_B * FG_per_phi_B
-        + v_x_D * FG_per_x_D + v_y_D * FG_per_y_D + v_x_F * FG_per_x_F + v_y_F * FG_per_y_F;
-    const Scalar v_s_B = v_x_B * s_B_per_x_B + v_y_B * s_B_per_y_B + omega_B * s_B_per_phi_B
-        + v_x_D * s_B_per_x_D + v_y_D * s_B_per_y_D + v_x_F * s_B_per_x_F + v_y_F * s_B_per_y_F;
-    const Scalar v_s_C = v_x_B * s_C_per_x_B + v_y_B * s_C_per_y_B + omega_B * s_C_per_phi_B
-        + v_x_D * s_C_per_x_D + v_y_D * s_C_per_y_D + v_x_F * s_C_per_x_F + v_y_F * s_C_per_y_F;
-    const Scalar v_s_E = v_x_B * s_E_per_x_B + v_y_B * s_E_per_y_B + omega_B * s_E_per_phi_B
-        + v_x_D * s_E_per_x_D + v_y_D * s_E_per_y_D + v_x_F * s_E_per_x_F + v_y_F * s_E_per_y_F;
+    const Scalar t08 = sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
+    const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG - t08);
+    const Scalar FG_per_x_D = FG_per_across_slide_E * sin_DE;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
+    const Scalar s_B_per_x_D = sin_DE * s_B_per_across_slide_E;
+    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
+    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
+    const Scalar s_C_per_x_D = sin_DE * s_C_per_across_slide_E;
+    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
+    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
+    const Scalar s_E_per_x_D = cos_DE + sin_DE * s_E_per_across_slide_E;
+    const Scalar s_E_per_x_F = -q.theta_FG.cos * s_E_per_along_FG;
+    const Scalar s_E_per_x_B = -s_E_per_x_D - s_E_per_x_F;
+    const Scalar FG_per_y_D = -FG_per_across_slide_E * cos_DE;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
+    const Scalar s_B_per_y_D = -cos_DE * s_B_per_across_slide_E;
+    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
+    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
+    const Scalar s_C_per_y_D = -cos_DE * s_C_per_across_slide_E;
+    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
+    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
+    const Scalar s_E_per_y_D = sin_DE - cos_DE * s_E_per_across_slide_E;
+    const Scalar s_E_per_y_F = -q.theta_FG.sin * s_E_per_along_FG;
+    const Scalar s_E_per_y_B = -s_E_per_y_D - s_E_per_y_F;
+    const Scalar FG_per_phi_B = FG_per_along_FG * phi_B_across_FG
+        - FG_per_across_slide_E * phi_B_along_slide_E - inverse_FG * phi_B_along_FG;
+    const Scalar s_B_per_phi_B = phi_B_across_FG * s_B_per_along_FG
+        - phi_B_along_slide_E * s_B_per_across_slide_E;
+    const Scalar s_C_per_phi_B = phi_B_across_FG * s_C_per_along_FG
+        - phi_B_along_slide_E * s_C_per_across_slide_E;
+    const Scalar s_E_per_phi_B = phi_B_across_FG * s_E_per_along_FG
+        - phi_B_along_slide_E * s_E_per_across_slide_E - phi_B_across_slide_E;
+    const Scalar omega_FG = FG_per_x_B * v_x_B + FG_per_y_B * v_y_B + FG_per_phi_B * omega_B
+        + FG_per_x_D * v_x_D + FG_per_y_D * v_y_D + FG_per_x_F * v_x_F + FG_per_y_F * v_y_F;
+    const Scalar v_s_B = s_B_per_x_B * v_x_B + s_B_per_y_B * v_y_B + s_B_per_phi_B * omega_B
+        + s_B_per_x_D * v_x_D + s_B_per_y_D * v_y_D + s_B_per_x_F * v_x_F + s_B_per_y_F * v_y_F;
+    const Scalar v_s_C = s_C_per_x_B * v_x_B + s_C_per_y_B * v_y_B + s_C_per_phi_B * omega_B
+        + s_C_per_x_D * v_x_D + s_C_per_y_D * v_y_D + s_C_per_x_F * v_x_F + s_C_per_y_F * v_y_F;
+    const Scalar v_s_E = s_E_per_x_B * v_x_B + s_E_per_y_B * v_y_B + s_E_per_phi_B * omega_B
+        + s_E_per_x_D * v_x_D + s_E_per_y_D * v_y_D + s_E_per_x_F * v_x_F + s_E_per_y_F * v_y_F;
     const Scalar centripetal_along_slide_E = -omega_B * (Scalar(2) * d.psi_E_CEG.sin * v_s_C
         + Scalar(2) * sin_minus_psi_C_BC_minus_psi_E_CEG * v_s_B - phi_B_along_slide_E * omega_B);
     const Scalar centripetal_across_slide_E = -omega_B * (Scalar(2) * d.psi_E_CEG.cos * v_s_C
@@ -1370,70 +1298,70 @@ struct Model07 {
         - Scalar(2) * sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C - phi_B_along_FG * omega_B);
     const Scalar centripetal_across_FG = omega_B * (Scalar(2) * cos_phi_B_minus_FG * v_s_B
         + phi_B_across_FG * omega_B - Scalar(2) * cos_phi_B_plus_psi_C_BC_minus_FG * v_s_C);
-    const Scalar t39 = d.psi_E_CEG.cos * FG_per_across_slide_E
-        + cos_phi_B_plus_psi_C_BC_minus_FG * inverse_FG
-        - sin_phi_B_plus_psi_C_BC_minus_FG * FG_per_along_FG;
-    const Scalar t40 = q.s_E * FG_per_across_slide_E;
-    const Scalar t41 = d.psi_E_CEG.sin + sin_phi_B_plus_psi_C_BC_minus_FG * s_E_per_along_FG
+    const Scalar t09 = FG_per_across_slide_E * d.psi_E_CEG.cos
+        + inverse_FG * cos_phi_B_plus_psi_C_BC_minus_FG
+        - FG_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
+    const Scalar t10 = q.s_E * FG_per_across_slide_E;
+    const Scalar t11 = d.psi_E_CEG.sin + sin_phi_B_plus_psi_C_BC_minus_FG * s_E_per_along_FG
         - d.psi_E_CEG.cos * s_E_per_across_slide_E;
-    const Scalar t42 = q.s_E * s_E_per_across_slide_E + t04;
-    S_d(0, 0) = -t39;
-    S_d(0, 1) = t40;
+    const Scalar t12 = q.s_E * s_E_per_across_slide_E + t02;
+    S_d(0, 0) = -t09;
+    S_d(0, 1) = t10;
     S_d(0, 2) = FG_per_across_slide_E;
-    S_d(0, 3) = t40 - q.s_C * t39 - d.h_C_CEG * (d.psi_E_CEG.sin * FG_per_across_slide_E
-        - cos_phi_B_plus_psi_C_BC_minus_FG * FG_per_along_FG
-        - sin_phi_B_plus_psi_C_BC_minus_FG * inverse_FG);
+    S_d(0, 3) = t10 - q.s_C * t09 - d.h_C_CEG * (FG_per_across_slide_E * d.psi_E_CEG.sin
+        - FG_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG
+        - inverse_FG * sin_phi_B_plus_psi_C_BC_minus_FG);
     S_d(0, 4) = -FG_per_across_slide_E;
     S_d(0, 5) = -FG_per_along_FG;
     S_d(1, 0) = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG
         - d.psi_E_CEG.cos * s_B_per_across_slide_E;
     S_d(1, 1) = q.s_E * s_B_per_across_slide_E;
     S_d(1, 2) = s_B_per_across_slide_E;
-    S_d(1, 3) = s_B_per_along_FG * t05 - s_B_per_across_slide_E * t03;
+    S_d(1, 3) = t03 * s_B_per_along_FG - t01 * s_B_per_across_slide_E;
     S_d(1, 4) = -s_B_per_across_slide_E;
     S_d(1, 5) = -s_B_per_along_FG;
-    S_d(2, 0) = t10 - t09;
+    S_d(2, 0) = t08 - t07;
     S_d(2, 1) = q.s_E * s_C_per_across_slide_E;
     S_d(2, 2) = s_C_per_across_slide_E;
-    S_d(2, 3) = s_C_per_along_FG * t05 - s_C_per_across_slide_E * t03;
+    S_d(2, 3) = t03 * s_C_per_along_FG - t01 * s_C_per_across_slide_E;
     S_d(2, 4) = -s_C_per_across_slide_E;
     S_d(2, 5) = -s_C_per_along_FG;
-    S_d(3, 0) = t41;
-    S_d(3, 1) = t42;
+    S_d(3, 0) = t11;
+    S_d(3, 1) = t12;
     S_d(3, 2) = s_E_per_across_slide_E;
-    S_d(3, 3) = q.s_C * t41 + t42 - d.h_C_CEG * (d.psi_E_CEG.cos
+    S_d(3, 3) = q.s_C * t11 + t12 - d.h_C_CEG * (d.psi_E_CEG.cos
         + d.psi_E_CEG.sin * s_E_per_across_slide_E
         - cos_phi_B_plus_psi_C_BC_minus_FG * s_E_per_along_FG);
     S_d(3, 4) = -s_E_per_across_slide_E;
     S_d(3, 5) = -s_E_per_along_FG;
-    S_u(0, 0) = -t13;
-    S_u(0, 1) = t25;
-    S_u(0, 2) = -t35;
-    S_u(0, 3) = t11;
-    S_u(0, 4) = -t23;
-    S_u(0, 5) = -t12;
-    S_u(0, 6) = -t24;
-    S_u(1, 0) = t16;
-    S_u(1, 1) = t28;
-    S_u(1, 2) = -t36;
-    S_u(1, 3) = t15;
-    S_u(1, 4) = -t27;
-    S_u(1, 5) = -t14;
-    S_u(1, 6) = -t26;
-    S_u(2, 0) = t19;
-    S_u(2, 1) = t31;
-    S_u(2, 2) = -t37;
-    S_u(2, 3) = t18;
-    S_u(2, 4) = -t30;
-    S_u(2, 5) = -t17;
-    S_u(2, 6) = -t29;
-    S_u(3, 0) = t22;
-    S_u(3, 1) = t34;
-    S_u(3, 2) = -t38;
-    S_u(3, 3) = t21;
-    S_u(3, 4) = t33;
-    S_u(3, 5) = -t20;
-    S_u(3, 6) = -t32;
+    S_u(0, 0) = FG_per_x_B;
+    S_u(0, 1) = FG_per_y_B;
+    S_u(0, 2) = FG_per_phi_B;
+    S_u(0, 3) = FG_per_x_D;
+    S_u(0, 4) = FG_per_y_D;
+    S_u(0, 5) = FG_per_x_F;
+    S_u(0, 6) = FG_per_y_F;
+    S_u(1, 0) = s_B_per_x_B;
+    S_u(1, 1) = s_B_per_y_B;
+    S_u(1, 2) = s_B_per_phi_B;
+    S_u(1, 3) = s_B_per_x_D;
+    S_u(1, 4) = s_B_per_y_D;
+    S_u(1, 5) = s_B_per_x_F;
+    S_u(1, 6) = s_B_per_y_F;
+    S_u(2, 0) = s_C_per_x_B;
+    S_u(2, 1) = s_C_per_y_B;
+    S_u(2, 2) = s_C_per_phi_B;
+    S_u(2, 3) = s_C_per_x_D;
+    S_u(2, 4) = s_C_per_y_D;
+    S_u(2, 5) = s_C_per_x_F;
+    S_u(2, 6) = s_C_per_y_F;
+    S_u(3, 0) = s_E_per_x_B;
+    S_u(3, 1) = s_E_per_y_B;
+    S_u(3, 2) = s_E_per_phi_B;
+    S_u(3, 3) = s_E_per_x_D;
+    S_u(3, 4) = s_E_per_y_D;
+    S_u(3, 5) = s_E_per_x_F;
+    S_u(3, 6) = s_E_per_y_F;
     q_rate(0) = omega_FG;
     q_rate(1) = v_s_B;
     q_rate(2) = v_s_C;
@@ -1465,26 +1393,26 @@ struct Model07 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = u.phi_B.cos * FB_x + u.phi_B.sin * FB_y;
-    const Scalar t02 = u.phi_B.cos * FB_y - FB_x * u.phi_B.sin;
+    const Scalar t01 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
+    const Scalar t02 = FB_y * u.phi_B.cos - FB_x * u.phi_B.sin;
     const Scalar b_0_re = -Scalar(2) * (t01 * d.psi_C_BC.cos + t02 * d.psi_C_BC.sin);
     const Scalar b_1_re = -Scalar(2) * d.psi_C_BC.cos;
-    const Scalar c_0_re = FB_x * FB_x + FB_y * FB_y - d.h_C_CEG * (Scalar(2) * d.psi_C_BC.cos * t02
+    const Scalar c_0_re = FB_x * FB_x + FB_y * FB_y - d.h_C_CEG * (Scalar(2) * t02 * d.psi_C_BC.cos
         - Scalar(2) * t01 * d.psi_C_BC.sin - d.h_C_CEG) - d.FG * d.FG;
-    const Scalar c_1_re = Scalar(2) * (t01 + d.psi_C_BC.sin * d.h_C_CEG);
+    const Scalar c_1_re = Scalar(2) * (t01 + d.h_C_CEG * d.psi_C_BC.sin);
     const Scalar e_0_re = Scalar(2) * d.psi_E_CEG.sin;
     const Scalar t03 = FB_y - FD_y;
     const Scalar t04 = FB_x - FD_x;
-    const Scalar t05 = u.phi_B.cos * t03 - u.phi_B.sin * t04;
-    const Scalar t06 = u.phi_B.cos * t04 + u.phi_B.sin * t03;
-    const Scalar f_0_re = -Scalar(2) * ((d.h_C_CEG + d.psi_C_BC.sin * t06
-        - d.psi_C_BC.cos * t05) * d.psi_E_CEG.cos + d.psi_E_CEG.sin * (d.psi_C_BC.cos * t06
-        + d.psi_C_BC.sin * t05) + d.h_E_DE - d.h_E_CEG);
+    const Scalar t05 = t03 * u.phi_B.cos - t04 * u.phi_B.sin;
+    const Scalar t06 = t04 * u.phi_B.cos + t03 * u.phi_B.sin;
+    const Scalar f_0_re = -Scalar(2) * ((d.h_C_CEG + t06 * d.psi_C_BC.sin
+        - t05 * d.psi_C_BC.cos) * d.psi_E_CEG.cos + (t06 * d.psi_C_BC.cos
+        + t05 * d.psi_C_BC.sin) * d.psi_E_CEG.sin + d.h_E_DE - d.h_E_CEG);
     const Scalar f_1_re = -Scalar(2) * (d.psi_C_BC.sin * d.psi_E_CEG.cos
         + d.psi_C_BC.cos * d.psi_E_CEG.sin);
-    T(0) = f_0_re * f_0_re - e_0_re * (b_0_re * f_0_re - c_0_re * e_0_re);
-    T(1) = Scalar(2) * f_0_re * f_1_re - e_0_re * (b_0_re * f_1_re + f_0_re * b_1_re
-        - e_0_re * c_1_re);
+    T(0) = f_0_re * f_0_re - (b_0_re * f_0_re - c_0_re * e_0_re) * e_0_re;
+    T(1) = Scalar(2) * f_0_re * f_1_re - (b_0_re * f_1_re + f_0_re * b_1_re
+        - c_1_re * e_0_re) * e_0_re;
     T(2) = e_0_re * (e_0_re - f_1_re * b_1_re) + f_1_re * f_1_re;
   }
 
@@ -1501,18 +1429,18 @@ struct Model07 {
     const Scalar t01 = FB_x - FD_x;
     const Scalar t02 = FB_y - FD_y;
     const Scalar t03 = t01 * u.phi_B.cos + t02 * u.phi_B.sin + q.s_B;
-    const Scalar t04 = u.phi_B.cos * t02 - t01 * u.phi_B.sin;
-    const Scalar t05 = u.phi_B.cos * FB_y - FB_x * u.phi_B.sin;
+    const Scalar t04 = t02 * u.phi_B.cos - t01 * u.phi_B.sin;
+    const Scalar t05 = FB_y * u.phi_B.cos - FB_x * u.phi_B.sin;
     const Scalar t06 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
     const Scalar t07 = q.s_B + t06;
     e(0, 1) = Scalar(2) * d.psi_E_CEG.sin;
     e(0, 2) = -Scalar(2) * ((t03 * d.psi_C_BC.sin + d.h_C_CEG
-        - t04 * d.psi_C_BC.cos) * d.psi_E_CEG.cos + d.psi_E_CEG.sin * (t03 * d.psi_C_BC.cos
-        + d.psi_C_BC.sin * t04) + d.h_E_DE - d.h_E_CEG);
+        - t04 * d.psi_C_BC.cos) * d.psi_E_CEG.cos + (t03 * d.psi_C_BC.cos
+        + t04 * d.psi_C_BC.sin) * d.psi_E_CEG.sin + d.h_E_DE - d.h_E_CEG);
     e(1, 0) = Scalar(1);
-    e(1, 1) = -Scalar(2) * (d.psi_C_BC.sin * t05 + d.psi_C_BC.cos * t07);
-    e(1, 2) = FB_x * FB_x + FB_y * FB_y + d.h_C_CEG * (d.h_C_CEG + Scalar(2) * d.psi_C_BC.sin * t07
-        - Scalar(2) * d.psi_C_BC.cos * t05) + q.s_B * (q.s_B + Scalar(2) * t06) - d.FG * d.FG;
+    e(1, 1) = -Scalar(2) * (t05 * d.psi_C_BC.sin + t07 * d.psi_C_BC.cos);
+    e(1, 2) = FB_x * FB_x + FB_y * FB_y + d.h_C_CEG * (d.h_C_CEG + Scalar(2) * t07 * d.psi_C_BC.sin
+        - Scalar(2) * t05 * d.psi_C_BC.cos) + q.s_B * (q.s_B + Scalar(2) * t06) - d.FG * d.FG;
   }
 
   /// The other unknowns of a configuration in which those of the reduced
@@ -1529,13 +1457,13 @@ struct Model07 {
     const Scalar t01 = FB_x - FD_x;
     const Scalar t02 = FB_y - FD_y;
     const Scalar t03 = t01 * u.phi_B.cos + t02 * u.phi_B.sin + q.s_B;
-    const Scalar t04 = u.phi_B.cos * t02 - t01 * u.phi_B.sin;
-    const Scalar t05 = q.s_B + d.psi_C_BC.sin * d.h_C_CEG - d.psi_C_BC.cos * q.s_C;
-    const Scalar t06 = d.psi_C_BC.sin * q.s_C + d.psi_C_BC.cos * d.h_C_CEG;
-    q.s_E = (t03 * d.psi_C_BC.sin + d.h_C_CEG - d.psi_C_BC.cos * t04) * d.psi_E_CEG.sin
+    const Scalar t04 = t02 * u.phi_B.cos - t01 * u.phi_B.sin;
+    const Scalar t05 = q.s_B + d.h_C_CEG * d.psi_C_BC.sin - q.s_C * d.psi_C_BC.cos;
+    const Scalar t06 = q.s_C * d.psi_C_BC.sin + d.h_C_CEG * d.psi_C_BC.cos;
+    q.s_E = (t03 * d.psi_C_BC.sin + d.h_C_CEG - t04 * d.psi_C_BC.cos) * d.psi_E_CEG.sin
         - (t03 * d.psi_C_BC.cos + t04 * d.psi_C_BC.sin - q.s_C) * d.psi_E_CEG.cos;
-    q.theta_FG.cos = (FB_x + u.phi_B.cos * t05 + u.phi_B.sin * t06) * inverse_theta_FG;
-    q.theta_FG.sin = inverse_theta_FG * (FB_y + u.phi_B.sin * t05 - u.phi_B.cos * t06);
+    q.theta_FG.cos = (FB_x + t05 * u.phi_B.cos + t06 * u.phi_B.sin) * inverse_theta_FG;
+    q.theta_FG.sin = inverse_theta_FG * (FB_y + t05 * u.phi_B.sin - t06 * u.phi_B.cos);
   }
 };
 

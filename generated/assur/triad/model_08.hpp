@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     60, 35, 1
 ///   motion:                       105, 71, 1
 ///   sensitivities_and_motion:     202, 125, 1
-///   position_polynomial:          62, 40, 0
+///   position_polynomial:          65, 40, 0
 ///   second_equations:             35, 29, 0
 ///   complete:                     14, 17, 1
 struct Model08 {
@@ -192,18 +192,18 @@ struct Model08 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = q.theta_CEG.cos * d.CE;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos;
     const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = BC_x + u.x_B + slide_B_x;
     const Scalar t02 = BC_y + u.y_B + slide_B_y;
     f(0) = u.x_D + slide_D_x + DE_x - CE_x - t01;
@@ -217,12 +217,12 @@ struct Model08 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar CE_x = q.theta_CEG.cos * d.CE;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos;
     const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     J(0, 0) = CE_y;
     J(0, 2) = -u.phi_B.cos;
     J(0, 3) = u.phi_D.cos;
@@ -265,12 +265,12 @@ struct Model08 {
     F_u.setZero();
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_y + BC_y;
     const Scalar t02 = slide_B_x + BC_x;
     F_u(0, 0) = -Scalar(1);
@@ -304,16 +304,16 @@ struct Model08 {
     const Scalar v_y_F = u_rate(7);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = (slide_B_y + BC_y) * omega_B - v_x_B;
-    const Scalar t02 = omega_B * (slide_B_x + BC_x) + v_y_B;
+    const Scalar t02 = (slide_B_x + BC_x) * omega_B + v_y_B;
     rhs(0) = (slide_D_y + DE_y) * omega_D - v_x_D - t01;
-    rhs(1) = t02 - omega_D * (slide_D_x + DE_x) - v_y_D;
+    rhs(1) = t02 - (slide_D_x + DE_x) * omega_D - v_y_D;
     rhs(2) = -v_x_F - t01;
     rhs(3) = t02 - v_y_F;
   }
@@ -341,18 +341,18 @@ struct Model08 {
     const Scalar a_y_F = u_second_rate(7);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = q.theta_CEG.cos * d.CE;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos;
     const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = slide_D_x + DE_x;
     const Scalar t02 = slide_D_y + DE_y;
     const Scalar t03 = omega_CEG * omega_CEG;
@@ -360,12 +360,12 @@ struct Model08 {
     const Scalar t05 = slide_B_y + BC_y;
     const Scalar t06 = a_x_B - omega_B * (t04 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B)
         - t05 * alpha_B;
-    const Scalar t07 = a_y_B + t04 * alpha_B - omega_B * (omega_B * t05
+    const Scalar t07 = a_y_B + t04 * alpha_B - omega_B * (t05 * omega_B
         - Scalar(2) * u.phi_B.cos * v_s_B);
     const Scalar t08 = omega_FG * omega_FG;
     rhs(0) = omega_D * (t01 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D) + t02 * alpha_D + t06
         - a_x_D - CE_x * t03;
-    rhs(1) = omega_D * (omega_D * t02 - Scalar(2) * u.phi_D.cos * v_s_D) + t07 - t01 * alpha_D
+    rhs(1) = omega_D * (t02 * omega_D - Scalar(2) * u.phi_D.cos * v_s_D) + t07 - t01 * alpha_D
         - a_y_D - CE_y * t03;
     rhs(2) = FG_x * t08 + t06 - a_x_F - CG_x * t03;
     rhs(3) = FG_y * t08 + t07 - a_y_F - CG_y * t03;
@@ -401,18 +401,18 @@ struct Model08 {
     const Scalar j_y_F = u_third_rate(7);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = q.theta_CEG.cos * d.CE;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos;
     const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = slide_D_y + DE_y;
     const Scalar t02 = u.phi_D.cos * v_s_D;
     const Scalar t03 = slide_D_x + DE_x;
@@ -425,20 +425,20 @@ struct Model08 {
     const Scalar t10 = omega_B * (omega_B * (t06 * omega_B - Scalar(3) * t07)
         - Scalar(3) * t08 * alpha_B - Scalar(3) * u.phi_B.sin * a_s_B) - t06 * jerk_B + j_x_B
         - Scalar(3) * alpha_B * t09;
-    const Scalar t11 = omega_B * (omega_B * (omega_B * t08 + Scalar(3) * t09)
+    const Scalar t11 = omega_B * (omega_B * (t08 * omega_B + Scalar(3) * t09)
         + Scalar(3) * t06 * alpha_B - Scalar(3) * u.phi_B.cos * a_s_B) - t08 * jerk_B - j_y_B
         - Scalar(3) * t07 * alpha_B;
     const Scalar t12 = omega_FG * omega_FG;
     rhs(0) = t01 * jerk_D + Scalar(3) * alpha_D * t05 + t10 - omega_D * (omega_D * (t01 * omega_D
         - Scalar(3) * t02) - Scalar(3) * t03 * alpha_D - Scalar(3) * u.phi_D.sin * a_s_D) - j_x_D
-        - omega_CEG * (Scalar(3) * alpha_CEG * CE_x - CE_y * t04);
-    rhs(1) = omega_D * (omega_D * (omega_D * t03 + Scalar(3) * t05) + Scalar(3) * t01 * alpha_D
+        - omega_CEG * (Scalar(3) * CE_x * alpha_CEG - CE_y * t04);
+    rhs(1) = omega_D * (omega_D * (t03 * omega_D + Scalar(3) * t05) + Scalar(3) * t01 * alpha_D
         - Scalar(3) * u.phi_D.cos * a_s_D) - t03 * jerk_D - j_y_D
         - omega_CEG * (Scalar(3) * CE_y * alpha_CEG + CE_x * t04) - Scalar(3) * t02 * alpha_D - t11;
-    rhs(2) = omega_FG * (Scalar(3) * alpha_FG * FG_x - FG_y * t12) + t10 - j_x_F
-        - omega_CEG * (Scalar(3) * alpha_CEG * CG_x - CG_y * t04);
+    rhs(2) = omega_FG * (Scalar(3) * FG_x * alpha_FG - FG_y * t12) + t10 - j_x_F
+        - omega_CEG * (Scalar(3) * CG_x * alpha_CEG - CG_y * t04);
     rhs(3) = omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t12) - j_y_F
-        - omega_CEG * (Scalar(3) * alpha_CEG * CG_y + CG_x * t04) - t11;
+        - omega_CEG * (Scalar(3) * CG_y * alpha_CEG + CG_x * t04) - t11;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -462,34 +462,34 @@ struct Model08 {
     const Scalar omega_D = u_rate(5);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = q.theta_CEG.cos * d.CE;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos;
     const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
-    const Scalar t02 = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+    const Scalar t02 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BC);
     rhs(0) = omega_D * ((slide_D_x + DE_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * u.phi_D.cos * v_h_D_DE) - t01
-        - omega_CEG * (Scalar(2) * q.theta_CEG.sin * v_CE + omega_CEG * CE_x);
-    rhs(1) = omega_D * (omega_D * (slide_D_y + DE_y) - Scalar(2) * u.phi_D.cos * v_s_D
+        - omega_CEG * (Scalar(2) * q.theta_CEG.sin * v_CE + CE_x * omega_CEG);
+    rhs(1) = omega_D * ((slide_D_y + DE_y) * omega_D - Scalar(2) * u.phi_D.cos * v_s_D
         - Scalar(2) * u.phi_D.sin * v_h_D_DE) + omega_CEG * (Scalar(2) * q.theta_CEG.cos * v_CE
-        - omega_CEG * CE_y) - t02;
-    rhs(2) = omega_FG * (Scalar(2) * q.theta_FG.sin * v_FG + omega_FG * FG_x) - t01
+        - CE_y * omega_CEG) - t02;
+    rhs(2) = omega_FG * (Scalar(2) * q.theta_FG.sin * v_FG + FG_x * omega_FG) - t01
         - omega_CEG * (Scalar(2) * q.theta_CEG.cos * v_y_G_CEG
-        + Scalar(2) * q.theta_CEG.sin * v_x_G_CEG + omega_CEG * CG_x);
+        + Scalar(2) * q.theta_CEG.sin * v_x_G_CEG + CG_x * omega_CEG);
     rhs(3) = omega_CEG * (Scalar(2) * q.theta_CEG.cos * v_x_G_CEG
-        - Scalar(2) * q.theta_CEG.sin * v_y_G_CEG - omega_CEG * CG_y) - t02
-        - omega_FG * (Scalar(2) * q.theta_FG.cos * v_FG - omega_FG * FG_y);
+        - Scalar(2) * q.theta_CEG.sin * v_y_G_CEG - CG_y * omega_CEG) - t02
+        - omega_FG * (Scalar(2) * q.theta_FG.cos * v_FG - FG_y * omega_FG);
   }
 
   /// Frames of the links in the fixed frame.
@@ -498,12 +498,12 @@ struct Model08 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = u.x_B + slide_B_x + BC_x;
     const Scalar t02 = u.y_B + slide_B_y + BC_y;
     poses[0].x = t01;
@@ -536,12 +536,12 @@ struct Model08 {
     P_u.setZero();
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_y + BC_y;
     const Scalar t02 = slide_B_x + BC_x;
     P_q(0, 2) = u.phi_B.cos;
@@ -595,14 +595,14 @@ struct Model08 {
     const Scalar v_y_F = u_rate(7);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = (slide_B_y + BC_y) * omega_B - u.phi_B.cos * v_s_B - v_x_B;
-    const Scalar t02 = omega_B * (slide_B_x + BC_x) + u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar t02 = (slide_B_x + BC_x) * omega_B + u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = -t01;
     v(0, 1) = t02;
     v(0, 2) = omega_CEG;
@@ -610,7 +610,7 @@ struct Model08 {
     v(1, 1) = t02;
     v(1, 2) = omega_B;
     v(2, 0) = u.phi_D.cos * v_s_D + v_x_D - (slide_D_y + DE_y) * omega_D;
-    v(2, 1) = omega_D * (slide_D_x + DE_x) + u.phi_D.sin * v_s_D + v_y_D;
+    v(2, 1) = (slide_D_x + DE_x) * omega_D + u.phi_D.sin * v_s_D + v_y_D;
     v(2, 2) = omega_D;
     v(3, 0) = v_x_F;
     v(3, 1) = v_y_F;
@@ -641,17 +641,17 @@ struct Model08 {
     const Scalar a_y_F = u_second_rate(7);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_x + BC_x;
     const Scalar t02 = slide_B_y + BC_y;
     const Scalar t03 = omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B) + t02 * alpha_B
         - u.phi_B.cos * a_s_B - a_x_B;
-    const Scalar t04 = omega_B * (omega_B * t02 - Scalar(2) * u.phi_B.cos * v_s_B) - t01 * alpha_B
+    const Scalar t04 = omega_B * (t02 * omega_B - Scalar(2) * u.phi_B.cos * v_s_B) - t01 * alpha_B
         - u.phi_B.sin * a_s_B - a_y_B;
     const Scalar t05 = slide_D_x + DE_x;
     const Scalar t06 = slide_D_y + DE_y;
@@ -663,7 +663,7 @@ struct Model08 {
     a(1, 2) = alpha_B;
     a(2, 0) = u.phi_D.cos * a_s_D + a_x_D - omega_D * (t05 * omega_D
         + Scalar(2) * u.phi_D.sin * v_s_D) - t06 * alpha_D;
-    a(2, 1) = t05 * alpha_D + u.phi_D.sin * a_s_D + a_y_D - omega_D * (omega_D * t06
+    a(2, 1) = t05 * alpha_D + u.phi_D.sin * a_s_D + a_y_D - omega_D * (t06 * omega_D
         - Scalar(2) * u.phi_D.cos * v_s_D);
     a(2, 2) = alpha_D;
     a(3, 0) = a_x_F;
@@ -687,15 +687,15 @@ struct Model08 {
     p.setZero();
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
-    const Scalar t02 = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+    const Scalar t02 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BC);
     p(0, 0) = -t01;
     p(0, 1) = -t02;
@@ -703,7 +703,7 @@ struct Model08 {
     p(1, 1) = -t02;
     p(2, 0) = -omega_D * ((slide_D_x + DE_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * u.phi_D.cos * v_h_D_DE);
-    p(2, 1) = -omega_D * (omega_D * (slide_D_y + DE_y) - Scalar(2) * u.phi_D.cos * v_s_D
+    p(2, 1) = -omega_D * ((slide_D_y + DE_y) * omega_D - Scalar(2) * u.phi_D.cos * v_s_D
         - Scalar(2) * u.phi_D.sin * v_h_D_DE);
   }
 
@@ -725,8 +725,8 @@ struct Model08 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar CEG_along_slide_D = -d.CE * cos_CEG_minus_phi_D;
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
-    const Scalar determinant = -sin_phi_B_minus_phi_D * CEG_across_FG
-        - cos_phi_B_minus_FG * CEG_along_slide_D;
+    const Scalar determinant = -CEG_across_FG * sin_phi_B_minus_phi_D
+        - CEG_along_slide_D * cos_phi_B_minus_FG;
     const Scalar t01 = abs(d.x_G_CEG) + abs(d.y_G_CEG);
     const Scalar t02 = abs(d.CE) + t01;
     const Scalar t03 = abs(q.s_B) + abs(d.h_B_BC);
@@ -756,33 +756,33 @@ struct Model08 {
     const Scalar CEG_along_slide_D = -d.CE * cos_CEG_minus_phi_D;
     const Scalar CEG_across_slide_D = -d.CE * sin_CEG_minus_phi_D;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - cos_CEG_minus_FG * d.y_G_CEG;
-    const Scalar determinant = -sin_phi_B_minus_phi_D * CEG_across_FG
-        - cos_phi_B_minus_FG * CEG_along_slide_D;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
+    const Scalar determinant = -CEG_across_FG * sin_phi_B_minus_phi_D
+        - CEG_along_slide_D * cos_phi_B_minus_FG;
     const Scalar pivot_product = d.FG * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
-    const Scalar CEG_per_across_slide_D = -cos_phi_B_minus_FG * inverse_determinant;
+    const Scalar CEG_per_across_slide_D = -inverse_determinant * cos_phi_B_minus_FG;
     const Scalar s_B_per_across_slide_D = CEG_across_FG * inverse_determinant;
     const Scalar s_D_per_across_slide_D = cos_phi_B_minus_phi_D * s_B_per_across_slide_D
         + CEG_across_slide_D * CEG_per_across_slide_D;
-    const Scalar FG_per_across_slide_D = (s_B_per_across_slide_D * sin_phi_B_minus_FG
-        - CEG_per_across_slide_D * CEG_along_FG) * inverse_FG;
-    const Scalar CEG_per_along_FG = sin_phi_B_minus_phi_D * inverse_determinant;
+    const Scalar FG_per_across_slide_D = inverse_FG * (s_B_per_across_slide_D * sin_phi_B_minus_FG
+        - CEG_per_across_slide_D * CEG_along_FG);
+    const Scalar CEG_per_along_FG = inverse_determinant * sin_phi_B_minus_phi_D;
     const Scalar s_B_per_along_FG = CEG_along_slide_D * inverse_determinant;
     const Scalar s_D_per_along_FG = cos_phi_B_minus_phi_D * s_B_per_along_FG
         + CEG_across_slide_D * CEG_per_along_FG;
     const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG
         - CEG_along_FG * CEG_per_along_FG);
-    J_inverse(0, 0) = -u.phi_D.sin * CEG_per_across_slide_D;
-    J_inverse(0, 1) = u.phi_D.cos * CEG_per_across_slide_D;
-    J_inverse(0, 2) = q.theta_FG.cos * CEG_per_along_FG;
-    J_inverse(0, 3) = q.theta_FG.sin * CEG_per_along_FG;
-    J_inverse(1, 0) = -u.phi_D.sin * FG_per_across_slide_D;
-    J_inverse(1, 1) = u.phi_D.cos * FG_per_across_slide_D;
-    J_inverse(1, 2) = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    J_inverse(1, 3) = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
+    J_inverse(0, 0) = -CEG_per_across_slide_D * u.phi_D.sin;
+    J_inverse(0, 1) = CEG_per_across_slide_D * u.phi_D.cos;
+    J_inverse(0, 2) = CEG_per_along_FG * q.theta_FG.cos;
+    J_inverse(0, 3) = CEG_per_along_FG * q.theta_FG.sin;
+    J_inverse(1, 0) = -FG_per_across_slide_D * u.phi_D.sin;
+    J_inverse(1, 1) = FG_per_across_slide_D * u.phi_D.cos;
+    J_inverse(1, 2) = FG_per_along_FG * q.theta_FG.cos - inverse_FG * q.theta_FG.sin;
+    J_inverse(1, 3) = inverse_FG * q.theta_FG.cos + FG_per_along_FG * q.theta_FG.sin;
     J_inverse(2, 0) = -u.phi_D.sin * s_B_per_across_slide_D;
     J_inverse(2, 1) = u.phi_D.cos * s_B_per_across_slide_D;
     J_inverse(2, 2) = q.theta_FG.cos * s_B_per_along_FG;
@@ -812,60 +812,60 @@ struct Model08 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar phi_B_along_slide_D = -q.s_B * cos_phi_B_minus_phi_D
         - d.h_B_BC * sin_phi_B_minus_phi_D;
-    const Scalar phi_B_across_slide_D = cos_phi_B_minus_phi_D * d.h_B_BC
+    const Scalar phi_B_across_slide_D = d.h_B_BC * cos_phi_B_minus_phi_D
         - q.s_B * sin_phi_B_minus_phi_D;
     const Scalar CEG_along_slide_D = -d.CE * cos_CEG_minus_phi_D;
     const Scalar CEG_across_slide_D = -d.CE * sin_CEG_minus_phi_D;
     const Scalar phi_B_along_FG = -q.s_B * cos_phi_B_minus_FG - d.h_B_BC * sin_phi_B_minus_FG;
     const Scalar phi_B_across_FG = d.h_B_BC * cos_phi_B_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - cos_CEG_minus_FG * d.y_G_CEG;
-    const Scalar determinant = -sin_phi_B_minus_phi_D * CEG_across_FG
-        - cos_phi_B_minus_FG * CEG_along_slide_D;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
+    const Scalar determinant = -CEG_across_FG * sin_phi_B_minus_phi_D
+        - CEG_along_slide_D * cos_phi_B_minus_FG;
     const Scalar pivot_product = d.FG * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
-    const Scalar CEG_per_across_slide_D = -cos_phi_B_minus_FG * inverse_determinant;
+    const Scalar CEG_per_across_slide_D = -inverse_determinant * cos_phi_B_minus_FG;
     const Scalar s_B_per_across_slide_D = CEG_across_FG * inverse_determinant;
     const Scalar t01 = cos_phi_B_minus_phi_D * s_B_per_across_slide_D;
     const Scalar s_D_per_across_slide_D = t01 + CEG_across_slide_D * CEG_per_across_slide_D;
-    const Scalar FG_per_across_slide_D = (sin_phi_B_minus_FG * s_B_per_across_slide_D
-        - CEG_per_across_slide_D * CEG_along_FG) * inverse_FG;
-    const Scalar CEG_per_along_FG = sin_phi_B_minus_phi_D * inverse_determinant;
+    const Scalar FG_per_across_slide_D = inverse_FG * (sin_phi_B_minus_FG * s_B_per_across_slide_D
+        - CEG_per_across_slide_D * CEG_along_FG);
+    const Scalar CEG_per_along_FG = inverse_determinant * sin_phi_B_minus_phi_D;
     const Scalar s_B_per_along_FG = CEG_along_slide_D * inverse_determinant;
     const Scalar s_D_per_along_FG = cos_phi_B_minus_phi_D * s_B_per_along_FG
         + CEG_across_slide_D * CEG_per_along_FG;
     const Scalar t02 = sin_phi_B_minus_FG * s_B_per_along_FG;
     const Scalar FG_per_along_FG = inverse_FG * (t02 - CEG_along_FG * CEG_per_along_FG);
-    const Scalar t03 = q.theta_FG.cos * CEG_per_along_FG;
-    const Scalar t04 = u.phi_D.sin * CEG_per_across_slide_D;
-    const Scalar t05 = q.theta_FG.sin * CEG_per_along_FG;
-    const Scalar t06 = u.phi_D.cos * CEG_per_across_slide_D;
-    const Scalar t07 = u.phi_D.sin * FG_per_across_slide_D;
-    const Scalar t08 = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    const Scalar t09 = u.phi_D.cos * FG_per_across_slide_D;
-    const Scalar t10 = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
-    const Scalar t11 = q.theta_FG.cos * s_B_per_along_FG;
-    const Scalar t12 = u.phi_D.sin * s_B_per_across_slide_D;
-    const Scalar t13 = q.theta_FG.sin * s_B_per_along_FG;
-    const Scalar t14 = u.phi_D.cos * s_B_per_across_slide_D;
-    const Scalar t15 = q.theta_FG.cos * s_D_per_along_FG;
-    const Scalar t16 = u.phi_D.cos - u.phi_D.sin * s_D_per_across_slide_D;
-    const Scalar t17 = q.theta_FG.sin * s_D_per_along_FG;
-    const Scalar t18 = u.phi_D.sin + u.phi_D.cos * s_D_per_across_slide_D;
-    S_d(0, 0) = sin_CEG_minus_phi_D * CEG_per_across_slide_D;
-    S_d(0, 1) = cos_CEG_minus_FG * CEG_per_along_FG;
-    S_d(0, 2) = -sin_CEG_minus_FG * CEG_per_along_FG;
-    S_d(0, 3) = sin_phi_B_minus_FG * CEG_per_along_FG
-        - cos_phi_B_minus_phi_D * CEG_per_across_slide_D;
+    const Scalar CEG_per_x_D = CEG_per_across_slide_D * u.phi_D.sin;
+    const Scalar FG_per_x_D = FG_per_across_slide_D * u.phi_D.sin;
+    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
+    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
+    const Scalar CEG_per_y_D = -CEG_per_across_slide_D * u.phi_D.cos;
+    const Scalar FG_per_y_D = -FG_per_across_slide_D * u.phi_D.cos;
+    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
+    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
+    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
+    const Scalar s_D_per_x_F = -q.theta_FG.cos * s_D_per_along_FG;
+    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
+    const Scalar s_D_per_y_F = -q.theta_FG.sin * s_D_per_along_FG;
+    S_d(0, 0) = CEG_per_across_slide_D * sin_CEG_minus_phi_D;
+    S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
+    S_d(0, 2) = -CEG_per_along_FG * sin_CEG_minus_FG;
+    S_d(0, 3) = CEG_per_along_FG * sin_phi_B_minus_FG
+        - CEG_per_across_slide_D * cos_phi_B_minus_phi_D;
     S_d(0, 4) = CEG_per_across_slide_D;
     S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = sin_CEG_minus_phi_D * FG_per_across_slide_D;
-    S_d(1, 1) = cos_CEG_minus_FG * FG_per_along_FG + sin_CEG_minus_FG * inverse_FG;
-    S_d(1, 2) = cos_CEG_minus_FG * inverse_FG - sin_CEG_minus_FG * FG_per_along_FG;
-    S_d(1, 3) = sin_phi_B_minus_FG * FG_per_along_FG - cos_phi_B_minus_phi_D * FG_per_across_slide_D
-        - cos_phi_B_minus_FG * inverse_FG;
+    S_d(1, 0) = FG_per_across_slide_D * sin_CEG_minus_phi_D;
+    S_d(1, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
+    S_d(1, 2) = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
+    S_d(1, 3) = FG_per_along_FG * sin_phi_B_minus_FG - FG_per_across_slide_D * cos_phi_B_minus_phi_D
+        - inverse_FG * cos_phi_B_minus_FG;
     S_d(1, 4) = FG_per_across_slide_D;
     S_d(1, 5) = -FG_per_along_FG;
     S_d(2, 0) = sin_CEG_minus_phi_D * s_B_per_across_slide_D;
@@ -881,40 +881,40 @@ struct Model08 {
         - cos_phi_B_minus_phi_D * s_D_per_across_slide_D;
     S_d(3, 4) = s_D_per_across_slide_D;
     S_d(3, 5) = -s_D_per_along_FG;
-    S_u(0, 0) = t03 - t04;
-    S_u(0, 1) = t05 + t06;
+    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;
+    S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
     S_u(0, 2) = CEG_per_along_FG * phi_B_across_FG - CEG_per_across_slide_D * phi_B_along_slide_D;
-    S_u(0, 3) = t04;
-    S_u(0, 4) = -t06;
+    S_u(0, 3) = CEG_per_x_D;
+    S_u(0, 4) = CEG_per_y_D;
     S_u(0, 5) = -CEG_per_across_slide_D * q.s_D;
-    S_u(0, 6) = -t03;
-    S_u(0, 7) = -t05;
-    S_u(1, 0) = t08 - t07;
-    S_u(1, 1) = t09 + t10;
+    S_u(0, 6) = CEG_per_x_F;
+    S_u(0, 7) = CEG_per_y_F;
+    S_u(1, 0) = -FG_per_x_D - FG_per_x_F;
+    S_u(1, 1) = -FG_per_y_D - FG_per_y_F;
     S_u(1, 2) = FG_per_along_FG * phi_B_across_FG - FG_per_across_slide_D * phi_B_along_slide_D
         - inverse_FG * phi_B_along_FG;
-    S_u(1, 3) = t07;
-    S_u(1, 4) = -t09;
+    S_u(1, 3) = FG_per_x_D;
+    S_u(1, 4) = FG_per_y_D;
     S_u(1, 5) = -FG_per_across_slide_D * q.s_D;
-    S_u(1, 6) = -t08;
-    S_u(1, 7) = -t10;
-    S_u(2, 0) = t11 - t12;
-    S_u(2, 1) = t13 + t14;
-    S_u(2, 2) = s_B_per_along_FG * phi_B_across_FG - s_B_per_across_slide_D * phi_B_along_slide_D;
-    S_u(2, 3) = t12;
-    S_u(2, 4) = -t14;
-    S_u(2, 5) = -s_B_per_across_slide_D * q.s_D;
-    S_u(2, 6) = -t11;
-    S_u(2, 7) = -t13;
-    S_u(3, 0) = t15 + t16;
-    S_u(3, 1) = t17 + t18;
-    S_u(3, 2) = phi_B_across_slide_D + s_D_per_along_FG * phi_B_across_FG
-        - s_D_per_across_slide_D * phi_B_along_slide_D;
-    S_u(3, 3) = -t16;
-    S_u(3, 4) = -t18;
-    S_u(3, 5) = -s_D_per_across_slide_D * q.s_D - d.h_D_DE;
-    S_u(3, 6) = -t15;
-    S_u(3, 7) = -t17;
+    S_u(1, 6) = FG_per_x_F;
+    S_u(1, 7) = FG_per_y_F;
+    S_u(2, 0) = -s_B_per_x_D - s_B_per_x_F;
+    S_u(2, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_u(2, 2) = phi_B_across_FG * s_B_per_along_FG - phi_B_along_slide_D * s_B_per_across_slide_D;
+    S_u(2, 3) = s_B_per_x_D;
+    S_u(2, 4) = s_B_per_y_D;
+    S_u(2, 5) = -q.s_D * s_B_per_across_slide_D;
+    S_u(2, 6) = s_B_per_x_F;
+    S_u(2, 7) = s_B_per_y_F;
+    S_u(3, 0) = -s_D_per_x_D - s_D_per_x_F;
+    S_u(3, 1) = -s_D_per_y_D - s_D_per_y_F;
+    S_u(3, 2) = phi_B_across_slide_D + phi_B_across_FG * s_D_per_along_FG
+        - phi_B_along_slide_D * s_D_per_across_slide_D;
+    S_u(3, 3) = s_D_per_x_D;
+    S_u(3, 4) = s_D_per_y_D;
+    S_u(3, 5) = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
+    S_u(3, 6) = s_D_per_x_F;
+    S_u(3, 7) = s_D_per_y_F;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -944,16 +944,16 @@ struct Model08 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar phi_B_along_slide_D = -q.s_B * cos_phi_B_minus_phi_D
         - d.h_B_BC * sin_phi_B_minus_phi_D;
-    const Scalar phi_B_across_slide_D = cos_phi_B_minus_phi_D * d.h_B_BC
+    const Scalar phi_B_across_slide_D = d.h_B_BC * cos_phi_B_minus_phi_D
         - q.s_B * sin_phi_B_minus_phi_D;
     const Scalar CEG_along_slide_D = -d.CE * cos_CEG_minus_phi_D;
     const Scalar CEG_across_slide_D = -d.CE * sin_CEG_minus_phi_D;
     const Scalar phi_B_along_FG = -q.s_B * cos_phi_B_minus_FG - d.h_B_BC * sin_phi_B_minus_FG;
     const Scalar phi_B_across_FG = d.h_B_BC * cos_phi_B_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - cos_CEG_minus_FG * d.y_G_CEG;
-    const Scalar determinant = -sin_phi_B_minus_phi_D * CEG_across_FG
-        - cos_phi_B_minus_FG * CEG_along_slide_D;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
+    const Scalar determinant = -CEG_across_FG * sin_phi_B_minus_phi_D
+        - CEG_along_slide_D * cos_phi_B_minus_FG;
     const Scalar pivot_product = d.FG * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
     const Scalar inverse_determinant = d.FG * inverse;
@@ -961,23 +961,23 @@ struct Model08 {
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_D = u.phi_D.cos * t01 + u.phi_D.sin * t02
-        + omega_B * phi_B_across_slide_D - d.h_D_DE * omega_D;
-    const Scalar velocity_across_slide_D = u.phi_D.cos * t02 - u.phi_D.sin * t01 - omega_D * q.s_D
-        - omega_B * phi_B_along_slide_D;
+        + phi_B_across_slide_D * omega_B - d.h_D_DE * omega_D;
+    const Scalar velocity_across_slide_D = u.phi_D.cos * t02 - u.phi_D.sin * t01 - q.s_D * omega_D
+        - phi_B_along_slide_D * omega_B;
     const Scalar t03 = v_x_B - v_x_F;
     const Scalar t04 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t03 + q.theta_FG.sin * t04
-        + omega_B * phi_B_across_FG;
+        + phi_B_across_FG * omega_B;
     const Scalar velocity_across_FG = q.theta_FG.cos * t04 - q.theta_FG.sin * t03
-        - omega_B * phi_B_along_FG;
-    const Scalar omega_CEG = (sin_phi_B_minus_phi_D * velocity_along_FG
-        - cos_phi_B_minus_FG * velocity_across_slide_D) * inverse_determinant;
+        - phi_B_along_FG * omega_B;
+    const Scalar omega_CEG = inverse_determinant * (sin_phi_B_minus_phi_D * velocity_along_FG
+        - cos_phi_B_minus_FG * velocity_across_slide_D);
     const Scalar v_s_B = inverse_determinant * (CEG_along_slide_D * velocity_along_FG
         + CEG_across_FG * velocity_across_slide_D);
-    const Scalar v_s_D = omega_CEG * CEG_across_slide_D + cos_phi_B_minus_phi_D * v_s_B
+    const Scalar v_s_D = CEG_across_slide_D * omega_CEG + cos_phi_B_minus_phi_D * v_s_B
         + velocity_along_slide_D;
-    const Scalar omega_FG = -(omega_CEG * CEG_along_FG - sin_phi_B_minus_FG * v_s_B
-        - velocity_across_FG) * inverse_FG;
+    const Scalar omega_FG = -inverse_FG * (CEG_along_FG * omega_CEG - sin_phi_B_minus_FG * v_s_B
+        - velocity_across_FG);
     q_rate(0) = omega_CEG;
     q_rate(1) = omega_FG;
     q_rate(2) = v_s_B;
@@ -1020,16 +1020,16 @@ struct Model08 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar phi_B_along_slide_D = -q.s_B * cos_phi_B_minus_phi_D
         - d.h_B_BC * sin_phi_B_minus_phi_D;
-    const Scalar phi_B_across_slide_D = cos_phi_B_minus_phi_D * d.h_B_BC
+    const Scalar phi_B_across_slide_D = d.h_B_BC * cos_phi_B_minus_phi_D
         - q.s_B * sin_phi_B_minus_phi_D;
     const Scalar CEG_along_slide_D = -d.CE * cos_CEG_minus_phi_D;
     const Scalar CEG_across_slide_D = -d.CE * sin_CEG_minus_phi_D;
     const Scalar phi_B_along_FG = -q.s_B * cos_phi_B_minus_FG - d.h_B_BC * sin_phi_B_minus_FG;
     const Scalar phi_B_across_FG = d.h_B_BC * cos_phi_B_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - cos_CEG_minus_FG * d.y_G_CEG;
-    const Scalar determinant = -sin_phi_B_minus_phi_D * CEG_across_FG
-        - cos_phi_B_minus_FG * CEG_along_slide_D;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
+    const Scalar determinant = -CEG_across_FG * sin_phi_B_minus_phi_D
+        - CEG_along_slide_D * cos_phi_B_minus_FG;
     const Scalar pivot_product = d.FG * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
     const Scalar inverse_determinant = d.FG * inverse;
@@ -1037,25 +1037,25 @@ struct Model08 {
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar t03 = d.h_D_DE * omega_D;
-    const Scalar t04 = omega_B * phi_B_across_slide_D;
+    const Scalar t04 = phi_B_across_slide_D * omega_B;
     const Scalar velocity_along_slide_D = u.phi_D.cos * t01 + u.phi_D.sin * t02 + t04 - t03;
-    const Scalar t05 = omega_D * q.s_D;
-    const Scalar t06 = omega_B * phi_B_along_slide_D;
+    const Scalar t05 = q.s_D * omega_D;
+    const Scalar t06 = phi_B_along_slide_D * omega_B;
     const Scalar velocity_across_slide_D = u.phi_D.cos * t02 - u.phi_D.sin * t01 - t05 - t06;
     const Scalar t07 = v_x_B - v_x_F;
     const Scalar t08 = v_y_B - v_y_F;
-    const Scalar t09 = omega_B * phi_B_across_FG;
+    const Scalar t09 = phi_B_across_FG * omega_B;
     const Scalar velocity_along_FG = q.theta_FG.cos * t07 + q.theta_FG.sin * t08 + t09;
-    const Scalar t10 = omega_B * phi_B_along_FG;
+    const Scalar t10 = phi_B_along_FG * omega_B;
     const Scalar velocity_across_FG = q.theta_FG.cos * t08 - q.theta_FG.sin * t07 - t10;
-    const Scalar omega_CEG = (sin_phi_B_minus_phi_D * velocity_along_FG
-        - cos_phi_B_minus_FG * velocity_across_slide_D) * inverse_determinant;
+    const Scalar omega_CEG = inverse_determinant * (sin_phi_B_minus_phi_D * velocity_along_FG
+        - cos_phi_B_minus_FG * velocity_across_slide_D);
     const Scalar v_s_B = inverse_determinant * (CEG_along_slide_D * velocity_along_FG
         + CEG_across_FG * velocity_across_slide_D);
     const Scalar t11 = cos_phi_B_minus_phi_D * v_s_B;
-    const Scalar v_s_D = omega_CEG * CEG_across_slide_D + t11 + velocity_along_slide_D;
+    const Scalar v_s_D = CEG_across_slide_D * omega_CEG + t11 + velocity_along_slide_D;
     const Scalar t12 = sin_phi_B_minus_FG * v_s_B;
-    const Scalar omega_FG = -(omega_CEG * CEG_along_FG - t12 - velocity_across_FG) * inverse_FG;
+    const Scalar omega_FG = -inverse_FG * (CEG_along_FG * omega_CEG - t12 - velocity_across_FG);
     const Scalar t13 = a_x_B - a_x_D;
     const Scalar t14 = a_y_B - a_y_D;
     const Scalar t15 = omega_CEG * omega_CEG;
@@ -1129,134 +1129,102 @@ struct Model08 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar phi_B_along_slide_D = -q.s_B * cos_phi_B_minus_phi_D
         - d.h_B_BC * sin_phi_B_minus_phi_D;
-    const Scalar phi_B_across_slide_D = cos_phi_B_minus_phi_D * d.h_B_BC
+    const Scalar phi_B_across_slide_D = d.h_B_BC * cos_phi_B_minus_phi_D
         - q.s_B * sin_phi_B_minus_phi_D;
     const Scalar CEG_along_slide_D = -d.CE * cos_CEG_minus_phi_D;
     const Scalar CEG_across_slide_D = -d.CE * sin_CEG_minus_phi_D;
     const Scalar phi_B_along_FG = -q.s_B * cos_phi_B_minus_FG - d.h_B_BC * sin_phi_B_minus_FG;
     const Scalar phi_B_across_FG = d.h_B_BC * cos_phi_B_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - cos_CEG_minus_FG * d.y_G_CEG;
-    const Scalar determinant = -sin_phi_B_minus_phi_D * CEG_across_FG
-        - cos_phi_B_minus_FG * CEG_along_slide_D;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
+    const Scalar determinant = -CEG_across_FG * sin_phi_B_minus_phi_D
+        - CEG_along_slide_D * cos_phi_B_minus_FG;
     const Scalar pivot_product = d.FG * determinant;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
-    const Scalar CEG_per_across_slide_D = -cos_phi_B_minus_FG * inverse_determinant;
+    const Scalar CEG_per_across_slide_D = -inverse_determinant * cos_phi_B_minus_FG;
     const Scalar s_B_per_across_slide_D = CEG_across_FG * inverse_determinant;
     const Scalar t01 = cos_phi_B_minus_phi_D * s_B_per_across_slide_D;
     const Scalar s_D_per_across_slide_D = t01 + CEG_across_slide_D * CEG_per_across_slide_D;
-    const Scalar FG_per_across_slide_D = (sin_phi_B_minus_FG * s_B_per_across_slide_D
-        - CEG_per_across_slide_D * CEG_along_FG) * inverse_FG;
-    const Scalar CEG_per_along_FG = sin_phi_B_minus_phi_D * inverse_determinant;
+    const Scalar FG_per_across_slide_D = inverse_FG * (sin_phi_B_minus_FG * s_B_per_across_slide_D
+        - CEG_per_across_slide_D * CEG_along_FG);
+    const Scalar CEG_per_along_FG = inverse_determinant * sin_phi_B_minus_phi_D;
     const Scalar s_B_per_along_FG = CEG_along_slide_D * inverse_determinant;
     const Scalar s_D_per_along_FG = cos_phi_B_minus_phi_D * s_B_per_along_FG
         + CEG_across_slide_D * CEG_per_along_FG;
     const Scalar t02 = sin_phi_B_minus_FG * s_B_per_along_FG;
     const Scalar FG_per_along_FG = inverse_FG * (t02 - CEG_along_FG * CEG_per_along_FG);
-    const Scalar t03 = q.theta_FG.cos * CEG_per_along_FG;
-    const Scalar t04 = u.phi_D.sin * CEG_per_across_slide_D;
-    const Scalar t05 = t03 - t04;
-    const Scalar CEG_per_x_B = t05;
-    const Scalar t06 = u.phi_D.sin * FG_per_across_slide_D;
-    const Scalar t07 = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    const Scalar t08 = t06 - t07;
-    const Scalar FG_per_x_B = -t08;
-    const Scalar t09 = q.theta_FG.cos * s_B_per_along_FG;
-    const Scalar t10 = u.phi_D.sin * s_B_per_across_slide_D;
-    const Scalar t11 = t09 - t10;
-    const Scalar s_B_per_x_B = t11;
-    const Scalar t12 = q.theta_FG.cos * s_D_per_along_FG;
-    const Scalar t13 = u.phi_D.cos - u.phi_D.sin * s_D_per_across_slide_D;
-    const Scalar t14 = t12 + t13;
-    const Scalar s_D_per_x_B = t14;
-    const Scalar t15 = q.theta_FG.sin * CEG_per_along_FG;
-    const Scalar t16 = u.phi_D.cos * CEG_per_across_slide_D;
-    const Scalar t17 = t15 + t16;
-    const Scalar CEG_per_y_B = t17;
-    const Scalar t18 = u.phi_D.cos * FG_per_across_slide_D;
-    const Scalar t19 = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
-    const Scalar t20 = t18 + t19;
-    const Scalar FG_per_y_B = t20;
-    const Scalar t21 = q.theta_FG.sin * s_B_per_along_FG;
-    const Scalar t22 = u.phi_D.cos * s_B_per_across_slide_D;
-    const Scalar t23 = t21 + t22;
-    const Scalar s_B_per_y_B = t23;
-    const Scalar t24 = q.theta_FG.sin * s_D_per_along_FG;
-    const Scalar t25 = u.phi_D.sin + u.phi_D.cos * s_D_per_across_slide_D;
-    const Scalar t26 = t24 + t25;
-    const Scalar s_D_per_y_B = t26;
-    const Scalar t27 = CEG_per_across_slide_D * phi_B_along_slide_D
-        - CEG_per_along_FG * phi_B_across_FG;
-    const Scalar CEG_per_phi_B = -t27;
-    const Scalar t28 = FG_per_across_slide_D * phi_B_along_slide_D + inverse_FG * phi_B_along_FG
-        - FG_per_along_FG * phi_B_across_FG;
-    const Scalar FG_per_phi_B = -t28;
-    const Scalar t29 = s_B_per_across_slide_D * phi_B_along_slide_D
-        - s_B_per_along_FG * phi_B_across_FG;
-    const Scalar s_B_per_phi_B = -t29;
-    const Scalar t30 = s_D_per_across_slide_D * phi_B_along_slide_D - phi_B_across_slide_D
-        - s_D_per_along_FG * phi_B_across_FG;
-    const Scalar s_D_per_phi_B = -t30;
-    const Scalar CEG_per_x_D = t04;
-    const Scalar FG_per_x_D = t06;
-    const Scalar s_B_per_x_D = t10;
-    const Scalar s_D_per_x_D = -t13;
-    const Scalar CEG_per_y_D = -t16;
-    const Scalar FG_per_y_D = -t18;
-    const Scalar s_B_per_y_D = -t22;
-    const Scalar s_D_per_y_D = -t25;
-    const Scalar t31 = CEG_per_across_slide_D * q.s_D;
-    const Scalar CEG_per_phi_D = -t31;
-    const Scalar t32 = FG_per_across_slide_D * q.s_D;
-    const Scalar FG_per_phi_D = -t32;
-    const Scalar t33 = s_B_per_across_slide_D * q.s_D;
-    const Scalar s_B_per_phi_D = -t33;
-    const Scalar t34 = s_D_per_across_slide_D * q.s_D + d.h_D_DE;
-    const Scalar s_D_per_phi_D = -t34;
-    const Scalar CEG_per_x_F = -t03;
-    const Scalar FG_per_x_F = -t07;
-    const Scalar s_B_per_x_F = -t09;
-    const Scalar s_D_per_x_F = -t12;
-    const Scalar CEG_per_y_F = -t15;
-    const Scalar FG_per_y_F = -t19;
-    const Scalar s_B_per_y_F = -t21;
-    const Scalar s_D_per_y_F = -t24;
-    const Scalar omega_CEG = v_x_B * CEG_per_x_B + v_y_B * CEG_per_y_B + omega_B * CEG_per_phi_B
-        + v_x_D * CEG_per_x_D + v_y_D * CEG_per_y_D + omega_D * CEG_per_phi_D + v_x_F * CEG_per_x_F
-        + v_y_F * CEG_per_y_F;
-    const Scalar omega_FG = v_x_B * FG_per_x_B + v_y_B * FG_per_y_B + omega_B * FG_per_phi_B
-        + v_x_D * FG_per_x_D + v_y_D * FG_per_y_D + omega_D * FG_per_phi_D + v_x_F * FG_per_x_F
-        + v_y_F * FG_per_y_F;
-    const Scalar v_s_B = v_x_B * s_B_per_x_B + v_y_B * s_B_per_y_B + omega_B * s_B_per_phi_B
-        + v_x_D * s_B_per_x_D + v_y_D * s_B_per_y_D + omega_D * s_B_per_phi_D + v_x_F * s_B_per_x_F
-        + v_y_F * s_B_per_y_F;
-    const Scalar v_s_D = v_x_B * s_D_per_x_B + v_y_B * s_D_per_y_B + omega_B * s_D_per_phi_B
-        + v_x_D * s_D_per_x_D + v_y_D * s_D_per_y_D + omega_D * s_D_per_phi_D + v_x_F * s_D_per_x_F
-        + v_y_F * s_D_per_y_F;
-    const Scalar t35 = omega_CEG * omega_CEG;
-    const Scalar centripetal_along_slide_D = q.s_D * omega_D * omega_D + CEG_along_slide_D * t35
+    const Scalar CEG_per_x_D = CEG_per_across_slide_D * u.phi_D.sin;
+    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
+    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
+    const Scalar FG_per_x_D = FG_per_across_slide_D * u.phi_D.sin;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
+    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
+    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
+    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
+    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
+    const Scalar s_D_per_x_F = -q.theta_FG.cos * s_D_per_along_FG;
+    const Scalar s_D_per_x_B = -s_D_per_x_D - s_D_per_x_F;
+    const Scalar CEG_per_y_D = -CEG_per_across_slide_D * u.phi_D.cos;
+    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
+    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
+    const Scalar FG_per_y_D = -FG_per_across_slide_D * u.phi_D.cos;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
+    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
+    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
+    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
+    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
+    const Scalar s_D_per_y_F = -q.theta_FG.sin * s_D_per_along_FG;
+    const Scalar s_D_per_y_B = -s_D_per_y_D - s_D_per_y_F;
+    const Scalar CEG_per_phi_B = CEG_per_along_FG * phi_B_across_FG
+        - CEG_per_across_slide_D * phi_B_along_slide_D;
+    const Scalar FG_per_phi_B = FG_per_along_FG * phi_B_across_FG
+        - FG_per_across_slide_D * phi_B_along_slide_D - inverse_FG * phi_B_along_FG;
+    const Scalar s_B_per_phi_B = phi_B_across_FG * s_B_per_along_FG
+        - phi_B_along_slide_D * s_B_per_across_slide_D;
+    const Scalar s_D_per_phi_B = phi_B_across_slide_D + phi_B_across_FG * s_D_per_along_FG
+        - phi_B_along_slide_D * s_D_per_across_slide_D;
+    const Scalar CEG_per_phi_D = -CEG_per_across_slide_D * q.s_D;
+    const Scalar FG_per_phi_D = -FG_per_across_slide_D * q.s_D;
+    const Scalar s_B_per_phi_D = -q.s_D * s_B_per_across_slide_D;
+    const Scalar s_D_per_phi_D = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
+    const Scalar omega_CEG = CEG_per_x_B * v_x_B + CEG_per_y_B * v_y_B + CEG_per_phi_B * omega_B
+        + CEG_per_x_D * v_x_D + CEG_per_y_D * v_y_D + CEG_per_phi_D * omega_D + CEG_per_x_F * v_x_F
+        + CEG_per_y_F * v_y_F;
+    const Scalar omega_FG = FG_per_x_B * v_x_B + FG_per_y_B * v_y_B + FG_per_phi_B * omega_B
+        + FG_per_x_D * v_x_D + FG_per_y_D * v_y_D + FG_per_phi_D * omega_D + FG_per_x_F * v_x_F
+        + FG_per_y_F * v_y_F;
+    const Scalar v_s_B = s_B_per_x_B * v_x_B + s_B_per_y_B * v_y_B + s_B_per_phi_B * omega_B
+        + s_B_per_x_D * v_x_D + s_B_per_y_D * v_y_D + s_B_per_phi_D * omega_D + s_B_per_x_F * v_x_F
+        + s_B_per_y_F * v_y_F;
+    const Scalar v_s_D = s_D_per_x_B * v_x_B + s_D_per_y_B * v_y_B + s_D_per_phi_B * omega_B
+        + s_D_per_x_D * v_x_D + s_D_per_y_D * v_y_D + s_D_per_phi_D * omega_D + s_D_per_x_F * v_x_F
+        + s_D_per_y_F * v_y_F;
+    const Scalar t03 = omega_CEG * omega_CEG;
+    const Scalar centripetal_along_slide_D = q.s_D * omega_D * omega_D + CEG_along_slide_D * t03
         - omega_B * (Scalar(2) * sin_phi_B_minus_phi_D * v_s_B - phi_B_along_slide_D * omega_B);
     const Scalar centripetal_across_slide_D = omega_B * (Scalar(2) * cos_phi_B_minus_phi_D * v_s_B
-        + phi_B_across_slide_D * omega_B) + CEG_across_slide_D * t35 - omega_D * (d.h_D_DE * omega_D
+        + phi_B_across_slide_D * omega_B) + CEG_across_slide_D * t03 - omega_D * (d.h_D_DE * omega_D
         + Scalar(2) * v_s_D);
-    const Scalar centripetal_along_FG = d.FG * omega_FG * omega_FG + CEG_along_FG * t35
+    const Scalar centripetal_along_FG = d.FG * omega_FG * omega_FG + CEG_along_FG * t03
         - omega_B * (Scalar(2) * sin_phi_B_minus_FG * v_s_B - phi_B_along_FG * omega_B);
     const Scalar centripetal_across_FG = omega_B * (Scalar(2) * cos_phi_B_minus_FG * v_s_B
-        + phi_B_across_FG * omega_B) + CEG_across_FG * t35;
-    S_d(0, 0) = sin_CEG_minus_phi_D * CEG_per_across_slide_D;
-    S_d(0, 1) = cos_CEG_minus_FG * CEG_per_along_FG;
-    S_d(0, 2) = -sin_CEG_minus_FG * CEG_per_along_FG;
-    S_d(0, 3) = sin_phi_B_minus_FG * CEG_per_along_FG
-        - cos_phi_B_minus_phi_D * CEG_per_across_slide_D;
+        + phi_B_across_FG * omega_B) + CEG_across_FG * t03;
+    S_d(0, 0) = CEG_per_across_slide_D * sin_CEG_minus_phi_D;
+    S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
+    S_d(0, 2) = -CEG_per_along_FG * sin_CEG_minus_FG;
+    S_d(0, 3) = CEG_per_along_FG * sin_phi_B_minus_FG
+        - CEG_per_across_slide_D * cos_phi_B_minus_phi_D;
     S_d(0, 4) = CEG_per_across_slide_D;
     S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = sin_CEG_minus_phi_D * FG_per_across_slide_D;
-    S_d(1, 1) = cos_CEG_minus_FG * FG_per_along_FG + sin_CEG_minus_FG * inverse_FG;
-    S_d(1, 2) = cos_CEG_minus_FG * inverse_FG - sin_CEG_minus_FG * FG_per_along_FG;
-    S_d(1, 3) = sin_phi_B_minus_FG * FG_per_along_FG - cos_phi_B_minus_phi_D * FG_per_across_slide_D
-        - cos_phi_B_minus_FG * inverse_FG;
+    S_d(1, 0) = FG_per_across_slide_D * sin_CEG_minus_phi_D;
+    S_d(1, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
+    S_d(1, 2) = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
+    S_d(1, 3) = FG_per_along_FG * sin_phi_B_minus_FG - FG_per_across_slide_D * cos_phi_B_minus_phi_D
+        - inverse_FG * cos_phi_B_minus_FG;
     S_d(1, 4) = FG_per_across_slide_D;
     S_d(1, 5) = -FG_per_along_FG;
     S_d(2, 0) = sin_CEG_minus_phi_D * s_B_per_across_slide_D;
@@ -1272,38 +1240,38 @@ struct Model08 {
         - cos_phi_B_minus_phi_D * s_D_per_across_slide_D;
     S_d(3, 4) = s_D_per_across_slide_D;
     S_d(3, 5) = -s_D_per_along_FG;
-    S_u(0, 0) = t05;
-    S_u(0, 1) = t17;
-    S_u(0, 2) = -t27;
-    S_u(0, 3) = t04;
-    S_u(0, 4) = -t16;
-    S_u(0, 5) = -t31;
-    S_u(0, 6) = -t03;
-    S_u(0, 7) = -t15;
-    S_u(1, 0) = -t08;
-    S_u(1, 1) = t20;
-    S_u(1, 2) = -t28;
-    S_u(1, 3) = t06;
-    S_u(1, 4) = -t18;
-    S_u(1, 5) = -t32;
-    S_u(1, 6) = -t07;
-    S_u(1, 7) = -t19;
-    S_u(2, 0) = t11;
-    S_u(2, 1) = t23;
-    S_u(2, 2) = -t29;
-    S_u(2, 3) = t10;
-    S_u(2, 4) = -t22;
-    S_u(2, 5) = -t33;
-    S_u(2, 6) = -t09;
-    S_u(2, 7) = -t21;
-    S_u(3, 0) = t14;
-    S_u(3, 1) = t26;
-    S_u(3, 2) = -t30;
-    S_u(3, 3) = -t13;
-    S_u(3, 4) = -t25;
-    S_u(3, 5) = -t34;
-    S_u(3, 6) = -t12;
-    S_u(3, 7) = -t24;
+    S_u(0, 0) = CEG_per_x_B;
+    S_u(0, 1) = CEG_per_y_B;
+    S_u(0, 2) = CEG_per_phi_B;
+    S_u(0, 3) = CEG_per_x_D;
+    S_u(0, 4) = CEG_per_y_D;
+    S_u(0, 5) = CEG_per_phi_D;
+    S_u(0, 6) = CEG_per_x_F;
+    S_u(0, 7) = CEG_per_y_F;
+    S_u(1, 0) = FG_per_x_B;
+    S_u(1, 1) = FG_per_y_B;
+    S_u(1, 2) = FG_per_phi_B;
+    S_u(1, 3) = FG_per_x_D;
+    S_u(1, 4) = FG_per_y_D;
+    S_u(1, 5) = FG_per_phi_D;
+    S_u(1, 6) = FG_per_x_F;
+    S_u(1, 7) = FG_per_y_F;
+    S_u(2, 0) = s_B_per_x_B;
+    S_u(2, 1) = s_B_per_y_B;
+    S_u(2, 2) = s_B_per_phi_B;
+    S_u(2, 3) = s_B_per_x_D;
+    S_u(2, 4) = s_B_per_y_D;
+    S_u(2, 5) = s_B_per_phi_D;
+    S_u(2, 6) = s_B_per_x_F;
+    S_u(2, 7) = s_B_per_y_F;
+    S_u(3, 0) = s_D_per_x_B;
+    S_u(3, 1) = s_D_per_y_B;
+    S_u(3, 2) = s_D_per_phi_B;
+    S_u(3, 3) = s_D_per_x_D;
+    S_u(3, 4) = s_D_per_y_D;
+    S_u(3, 5) = s_D_per_phi_D;
+    S_u(3, 6) = s_D_per_x_F;
+    S_u(3, 7) = s_D_per_y_F;
     q_rate(0) = omega_CEG;
     q_rate(1) = omega_FG;
     q_rate(2) = v_s_B;
@@ -1337,32 +1305,32 @@ struct Model08 {
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     const Scalar b_m1_re = d.x_G_CEG * u.phi_B.cos + d.y_G_CEG * u.phi_B.sin;
-    const Scalar b_m1_im = d.x_G_CEG * u.phi_B.sin - u.phi_B.cos * d.y_G_CEG;
-    const Scalar b_0_re = Scalar(2) * (u.phi_B.cos * FB_x + u.phi_B.sin * FB_y);
-    const Scalar t01 = FB_x + u.phi_B.sin * d.h_B_BC;
-    const Scalar t02 = FB_y - u.phi_B.cos * d.h_B_BC;
+    const Scalar b_m1_im = d.x_G_CEG * u.phi_B.sin - d.y_G_CEG * u.phi_B.cos;
+    const Scalar b_0_re = Scalar(2) * (FB_x * u.phi_B.cos + FB_y * u.phi_B.sin);
+    const Scalar t01 = FB_x + d.h_B_BC * u.phi_B.sin;
+    const Scalar t02 = FB_y - d.h_B_BC * u.phi_B.cos;
     const Scalar c_m1_re = d.x_G_CEG * t01 + d.y_G_CEG * t02;
     const Scalar c_m1_im = d.x_G_CEG * t02 - d.y_G_CEG * t01;
-    const Scalar c_0_re = d.h_B_BC * (d.h_B_BC + Scalar(2) * u.phi_B.sin * FB_x
-        - Scalar(2) * u.phi_B.cos * FB_y) + d.x_G_CEG * d.x_G_CEG + d.y_G_CEG * d.y_G_CEG
+    const Scalar c_0_re = d.h_B_BC * (d.h_B_BC + Scalar(2) * FB_x * u.phi_B.sin
+        - Scalar(2) * FB_y * u.phi_B.cos) + d.x_G_CEG * d.x_G_CEG + d.y_G_CEG * d.y_G_CEG
         + FB_x * FB_x + FB_y * FB_y - d.FG * d.FG;
     const Scalar e_0_re = Scalar(2) * (u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos);
-    const Scalar f_m1_re = u.phi_D.sin * d.CE;
-    const Scalar f_m1_im = -u.phi_D.cos * d.CE;
-    const Scalar f_0_re = -Scalar(2) * (d.h_D_DE + u.phi_D.cos * (t02 - FD_y) - u.phi_D.sin * (t01
-        - FD_x));
+    const Scalar f_m1_re = d.CE * u.phi_D.sin;
+    const Scalar f_m1_im = -d.CE * u.phi_D.cos;
+    const Scalar f_0_re = -Scalar(2) * (d.h_D_DE + (t02 - FD_y) * u.phi_D.cos - (t01
+        - FD_x) * u.phi_D.sin);
     const Scalar t03 = b_m1_re * f_m1_re;
     const Scalar t04 = b_m1_im * f_m1_im;
     const Scalar t05 = f_m1_re * f_m1_re;
     const Scalar t06 = f_m1_im * f_m1_im;
-    T.cosine[0] = Scalar(2) * t05 + Scalar(2) * t06 + f_0_re * f_0_re - e_0_re * (Scalar(2) * t03
-        + Scalar(2) * t04 + b_0_re * f_0_re - c_0_re * e_0_re);
-    T.cosine[1] = -Scalar(2) * (e_0_re * (b_m1_re * f_0_re + f_m1_re * b_0_re - e_0_re * c_m1_re)
+    T.cosine[0] = Scalar(2) * t05 + Scalar(2) * t06 + f_0_re * f_0_re - (Scalar(2) * t03
+        + Scalar(2) * t04 + b_0_re * f_0_re - c_0_re * e_0_re) * e_0_re;
+    T.cosine[1] = -Scalar(2) * ((b_m1_re * f_0_re + f_m1_re * b_0_re - c_m1_re * e_0_re) * e_0_re
         - Scalar(2) * f_m1_re * f_0_re);
-    T.sine[1] = -Scalar(2) * (e_0_re * (b_m1_im * f_0_re + f_m1_im * b_0_re - e_0_re * c_m1_im)
+    T.sine[1] = -Scalar(2) * ((b_m1_im * f_0_re + f_m1_im * b_0_re - c_m1_im * e_0_re) * e_0_re
         - Scalar(2) * f_m1_im * f_0_re);
-    T.cosine[2] = Scalar(2) * (t05 - t06 - e_0_re * (t03 - t04));
-    T.sine[2] = -Scalar(2) * (e_0_re * (b_m1_re * f_m1_im + f_m1_re * b_m1_im)
+    T.cosine[2] = Scalar(2) * (t05 - t06 - (t03 - t04) * e_0_re);
+    T.sine[2] = -Scalar(2) * ((b_m1_re * f_m1_im + f_m1_re * b_m1_im) * e_0_re
         - Scalar(2) * f_m1_re * f_m1_im);
   }
 
@@ -1377,18 +1345,18 @@ struct Model08 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = FB_x + q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar t02 = FB_y + q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar t01 = FB_x + d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar t02 = FB_y + d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     e(0, 1) = Scalar(2) * (u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos);
-    e(0, 2) = -Scalar(2) * (u.phi_D.cos * (q.theta_CEG.sin * d.CE + FB_y - u.phi_B.cos * d.h_B_BC
-        - FD_y) + d.h_D_DE - u.phi_D.sin * (d.CE * q.theta_CEG.cos + u.phi_B.sin * d.h_B_BC + FB_x
-        - FD_x));
+    e(0, 2) = -Scalar(2) * ((d.CE * q.theta_CEG.sin + FB_y - d.h_B_BC * u.phi_B.cos
+        - FD_y) * u.phi_D.cos + d.h_D_DE - (d.CE * q.theta_CEG.cos + d.h_B_BC * u.phi_B.sin + FB_x
+        - FD_x) * u.phi_D.sin);
     e(1, 0) = Scalar(1);
-    e(1, 1) = Scalar(2) * (u.phi_B.cos * t01 + u.phi_B.sin * t02);
-    e(1, 2) = d.h_B_BC * (d.h_B_BC + Scalar(2) * u.phi_B.sin * t01 - Scalar(2) * u.phi_B.cos * t02)
-        + d.x_G_CEG * (d.x_G_CEG + Scalar(2) * q.theta_CEG.cos * FB_x
-        + Scalar(2) * q.theta_CEG.sin * FB_y) + d.y_G_CEG * (d.y_G_CEG
-        + Scalar(2) * FB_y * q.theta_CEG.cos - Scalar(2) * q.theta_CEG.sin * FB_x) + FB_x * FB_x
+    e(1, 1) = Scalar(2) * (t01 * u.phi_B.cos + t02 * u.phi_B.sin);
+    e(1, 2) = d.h_B_BC * (d.h_B_BC + Scalar(2) * t01 * u.phi_B.sin - Scalar(2) * t02 * u.phi_B.cos)
+        + d.x_G_CEG * (d.x_G_CEG + Scalar(2) * FB_x * q.theta_CEG.cos
+        + Scalar(2) * FB_y * q.theta_CEG.sin) + d.y_G_CEG * (d.y_G_CEG
+        + Scalar(2) * FB_y * q.theta_CEG.cos - Scalar(2) * FB_x * q.theta_CEG.sin) + FB_x * FB_x
         + FB_y * FB_y - d.FG * d.FG;
   }
 
@@ -1404,12 +1372,12 @@ struct Model08 {
     const Scalar inverse_theta_FG = Scalar(1) / d.FG;  // zero: the link that turns by theta_FG has
                                                        //     no length
     const Scalar t01 = FB_x + q.s_B * u.phi_B.cos + d.h_B_BC * u.phi_B.sin;
-    const Scalar t02 = FB_y + q.s_B * u.phi_B.sin - u.phi_B.cos * d.h_B_BC;
-    q.s_D = u.phi_D.cos * (q.theta_CEG.cos * d.CE + t01 - FD_x)
-        + u.phi_D.sin * (d.CE * q.theta_CEG.sin + t02 - FD_y);
-    q.theta_FG.cos = inverse_theta_FG * (q.theta_CEG.cos * d.x_G_CEG + t01
-        - q.theta_CEG.sin * d.y_G_CEG);
-    q.theta_FG.sin = inverse_theta_FG * (q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG
+    const Scalar t02 = FB_y + q.s_B * u.phi_B.sin - d.h_B_BC * u.phi_B.cos;
+    q.s_D = (d.CE * q.theta_CEG.cos + t01 - FD_x) * u.phi_D.cos + (d.CE * q.theta_CEG.sin + t02
+        - FD_y) * u.phi_D.sin;
+    q.theta_FG.cos = inverse_theta_FG * (d.x_G_CEG * q.theta_CEG.cos + t01
+        - d.y_G_CEG * q.theta_CEG.sin);
+    q.theta_FG.sin = inverse_theta_FG * (d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin
         + t02);
   }
 };

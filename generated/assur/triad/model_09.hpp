@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     66, 41, 1
 ///   motion:                       110, 75, 1
 ///   sensitivities_and_motion:     217, 138, 1
-///   position_polynomial:          51, 39, 0
+///   position_polynomial:          57, 39, 0
 ///   second_equations:             44, 36, 0
 ///   complete:                     20, 23, 1
 struct Model09 {
@@ -198,19 +198,19 @@ struct Model09 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     const Scalar t02 = slide_C_x - u.x_B - slide_B_x;
     const Scalar t03 = slide_C_y - u.y_B - slide_B_y;
     f(0) = u.x_D + slide_D_x + DE_x + t02 - CE_x;
@@ -226,7 +226,7 @@ struct Model09 {
     J.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
     J(0, 1) = -u.phi_B.cos;
     J(0, 2) = cos_CEG;
@@ -251,11 +251,11 @@ struct Model09 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     F_d(0, 0) = -sin_CEG;
     F_d(0, 3) = CE_y - slide_C_y;
     F_d(0, 4) = u.phi_D.sin;
@@ -283,17 +283,17 @@ struct Model09 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     const Scalar t02 = slide_B_y - slide_C_y;
     const Scalar t03 = slide_B_x - slide_C_x;
     F_u(0, 0) = -Scalar(1);
@@ -329,23 +329,23 @@ struct Model09 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     const Scalar t02 = slide_B_y - slide_C_y;
     const Scalar t03 = slide_B_x - slide_C_x;
-    rhs(0) = (slide_D_y + DE_y) * omega_D + v_x_B - v_x_D - omega_B * (CE_y + t02);
-    rhs(1) = v_y_B + omega_B * (CE_x + t03) - omega_D * (slide_D_x + DE_x) - v_y_D;
-    rhs(2) = v_x_B - v_x_F - omega_B * (CG_y + t02);
-    rhs(3) = v_y_B + omega_B * (CG_x + t03) - v_y_F;
+    rhs(0) = (slide_D_y + DE_y) * omega_D + v_x_B - v_x_D - (CE_y + t02) * omega_B;
+    rhs(1) = v_y_B + (CE_x + t03) * omega_B - (slide_D_x + DE_x) * omega_D - v_y_D;
+    rhs(2) = v_x_B - v_x_F - (CG_y + t02) * omega_B;
+    rhs(3) = v_y_B + (CG_x + t03) * omega_B - v_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -373,19 +373,19 @@ struct Model09 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     const Scalar t02 = slide_D_x + DE_x;
     const Scalar t03 = slide_D_y + DE_y;
     const Scalar t04 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
@@ -398,12 +398,12 @@ struct Model09 {
     const Scalar t11 = CG_x + t05;
     const Scalar t12 = CG_y + t07;
     rhs(0) = omega_D * (t02 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D) + t03 * alpha_D + a_x_B
-        - a_x_D - omega_B * (Scalar(2) * t04 + omega_B * t06) - alpha_B * t08;
-    rhs(1) = omega_D * (omega_D * t03 - Scalar(2) * u.phi_D.cos * v_s_D) + a_y_B + alpha_B * t06
-        + omega_B * (Scalar(2) * t09 - omega_B * t08) - t02 * alpha_D - a_y_D;
-    rhs(2) = a_x_B + FG_x * t10 - a_x_F - omega_B * (Scalar(2) * t04 + omega_B * t11)
-        - alpha_B * t12;
-    rhs(3) = a_y_B + FG_y * t10 + alpha_B * t11 + omega_B * (Scalar(2) * t09 - omega_B * t12)
+        - a_x_D - omega_B * (Scalar(2) * t04 + t06 * omega_B) - t08 * alpha_B;
+    rhs(1) = omega_D * (t03 * omega_D - Scalar(2) * u.phi_D.cos * v_s_D) + a_y_B + t06 * alpha_B
+        + omega_B * (Scalar(2) * t09 - t08 * omega_B) - t02 * alpha_D - a_y_D;
+    rhs(2) = a_x_B + FG_x * t10 - a_x_F - omega_B * (Scalar(2) * t04 + t11 * omega_B)
+        - t12 * alpha_B;
+    rhs(3) = a_y_B + FG_y * t10 + t11 * alpha_B + omega_B * (Scalar(2) * t09 - t12 * omega_B)
         - a_y_F;
   }
 
@@ -439,19 +439,19 @@ struct Model09 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     const Scalar t02 = slide_D_y + DE_y;
     const Scalar t03 = u.phi_D.cos * v_s_D;
     const Scalar t04 = slide_D_x + DE_x;
@@ -471,18 +471,18 @@ struct Model09 {
     const Scalar t18 = CG_x + t10;
     rhs(0) = t02 * jerk_D + Scalar(3) * alpha_D * t05 - omega_D * (omega_D * (t02 * omega_D
         - Scalar(3) * t03) - Scalar(3) * t04 * alpha_D - Scalar(3) * u.phi_D.sin * a_s_D) - j_x_D
-        - jerk_B * t07 - omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t09 - omega_B * t07)
-        + Scalar(3) * alpha_B * t11) - Scalar(3) * t13;
-    rhs(1) = omega_D * (omega_D * (omega_D * t04 + Scalar(3) * t05) + Scalar(3) * t02 * alpha_D
-        - Scalar(3) * u.phi_D.cos * a_s_D) + jerk_B * t11 + omega_B * (Scalar(3) * t14
-        - Scalar(3) * alpha_B * t07 - omega_B * (Scalar(3) * t12 + omega_B * t11)) + Scalar(3) * t15
+        - t07 * jerk_B - omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t09 - t07 * omega_B)
+        + Scalar(3) * t11 * alpha_B) - Scalar(3) * t13;
+    rhs(1) = omega_D * (omega_D * (t04 * omega_D + Scalar(3) * t05) + Scalar(3) * t02 * alpha_D
+        - Scalar(3) * u.phi_D.cos * a_s_D) + t11 * jerk_B + omega_B * (Scalar(3) * t14
+        - Scalar(3) * t07 * alpha_B - omega_B * (Scalar(3) * t12 + t11 * omega_B)) + Scalar(3) * t15
         - t04 * jerk_D - j_y_D - Scalar(3) * t03 * alpha_D;
-    rhs(2) = omega_FG * (Scalar(3) * alpha_FG * FG_x - FG_y * t16) - j_x_F - jerk_B * t17
-        - omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t09 - omega_B * t17)
-        + Scalar(3) * alpha_B * t18) - Scalar(3) * t13;
-    rhs(3) = omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t16) + jerk_B * t18
-        + omega_B * (Scalar(3) * t14 - Scalar(3) * alpha_B * t17 - omega_B * (Scalar(3) * t12
-        + omega_B * t18)) + Scalar(3) * t15 - j_y_F;
+    rhs(2) = omega_FG * (Scalar(3) * FG_x * alpha_FG - FG_y * t16) - j_x_F - t17 * jerk_B
+        - omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t09 - t17 * omega_B)
+        + Scalar(3) * t18 * alpha_B) - Scalar(3) * t13;
+    rhs(3) = omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t16) + t18 * jerk_B
+        + omega_B * (Scalar(3) * t14 - Scalar(3) * t17 * alpha_B - omega_B * (Scalar(3) * t12
+        + t18 * omega_B)) + Scalar(3) * t15 - j_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -508,45 +508,45 @@ struct Model09 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     const Scalar t02 = (slide_C_x - CE_x) * omega_C_BC;
     const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
     const Scalar t04 = u.phi_B.sin * v_s_B;
     const Scalar t05 = slide_B_x - slide_C_x;
-    const Scalar t06 = omega_C_BC * (slide_C_y - CE_y);
+    const Scalar t06 = (slide_C_y - CE_y) * omega_C_BC;
     const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
     const Scalar t08 = u.phi_B.cos * v_s_B;
     const Scalar t09 = slide_B_y - slide_C_y;
-    const Scalar t10 = omega_C_BC * (slide_C_x - CG_x);
+    const Scalar t10 = (slide_C_x - CG_x) * omega_C_BC;
     const Scalar t11 = v_h_C_CEG - v_y_G_CEG;
     const Scalar t12 = v_s_C - v_x_G_CEG;
     const Scalar t13 = cos_CEG * t11 + sin_CEG * t12;
-    const Scalar t14 = omega_C_BC * (slide_C_y - CG_y);
+    const Scalar t14 = (slide_C_y - CG_y) * omega_C_BC;
     const Scalar t15 = cos_CEG * t12 - sin_CEG * t11;
     rhs(0) = omega_D * ((slide_D_x + DE_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * u.phi_D.cos * v_h_D_DE) + omega_C_BC * (t02 + Scalar(2) * t03)
-        + omega_B * (Scalar(2) * t02 + Scalar(2) * t03 - Scalar(2) * t04 - omega_B * (CE_x + t05));
-    rhs(1) = omega_D * (omega_D * (slide_D_y + DE_y) - Scalar(2) * u.phi_D.cos * v_s_D
+        + omega_B * (Scalar(2) * t02 + Scalar(2) * t03 - Scalar(2) * t04 - (CE_x + t05) * omega_B);
+    rhs(1) = omega_D * ((slide_D_y + DE_y) * omega_D - Scalar(2) * u.phi_D.cos * v_s_D
         - Scalar(2) * u.phi_D.sin * v_h_D_DE) + omega_C_BC * (t06 - Scalar(2) * t07)
-        + omega_B * (Scalar(2) * t06 + Scalar(2) * t08 - Scalar(2) * t07 - omega_B * (CE_y + t09));
-    rhs(2) = omega_FG * (Scalar(2) * q.theta_FG.sin * v_FG + omega_FG * FG_x) + omega_C_BC * (t10
-        + Scalar(2) * t13) - omega_B * (Scalar(2) * t04 + omega_B * (CG_x + t05) - Scalar(2) * t10
+        + omega_B * (Scalar(2) * t06 + Scalar(2) * t08 - Scalar(2) * t07 - (CE_y + t09) * omega_B);
+    rhs(2) = omega_FG * (Scalar(2) * q.theta_FG.sin * v_FG + FG_x * omega_FG) + omega_C_BC * (t10
+        + Scalar(2) * t13) - omega_B * (Scalar(2) * t04 + (CG_x + t05) * omega_B - Scalar(2) * t10
         - Scalar(2) * t13);
     rhs(3) = omega_C_BC * (t14 - Scalar(2) * t15) + omega_B * (Scalar(2) * t08 + Scalar(2) * t14
-        - Scalar(2) * t15 - omega_B * (CG_y + t09)) - omega_FG * (Scalar(2) * q.theta_FG.cos * v_FG
-        - omega_FG * FG_y);
+        - Scalar(2) * t15 - (CG_y + t09) * omega_B) - omega_FG * (Scalar(2) * q.theta_FG.cos * v_FG
+        - FG_y * omega_FG);
   }
 
   /// Frames of the links in the fixed frame.
@@ -557,14 +557,14 @@ struct Model09 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = u.x_B + slide_B_x;
     const Scalar t02 = u.y_B + slide_B_y;
     poses[0].x = CE_x + t01 - slide_C_x;
@@ -599,14 +599,14 @@ struct Model09 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = slide_C_y - CE_y;
     const Scalar t02 = slide_C_x - CE_x;
     P_q(0, 1) = u.phi_B.cos;
@@ -665,24 +665,24 @@ struct Model09 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
     const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = t01 - (slide_B_y + CE_y - slide_C_y) * omega_B - cos_CEG * v_s_C;
-    v(0, 1) = omega_B * (slide_B_x + CE_x - slide_C_x) + t02 - sin_CEG * v_s_C;
+    v(0, 1) = (slide_B_x + CE_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;
     v(0, 2) = omega_B;
     v(1, 0) = t01 - slide_B_y * omega_B;
-    v(1, 1) = omega_B * slide_B_x + t02;
+    v(1, 1) = slide_B_x * omega_B + t02;
     v(1, 2) = omega_B;
     v(2, 0) = u.phi_D.cos * v_s_D + v_x_D - (slide_D_y + DE_y) * omega_D;
-    v(2, 1) = omega_D * (slide_D_x + DE_x) + u.phi_D.sin * v_s_D + v_y_D;
+    v(2, 1) = (slide_D_x + DE_x) * omega_D + u.phi_D.sin * v_s_D + v_y_D;
     v(2, 2) = omega_D;
     v(3, 0) = v_x_F;
     v(3, 1) = v_y_F;
@@ -716,14 +716,14 @@ struct Model09 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = slide_B_x + CE_x - slide_C_x;
     const Scalar t02 = u.phi_B.sin * v_s_B;
     const Scalar t03 = slide_B_y + CE_y - slide_C_y;
@@ -734,15 +734,15 @@ struct Model09 {
     const Scalar t08 = slide_D_y + DE_y;
     a(0, 0) = t04 - omega_B * (t01 * omega_B + Scalar(2) * t02 - Scalar(2) * sin_CEG * v_s_C)
         - t03 * alpha_B - cos_CEG * a_s_C;
-    a(0, 1) = t01 * alpha_B + t06 - omega_B * (omega_B * t03 + Scalar(2) * cos_CEG * v_s_C
+    a(0, 1) = t01 * alpha_B + t06 - omega_B * (t03 * omega_B + Scalar(2) * cos_CEG * v_s_C
         - Scalar(2) * t05) - sin_CEG * a_s_C;
     a(0, 2) = alpha_B;
     a(1, 0) = t04 - omega_B * (Scalar(2) * t02 + slide_B_x * omega_B) - slide_B_y * alpha_B;
-    a(1, 1) = omega_B * (Scalar(2) * t05 - omega_B * slide_B_y) + slide_B_x * alpha_B + t06;
+    a(1, 1) = omega_B * (Scalar(2) * t05 - slide_B_y * omega_B) + slide_B_x * alpha_B + t06;
     a(1, 2) = alpha_B;
     a(2, 0) = u.phi_D.cos * a_s_D + a_x_D - omega_D * (t07 * omega_D
         + Scalar(2) * u.phi_D.sin * v_s_D) - t08 * alpha_D;
-    a(2, 1) = t07 * alpha_D + u.phi_D.sin * a_s_D + a_y_D - omega_D * (omega_D * t08
+    a(2, 1) = t07 * alpha_D + u.phi_D.sin * a_s_D + a_y_D - omega_D * (t08 * omega_D
         - Scalar(2) * u.phi_D.cos * v_s_D);
     a(2, 2) = alpha_D;
     a(3, 0) = a_x_F;
@@ -770,31 +770,31 @@ struct Model09 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = slide_C_x - CE_x;
     const Scalar t02 = t01 * omega_C_BC;
     const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
     const Scalar t04 = u.phi_B.sin * v_s_B;
     const Scalar t05 = slide_C_y - CE_y;
-    const Scalar t06 = omega_C_BC * t05;
+    const Scalar t06 = t05 * omega_C_BC;
     const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
     const Scalar t08 = u.phi_B.cos * v_s_B;
     p(0, 0) = omega_C_BC * (t02 + Scalar(2) * t03) + omega_B * (Scalar(2) * t02 + Scalar(2) * t03
-        - Scalar(2) * t04 - omega_B * (slide_B_x - t01));
+        - Scalar(2) * t04 - (slide_B_x - t01) * omega_B);
     p(0, 1) = omega_C_BC * (t06 - Scalar(2) * t07) + omega_B * (Scalar(2) * t06 + Scalar(2) * t08
-        - Scalar(2) * t07 - omega_B * (slide_B_y - t05));
+        - Scalar(2) * t07 - (slide_B_y - t05) * omega_B);
     p(1, 0) = -omega_B * (Scalar(2) * t04 + slide_B_x * omega_B);
-    p(1, 1) = omega_B * (Scalar(2) * t08 - omega_B * slide_B_y);
+    p(1, 1) = omega_B * (Scalar(2) * t08 - slide_B_y * omega_B);
     p(2, 0) = -omega_D * ((slide_D_x + DE_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * u.phi_D.cos * v_h_D_DE);
-    p(2, 1) = -omega_D * (omega_D * (slide_D_y + DE_y) - Scalar(2) * u.phi_D.cos * v_s_D
+    p(2, 1) = -omega_D * ((slide_D_y + DE_y) * omega_D - Scalar(2) * u.phi_D.cos * v_s_D
         - Scalar(2) * u.phi_D.sin * v_h_D_DE);
   }
 
@@ -836,31 +836,31 @@ struct Model09 {
     const Scalar sin_phi_B_plus_psi_C_BC_minus_FG = sin_CEG * q.theta_FG.cos
         - cos_CEG * q.theta_FG.sin;
     const Scalar cos_phi_D_minus_FG = u.phi_D.cos * q.theta_FG.cos + u.phi_D.sin * q.theta_FG.sin;
-    const Scalar t01 = d.psi_C_BC.sin * d.FG;
-    const Scalar pivot_product = cos_phi_D_minus_FG * t01;
+    const Scalar t01 = d.FG * d.psi_C_BC.sin;
+    const Scalar pivot_product = t01 * cos_phi_D_minus_FG;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_D - theta_FG) = 0, or
                                                        //     sin(psi_C_BC) = 0, or FG = 0
     const Scalar inverse_cos_phi_D_minus_FG = inverse * t01;
-    const Scalar t02 = cos_phi_D_minus_FG * inverse;
+    const Scalar t02 = inverse * cos_phi_D_minus_FG;
     const Scalar inverse_sin_psi_C_BC = d.FG * t02;
-    const Scalar inverse_FG = d.psi_C_BC.sin * t02;
+    const Scalar inverse_FG = t02 * d.psi_C_BC.sin;
     const Scalar t03 = inverse_cos_phi_D_minus_FG * inverse_sin_psi_C_BC;
     const Scalar s_B_per_across_slide_D = cos_phi_B_plus_psi_C_BC_minus_FG * t03;
     const Scalar s_C_per_across_slide_D = cos_phi_B_minus_FG * t03;
     const Scalar s_D_per_across_slide_D = cos_phi_B_minus_phi_D * s_B_per_across_slide_D
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_across_slide_D;
-    const Scalar FG_per_across_slide_D = (s_B_per_across_slide_D * sin_phi_B_minus_FG
-        - s_C_per_across_slide_D * sin_phi_B_plus_psi_C_BC_minus_FG) * inverse_FG;
+    const Scalar FG_per_across_slide_D = inverse_FG * (s_B_per_across_slide_D * sin_phi_B_minus_FG
+        - s_C_per_across_slide_D * sin_phi_B_plus_psi_C_BC_minus_FG);
     const Scalar s_B_per_along_FG = -sin_phi_B_plus_psi_C_BC_minus_phi_D * t03;
     const Scalar s_C_per_along_FG = -sin_phi_B_minus_phi_D * t03;
     const Scalar s_D_per_along_FG = cos_phi_B_minus_phi_D * s_B_per_along_FG
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_along_FG;
     const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG
         - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG);
-    J_inverse(0, 0) = -u.phi_D.sin * FG_per_across_slide_D;
-    J_inverse(0, 1) = u.phi_D.cos * FG_per_across_slide_D;
-    J_inverse(0, 2) = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    J_inverse(0, 3) = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
+    J_inverse(0, 0) = -FG_per_across_slide_D * u.phi_D.sin;
+    J_inverse(0, 1) = FG_per_across_slide_D * u.phi_D.cos;
+    J_inverse(0, 2) = FG_per_along_FG * q.theta_FG.cos - inverse_FG * q.theta_FG.sin;
+    J_inverse(0, 3) = inverse_FG * q.theta_FG.cos + FG_per_along_FG * q.theta_FG.sin;
     J_inverse(1, 0) = -u.phi_D.sin * s_B_per_across_slide_D;
     J_inverse(1, 1) = u.phi_D.cos * s_B_per_across_slide_D;
     J_inverse(1, 2) = q.theta_FG.cos * s_B_per_along_FG;
@@ -898,61 +898,61 @@ struct Model09 {
         - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
     const Scalar phi_B_along_slide_D = t01 - q.s_B * cos_phi_B_minus_phi_D;
     const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
-        + cos_phi_B_plus_psi_C_BC_minus_phi_D * d.h_C_CEG - q.s_B * sin_phi_B_minus_phi_D;
+        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
     const Scalar t02 = q.s_C - d.x_G_CEG;
     const Scalar t03 = d.h_C_CEG - d.y_G_CEG;
     const Scalar phi_B_along_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
         - t03 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
-    const Scalar t04 = cos_phi_B_plus_psi_C_BC_minus_FG * t03
+    const Scalar t04 = t03 * cos_phi_B_plus_psi_C_BC_minus_FG
         + t02 * sin_phi_B_plus_psi_C_BC_minus_FG;
     const Scalar phi_B_across_FG = t04 - q.s_B * sin_phi_B_minus_FG;
     const Scalar cos_phi_D_minus_FG = u.phi_D.cos * q.theta_FG.cos + u.phi_D.sin * q.theta_FG.sin;
-    const Scalar t05 = d.psi_C_BC.sin * d.FG;
-    const Scalar pivot_product = cos_phi_D_minus_FG * t05;
+    const Scalar t05 = d.FG * d.psi_C_BC.sin;
+    const Scalar pivot_product = t05 * cos_phi_D_minus_FG;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_D - theta_FG) = 0, or
                                                        //     sin(psi_C_BC) = 0, or FG = 0
     const Scalar inverse_cos_phi_D_minus_FG = inverse * t05;
-    const Scalar t06 = cos_phi_D_minus_FG * inverse;
+    const Scalar t06 = inverse * cos_phi_D_minus_FG;
     const Scalar inverse_sin_psi_C_BC = d.FG * t06;
-    const Scalar inverse_FG = d.psi_C_BC.sin * t06;
+    const Scalar inverse_FG = t06 * d.psi_C_BC.sin;
     const Scalar t07 = inverse_cos_phi_D_minus_FG * inverse_sin_psi_C_BC;
     const Scalar s_B_per_across_slide_D = cos_phi_B_plus_psi_C_BC_minus_FG * t07;
     const Scalar s_C_per_across_slide_D = cos_phi_B_minus_FG * t07;
     const Scalar t08 = cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_across_slide_D;
     const Scalar s_D_per_across_slide_D = cos_phi_B_minus_phi_D * s_B_per_across_slide_D - t08;
-    const Scalar FG_per_across_slide_D = (sin_phi_B_minus_FG * s_B_per_across_slide_D
-        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_across_slide_D) * inverse_FG;
+    const Scalar FG_per_across_slide_D = inverse_FG * (sin_phi_B_minus_FG * s_B_per_across_slide_D
+        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_across_slide_D);
     const Scalar s_B_per_along_FG = -sin_phi_B_plus_psi_C_BC_minus_phi_D * t07;
     const Scalar s_C_per_along_FG = -sin_phi_B_minus_phi_D * t07;
     const Scalar s_D_per_along_FG = cos_phi_B_minus_phi_D * s_B_per_along_FG
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_along_FG;
     const Scalar t09 = sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
     const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG - t09);
-    const Scalar t10 = cos_phi_B_plus_psi_C_BC_minus_FG * inverse_FG
-        - sin_phi_B_plus_psi_C_BC_minus_FG * FG_per_along_FG;
+    const Scalar FG_per_x_D = FG_per_across_slide_D * u.phi_D.sin;
+    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
+    const Scalar s_C_per_x_D = u.phi_D.sin * s_C_per_across_slide_D;
+    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
+    const Scalar FG_per_y_D = -FG_per_across_slide_D * u.phi_D.cos;
+    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
+    const Scalar s_C_per_y_D = -u.phi_D.cos * s_C_per_across_slide_D;
+    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
+    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
+    const Scalar s_D_per_x_F = -q.theta_FG.cos * s_D_per_along_FG;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
+    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
+    const Scalar s_D_per_y_F = -q.theta_FG.sin * s_D_per_along_FG;
+    const Scalar t10 = inverse_FG * cos_phi_B_plus_psi_C_BC_minus_FG
+        - FG_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
     const Scalar t11 = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
     const Scalar t12 = sin_phi_B_plus_psi_C_BC_minus_FG * s_D_per_along_FG;
     const Scalar t13 = sin_phi_B_plus_psi_C_BC_minus_phi_D
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D;
-    const Scalar t14 = u.phi_D.sin * FG_per_across_slide_D;
-    const Scalar t15 = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    const Scalar t16 = u.phi_D.cos * FG_per_across_slide_D;
-    const Scalar t17 = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
-    const Scalar t18 = q.theta_FG.cos * s_B_per_along_FG;
-    const Scalar t19 = u.phi_D.sin * s_B_per_across_slide_D;
-    const Scalar t20 = q.theta_FG.sin * s_B_per_along_FG;
-    const Scalar t21 = u.phi_D.cos * s_B_per_across_slide_D;
-    const Scalar t22 = q.theta_FG.cos * s_C_per_along_FG;
-    const Scalar t23 = u.phi_D.sin * s_C_per_across_slide_D;
-    const Scalar t24 = q.theta_FG.sin * s_C_per_along_FG;
-    const Scalar t25 = u.phi_D.cos * s_C_per_across_slide_D;
-    const Scalar t26 = q.theta_FG.cos * s_D_per_along_FG;
-    const Scalar t27 = u.phi_D.cos - u.phi_D.sin * s_D_per_across_slide_D;
-    const Scalar t28 = q.theta_FG.sin * s_D_per_along_FG;
-    const Scalar t29 = u.phi_D.sin + u.phi_D.cos * s_D_per_across_slide_D;
-    S_d(0, 0) = -cos_phi_B_plus_psi_C_BC_minus_phi_D * FG_per_across_slide_D - t10;
-    S_d(0, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * FG_per_along_FG
-        + sin_phi_B_plus_psi_C_BC_minus_FG * inverse_FG;
+    S_d(0, 0) = -FG_per_across_slide_D * cos_phi_B_plus_psi_C_BC_minus_phi_D - t10;
+    S_d(0, 1) = FG_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG
+        + inverse_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
     S_d(0, 2) = t10;
     S_d(0, 3) = sin_phi_B_plus_psi_C_BC_minus_FG * (t03 * inverse_FG + t02 * FG_per_along_FG)
         - cos_phi_B_plus_psi_C_BC_minus_FG * (t02 * inverse_FG - t03 * FG_per_along_FG)
@@ -962,13 +962,13 @@ struct Model09 {
     S_d(1, 0) = t11 - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_B_per_across_slide_D;
     S_d(1, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
     S_d(1, 2) = -t11;
-    S_d(1, 3) = s_B_per_along_FG * t04 - s_B_per_across_slide_D * t01;
+    S_d(1, 3) = t04 * s_B_per_along_FG - t01 * s_B_per_across_slide_D;
     S_d(1, 4) = s_B_per_across_slide_D;
     S_d(1, 5) = -s_B_per_along_FG;
     S_d(2, 0) = t09 - t08;
     S_d(2, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
     S_d(2, 2) = -t09;
-    S_d(2, 3) = s_C_per_along_FG * t04 - s_C_per_across_slide_D * t01;
+    S_d(2, 3) = t04 * s_C_per_along_FG - t01 * s_C_per_across_slide_D;
     S_d(2, 4) = s_C_per_across_slide_D;
     S_d(2, 5) = -s_C_per_along_FG;
     S_d(3, 0) = t12 + t13;
@@ -979,40 +979,40 @@ struct Model09 {
         + sin_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D);
     S_d(3, 4) = s_D_per_across_slide_D;
     S_d(3, 5) = -s_D_per_along_FG;
-    S_u(0, 0) = t15 - t14;
-    S_u(0, 1) = t16 + t17;
+    S_u(0, 0) = -FG_per_x_D - FG_per_x_F;
+    S_u(0, 1) = -FG_per_y_D - FG_per_y_F;
     S_u(0, 2) = FG_per_along_FG * phi_B_across_FG - FG_per_across_slide_D * phi_B_along_slide_D
         - inverse_FG * phi_B_along_FG;
-    S_u(0, 3) = t14;
-    S_u(0, 4) = -t16;
+    S_u(0, 3) = FG_per_x_D;
+    S_u(0, 4) = FG_per_y_D;
     S_u(0, 5) = -FG_per_across_slide_D * q.s_D;
-    S_u(0, 6) = -t15;
-    S_u(0, 7) = -t17;
-    S_u(1, 0) = t18 - t19;
-    S_u(1, 1) = t20 + t21;
-    S_u(1, 2) = s_B_per_along_FG * phi_B_across_FG - s_B_per_across_slide_D * phi_B_along_slide_D;
-    S_u(1, 3) = t19;
-    S_u(1, 4) = -t21;
-    S_u(1, 5) = -s_B_per_across_slide_D * q.s_D;
-    S_u(1, 6) = -t18;
-    S_u(1, 7) = -t20;
-    S_u(2, 0) = t22 - t23;
-    S_u(2, 1) = t24 + t25;
-    S_u(2, 2) = s_C_per_along_FG * phi_B_across_FG - s_C_per_across_slide_D * phi_B_along_slide_D;
-    S_u(2, 3) = t23;
-    S_u(2, 4) = -t25;
-    S_u(2, 5) = -s_C_per_across_slide_D * q.s_D;
-    S_u(2, 6) = -t22;
-    S_u(2, 7) = -t24;
-    S_u(3, 0) = t26 + t27;
-    S_u(3, 1) = t28 + t29;
-    S_u(3, 2) = phi_B_across_slide_D + s_D_per_along_FG * phi_B_across_FG
-        - s_D_per_across_slide_D * phi_B_along_slide_D;
-    S_u(3, 3) = -t27;
-    S_u(3, 4) = -t29;
-    S_u(3, 5) = -s_D_per_across_slide_D * q.s_D - d.h_D_DE;
-    S_u(3, 6) = -t26;
-    S_u(3, 7) = -t28;
+    S_u(0, 6) = FG_per_x_F;
+    S_u(0, 7) = FG_per_y_F;
+    S_u(1, 0) = -s_B_per_x_D - s_B_per_x_F;
+    S_u(1, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_u(1, 2) = phi_B_across_FG * s_B_per_along_FG - phi_B_along_slide_D * s_B_per_across_slide_D;
+    S_u(1, 3) = s_B_per_x_D;
+    S_u(1, 4) = s_B_per_y_D;
+    S_u(1, 5) = -q.s_D * s_B_per_across_slide_D;
+    S_u(1, 6) = s_B_per_x_F;
+    S_u(1, 7) = s_B_per_y_F;
+    S_u(2, 0) = -s_C_per_x_D - s_C_per_x_F;
+    S_u(2, 1) = -s_C_per_y_D - s_C_per_y_F;
+    S_u(2, 2) = phi_B_across_FG * s_C_per_along_FG - phi_B_along_slide_D * s_C_per_across_slide_D;
+    S_u(2, 3) = s_C_per_x_D;
+    S_u(2, 4) = s_C_per_y_D;
+    S_u(2, 5) = -q.s_D * s_C_per_across_slide_D;
+    S_u(2, 6) = s_C_per_x_F;
+    S_u(2, 7) = s_C_per_y_F;
+    S_u(3, 0) = -s_D_per_x_D - s_D_per_x_F;
+    S_u(3, 1) = -s_D_per_y_D - s_D_per_y_F;
+    S_u(3, 2) = phi_B_across_slide_D + phi_B_across_FG * s_D_per_along_FG
+        - phi_B_along_slide_D * s_D_per_across_slide_D;
+    S_u(3, 3) = s_D_per_x_D;
+    S_u(3, 4) = s_D_per_y_D;
+    S_u(3, 5) = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
+    S_u(3, 6) = s_D_per_x_F;
+    S_u(3, 7) = s_D_per_y_F;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1045,43 +1045,43 @@ struct Model09 {
     const Scalar phi_B_along_slide_D = q.s_C * cos_phi_B_plus_psi_C_BC_minus_phi_D
         - q.s_B * cos_phi_B_minus_phi_D - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
     const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
-        + cos_phi_B_plus_psi_C_BC_minus_phi_D * d.h_C_CEG - q.s_B * sin_phi_B_minus_phi_D;
+        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
     const Scalar t01 = q.s_C - d.x_G_CEG;
     const Scalar t02 = d.h_C_CEG - d.y_G_CEG;
     const Scalar phi_B_along_FG = t01 * cos_phi_B_plus_psi_C_BC_minus_FG
         - t02 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
-    const Scalar phi_B_across_FG = cos_phi_B_plus_psi_C_BC_minus_FG * t02
+    const Scalar phi_B_across_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
         + t01 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar cos_phi_D_minus_FG = u.phi_D.cos * q.theta_FG.cos + u.phi_D.sin * q.theta_FG.sin;
-    const Scalar t03 = d.psi_C_BC.sin * d.FG;
-    const Scalar pivot_product = cos_phi_D_minus_FG * t03;
+    const Scalar t03 = d.FG * d.psi_C_BC.sin;
+    const Scalar pivot_product = t03 * cos_phi_D_minus_FG;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_D - theta_FG) = 0, or
                                                        //     sin(psi_C_BC) = 0, or FG = 0
     const Scalar inverse_cos_phi_D_minus_FG = inverse * t03;
-    const Scalar t04 = cos_phi_D_minus_FG * inverse;
+    const Scalar t04 = inverse * cos_phi_D_minus_FG;
     const Scalar inverse_sin_psi_C_BC = d.FG * t04;
-    const Scalar inverse_FG = d.psi_C_BC.sin * t04;
+    const Scalar inverse_FG = t04 * d.psi_C_BC.sin;
     const Scalar t05 = v_x_B - v_x_D;
     const Scalar t06 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_D = u.phi_D.cos * t05 + u.phi_D.sin * t06
-        + omega_B * phi_B_across_slide_D - d.h_D_DE * omega_D;
-    const Scalar velocity_across_slide_D = u.phi_D.cos * t06 - u.phi_D.sin * t05 - omega_D * q.s_D
-        - omega_B * phi_B_along_slide_D;
+        + phi_B_across_slide_D * omega_B - d.h_D_DE * omega_D;
+    const Scalar velocity_across_slide_D = u.phi_D.cos * t06 - u.phi_D.sin * t05 - q.s_D * omega_D
+        - phi_B_along_slide_D * omega_B;
     const Scalar t07 = v_x_B - v_x_F;
     const Scalar t08 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t07 + q.theta_FG.sin * t08
-        + omega_B * phi_B_across_FG;
+        + phi_B_across_FG * omega_B;
     const Scalar velocity_across_FG = q.theta_FG.cos * t08 - q.theta_FG.sin * t07
-        - omega_B * phi_B_along_FG;
+        - phi_B_along_FG * omega_B;
     const Scalar t09 = inverse_sin_psi_C_BC * inverse_cos_phi_D_minus_FG;
-    const Scalar v_s_B = -(sin_phi_B_plus_psi_C_BC_minus_phi_D * velocity_along_FG
-        - cos_phi_B_plus_psi_C_BC_minus_FG * velocity_across_slide_D) * t09;
-    const Scalar v_s_C = -(sin_phi_B_minus_phi_D * velocity_along_FG
-        - cos_phi_B_minus_FG * velocity_across_slide_D) * t09;
+    const Scalar v_s_B = -t09 * (sin_phi_B_plus_psi_C_BC_minus_phi_D * velocity_along_FG
+        - cos_phi_B_plus_psi_C_BC_minus_FG * velocity_across_slide_D);
+    const Scalar v_s_C = -t09 * (sin_phi_B_minus_phi_D * velocity_along_FG
+        - cos_phi_B_minus_FG * velocity_across_slide_D);
     const Scalar v_s_D = cos_phi_B_minus_phi_D * v_s_B + velocity_along_slide_D
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C;
-    const Scalar omega_FG = (sin_phi_B_minus_FG * v_s_B + velocity_across_FG
-        - sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C) * inverse_FG;
+    const Scalar omega_FG = inverse_FG * (sin_phi_B_minus_FG * v_s_B + velocity_across_FG
+        - sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C);
     q_rate(0) = omega_FG;
     q_rate(1) = v_s_B;
     q_rate(2) = v_s_C;
@@ -1127,41 +1127,41 @@ struct Model09 {
     const Scalar phi_B_along_slide_D = q.s_C * cos_phi_B_plus_psi_C_BC_minus_phi_D
         - q.s_B * cos_phi_B_minus_phi_D - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
     const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
-        + cos_phi_B_plus_psi_C_BC_minus_phi_D * d.h_C_CEG - q.s_B * sin_phi_B_minus_phi_D;
+        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
     const Scalar t01 = q.s_C - d.x_G_CEG;
     const Scalar t02 = d.h_C_CEG - d.y_G_CEG;
     const Scalar phi_B_along_FG = t01 * cos_phi_B_plus_psi_C_BC_minus_FG
         - t02 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
-    const Scalar phi_B_across_FG = cos_phi_B_plus_psi_C_BC_minus_FG * t02
+    const Scalar phi_B_across_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
         + t01 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar cos_phi_D_minus_FG = u.phi_D.cos * q.theta_FG.cos + u.phi_D.sin * q.theta_FG.sin;
-    const Scalar t03 = d.psi_C_BC.sin * d.FG;
-    const Scalar pivot_product = cos_phi_D_minus_FG * t03;
+    const Scalar t03 = d.FG * d.psi_C_BC.sin;
+    const Scalar pivot_product = t03 * cos_phi_D_minus_FG;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_D - theta_FG) = 0, or
                                                        //     sin(psi_C_BC) = 0, or FG = 0
     const Scalar inverse_cos_phi_D_minus_FG = inverse * t03;
-    const Scalar t04 = cos_phi_D_minus_FG * inverse;
+    const Scalar t04 = inverse * cos_phi_D_minus_FG;
     const Scalar inverse_sin_psi_C_BC = d.FG * t04;
-    const Scalar inverse_FG = d.psi_C_BC.sin * t04;
+    const Scalar inverse_FG = t04 * d.psi_C_BC.sin;
     const Scalar t05 = v_x_B - v_x_D;
     const Scalar t06 = v_y_B - v_y_D;
     const Scalar t07 = d.h_D_DE * omega_D;
-    const Scalar t08 = omega_B * phi_B_across_slide_D;
+    const Scalar t08 = phi_B_across_slide_D * omega_B;
     const Scalar velocity_along_slide_D = u.phi_D.cos * t05 + u.phi_D.sin * t06 + t08 - t07;
-    const Scalar t09 = omega_D * q.s_D;
-    const Scalar t10 = omega_B * phi_B_along_slide_D;
+    const Scalar t09 = q.s_D * omega_D;
+    const Scalar t10 = phi_B_along_slide_D * omega_B;
     const Scalar velocity_across_slide_D = u.phi_D.cos * t06 - u.phi_D.sin * t05 - t09 - t10;
     const Scalar t11 = v_x_B - v_x_F;
     const Scalar t12 = v_y_B - v_y_F;
-    const Scalar t13 = omega_B * phi_B_across_FG;
+    const Scalar t13 = phi_B_across_FG * omega_B;
     const Scalar velocity_along_FG = q.theta_FG.cos * t11 + q.theta_FG.sin * t12 + t13;
-    const Scalar t14 = omega_B * phi_B_along_FG;
+    const Scalar t14 = phi_B_along_FG * omega_B;
     const Scalar velocity_across_FG = q.theta_FG.cos * t12 - q.theta_FG.sin * t11 - t14;
     const Scalar t15 = inverse_sin_psi_C_BC * inverse_cos_phi_D_minus_FG;
-    const Scalar v_s_B = -(sin_phi_B_plus_psi_C_BC_minus_phi_D * velocity_along_FG
-        - cos_phi_B_plus_psi_C_BC_minus_FG * velocity_across_slide_D) * t15;
-    const Scalar v_s_C = -(sin_phi_B_minus_phi_D * velocity_along_FG
-        - cos_phi_B_minus_FG * velocity_across_slide_D) * t15;
+    const Scalar v_s_B = -t15 * (sin_phi_B_plus_psi_C_BC_minus_phi_D * velocity_along_FG
+        - cos_phi_B_plus_psi_C_BC_minus_FG * velocity_across_slide_D);
+    const Scalar v_s_C = -t15 * (sin_phi_B_minus_phi_D * velocity_along_FG
+        - cos_phi_B_minus_FG * velocity_across_slide_D);
     const Scalar t16 = cos_phi_B_minus_phi_D * v_s_B - cos_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C;
     const Scalar v_s_D = velocity_along_slide_D + t16;
     const Scalar t17 = sin_phi_B_minus_FG * v_s_B - sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C;
@@ -1183,10 +1183,10 @@ struct Model09 {
     const Scalar acceleration_across_FG = omega_B * (t13 + Scalar(2) * cos_phi_B_minus_FG * v_s_B
         - Scalar(2) * cos_phi_B_plus_psi_C_BC_minus_FG * v_s_C) + q.theta_FG.cos * t21
         - q.theta_FG.sin * t20 - phi_B_along_FG * alpha_B;
-    const Scalar a_s_B = -(sin_phi_B_plus_psi_C_BC_minus_phi_D * acceleration_along_FG
-        - cos_phi_B_plus_psi_C_BC_minus_FG * acceleration_across_slide_D) * t15;
-    const Scalar a_s_C = -(sin_phi_B_minus_phi_D * acceleration_along_FG
-        - cos_phi_B_minus_FG * acceleration_across_slide_D) * t15;
+    const Scalar a_s_B = -t15 * (sin_phi_B_plus_psi_C_BC_minus_phi_D * acceleration_along_FG
+        - cos_phi_B_plus_psi_C_BC_minus_FG * acceleration_across_slide_D);
+    const Scalar a_s_C = -t15 * (sin_phi_B_minus_phi_D * acceleration_along_FG
+        - cos_phi_B_minus_FG * acceleration_across_slide_D);
     const Scalar a_s_D = cos_phi_B_minus_phi_D * a_s_B + acceleration_along_slide_D
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * a_s_C;
     const Scalar alpha_FG = inverse_FG * (sin_phi_B_minus_FG * a_s_B + acceleration_across_FG
@@ -1243,116 +1243,84 @@ struct Model09 {
         - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
     const Scalar phi_B_along_slide_D = t01 - q.s_B * cos_phi_B_minus_phi_D;
     const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
-        + cos_phi_B_plus_psi_C_BC_minus_phi_D * d.h_C_CEG - q.s_B * sin_phi_B_minus_phi_D;
+        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
     const Scalar t02 = q.s_C - d.x_G_CEG;
     const Scalar t03 = d.h_C_CEG - d.y_G_CEG;
     const Scalar phi_B_along_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
         - t03 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
-    const Scalar t04 = cos_phi_B_plus_psi_C_BC_minus_FG * t03
+    const Scalar t04 = t03 * cos_phi_B_plus_psi_C_BC_minus_FG
         + t02 * sin_phi_B_plus_psi_C_BC_minus_FG;
     const Scalar phi_B_across_FG = t04 - q.s_B * sin_phi_B_minus_FG;
     const Scalar cos_phi_D_minus_FG = u.phi_D.cos * q.theta_FG.cos + u.phi_D.sin * q.theta_FG.sin;
-    const Scalar t05 = d.psi_C_BC.sin * d.FG;
-    const Scalar pivot_product = cos_phi_D_minus_FG * t05;
+    const Scalar t05 = d.FG * d.psi_C_BC.sin;
+    const Scalar pivot_product = t05 * cos_phi_D_minus_FG;
     const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_D - theta_FG) = 0, or
                                                        //     sin(psi_C_BC) = 0, or FG = 0
     const Scalar inverse_cos_phi_D_minus_FG = inverse * t05;
-    const Scalar t06 = cos_phi_D_minus_FG * inverse;
+    const Scalar t06 = inverse * cos_phi_D_minus_FG;
     const Scalar inverse_sin_psi_C_BC = d.FG * t06;
-    const Scalar inverse_FG = d.psi_C_BC.sin * t06;
+    const Scalar inverse_FG = t06 * d.psi_C_BC.sin;
     const Scalar t07 = inverse_cos_phi_D_minus_FG * inverse_sin_psi_C_BC;
     const Scalar s_B_per_across_slide_D = cos_phi_B_plus_psi_C_BC_minus_FG * t07;
     const Scalar s_C_per_across_slide_D = cos_phi_B_minus_FG * t07;
     const Scalar t08 = cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_across_slide_D;
     const Scalar s_D_per_across_slide_D = cos_phi_B_minus_phi_D * s_B_per_across_slide_D - t08;
-    const Scalar FG_per_across_slide_D = (sin_phi_B_minus_FG * s_B_per_across_slide_D
-        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_across_slide_D) * inverse_FG;
+    const Scalar FG_per_across_slide_D = inverse_FG * (sin_phi_B_minus_FG * s_B_per_across_slide_D
+        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_across_slide_D);
     const Scalar s_B_per_along_FG = -sin_phi_B_plus_psi_C_BC_minus_phi_D * t07;
     const Scalar s_C_per_along_FG = -sin_phi_B_minus_phi_D * t07;
     const Scalar s_D_per_along_FG = cos_phi_B_minus_phi_D * s_B_per_along_FG
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_along_FG;
     const Scalar t09 = sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
     const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG - t09);
-    const Scalar t10 = u.phi_D.sin * FG_per_across_slide_D;
-    const Scalar t11 = q.theta_FG.cos * FG_per_along_FG - q.theta_FG.sin * inverse_FG;
-    const Scalar t12 = t10 - t11;
-    const Scalar FG_per_x_B = -t12;
-    const Scalar t13 = q.theta_FG.cos * s_B_per_along_FG;
-    const Scalar t14 = u.phi_D.sin * s_B_per_across_slide_D;
-    const Scalar t15 = t13 - t14;
-    const Scalar s_B_per_x_B = t15;
-    const Scalar t16 = q.theta_FG.cos * s_C_per_along_FG;
-    const Scalar t17 = u.phi_D.sin * s_C_per_across_slide_D;
-    const Scalar t18 = t16 - t17;
-    const Scalar s_C_per_x_B = t18;
-    const Scalar t19 = q.theta_FG.cos * s_D_per_along_FG;
-    const Scalar t20 = u.phi_D.cos - u.phi_D.sin * s_D_per_across_slide_D;
-    const Scalar t21 = t19 + t20;
-    const Scalar s_D_per_x_B = t21;
-    const Scalar t22 = u.phi_D.cos * FG_per_across_slide_D;
-    const Scalar t23 = q.theta_FG.cos * inverse_FG + q.theta_FG.sin * FG_per_along_FG;
-    const Scalar t24 = t22 + t23;
-    const Scalar FG_per_y_B = t24;
-    const Scalar t25 = q.theta_FG.sin * s_B_per_along_FG;
-    const Scalar t26 = u.phi_D.cos * s_B_per_across_slide_D;
-    const Scalar t27 = t25 + t26;
-    const Scalar s_B_per_y_B = t27;
-    const Scalar t28 = q.theta_FG.sin * s_C_per_along_FG;
-    const Scalar t29 = u.phi_D.cos * s_C_per_across_slide_D;
-    const Scalar t30 = t28 + t29;
-    const Scalar s_C_per_y_B = t30;
-    const Scalar t31 = q.theta_FG.sin * s_D_per_along_FG;
-    const Scalar t32 = u.phi_D.sin + u.phi_D.cos * s_D_per_across_slide_D;
-    const Scalar t33 = t31 + t32;
-    const Scalar s_D_per_y_B = t33;
-    const Scalar t34 = FG_per_across_slide_D * phi_B_along_slide_D + inverse_FG * phi_B_along_FG
-        - FG_per_along_FG * phi_B_across_FG;
-    const Scalar FG_per_phi_B = -t34;
-    const Scalar t35 = s_B_per_across_slide_D * phi_B_along_slide_D
-        - s_B_per_along_FG * phi_B_across_FG;
-    const Scalar s_B_per_phi_B = -t35;
-    const Scalar t36 = s_C_per_across_slide_D * phi_B_along_slide_D
-        - s_C_per_along_FG * phi_B_across_FG;
-    const Scalar s_C_per_phi_B = -t36;
-    const Scalar t37 = s_D_per_across_slide_D * phi_B_along_slide_D - phi_B_across_slide_D
-        - s_D_per_along_FG * phi_B_across_FG;
-    const Scalar s_D_per_phi_B = -t37;
-    const Scalar FG_per_x_D = t10;
-    const Scalar s_B_per_x_D = t14;
-    const Scalar s_C_per_x_D = t17;
-    const Scalar s_D_per_x_D = -t20;
-    const Scalar FG_per_y_D = -t22;
-    const Scalar s_B_per_y_D = -t26;
-    const Scalar s_C_per_y_D = -t29;
-    const Scalar s_D_per_y_D = -t32;
-    const Scalar t38 = FG_per_across_slide_D * q.s_D;
-    const Scalar FG_per_phi_D = -t38;
-    const Scalar t39 = s_B_per_across_slide_D * q.s_D;
-    const Scalar s_B_per_phi_D = -t39;
-    const Scalar t40 = s_C_per_across_slide_D * q.s_D;
-    const Scalar s_C_per_phi_D = -t40;
-    const Scalar t41 = s_D_per_across_slide_D * q.s_D + d.h_D_DE;
-    const Scalar s_D_per_phi_D = -t41;
-    const Scalar FG_per_x_F = -t11;
-    const Scalar s_B_per_x_F = -t13;
-    const Scalar s_C_per_x_F = -t16;
-    const Scalar s_D_per_x_F = -t19;
-    const Scalar FG_per_y_F = -t23;
-    const Scalar s_B_per_y_F = -t25;
-    const Scalar s_C_per_y_F = -t28;
-    const Scalar s_D_per_y_F = -t31;
-    const Scalar omega_FG = v_x_B * FG_per_x_B + v_y_B * FG_per_y_B + omega_B * FG_per_phi_B
-        + v_x_D * FG_per_x_D + v_y_D * FG_per_y_D + omega_D * FG_per_phi_D + v_x_F * FG_per_x_F
-        + v_y_F * FG_per_y_F;
-    const Scalar v_s_B = v_x_B * s_B_per_x_B + v_y_B * s_B_per_y_B + omega_B * s_B_per_phi_B
-        + v_x_D * s_B_per_x_D + v_y_D * s_B_per_y_D + omega_D * s_B_per_phi_D + v_x_F * s_B_per_x_F
-        + v_y_F * s_B_per_y_F;
-    const Scalar v_s_C = v_x_B * s_C_per_x_B + v_y_B * s_C_per_y_B + omega_B * s_C_per_phi_B
-        + v_x_D * s_C_per_x_D + v_y_D * s_C_per_y_D + omega_D * s_C_per_phi_D + v_x_F * s_C_per_x_F
-        + v_y_F * s_C_per_y_F;
-    const Scalar v_s_D = v_x_B * s_D_per_x_B + v_y_B * s_D_per_y_B + omega_B * s_D_per_phi_B
-        + v_x_D * s_D_per_x_D + v_y_D * s_D_per_y_D + omega_D * s_D_per_phi_D + v_x_F * s_D_per_x_F
-        + v_y_F * s_D_per_y_F;
+    const Scalar FG_per_x_D = FG_per_across_slide_D * u.phi_D.sin;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
+    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
+    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
+    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
+    const Scalar s_C_per_x_D = u.phi_D.sin * s_C_per_across_slide_D;
+    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
+    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
+    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
+    const Scalar s_D_per_x_F = -q.theta_FG.cos * s_D_per_along_FG;
+    const Scalar s_D_per_x_B = -s_D_per_x_D - s_D_per_x_F;
+    const Scalar FG_per_y_D = -FG_per_across_slide_D * u.phi_D.cos;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
+    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
+    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
+    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
+    const Scalar s_C_per_y_D = -u.phi_D.cos * s_C_per_across_slide_D;
+    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
+    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
+    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
+    const Scalar s_D_per_y_F = -q.theta_FG.sin * s_D_per_along_FG;
+    const Scalar s_D_per_y_B = -s_D_per_y_D - s_D_per_y_F;
+    const Scalar FG_per_phi_B = FG_per_along_FG * phi_B_across_FG
+        - FG_per_across_slide_D * phi_B_along_slide_D - inverse_FG * phi_B_along_FG;
+    const Scalar s_B_per_phi_B = phi_B_across_FG * s_B_per_along_FG
+        - phi_B_along_slide_D * s_B_per_across_slide_D;
+    const Scalar s_C_per_phi_B = phi_B_across_FG * s_C_per_along_FG
+        - phi_B_along_slide_D * s_C_per_across_slide_D;
+    const Scalar s_D_per_phi_B = phi_B_across_slide_D + phi_B_across_FG * s_D_per_along_FG
+        - phi_B_along_slide_D * s_D_per_across_slide_D;
+    const Scalar FG_per_phi_D = -FG_per_across_slide_D * q.s_D;
+    const Scalar s_B_per_phi_D = -q.s_D * s_B_per_across_slide_D;
+    const Scalar s_C_per_phi_D = -q.s_D * s_C_per_across_slide_D;
+    const Scalar s_D_per_phi_D = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
+    const Scalar omega_FG = FG_per_x_B * v_x_B + FG_per_y_B * v_y_B + FG_per_phi_B * omega_B
+        + FG_per_x_D * v_x_D + FG_per_y_D * v_y_D + FG_per_phi_D * omega_D + FG_per_x_F * v_x_F
+        + FG_per_y_F * v_y_F;
+    const Scalar v_s_B = s_B_per_x_B * v_x_B + s_B_per_y_B * v_y_B + s_B_per_phi_B * omega_B
+        + s_B_per_x_D * v_x_D + s_B_per_y_D * v_y_D + s_B_per_phi_D * omega_D + s_B_per_x_F * v_x_F
+        + s_B_per_y_F * v_y_F;
+    const Scalar v_s_C = s_C_per_x_B * v_x_B + s_C_per_y_B * v_y_B + s_C_per_phi_B * omega_B
+        + s_C_per_x_D * v_x_D + s_C_per_y_D * v_y_D + s_C_per_phi_D * omega_D + s_C_per_x_F * v_x_F
+        + s_C_per_y_F * v_y_F;
+    const Scalar v_s_D = s_D_per_x_B * v_x_B + s_D_per_y_B * v_y_B + s_D_per_phi_B * omega_B
+        + s_D_per_x_D * v_x_D + s_D_per_y_D * v_y_D + s_D_per_phi_D * omega_D + s_D_per_x_F * v_x_F
+        + s_D_per_y_F * v_y_F;
     const Scalar centripetal_along_slide_D = q.s_D * omega_D * omega_D
         - omega_B * (Scalar(2) * sin_phi_B_minus_phi_D * v_s_B
         - Scalar(2) * sin_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C - phi_B_along_slide_D * omega_B);
@@ -1364,73 +1332,73 @@ struct Model09 {
         - Scalar(2) * sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C - phi_B_along_FG * omega_B);
     const Scalar centripetal_across_FG = omega_B * (Scalar(2) * cos_phi_B_minus_FG * v_s_B
         + phi_B_across_FG * omega_B - Scalar(2) * cos_phi_B_plus_psi_C_BC_minus_FG * v_s_C);
-    const Scalar t42 = cos_phi_B_plus_psi_C_BC_minus_FG * inverse_FG
-        - sin_phi_B_plus_psi_C_BC_minus_FG * FG_per_along_FG;
-    const Scalar t43 = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
-    const Scalar t44 = sin_phi_B_plus_psi_C_BC_minus_FG * s_D_per_along_FG;
-    const Scalar t45 = sin_phi_B_plus_psi_C_BC_minus_phi_D
+    const Scalar t10 = inverse_FG * cos_phi_B_plus_psi_C_BC_minus_FG
+        - FG_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
+    const Scalar t11 = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
+    const Scalar t12 = sin_phi_B_plus_psi_C_BC_minus_FG * s_D_per_along_FG;
+    const Scalar t13 = sin_phi_B_plus_psi_C_BC_minus_phi_D
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D;
-    S_d(0, 0) = -cos_phi_B_plus_psi_C_BC_minus_phi_D * FG_per_across_slide_D - t42;
-    S_d(0, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * FG_per_along_FG
-        + sin_phi_B_plus_psi_C_BC_minus_FG * inverse_FG;
-    S_d(0, 2) = t42;
+    S_d(0, 0) = -FG_per_across_slide_D * cos_phi_B_plus_psi_C_BC_minus_phi_D - t10;
+    S_d(0, 1) = FG_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG
+        + inverse_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
+    S_d(0, 2) = t10;
     S_d(0, 3) = sin_phi_B_plus_psi_C_BC_minus_FG * (t03 * inverse_FG + t02 * FG_per_along_FG)
         - cos_phi_B_plus_psi_C_BC_minus_FG * (t02 * inverse_FG - t03 * FG_per_along_FG)
         - FG_per_across_slide_D * t01;
     S_d(0, 4) = FG_per_across_slide_D;
     S_d(0, 5) = -FG_per_along_FG;
-    S_d(1, 0) = t43 - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_B_per_across_slide_D;
+    S_d(1, 0) = t11 - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_B_per_across_slide_D;
     S_d(1, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
-    S_d(1, 2) = -t43;
-    S_d(1, 3) = s_B_per_along_FG * t04 - s_B_per_across_slide_D * t01;
+    S_d(1, 2) = -t11;
+    S_d(1, 3) = t04 * s_B_per_along_FG - t01 * s_B_per_across_slide_D;
     S_d(1, 4) = s_B_per_across_slide_D;
     S_d(1, 5) = -s_B_per_along_FG;
     S_d(2, 0) = t09 - t08;
     S_d(2, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
     S_d(2, 2) = -t09;
-    S_d(2, 3) = s_C_per_along_FG * t04 - s_C_per_across_slide_D * t01;
+    S_d(2, 3) = t04 * s_C_per_along_FG - t01 * s_C_per_across_slide_D;
     S_d(2, 4) = s_C_per_across_slide_D;
     S_d(2, 5) = -s_C_per_along_FG;
-    S_d(3, 0) = t44 + t45;
+    S_d(3, 0) = t12 + t13;
     S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_D_per_along_FG;
-    S_d(3, 2) = -t44;
-    S_d(3, 3) = s_D_per_along_FG * t04 + q.s_C * t45
+    S_d(3, 2) = -t12;
+    S_d(3, 3) = t04 * s_D_per_along_FG + q.s_C * t13
         + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_phi_D
         + sin_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D);
     S_d(3, 4) = s_D_per_across_slide_D;
     S_d(3, 5) = -s_D_per_along_FG;
-    S_u(0, 0) = -t12;
-    S_u(0, 1) = t24;
-    S_u(0, 2) = -t34;
-    S_u(0, 3) = t10;
-    S_u(0, 4) = -t22;
-    S_u(0, 5) = -t38;
-    S_u(0, 6) = -t11;
-    S_u(0, 7) = -t23;
-    S_u(1, 0) = t15;
-    S_u(1, 1) = t27;
-    S_u(1, 2) = -t35;
-    S_u(1, 3) = t14;
-    S_u(1, 4) = -t26;
-    S_u(1, 5) = -t39;
-    S_u(1, 6) = -t13;
-    S_u(1, 7) = -t25;
-    S_u(2, 0) = t18;
-    S_u(2, 1) = t30;
-    S_u(2, 2) = -t36;
-    S_u(2, 3) = t17;
-    S_u(2, 4) = -t29;
-    S_u(2, 5) = -t40;
-    S_u(2, 6) = -t16;
-    S_u(2, 7) = -t28;
-    S_u(3, 0) = t21;
-    S_u(3, 1) = t33;
-    S_u(3, 2) = -t37;
-    S_u(3, 3) = -t20;
-    S_u(3, 4) = -t32;
-    S_u(3, 5) = -t41;
-    S_u(3, 6) = -t19;
-    S_u(3, 7) = -t31;
+    S_u(0, 0) = FG_per_x_B;
+    S_u(0, 1) = FG_per_y_B;
+    S_u(0, 2) = FG_per_phi_B;
+    S_u(0, 3) = FG_per_x_D;
+    S_u(0, 4) = FG_per_y_D;
+    S_u(0, 5) = FG_per_phi_D;
+    S_u(0, 6) = FG_per_x_F;
+    S_u(0, 7) = FG_per_y_F;
+    S_u(1, 0) = s_B_per_x_B;
+    S_u(1, 1) = s_B_per_y_B;
+    S_u(1, 2) = s_B_per_phi_B;
+    S_u(1, 3) = s_B_per_x_D;
+    S_u(1, 4) = s_B_per_y_D;
+    S_u(1, 5) = s_B_per_phi_D;
+    S_u(1, 6) = s_B_per_x_F;
+    S_u(1, 7) = s_B_per_y_F;
+    S_u(2, 0) = s_C_per_x_B;
+    S_u(2, 1) = s_C_per_y_B;
+    S_u(2, 2) = s_C_per_phi_B;
+    S_u(2, 3) = s_C_per_x_D;
+    S_u(2, 4) = s_C_per_y_D;
+    S_u(2, 5) = s_C_per_phi_D;
+    S_u(2, 6) = s_C_per_x_F;
+    S_u(2, 7) = s_C_per_y_F;
+    S_u(3, 0) = s_D_per_x_B;
+    S_u(3, 1) = s_D_per_y_B;
+    S_u(3, 2) = s_D_per_phi_B;
+    S_u(3, 3) = s_D_per_x_D;
+    S_u(3, 4) = s_D_per_y_D;
+    S_u(3, 5) = s_D_per_phi_D;
+    S_u(3, 6) = s_D_per_x_F;
+    S_u(3, 7) = s_D_per_y_F;
     q_rate(0) = omega_FG;
     q_rate(1) = v_s_B;
     q_rate(2) = v_s_C;
@@ -1463,27 +1431,29 @@ struct Model09 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = u.phi_B.cos * FB_x + u.phi_B.sin * FB_y;
-    const Scalar b_0_re = -Scalar(2) * (t01 * d.psi_C_BC.cos + (u.phi_B.cos * FB_y
+    const Scalar t01 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
+    const Scalar b_0_re = -Scalar(2) * (t01 * d.psi_C_BC.cos + (FB_y * u.phi_B.cos
         - FB_x * u.phi_B.sin) * d.psi_C_BC.sin + d.x_G_CEG);
     const Scalar b_1_re = -Scalar(2) * d.psi_C_BC.cos;
     const Scalar t02 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar t03 = u.phi_B.sin * t02 + u.phi_B.cos * d.x_G_CEG;
-    const Scalar t04 = u.phi_B.cos * t02 - u.phi_B.sin * d.x_G_CEG;
-    const Scalar c_0_re = FB_x * (FB_x + Scalar(2) * d.psi_C_BC.cos * t03
-        + Scalar(2) * d.psi_C_BC.sin * t04) + FB_y * (FB_y + Scalar(2) * d.psi_C_BC.sin * t03
-        - Scalar(2) * d.psi_C_BC.cos * t04) + d.h_C_CEG * (d.h_C_CEG - Scalar(2) * d.y_G_CEG)
+    const Scalar t03 = t02 * u.phi_B.sin + d.x_G_CEG * u.phi_B.cos;
+    const Scalar t04 = t02 * u.phi_B.cos - d.x_G_CEG * u.phi_B.sin;
+    const Scalar c_0_re = FB_x * (FB_x + Scalar(2) * t03 * d.psi_C_BC.cos
+        + Scalar(2) * t04 * d.psi_C_BC.sin) + FB_y * (FB_y + Scalar(2) * t03 * d.psi_C_BC.sin
+        - Scalar(2) * t04 * d.psi_C_BC.cos) + d.h_C_CEG * (d.h_C_CEG - Scalar(2) * d.y_G_CEG)
         + d.x_G_CEG * d.x_G_CEG + d.y_G_CEG * d.y_G_CEG - d.FG * d.FG;
-    const Scalar c_1_re = Scalar(2) * (t01 + d.psi_C_BC.sin * t02 + d.psi_C_BC.cos * d.x_G_CEG);
+    const Scalar c_1_re = Scalar(2) * (t01 + t02 * d.psi_C_BC.sin + d.x_G_CEG * d.psi_C_BC.cos);
     const Scalar t05 = u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos;
-    const Scalar t06 = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
-    const Scalar e_0_re = -Scalar(2) * (d.psi_C_BC.cos * t05 - d.psi_C_BC.sin * t06);
-    const Scalar f_0_re = Scalar(2) * (d.h_C_CEG * (d.psi_C_BC.cos * t06 + d.psi_C_BC.sin * t05)
-        + u.phi_D.sin * (FB_x - FD_x) - u.phi_D.cos * (FB_y - FD_y) - d.h_D_DE);
+    const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
+    const Scalar e_0_re = -Scalar(2) * (d.psi_C_BC.cos * t05
+        - d.psi_C_BC.sin * cos_phi_B_minus_phi_D);
+    const Scalar f_0_re = -Scalar(2) * ((FB_y - FD_y) * u.phi_D.cos + d.h_D_DE - (FB_x
+        - FD_x) * u.phi_D.sin - d.h_C_CEG * (d.psi_C_BC.sin * t05
+        + d.psi_C_BC.cos * cos_phi_B_minus_phi_D));
     const Scalar f_1_re = Scalar(2) * t05;
-    T(0) = f_0_re * f_0_re - e_0_re * (b_0_re * f_0_re - c_0_re * e_0_re);
-    T(1) = Scalar(2) * f_0_re * f_1_re - e_0_re * (b_0_re * f_1_re + f_0_re * b_1_re
-        - e_0_re * c_1_re);
+    T(0) = f_0_re * f_0_re - (b_0_re * f_0_re - c_0_re * e_0_re) * e_0_re;
+    T(1) = Scalar(2) * f_0_re * f_1_re - (b_0_re * f_1_re + f_0_re * b_1_re
+        - c_1_re * e_0_re) * e_0_re;
     T(2) = e_0_re * (e_0_re - f_1_re * b_1_re) + f_1_re * f_1_re;
   }
 
@@ -1497,22 +1467,22 @@ struct Model09 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = u.phi_B.cos * FB_y - u.phi_B.sin * FB_x;
-    const Scalar t02 = u.phi_B.cos * FB_x + u.phi_B.sin * FB_y;
+    const Scalar t01 = FB_y * u.phi_B.cos - FB_x * u.phi_B.sin;
+    const Scalar t02 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
     const Scalar t03 = q.s_B + t02;
     e(0, 1) = -Scalar(2) * ((u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos) * d.psi_C_BC.cos
         - (u.phi_B.cos * u.phi_D.cos + u.phi_D.sin * u.phi_B.sin) * d.psi_C_BC.sin);
-    e(0, 2) = Scalar(2) * (u.phi_D.cos * ((u.phi_B.cos * d.psi_C_BC.cos
-        - u.phi_B.sin * d.psi_C_BC.sin) * d.h_C_CEG + FD_y - u.phi_B.sin * q.s_B - FB_y)
-        + u.phi_D.sin * (d.h_C_CEG * (u.phi_B.sin * d.psi_C_BC.cos + u.phi_B.cos * d.psi_C_BC.sin)
-        + u.phi_B.cos * q.s_B + FB_x - FD_x) - d.h_D_DE);
+    e(0, 2) = Scalar(2) * ((d.h_C_CEG * (u.phi_B.cos * d.psi_C_BC.cos
+        - u.phi_B.sin * d.psi_C_BC.sin) + FD_y - q.s_B * u.phi_B.sin - FB_y) * u.phi_D.cos
+        + (d.h_C_CEG * (u.phi_B.sin * d.psi_C_BC.cos + u.phi_B.cos * d.psi_C_BC.sin)
+        + q.s_B * u.phi_B.cos + FB_x - FD_x) * u.phi_D.sin - d.h_D_DE);
     e(1, 0) = Scalar(1);
-    e(1, 1) = -Scalar(2) * (d.psi_C_BC.sin * t01 + d.x_G_CEG + d.psi_C_BC.cos * t03);
+    e(1, 1) = -Scalar(2) * (t01 * d.psi_C_BC.sin + d.x_G_CEG + t03 * d.psi_C_BC.cos);
     e(1, 2) = d.h_C_CEG * (d.h_C_CEG - Scalar(2) * d.y_G_CEG) + d.x_G_CEG * d.x_G_CEG
-        + d.y_G_CEG * d.y_G_CEG + FB_x * FB_x + FB_y * FB_y
-        + Scalar(2) * d.psi_C_BC.sin * (t01 * d.x_G_CEG + d.h_C_CEG * t03 - d.y_G_CEG * t03)
-        + q.s_B * (q.s_B + Scalar(2) * t02) - d.FG * d.FG
-        - Scalar(2) * d.psi_C_BC.cos * (d.h_C_CEG * t01 - t01 * d.y_G_CEG - d.x_G_CEG * t03);
+        + d.y_G_CEG * d.y_G_CEG + FB_x * FB_x + FB_y * FB_y + Scalar(2) * (t01 * d.x_G_CEG
+        + d.h_C_CEG * t03 - d.y_G_CEG * t03) * d.psi_C_BC.sin + q.s_B * (q.s_B + Scalar(2) * t02)
+        - d.FG * d.FG - Scalar(2) * (d.h_C_CEG * t01 - t01 * d.y_G_CEG
+        - d.x_G_CEG * t03) * d.psi_C_BC.cos;
   }
 
   /// The other unknowns of a configuration in which those of the reduced
@@ -1527,15 +1497,15 @@ struct Model09 {
     const Scalar inverse_theta_FG = Scalar(1) / d.FG;  // zero: the link that turns by theta_FG has
                                                        //     no length
     const Scalar t01 = q.s_B + d.h_C_CEG * d.psi_C_BC.sin - q.s_C * d.psi_C_BC.cos;
-    const Scalar t02 = q.s_C * d.psi_C_BC.sin + d.psi_C_BC.cos * d.h_C_CEG;
+    const Scalar t02 = q.s_C * d.psi_C_BC.sin + d.h_C_CEG * d.psi_C_BC.cos;
     const Scalar t03 = q.s_C - d.x_G_CEG;
     const Scalar t04 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar t05 = q.s_B + d.psi_C_BC.sin * t04 - d.psi_C_BC.cos * t03;
-    const Scalar t06 = d.psi_C_BC.cos * t04 + d.psi_C_BC.sin * t03;
+    const Scalar t05 = q.s_B + t04 * d.psi_C_BC.sin - t03 * d.psi_C_BC.cos;
+    const Scalar t06 = t04 * d.psi_C_BC.cos + t03 * d.psi_C_BC.sin;
     q.s_D = (t01 * u.phi_B.cos + t02 * u.phi_B.sin + FB_x - FD_x) * u.phi_D.cos + (t01 * u.phi_B.sin
-        + FB_y - u.phi_B.cos * t02 - FD_y) * u.phi_D.sin;
-    q.theta_FG.cos = (FB_x + u.phi_B.cos * t05 + u.phi_B.sin * t06) * inverse_theta_FG;
-    q.theta_FG.sin = inverse_theta_FG * (FB_y + u.phi_B.sin * t05 - u.phi_B.cos * t06);
+        + FB_y - t02 * u.phi_B.cos - FD_y) * u.phi_D.sin;
+    q.theta_FG.cos = (FB_x + t05 * u.phi_B.cos + t06 * u.phi_B.sin) * inverse_theta_FG;
+    q.theta_FG.sin = inverse_theta_FG * (FB_y + t05 * u.phi_B.sin - t06 * u.phi_B.cos);
   }
 };
 

@@ -173,28 +173,26 @@ struct Model10 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t01 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t01 - (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin) * d.h_E_CEG;
-    const Scalar t02 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) - t02;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_x = CG_x - d.h_E_CEG * (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin);
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
+    const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) + CG_y;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
     const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
     const Scalar slide_E_x = q.s_E * cos_slide_E;
     const Scalar slide_E_y = q.s_E * sin_slide_E;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = t01;
-    const Scalar CG_y = -t02;
-    const Scalar t03 = slide_C_x - u.x_B - slide_B_x;
-    const Scalar t04 = slide_C_y - u.y_B - slide_B_y;
-    f(0) = u.x_D + slide_D_x + t03 - CE_x - slide_E_x;
-    f(1) = u.y_D + slide_D_y + t04 - CE_y - slide_E_y;
-    f(2) = u.x_F + FG_x + t03 - CG_x;
-    f(3) = u.y_F + FG_y + t04 - CG_y;
+    const Scalar t01 = slide_C_x - u.x_B - slide_B_x;
+    const Scalar t02 = slide_C_y - u.y_B - slide_B_y;
+    f(0) = u.x_D + slide_D_x + t01 - CE_x - slide_E_x;
+    f(1) = u.y_D + slide_D_y + t02 - CE_y - slide_E_y;
+    f(2) = u.x_F + FG_x + t01 - CG_x;
+    f(3) = u.y_F + FG_y + t02 - CG_y;
   }
 
   /// J = df/dq.
@@ -206,7 +204,7 @@ struct Model10 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_slide_E = d.psi_E_DE.cos * u.phi_D.cos - d.psi_E_DE.sin * u.phi_D.sin;
     const Scalar sin_slide_E = d.psi_E_DE.cos * u.phi_D.sin + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
     J(0, 1) = -u.phi_B.cos;
     J(0, 2) = cos_CEG;
@@ -234,27 +232,25 @@ struct Model10 {
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar t01 = sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin;
-    const Scalar t02 = t01 * d.h_E_CEG;
-    const Scalar t03 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t03 - t02;
-    const Scalar t04 = cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin;
-    const Scalar t05 = d.h_E_CEG * t04;
-    const Scalar t06 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = t05 - t06;
+    const Scalar t02 = d.h_E_CEG * t01;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_x = CG_x - t02;
+    const Scalar t03 = cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin;
+    const Scalar t04 = d.h_E_CEG * t03;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
+    const Scalar CE_y = t04 + CG_y;
     const Scalar cos_slide_E = d.psi_E_DE.cos * u.phi_D.cos - d.psi_E_DE.sin * u.phi_D.sin;
     const Scalar sin_slide_E = d.psi_E_DE.cos * u.phi_D.sin + u.phi_D.cos * d.psi_E_DE.sin;
     const Scalar slide_E_x = q.s_E * cos_slide_E;
     const Scalar slide_E_y = q.s_E * sin_slide_E;
-    const Scalar CG_x = t03;
-    const Scalar CG_y = -t06;
     F_d(0, 0) = -sin_CEG;
-    F_d(0, 1) = t05;
+    F_d(0, 1) = t04;
     F_d(0, 2) = t01;
     F_d(0, 3) = CE_y - slide_C_y;
     F_d(0, 4) = slide_E_y;
     F_d(1, 0) = cos_CEG;
     F_d(1, 1) = t02;
-    F_d(1, 2) = -t04;
+    F_d(1, 2) = -t03;
     F_d(1, 3) = slide_C_x - CE_x;
     F_d(1, 4) = -slide_E_x;
     F_d(2, 0) = -sin_CEG;
@@ -274,35 +270,33 @@ struct Model10 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t01 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t01 - (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin) * d.h_E_CEG;
-    const Scalar t02 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) - t02;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_x = CG_x - d.h_E_CEG * (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin);
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
+    const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) + CG_y;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
     const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
     const Scalar slide_E_x = q.s_E * cos_slide_E;
     const Scalar slide_E_y = q.s_E * sin_slide_E;
-    const Scalar CG_x = t01;
-    const Scalar CG_y = -t02;
-    const Scalar t03 = slide_B_y - slide_C_y;
-    const Scalar t04 = slide_B_x - slide_C_x;
+    const Scalar t01 = slide_B_y - slide_C_y;
+    const Scalar t02 = slide_B_x - slide_C_x;
     F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = CE_y + t03;
+    F_u(0, 2) = CE_y + t01;
     F_u(0, 3) = Scalar(1);
     F_u(0, 5) = slide_E_y - slide_D_y;
     F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = -CE_x - t04;
+    F_u(1, 2) = -CE_x - t02;
     F_u(1, 4) = Scalar(1);
     F_u(1, 5) = slide_D_x - slide_E_x;
     F_u(2, 0) = -Scalar(1);
-    F_u(2, 2) = CG_y + t03;
+    F_u(2, 2) = CG_y + t01;
     F_u(2, 6) = Scalar(1);
     F_u(3, 1) = -Scalar(1);
-    F_u(3, 2) = -CG_x - t04;
+    F_u(3, 2) = -CG_x - t02;
     F_u(3, 7) = Scalar(1);
   }
 
@@ -323,26 +317,24 @@ struct Model10 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t01 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t01 - (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin) * d.h_E_CEG;
-    const Scalar t02 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) - t02;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_x = CG_x - d.h_E_CEG * (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin);
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
+    const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) + CG_y;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
     const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
     const Scalar slide_E_x = q.s_E * cos_slide_E;
     const Scalar slide_E_y = q.s_E * sin_slide_E;
-    const Scalar CG_x = t01;
-    const Scalar CG_y = -t02;
-    const Scalar t03 = slide_B_y - slide_C_y;
-    const Scalar t04 = slide_B_x - slide_C_x;
-    rhs(0) = (slide_D_y - slide_E_y) * omega_D + v_x_B - v_x_D - omega_B * (CE_y + t03);
-    rhs(1) = v_y_B + omega_B * (CE_x + t04) - omega_D * (slide_D_x - slide_E_x) - v_y_D;
-    rhs(2) = v_x_B - v_x_F - omega_B * (CG_y + t03);
-    rhs(3) = v_y_B + omega_B * (CG_x + t04) - v_y_F;
+    const Scalar t01 = slide_B_y - slide_C_y;
+    const Scalar t02 = slide_B_x - slide_C_x;
+    rhs(0) = (slide_D_y - slide_E_y) * omega_D + v_x_B - v_x_D - (CE_y + t01) * omega_B;
+    rhs(1) = v_y_B + (CE_x + t02) * omega_B - (slide_D_x - slide_E_x) * omega_D - v_y_D;
+    rhs(2) = v_x_B - v_x_F - (CG_y + t01) * omega_B;
+    rhs(3) = v_y_B + (CG_x + t02) * omega_B - v_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -371,42 +363,40 @@ struct Model10 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t01 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t01 - (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin) * d.h_E_CEG;
-    const Scalar t02 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) - t02;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_x = CG_x - d.h_E_CEG * (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin);
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
+    const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) + CG_y;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
     const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
     const Scalar slide_E_x = q.s_E * cos_slide_E;
     const Scalar slide_E_y = q.s_E * sin_slide_E;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = t01;
-    const Scalar CG_y = -t02;
-    const Scalar t03 = slide_D_x - slide_E_x;
-    const Scalar t04 = slide_D_y - slide_E_y;
-    const Scalar t05 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t06 = slide_B_x - slide_C_x;
-    const Scalar t07 = CE_x + t06;
-    const Scalar t08 = slide_B_y - slide_C_y;
-    const Scalar t09 = CE_y + t08;
-    const Scalar t10 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t11 = omega_FG * omega_FG;
-    const Scalar t12 = CG_x + t06;
-    const Scalar t13 = CG_y + t08;
-    rhs(0) = omega_D * (t03 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
-        - Scalar(2) * sin_slide_E * v_s_E) + t04 * alpha_D + a_x_B - a_x_D
-        - omega_B * (Scalar(2) * t05 + omega_B * t07) - alpha_B * t09;
-    rhs(1) = omega_D * (omega_D * t04 + Scalar(2) * cos_slide_E * v_s_E
-        - Scalar(2) * u.phi_D.cos * v_s_D) + a_y_B + alpha_B * t07 + omega_B * (Scalar(2) * t10
-        - omega_B * t09) - t03 * alpha_D - a_y_D;
-    rhs(2) = a_x_B + FG_x * t11 - a_x_F - omega_B * (Scalar(2) * t05 + omega_B * t12)
-        - alpha_B * t13;
-    rhs(3) = a_y_B + FG_y * t11 + alpha_B * t12 + omega_B * (Scalar(2) * t10 - omega_B * t13)
+    const Scalar t01 = slide_D_x - slide_E_x;
+    const Scalar t02 = slide_D_y - slide_E_y;
+    const Scalar t03 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
+    const Scalar t04 = slide_B_x - slide_C_x;
+    const Scalar t05 = CE_x + t04;
+    const Scalar t06 = slide_B_y - slide_C_y;
+    const Scalar t07 = CE_y + t06;
+    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
+    const Scalar t09 = omega_FG * omega_FG;
+    const Scalar t10 = CG_x + t04;
+    const Scalar t11 = CG_y + t06;
+    rhs(0) = omega_D * (t01 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
+        - Scalar(2) * sin_slide_E * v_s_E) + t02 * alpha_D + a_x_B - a_x_D
+        - omega_B * (Scalar(2) * t03 + t05 * omega_B) - t07 * alpha_B;
+    rhs(1) = omega_D * (t02 * omega_D + Scalar(2) * cos_slide_E * v_s_E
+        - Scalar(2) * u.phi_D.cos * v_s_D) + a_y_B + t05 * alpha_B + omega_B * (Scalar(2) * t08
+        - t07 * omega_B) - t01 * alpha_D - a_y_D;
+    rhs(2) = a_x_B + FG_x * t09 - a_x_F - omega_B * (Scalar(2) * t03 + t10 * omega_B)
+        - t11 * alpha_B;
+    rhs(3) = a_y_B + FG_y * t09 + t10 * alpha_B + omega_B * (Scalar(2) * t08 - t11 * omega_B)
         - a_y_F;
   }
 
@@ -444,54 +434,52 @@ struct Model10 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t01 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t01 - (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin) * d.h_E_CEG;
-    const Scalar t02 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) - t02;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_x = CG_x - d.h_E_CEG * (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin);
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
+    const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) + CG_y;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
     const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
     const Scalar slide_E_x = q.s_E * cos_slide_E;
     const Scalar slide_E_y = q.s_E * sin_slide_E;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = t01;
-    const Scalar CG_y = -t02;
-    const Scalar t03 = u.phi_D.sin * v_s_D - sin_slide_E * v_s_E;
-    const Scalar t04 = slide_D_y - slide_E_y;
-    const Scalar t05 = slide_B_y - slide_C_y;
-    const Scalar t06 = CE_y + t05;
-    const Scalar t07 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t09 = slide_B_x - slide_C_x;
-    const Scalar t10 = CE_x + t09;
-    const Scalar t11 = slide_D_x - slide_E_x;
-    const Scalar t12 = u.phi_D.cos * v_s_D - cos_slide_E * v_s_E;
-    const Scalar t13 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t14 = alpha_B * t13 - Scalar(1) / Scalar(3) * j_x_B;
-    const Scalar t15 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t16 = t08 * alpha_B + Scalar(1) / Scalar(3) * j_y_B;
-    const Scalar t17 = omega_FG * omega_FG;
-    const Scalar t18 = CG_y + t05;
-    const Scalar t19 = CG_x + t09;
-    rhs(0) = Scalar(3) * alpha_D * t03 + t04 * jerk_D + omega_D * (Scalar(3) * t11 * alpha_D
+    const Scalar t01 = u.phi_D.sin * v_s_D - sin_slide_E * v_s_E;
+    const Scalar t02 = slide_D_y - slide_E_y;
+    const Scalar t03 = slide_B_y - slide_C_y;
+    const Scalar t04 = CE_y + t03;
+    const Scalar t05 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
+    const Scalar t06 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
+    const Scalar t07 = slide_B_x - slide_C_x;
+    const Scalar t08 = CE_x + t07;
+    const Scalar t09 = slide_D_x - slide_E_x;
+    const Scalar t10 = u.phi_D.cos * v_s_D - cos_slide_E * v_s_E;
+    const Scalar t11 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
+    const Scalar t12 = alpha_B * t11 - Scalar(1) / Scalar(3) * j_x_B;
+    const Scalar t13 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
+    const Scalar t14 = t06 * alpha_B + Scalar(1) / Scalar(3) * j_y_B;
+    const Scalar t15 = omega_FG * omega_FG;
+    const Scalar t16 = CG_y + t03;
+    const Scalar t17 = CG_x + t07;
+    rhs(0) = Scalar(3) * alpha_D * t01 + t02 * jerk_D + omega_D * (Scalar(3) * t09 * alpha_D
         + Scalar(3) * u.phi_D.sin * a_s_D - Scalar(3) * sin_slide_E * a_s_E
-        - omega_D * (t04 * omega_D - Scalar(3) * t12)) - j_x_D - jerk_B * t06
-        - omega_B * (Scalar(3) * t07 + omega_B * (Scalar(3) * t08 - omega_B * t06)
-        + Scalar(3) * alpha_B * t10) - Scalar(3) * t14;
-    rhs(1) = jerk_B * t10 + omega_D * (Scalar(3) * t04 * alpha_D + Scalar(3) * cos_slide_E * a_s_E
-        + omega_D * (Scalar(3) * t03 + omega_D * t11) - Scalar(3) * u.phi_D.cos * a_s_D)
-        + omega_B * (Scalar(3) * t15 - Scalar(3) * alpha_B * t06 - omega_B * (Scalar(3) * t13
-        + omega_B * t10)) + Scalar(3) * t16 - Scalar(3) * t12 * alpha_D - t11 * jerk_D - j_y_D;
-    rhs(2) = omega_FG * (Scalar(3) * alpha_FG * FG_x - FG_y * t17) - j_x_F - jerk_B * t18
-        - omega_B * (Scalar(3) * t07 + omega_B * (Scalar(3) * t08 - omega_B * t18)
-        + Scalar(3) * alpha_B * t19) - Scalar(3) * t14;
-    rhs(3) = omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t17) + jerk_B * t19
-        + omega_B * (Scalar(3) * t15 - Scalar(3) * alpha_B * t18 - omega_B * (Scalar(3) * t13
-        + omega_B * t19)) + Scalar(3) * t16 - j_y_F;
+        - omega_D * (t02 * omega_D - Scalar(3) * t10)) - j_x_D - t04 * jerk_B
+        - omega_B * (Scalar(3) * t05 + omega_B * (Scalar(3) * t06 - t04 * omega_B)
+        + Scalar(3) * t08 * alpha_B) - Scalar(3) * t12;
+    rhs(1) = t08 * jerk_B + omega_D * (Scalar(3) * t02 * alpha_D + Scalar(3) * cos_slide_E * a_s_E
+        + omega_D * (Scalar(3) * t01 + t09 * omega_D) - Scalar(3) * u.phi_D.cos * a_s_D)
+        + omega_B * (Scalar(3) * t13 - Scalar(3) * t04 * alpha_B - omega_B * (Scalar(3) * t11
+        + t08 * omega_B)) + Scalar(3) * t14 - Scalar(3) * t10 * alpha_D - t09 * jerk_D - j_y_D;
+    rhs(2) = omega_FG * (Scalar(3) * FG_x * alpha_FG - FG_y * t15) - j_x_F - t16 * jerk_B
+        - omega_B * (Scalar(3) * t05 + omega_B * (Scalar(3) * t06 - t16 * omega_B)
+        + Scalar(3) * t17 * alpha_B) - Scalar(3) * t12;
+    rhs(3) = omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t15) + t17 * jerk_B
+        + omega_B * (Scalar(3) * t13 - Scalar(3) * t16 * alpha_B - omega_B * (Scalar(3) * t11
+        + t17 * omega_B)) + Scalar(3) * t14 - j_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -518,59 +506,57 @@ struct Model10 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t01 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t01 - (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin) * d.h_E_CEG;
-    const Scalar t02 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) - t02;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_x = CG_x - d.h_E_CEG * (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin);
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
+    const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) + CG_y;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
     const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
     const Scalar slide_E_x = q.s_E * cos_slide_E;
     const Scalar slide_E_y = q.s_E * sin_slide_E;
-    const Scalar FG_x = q.theta_FG.cos * d.FG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos;
     const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = t01;
-    const Scalar CG_y = -t02;
-    const Scalar t03 = sin_slide_E * v_s_E;
-    const Scalar t04 = slide_E_x * omega_E_DE;
-    const Scalar t05 = d.h_E_CEG * omega_E_CEG;
-    const Scalar t06 = Scalar(2) * cos_CEG * v_h_E_CEG - sin_CEG * t05;
-    const Scalar t07 = Scalar(2) * sin_CEG * v_h_E_CEG + cos_CEG * t05;
-    const Scalar t08 = (slide_C_x - CE_x) * omega_C_BC;
-    const Scalar t09 = d.psi_E_CEG.cos * v_h_E_CEG - v_h_C_CEG - d.psi_E_CEG.sin * t05;
-    const Scalar t10 = d.psi_E_CEG.sin * v_h_E_CEG + v_s_C + d.psi_E_CEG.cos * t05;
-    const Scalar t11 = cos_CEG * t09 - sin_CEG * t10;
-    const Scalar t12 = u.phi_B.sin * v_s_B;
-    const Scalar t13 = slide_B_x - slide_C_x;
-    const Scalar t14 = cos_slide_E * v_s_E;
-    const Scalar t15 = omega_E_DE * slide_E_y;
-    const Scalar t16 = omega_C_BC * (slide_C_y - CE_y);
-    const Scalar t17 = cos_CEG * t10 + sin_CEG * t09;
-    const Scalar t18 = u.phi_B.cos * v_s_B;
-    const Scalar t19 = slide_B_y - slide_C_y;
-    const Scalar t20 = omega_C_BC * (slide_C_x - CG_x);
-    const Scalar t21 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
-    const Scalar t22 = omega_C_BC * (slide_C_y - CG_y);
-    const Scalar t23 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
+    const Scalar t01 = sin_slide_E * v_s_E;
+    const Scalar t02 = slide_E_x * omega_E_DE;
+    const Scalar t03 = d.h_E_CEG * omega_E_CEG;
+    const Scalar t04 = Scalar(2) * cos_CEG * v_h_E_CEG - sin_CEG * t03;
+    const Scalar t05 = Scalar(2) * sin_CEG * v_h_E_CEG + cos_CEG * t03;
+    const Scalar t06 = (slide_C_x - CE_x) * omega_C_BC;
+    const Scalar t07 = d.psi_E_CEG.cos * v_h_E_CEG - v_h_C_CEG - d.psi_E_CEG.sin * t03;
+    const Scalar t08 = d.psi_E_CEG.sin * v_h_E_CEG + v_s_C + d.psi_E_CEG.cos * t03;
+    const Scalar t09 = cos_CEG * t07 - sin_CEG * t08;
+    const Scalar t10 = u.phi_B.sin * v_s_B;
+    const Scalar t11 = slide_B_x - slide_C_x;
+    const Scalar t12 = cos_slide_E * v_s_E;
+    const Scalar t13 = slide_E_y * omega_E_DE;
+    const Scalar t14 = (slide_C_y - CE_y) * omega_C_BC;
+    const Scalar t15 = cos_CEG * t08 + sin_CEG * t07;
+    const Scalar t16 = u.phi_B.cos * v_s_B;
+    const Scalar t17 = slide_B_y - slide_C_y;
+    const Scalar t18 = (slide_C_x - CG_x) * omega_C_BC;
+    const Scalar t19 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
+    const Scalar t20 = (slide_C_y - CG_y) * omega_C_BC;
+    const Scalar t21 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
     rhs(0) = omega_D * ((slide_D_x - slide_E_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
-        - Scalar(2) * t03 - Scalar(2) * t04) + omega_C_BC * (t08 - Scalar(2) * t11)
-        + omega_B * (Scalar(2) * t08 - Scalar(2) * t12 - omega_B * (CE_x + t13) - Scalar(2) * t11)
-        - omega_E_DE * (Scalar(2) * t03 + t04) - omega_E_CEG * (d.psi_E_CEG.cos * t06
-        - d.psi_E_CEG.sin * t07);
-    rhs(1) = omega_D * (omega_D * (slide_D_y - slide_E_y) + Scalar(2) * t14
-        - Scalar(2) * u.phi_D.cos * v_s_D - Scalar(2) * t15) + omega_E_DE * (Scalar(2) * t14 - t15)
-        + omega_C_BC * (t16 - Scalar(2) * t17) + omega_B * (Scalar(2) * t16 + Scalar(2) * t18
-        - omega_B * (CE_y + t19) - Scalar(2) * t17) - omega_E_CEG * (d.psi_E_CEG.cos * t07
-        + d.psi_E_CEG.sin * t06);
-    rhs(2) = omega_FG * (Scalar(2) * q.theta_FG.sin * v_FG + omega_FG * FG_x) + omega_C_BC * (t20
-        + Scalar(2) * t21) - omega_B * (Scalar(2) * t12 + omega_B * (CG_x + t13) - Scalar(2) * t20
-        - Scalar(2) * t21);
-    rhs(3) = omega_C_BC * (t22 - Scalar(2) * t23) + omega_B * (Scalar(2) * t18 + Scalar(2) * t22
-        - Scalar(2) * t23 - omega_B * (CG_y + t19)) - omega_FG * (Scalar(2) * q.theta_FG.cos * v_FG
-        - omega_FG * FG_y);
+        - Scalar(2) * t01 - Scalar(2) * t02) + omega_C_BC * (t06 - Scalar(2) * t09)
+        + omega_B * (Scalar(2) * t06 - Scalar(2) * t10 - (CE_x + t11) * omega_B - Scalar(2) * t09)
+        - omega_E_DE * (Scalar(2) * t01 + t02) - omega_E_CEG * (d.psi_E_CEG.cos * t04
+        - d.psi_E_CEG.sin * t05);
+    rhs(1) = omega_D * ((slide_D_y - slide_E_y) * omega_D + Scalar(2) * t12
+        - Scalar(2) * u.phi_D.cos * v_s_D - Scalar(2) * t13) + omega_E_DE * (Scalar(2) * t12 - t13)
+        + omega_C_BC * (t14 - Scalar(2) * t15) + omega_B * (Scalar(2) * t14 + Scalar(2) * t16
+        - (CE_y + t17) * omega_B - Scalar(2) * t15) - omega_E_CEG * (d.psi_E_CEG.cos * t05
+        + d.psi_E_CEG.sin * t04);
+    rhs(2) = omega_FG * (Scalar(2) * q.theta_FG.sin * v_FG + FG_x * omega_FG) + omega_C_BC * (t18
+        + Scalar(2) * t19) - omega_B * (Scalar(2) * t10 + (CG_x + t11) * omega_B - Scalar(2) * t18
+        - Scalar(2) * t19);
+    rhs(3) = omega_C_BC * (t20 - Scalar(2) * t21) + omega_B * (Scalar(2) * t16 + Scalar(2) * t20
+        - Scalar(2) * t21 - (CG_y + t17) * omega_B) - omega_FG * (Scalar(2) * q.theta_FG.cos * v_FG
+        - FG_y * omega_FG);
   }
 
   /// Frames of the links in the fixed frame.
@@ -581,12 +567,12 @@ struct Model10 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = sin_CEG * d.h_C_CEG;
-    const Scalar CG_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = u.x_B + slide_B_x;
     const Scalar t02 = u.y_B + slide_B_y;
     poses[0].x = CG_x + t01 - slide_C_x;
@@ -621,12 +607,12 @@ struct Model10 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = sin_CEG * d.h_C_CEG;
-    const Scalar CG_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = slide_C_y - CG_y;
     const Scalar t02 = slide_C_x - CG_x;
     P_q(0, 1) = u.phi_B.cos;
@@ -683,22 +669,22 @@ struct Model10 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = sin_CEG * d.h_C_CEG;
-    const Scalar CG_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
     const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = t01 - (slide_B_y + CG_y - slide_C_y) * omega_B - cos_CEG * v_s_C;
-    v(0, 1) = omega_B * (slide_B_x + CG_x - slide_C_x) + t02 - sin_CEG * v_s_C;
+    v(0, 1) = (slide_B_x + CG_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;
     v(0, 2) = omega_B;
     v(1, 0) = t01 - slide_B_y * omega_B;
-    v(1, 1) = omega_B * slide_B_x + t02;
+    v(1, 1) = slide_B_x * omega_B + t02;
     v(1, 2) = omega_B;
-    v(2, 0) = u.phi_D.cos * v_s_D + v_x_D - omega_D * slide_D_y;
-    v(2, 1) = u.phi_D.sin * v_s_D + v_y_D + omega_D * slide_D_x;
+    v(2, 0) = u.phi_D.cos * v_s_D + v_x_D - slide_D_y * omega_D;
+    v(2, 1) = u.phi_D.sin * v_s_D + v_y_D + slide_D_x * omega_D;
     v(2, 2) = omega_D;
     v(3, 0) = v_x_F;
     v(3, 1) = v_y_F;
@@ -732,12 +718,12 @@ struct Model10 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = sin_CEG * d.h_C_CEG;
-    const Scalar CG_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = slide_B_x + CG_x - slide_C_x;
     const Scalar t02 = u.phi_B.sin * v_s_B;
     const Scalar t03 = slide_B_y + CG_y - slide_C_y;
@@ -746,15 +732,15 @@ struct Model10 {
     const Scalar t06 = u.phi_B.sin * a_s_B + a_y_B;
     a(0, 0) = t04 - omega_B * (t01 * omega_B + Scalar(2) * t02 - Scalar(2) * sin_CEG * v_s_C)
         - t03 * alpha_B - cos_CEG * a_s_C;
-    a(0, 1) = t01 * alpha_B + t06 - omega_B * (omega_B * t03 + Scalar(2) * cos_CEG * v_s_C
+    a(0, 1) = t01 * alpha_B + t06 - omega_B * (t03 * omega_B + Scalar(2) * cos_CEG * v_s_C
         - Scalar(2) * t05) - sin_CEG * a_s_C;
     a(0, 2) = alpha_B;
     a(1, 0) = t04 - omega_B * (Scalar(2) * t02 + slide_B_x * omega_B) - slide_B_y * alpha_B;
-    a(1, 1) = omega_B * (Scalar(2) * t05 - omega_B * slide_B_y) + slide_B_x * alpha_B + t06;
+    a(1, 1) = omega_B * (Scalar(2) * t05 - slide_B_y * omega_B) + slide_B_x * alpha_B + t06;
     a(1, 2) = alpha_B;
     a(2, 0) = u.phi_D.cos * a_s_D + a_x_D - omega_D * (Scalar(2) * u.phi_D.sin * v_s_D
-        + omega_D * slide_D_x) - alpha_D * slide_D_y;
-    a(2, 1) = omega_D * (Scalar(2) * u.phi_D.cos * v_s_D - omega_D * slide_D_y)
+        + slide_D_x * omega_D) - slide_D_y * alpha_D;
+    a(2, 1) = omega_D * (Scalar(2) * u.phi_D.cos * v_s_D - slide_D_y * omega_D)
         + u.phi_D.sin * a_s_D + a_y_D + slide_D_x * alpha_D;
     a(2, 2) = alpha_D;
     a(3, 0) = a_x_F;
@@ -781,28 +767,28 @@ struct Model10 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = sin_CEG * d.h_C_CEG;
-    const Scalar CG_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = slide_C_x - CG_x;
     const Scalar t02 = t01 * omega_C_BC;
     const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
     const Scalar t04 = u.phi_B.sin * v_s_B;
     const Scalar t05 = slide_C_y - CG_y;
-    const Scalar t06 = omega_C_BC * t05;
+    const Scalar t06 = t05 * omega_C_BC;
     const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
     const Scalar t08 = u.phi_B.cos * v_s_B;
     p(0, 0) = omega_C_BC * (t02 + Scalar(2) * t03) + omega_B * (Scalar(2) * t02 + Scalar(2) * t03
-        - Scalar(2) * t04 - omega_B * (slide_B_x - t01));
+        - Scalar(2) * t04 - (slide_B_x - t01) * omega_B);
     p(0, 1) = omega_C_BC * (t06 - Scalar(2) * t07) + omega_B * (Scalar(2) * t06 + Scalar(2) * t08
-        - Scalar(2) * t07 - omega_B * (slide_B_y - t05));
+        - Scalar(2) * t07 - (slide_B_y - t05) * omega_B);
     p(1, 0) = -omega_B * (Scalar(2) * t04 + slide_B_x * omega_B);
-    p(1, 1) = omega_B * (Scalar(2) * t08 - omega_B * slide_B_y);
-    p(2, 0) = -omega_D * (Scalar(2) * u.phi_D.sin * v_s_D + omega_D * slide_D_x);
-    p(2, 1) = omega_D * (Scalar(2) * u.phi_D.cos * v_s_D - omega_D * slide_D_y);
+    p(1, 1) = omega_B * (Scalar(2) * t08 - slide_B_y * omega_B);
+    p(2, 0) = -omega_D * (Scalar(2) * u.phi_D.sin * v_s_D + slide_D_x * omega_D);
+    p(2, 1) = omega_D * (Scalar(2) * u.phi_D.cos * v_s_D - slide_D_y * omega_D);
   }
 
   /// (cos, sin) of each sum of angles that must vanish: assembled only at (1, 0).

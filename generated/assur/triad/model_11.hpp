@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     36, 28, 1
 ///   motion:                       68, 52, 1
 ///   sensitivities_and_motion:     134, 94, 1
-///   position_polynomial:          18, 16, 0
+///   position_polynomial:          22, 16, 0
 ///   second_equations:             16, 17, 0
 ///   complete:                     12, 16, 0
 struct Model11 {
@@ -185,30 +185,28 @@ struct Model11 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar t01 = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar cos_FG = t01;
-    const Scalar t02 = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar sin_FG = t02;
+    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
+    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
-    const Scalar BC_y = q.theta_CEG.cos * d.h_C_BC;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -t02 * d.h_G_CEG;
-    const Scalar CG_y = t01 * d.h_G_CEG;
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = slide_C_x - u.x_B - BC_x;
-    const Scalar t04 = slide_C_y - u.y_B - BC_y;
-    f(0) = u.x_D + DE_x + t03 - slide_E_x;
-    f(1) = u.y_D + DE_y + t04 - slide_E_y;
-    f(2) = u.x_F + FG_x + t03 - CG_x - slide_G_x;
-    f(3) = u.y_F + FG_y + t04 - CG_y - slide_G_y;
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_C_x - u.x_B - BC_x;
+    const Scalar t02 = slide_C_y - u.y_B - BC_y;
+    f(0) = u.x_D + DE_x + t01 - slide_E_x;
+    f(1) = u.y_D + DE_y + t02 - slide_E_y;
+    f(2) = u.x_F + FG_x + t01 - CG_x - slide_G_x;
+    f(3) = u.y_F + FG_y + t02 - CG_y - slide_G_y;
   }
 
   /// J = df/dq.
@@ -218,36 +216,34 @@ struct Model11 {
     J.setZero();
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar t01 = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar cos_FG = t01;
-    const Scalar t02 = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar sin_FG = t02;
+    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
+    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
-    const Scalar BC_y = q.theta_CEG.cos * d.h_C_BC;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -t02 * d.h_G_CEG;
-    const Scalar CG_y = t01 * d.h_G_CEG;
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = BC_y - slide_C_y;
-    const Scalar t04 = BC_x - slide_C_x;
-    J(0, 0) = slide_E_y + t03 - DE_y;
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = BC_y - slide_C_y;
+    const Scalar t02 = BC_x - slide_C_x;
+    J(0, 0) = slide_E_y + t01 - DE_y;
     J(0, 1) = q.theta_CEG.cos;
     J(0, 2) = -cos_DE;
-    J(1, 0) = DE_x - slide_E_x - t04;
+    J(1, 0) = DE_x - slide_E_x - t02;
     J(1, 1) = q.theta_CEG.sin;
     J(1, 2) = -sin_DE;
-    J(2, 0) = CG_y + slide_G_y + t03 - FG_y;
+    J(2, 0) = CG_y + slide_G_y + t01 - FG_y;
     J(2, 1) = q.theta_CEG.cos;
     J(2, 3) = -cos_FG;
-    J(3, 0) = FG_x - CG_x - slide_G_x - t04;
+    J(3, 0) = FG_x - CG_x - slide_G_x - t02;
     J(3, 1) = q.theta_CEG.sin;
     J(3, 3) = -sin_FG;
   }
@@ -259,20 +255,18 @@ struct Model11 {
     F_d.setZero();
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar t01 = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar cos_FG = t01;
-    const Scalar t02 = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar sin_FG = t02;
+    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
+    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -t02 * d.h_G_CEG;
-    const Scalar CG_y = t01 * d.h_G_CEG;
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
     F_d(0, 0) = slide_E_y - DE_y;
     F_d(0, 3) = q.theta_CEG.sin;
     F_d(0, 4) = -sin_DE;
@@ -340,36 +334,34 @@ struct Model11 {
     const Scalar a_y_F = u_second_rate(5);
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar t01 = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar cos_FG = t01;
-    const Scalar t02 = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar sin_FG = t02;
+    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
+    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
-    const Scalar BC_y = q.theta_CEG.cos * d.h_C_BC;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -t02 * d.h_G_CEG;
-    const Scalar CG_y = t01 * d.h_G_CEG;
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = q.theta_CEG.sin * v_s_C;
-    const Scalar t04 = BC_x - slide_C_x;
-    const Scalar t05 = q.theta_CEG.cos * v_s_C;
-    const Scalar t06 = BC_y - slide_C_y;
-    rhs(0) = a_x_B + omega_CEG * (Scalar(2) * t03 + omega_CEG * (DE_x - slide_E_x - t04)
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = q.theta_CEG.sin * v_s_C;
+    const Scalar t02 = BC_x - slide_C_x;
+    const Scalar t03 = q.theta_CEG.cos * v_s_C;
+    const Scalar t04 = BC_y - slide_C_y;
+    rhs(0) = a_x_B + omega_CEG * (Scalar(2) * t01 + (DE_x - slide_E_x - t02) * omega_CEG
         - Scalar(2) * sin_DE * v_s_E) - a_x_D;
-    rhs(1) = a_y_B - a_y_D - omega_CEG * (Scalar(2) * t05 - Scalar(2) * cos_DE * v_s_E
-        - omega_CEG * (DE_y - slide_E_y - t06));
-    rhs(2) = a_x_B + omega_CEG * (Scalar(2) * t03 + omega_CEG * (FG_x - CG_x - slide_G_x - t04)
+    rhs(1) = a_y_B - a_y_D - omega_CEG * (Scalar(2) * t03 - Scalar(2) * cos_DE * v_s_E - (DE_y
+        - slide_E_y - t04) * omega_CEG);
+    rhs(2) = a_x_B + omega_CEG * (Scalar(2) * t01 + (FG_x - CG_x - slide_G_x - t02) * omega_CEG
         - Scalar(2) * sin_FG * v_s_G) - a_x_F;
-    rhs(3) = a_y_B - a_y_F - omega_CEG * (Scalar(2) * t05 - Scalar(2) * cos_FG * v_s_G
-        - omega_CEG * (FG_y - CG_y - slide_G_y - t06));
+    rhs(3) = a_y_B - a_y_F - omega_CEG * (Scalar(2) * t03 - Scalar(2) * cos_FG * v_s_G - (FG_y
+        - CG_y - slide_G_y - t04) * omega_CEG);
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -396,50 +388,48 @@ struct Model11 {
     const Scalar j_y_F = u_third_rate(5);
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar t01 = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar cos_FG = t01;
-    const Scalar t02 = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar sin_FG = t02;
+    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
+    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
-    const Scalar BC_y = q.theta_CEG.cos * d.h_C_BC;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -t02 * d.h_G_CEG;
-    const Scalar CG_y = t01 * d.h_G_CEG;
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = q.theta_CEG.sin * v_s_C;
-    const Scalar t04 = t03 - sin_DE * v_s_E;
-    const Scalar t05 = q.theta_CEG.sin * a_s_C;
-    const Scalar t06 = q.theta_CEG.cos * v_s_C;
-    const Scalar t07 = t06 - cos_DE * v_s_E;
-    const Scalar t08 = BC_y - slide_C_y;
-    const Scalar t09 = DE_y - slide_E_y - t08;
-    const Scalar t10 = BC_x - slide_C_x;
-    const Scalar t11 = DE_x - slide_E_x - t10;
-    const Scalar t12 = q.theta_CEG.cos * a_s_C;
-    const Scalar t13 = t03 - sin_FG * v_s_G;
-    const Scalar t14 = t06 - cos_FG * v_s_G;
-    const Scalar t15 = FG_y - CG_y - slide_G_y - t08;
-    const Scalar t16 = FG_x - CG_x - slide_G_x - t10;
-    rhs(0) = Scalar(3) * alpha_CEG * t04 + j_x_B + omega_CEG * (Scalar(3) * t05
-        + omega_CEG * (Scalar(3) * t07 - omega_CEG * t09) + Scalar(3) * alpha_CEG * t11
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = q.theta_CEG.sin * v_s_C;
+    const Scalar t02 = t01 - sin_DE * v_s_E;
+    const Scalar t03 = q.theta_CEG.sin * a_s_C;
+    const Scalar t04 = q.theta_CEG.cos * v_s_C;
+    const Scalar t05 = t04 - cos_DE * v_s_E;
+    const Scalar t06 = BC_y - slide_C_y;
+    const Scalar t07 = DE_y - slide_E_y - t06;
+    const Scalar t08 = BC_x - slide_C_x;
+    const Scalar t09 = DE_x - slide_E_x - t08;
+    const Scalar t10 = q.theta_CEG.cos * a_s_C;
+    const Scalar t11 = t01 - sin_FG * v_s_G;
+    const Scalar t12 = t04 - cos_FG * v_s_G;
+    const Scalar t13 = FG_y - CG_y - slide_G_y - t06;
+    const Scalar t14 = FG_x - CG_x - slide_G_x - t08;
+    rhs(0) = Scalar(3) * alpha_CEG * t02 + j_x_B + omega_CEG * (Scalar(3) * t03
+        + omega_CEG * (Scalar(3) * t05 - t07 * omega_CEG) + Scalar(3) * t09 * alpha_CEG
         - Scalar(3) * sin_DE * a_s_E) - j_x_D;
-    rhs(1) = j_y_B - Scalar(3) * t07 * alpha_CEG - j_y_D - omega_CEG * (Scalar(3) * t12
-        - Scalar(3) * cos_DE * a_s_E - Scalar(3) * alpha_CEG * t09 - omega_CEG * (Scalar(3) * t04
-        + omega_CEG * t11));
-    rhs(2) = j_x_B + Scalar(3) * alpha_CEG * t13 + omega_CEG * (Scalar(3) * t05
-        + omega_CEG * (Scalar(3) * t14 - omega_CEG * t15) + Scalar(3) * alpha_CEG * t16
+    rhs(1) = j_y_B - Scalar(3) * t05 * alpha_CEG - j_y_D - omega_CEG * (Scalar(3) * t10
+        - Scalar(3) * cos_DE * a_s_E - Scalar(3) * t07 * alpha_CEG - omega_CEG * (Scalar(3) * t02
+        + t09 * omega_CEG));
+    rhs(2) = j_x_B + Scalar(3) * alpha_CEG * t11 + omega_CEG * (Scalar(3) * t03
+        + omega_CEG * (Scalar(3) * t12 - t13 * omega_CEG) + Scalar(3) * t14 * alpha_CEG
         - Scalar(3) * sin_FG * a_s_G) - j_x_F;
-    rhs(3) = j_y_B - Scalar(3) * alpha_CEG * t14 - j_y_F - omega_CEG * (Scalar(3) * t12
-        - Scalar(3) * cos_FG * a_s_G - Scalar(3) * alpha_CEG * t15 - omega_CEG * (Scalar(3) * t13
-        + omega_CEG * t16));
+    rhs(3) = j_y_B - Scalar(3) * alpha_CEG * t12 - j_y_F - omega_CEG * (Scalar(3) * t10
+        - Scalar(3) * cos_FG * a_s_G - Scalar(3) * t13 * alpha_CEG - omega_CEG * (Scalar(3) * t11
+        + t14 * omega_CEG));
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -461,49 +451,47 @@ struct Model11 {
     const Scalar v_h_G_FG = d_rate(5);
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar t01 = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar cos_FG = t01;
-    const Scalar t02 = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar sin_FG = t02;
+    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
+    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
-    const Scalar BC_y = q.theta_CEG.cos * d.h_C_BC;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -t02 * d.h_G_CEG;
-    const Scalar CG_y = t01 * d.h_G_CEG;
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = DE_x - slide_E_x;
-    const Scalar t04 = t03 * omega_E_CEG;
-    const Scalar t05 = sin_DE * v_s_E - cos_DE * v_h_E_DE;
-    const Scalar t06 = BC_x - slide_C_x;
-    const Scalar t07 = q.theta_CEG.cos * v_h_C_BC - q.theta_CEG.sin * v_s_C;
-    const Scalar t08 = DE_y - slide_E_y;
-    const Scalar t09 = omega_E_CEG * t08;
-    const Scalar t10 = cos_DE * v_s_E + sin_DE * v_h_E_DE;
-    const Scalar t11 = BC_y - slide_C_y;
-    const Scalar t12 = q.theta_CEG.cos * v_s_C + q.theta_CEG.sin * v_h_C_BC;
-    const Scalar t13 = v_h_G_CEG - v_h_G_FG;
-    const Scalar t14 = cos_FG * t13 + sin_FG * v_s_G;
-    const Scalar t15 = slide_G_x + CG_x - FG_x;
-    const Scalar t16 = omega_G_CEG * t15;
-    const Scalar t17 = sin_FG * t13 - cos_FG * v_s_G;
-    const Scalar t18 = slide_G_y + CG_y - FG_y;
-    const Scalar t19 = omega_G_CEG * t18;
-    rhs(0) = omega_E_CEG * (t04 - Scalar(2) * t05) + omega_CEG * (Scalar(2) * t04 + omega_CEG * (t03
-        - t06) - Scalar(2) * t05 - Scalar(2) * t07);
-    rhs(1) = omega_E_CEG * (t09 + Scalar(2) * t10) + omega_CEG * (Scalar(2) * t09 + Scalar(2) * t10
-        + omega_CEG * (t08 - t11) - Scalar(2) * t12);
-    rhs(2) = -omega_G_CEG * (Scalar(2) * t14 + t16) - omega_CEG * (Scalar(2) * t14 + Scalar(2) * t07
-        + Scalar(2) * t16 + omega_CEG * (t06 + t15));
-    rhs(3) = -omega_G_CEG * (Scalar(2) * t17 + t19) - omega_CEG * (Scalar(2) * t17 + Scalar(2) * t12
-        + Scalar(2) * t19 + omega_CEG * (t11 + t18));
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = DE_x - slide_E_x;
+    const Scalar t02 = t01 * omega_E_CEG;
+    const Scalar t03 = sin_DE * v_s_E - cos_DE * v_h_E_DE;
+    const Scalar t04 = BC_x - slide_C_x;
+    const Scalar t05 = q.theta_CEG.cos * v_h_C_BC - q.theta_CEG.sin * v_s_C;
+    const Scalar t06 = DE_y - slide_E_y;
+    const Scalar t07 = t06 * omega_E_CEG;
+    const Scalar t08 = cos_DE * v_s_E + sin_DE * v_h_E_DE;
+    const Scalar t09 = BC_y - slide_C_y;
+    const Scalar t10 = q.theta_CEG.cos * v_s_C + q.theta_CEG.sin * v_h_C_BC;
+    const Scalar t11 = v_h_G_CEG - v_h_G_FG;
+    const Scalar t12 = cos_FG * t11 + sin_FG * v_s_G;
+    const Scalar t13 = slide_G_x + CG_x - FG_x;
+    const Scalar t14 = t13 * omega_G_CEG;
+    const Scalar t15 = sin_FG * t11 - cos_FG * v_s_G;
+    const Scalar t16 = slide_G_y + CG_y - FG_y;
+    const Scalar t17 = t16 * omega_G_CEG;
+    rhs(0) = omega_E_CEG * (t02 - Scalar(2) * t03) + omega_CEG * (Scalar(2) * t02 + (t01
+        - t04) * omega_CEG - Scalar(2) * t03 - Scalar(2) * t05);
+    rhs(1) = omega_E_CEG * (t07 + Scalar(2) * t08) + omega_CEG * (Scalar(2) * t07 + Scalar(2) * t08
+        + (t06 - t09) * omega_CEG - Scalar(2) * t10);
+    rhs(2) = -omega_G_CEG * (Scalar(2) * t12 + t14) - omega_CEG * (Scalar(2) * t12 + Scalar(2) * t05
+        + Scalar(2) * t14 + (t04 + t13) * omega_CEG);
+    rhs(3) = -omega_G_CEG * (Scalar(2) * t15 + t17) - omega_CEG * (Scalar(2) * t15 + Scalar(2) * t10
+        + Scalar(2) * t17 + (t09 + t16) * omega_CEG);
   }
 
   /// Frames of the links in the fixed frame.
@@ -514,10 +502,10 @@ struct Model11 {
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
-    const Scalar BC_y = q.theta_CEG.cos * d.h_C_BC;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
     poses[0].x = u.x_B + BC_x - slide_C_x;
     poses[0].y = u.y_B + BC_y - slide_C_y;
     poses[0].direction.cos = q.theta_CEG.cos;
@@ -546,10 +534,10 @@ struct Model11 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
     const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
     P_q(0, 0) = slide_C_y - BC_y;
     P_q(0, 1) = -q.theta_CEG.cos;
     P_q(1, 0) = BC_x - slide_C_x;
@@ -585,12 +573,12 @@ struct Model11 {
     const Scalar v_y_D = u_rate(3);
     const Scalar v_x_F = u_rate(4);
     const Scalar v_y_F = u_rate(5);
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
     const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
     v(0, 0) = v_x_B - (BC_y - slide_C_y) * omega_CEG - q.theta_CEG.cos * v_s_C;
-    v(0, 1) = omega_CEG * (BC_x - slide_C_x) + v_y_B - q.theta_CEG.sin * v_s_C;
+    v(0, 1) = (BC_x - slide_C_x) * omega_CEG + v_y_B - q.theta_CEG.sin * v_s_C;
     v(0, 2) = omega_CEG;
     v(1, 0) = v_x_B;
     v(1, 1) = v_y_B;
@@ -619,15 +607,15 @@ struct Model11 {
     const Scalar a_y_D = u_second_rate(3);
     const Scalar a_x_F = u_second_rate(4);
     const Scalar a_y_F = u_second_rate(5);
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
     const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
     const Scalar t01 = BC_x - slide_C_x;
     const Scalar t02 = BC_y - slide_C_y;
     a(0, 0) = a_x_B - omega_CEG * (t01 * omega_CEG - Scalar(2) * q.theta_CEG.sin * v_s_C)
         - t02 * alpha_CEG - q.theta_CEG.cos * a_s_C;
-    a(0, 1) = t01 * alpha_CEG + a_y_B - omega_CEG * (omega_CEG * t02
+    a(0, 1) = t01 * alpha_CEG + a_y_B - omega_CEG * (t02 * omega_CEG
         + Scalar(2) * q.theta_CEG.cos * v_s_C) - q.theta_CEG.sin * a_s_C;
     a(0, 2) = alpha_CEG;
     a(1, 0) = a_x_B;
@@ -652,13 +640,13 @@ struct Model11 {
     const Scalar v_s_C = q_rate(1);
     const Scalar v_h_C_BC = d_rate(3);
     p.setZero();
-    const Scalar BC_x = -q.theta_CEG.sin * d.h_C_BC;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
     const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.theta_CEG.cos * q.s_C;
-    const Scalar slide_C_y = q.theta_CEG.sin * q.s_C;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
     p(0, 0) = -omega_CEG * ((BC_x - slide_C_x) * omega_CEG + Scalar(2) * q.theta_CEG.cos * v_h_C_BC
         - Scalar(2) * q.theta_CEG.sin * v_s_C);
-    p(0, 1) = -omega_CEG * (omega_CEG * (BC_y - slide_C_y) + Scalar(2) * q.theta_CEG.cos * v_s_C
+    p(0, 1) = -omega_CEG * ((BC_y - slide_C_y) * omega_CEG + Scalar(2) * q.theta_CEG.cos * v_s_C
         + Scalar(2) * q.theta_CEG.sin * v_h_C_BC);
   }
 
@@ -670,10 +658,10 @@ struct Model11 {
       const Configuration<Scalar>& q, Vector<Scalar, pivot_count>& p,
       Vector<Scalar, pivot_count>& size, Scalar& terms) {
     using std::abs;
-    const Scalar CEG_along_slide_E = q.s_C * d.psi_E_CEG.cos - q.s_E - d.psi_E_CEG.sin * d.h_C_BC;
+    const Scalar CEG_along_slide_E = q.s_C * d.psi_E_CEG.cos - q.s_E - d.h_C_BC * d.psi_E_CEG.sin;
     const Scalar CEG_along_slide_G = q.s_C * d.psi_G_CEG.cos - q.s_G - d.h_C_BC * d.psi_G_CEG.sin;
-    const Scalar determinant = d.psi_E_CEG.sin * CEG_along_slide_G
-        - d.psi_G_CEG.sin * CEG_along_slide_E;
+    const Scalar determinant = CEG_along_slide_G * d.psi_E_CEG.sin
+        - CEG_along_slide_E * d.psi_G_CEG.sin;
     const Scalar t01 = Scalar(2) * abs(q.s_C) + abs(q.s_E) + abs(q.s_G) + abs(d.h_G_CEG)
         + Scalar(2) * abs(d.h_C_BC) + abs(d.h_E_DE) + abs(d.h_G_FG);
     p(0) = determinant;
@@ -689,22 +677,22 @@ struct Model11 {
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar CEG_along_slide_E = d.psi_E_CEG.cos * q.s_C - q.s_E - d.psi_E_CEG.sin * d.h_C_BC;
-    const Scalar CEG_across_slide_E = d.h_E_DE - d.psi_E_CEG.sin * q.s_C
-        - d.psi_E_CEG.cos * d.h_C_BC;
-    const Scalar CEG_along_slide_G = d.psi_G_CEG.cos * q.s_C - q.s_G - d.psi_G_CEG.sin * d.h_C_BC;
-    const Scalar CEG_across_slide_G = d.h_G_FG - d.psi_G_CEG.sin * q.s_C
-        - d.psi_G_CEG.cos * d.h_C_BC - d.h_G_CEG;
-    const Scalar determinant = d.psi_E_CEG.sin * CEG_along_slide_G
-        - d.psi_G_CEG.sin * CEG_along_slide_E;
+    const Scalar CEG_along_slide_E = q.s_C * d.psi_E_CEG.cos - q.s_E - d.h_C_BC * d.psi_E_CEG.sin;
+    const Scalar CEG_across_slide_E = d.h_E_DE - q.s_C * d.psi_E_CEG.sin
+        - d.h_C_BC * d.psi_E_CEG.cos;
+    const Scalar CEG_along_slide_G = q.s_C * d.psi_G_CEG.cos - q.s_G - d.h_C_BC * d.psi_G_CEG.sin;
+    const Scalar CEG_across_slide_G = d.h_G_FG - q.s_C * d.psi_G_CEG.sin
+        - d.h_C_BC * d.psi_G_CEG.cos - d.h_G_CEG;
+    const Scalar determinant = CEG_along_slide_G * d.psi_E_CEG.sin
+        - CEG_along_slide_E * d.psi_G_CEG.sin;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
-    const Scalar CEG_per_across_slide_E = -d.psi_G_CEG.sin * inverse;
+    const Scalar CEG_per_across_slide_E = -inverse * d.psi_G_CEG.sin;
     const Scalar s_C_per_across_slide_E = -CEG_along_slide_G * inverse;
     const Scalar s_G_per_across_slide_E = d.psi_G_CEG.cos * s_C_per_across_slide_E
         - CEG_across_slide_G * CEG_per_across_slide_E;
     const Scalar s_E_per_across_slide_E = d.psi_E_CEG.cos * s_C_per_across_slide_E
         - CEG_per_across_slide_E * CEG_across_slide_E;
-    const Scalar CEG_per_across_slide_G = d.psi_E_CEG.sin * inverse;
+    const Scalar CEG_per_across_slide_G = inverse * d.psi_E_CEG.sin;
     const Scalar s_C_per_across_slide_G = CEG_along_slide_E * inverse;
     const Scalar s_G_per_across_slide_G = d.psi_G_CEG.cos * s_C_per_across_slide_G
         - CEG_across_slide_G * CEG_per_across_slide_G;
@@ -737,47 +725,47 @@ struct Model11 {
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar CEG_along_slide_E = d.psi_E_CEG.cos * q.s_C - q.s_E - d.psi_E_CEG.sin * d.h_C_BC;
-    const Scalar CEG_across_slide_E = d.h_E_DE - d.psi_E_CEG.sin * q.s_C
-        - d.psi_E_CEG.cos * d.h_C_BC;
-    const Scalar CEG_along_slide_G = d.psi_G_CEG.cos * q.s_C - q.s_G - d.psi_G_CEG.sin * d.h_C_BC;
+    const Scalar CEG_along_slide_E = q.s_C * d.psi_E_CEG.cos - q.s_E - d.h_C_BC * d.psi_E_CEG.sin;
+    const Scalar CEG_across_slide_E = d.h_E_DE - q.s_C * d.psi_E_CEG.sin
+        - d.h_C_BC * d.psi_E_CEG.cos;
+    const Scalar CEG_along_slide_G = q.s_C * d.psi_G_CEG.cos - q.s_G - d.h_C_BC * d.psi_G_CEG.sin;
     const Scalar t01 = d.h_G_CEG - d.h_G_FG;
-    const Scalar CEG_across_slide_G = -d.psi_G_CEG.sin * q.s_C - d.psi_G_CEG.cos * d.h_C_BC - t01;
-    const Scalar determinant = d.psi_E_CEG.sin * CEG_along_slide_G
-        - d.psi_G_CEG.sin * CEG_along_slide_E;
+    const Scalar CEG_across_slide_G = -q.s_C * d.psi_G_CEG.sin - d.h_C_BC * d.psi_G_CEG.cos - t01;
+    const Scalar determinant = CEG_along_slide_G * d.psi_E_CEG.sin
+        - CEG_along_slide_E * d.psi_G_CEG.sin;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
-    const Scalar CEG_per_across_slide_E = -d.psi_G_CEG.sin * inverse;
+    const Scalar CEG_per_across_slide_E = -inverse * d.psi_G_CEG.sin;
     const Scalar s_C_per_across_slide_E = -CEG_along_slide_G * inverse;
     const Scalar s_G_per_across_slide_E = d.psi_G_CEG.cos * s_C_per_across_slide_E
         - CEG_across_slide_G * CEG_per_across_slide_E;
     const Scalar t02 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
     const Scalar s_E_per_across_slide_E = t02 - CEG_per_across_slide_E * CEG_across_slide_E;
-    const Scalar CEG_per_across_slide_G = d.psi_E_CEG.sin * inverse;
+    const Scalar CEG_per_across_slide_G = inverse * d.psi_E_CEG.sin;
     const Scalar s_C_per_across_slide_G = CEG_along_slide_E * inverse;
     const Scalar t03 = d.psi_G_CEG.cos * s_C_per_across_slide_G;
     const Scalar s_G_per_across_slide_G = t03 - CEG_across_slide_G * CEG_per_across_slide_G;
     const Scalar s_E_per_across_slide_G = d.psi_E_CEG.cos * s_C_per_across_slide_G
         - CEG_across_slide_E * CEG_per_across_slide_G;
-    const Scalar t04 = CEG_per_across_slide_E * sin_DE;
-    const Scalar t05 = CEG_per_across_slide_G * sin_FG;
-    const Scalar t06 = CEG_per_across_slide_E * cos_DE;
-    const Scalar t07 = CEG_per_across_slide_G * cos_FG;
-    const Scalar t08 = s_C_per_across_slide_E * sin_DE;
-    const Scalar t09 = s_C_per_across_slide_G * sin_FG;
-    const Scalar t10 = s_C_per_across_slide_E * cos_DE;
-    const Scalar t11 = s_C_per_across_slide_G * cos_FG;
-    const Scalar t12 = s_E_per_across_slide_G * sin_FG;
-    const Scalar t13 = cos_DE + s_E_per_across_slide_E * sin_DE;
-    const Scalar t14 = s_E_per_across_slide_G * cos_FG;
-    const Scalar t15 = sin_DE - s_E_per_across_slide_E * cos_DE;
-    const Scalar t16 = s_G_per_across_slide_E * sin_DE;
-    const Scalar t17 = cos_FG + s_G_per_across_slide_G * sin_FG;
-    const Scalar t18 = s_G_per_across_slide_E * cos_DE;
-    const Scalar t19 = sin_FG - s_G_per_across_slide_G * cos_FG;
+    const Scalar CEG_per_x_D = CEG_per_across_slide_E * sin_DE;
+    const Scalar s_C_per_x_D = s_C_per_across_slide_E * sin_DE;
+    const Scalar s_E_per_x_D = cos_DE + s_E_per_across_slide_E * sin_DE;
+    const Scalar s_G_per_x_D = s_G_per_across_slide_E * sin_DE;
+    const Scalar CEG_per_y_D = -CEG_per_across_slide_E * cos_DE;
+    const Scalar s_C_per_y_D = -s_C_per_across_slide_E * cos_DE;
+    const Scalar s_E_per_y_D = sin_DE - s_E_per_across_slide_E * cos_DE;
+    const Scalar s_G_per_y_D = -s_G_per_across_slide_E * cos_DE;
+    const Scalar CEG_per_x_F = CEG_per_across_slide_G * sin_FG;
+    const Scalar s_C_per_x_F = s_C_per_across_slide_G * sin_FG;
+    const Scalar s_E_per_x_F = s_E_per_across_slide_G * sin_FG;
+    const Scalar s_G_per_x_F = cos_FG + s_G_per_across_slide_G * sin_FG;
+    const Scalar CEG_per_y_F = -CEG_per_across_slide_G * cos_FG;
+    const Scalar s_C_per_y_F = -s_C_per_across_slide_G * cos_FG;
+    const Scalar s_E_per_y_F = -s_E_per_across_slide_G * cos_FG;
+    const Scalar s_G_per_y_F = sin_FG - s_G_per_across_slide_G * cos_FG;
     S_d(0, 0) = q.s_E * CEG_per_across_slide_E;
     S_d(0, 1) = q.s_G * CEG_per_across_slide_G;
     S_d(0, 2) = CEG_per_across_slide_G;
-    S_d(0, 3) = d.psi_E_CEG.cos * CEG_per_across_slide_E + d.psi_G_CEG.cos * CEG_per_across_slide_G;
+    S_d(0, 3) = CEG_per_across_slide_E * d.psi_E_CEG.cos + CEG_per_across_slide_G * d.psi_G_CEG.cos;
     S_d(0, 4) = -CEG_per_across_slide_E;
     S_d(0, 5) = -CEG_per_across_slide_G;
     S_d(1, 0) = q.s_E * s_C_per_across_slide_E;
@@ -800,30 +788,30 @@ struct Model11 {
         - d.psi_G_CEG.sin;
     S_d(3, 4) = -s_G_per_across_slide_E;
     S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = -t04 - t05;
-    S_u(0, 1) = t06 + t07;
-    S_u(0, 2) = t04;
-    S_u(0, 3) = -t06;
-    S_u(0, 4) = t05;
-    S_u(0, 5) = -t07;
-    S_u(1, 0) = -t08 - t09;
-    S_u(1, 1) = t10 + t11;
-    S_u(1, 2) = t08;
-    S_u(1, 3) = -t10;
-    S_u(1, 4) = t09;
-    S_u(1, 5) = -t11;
-    S_u(2, 0) = -t12 - t13;
-    S_u(2, 1) = t14 - t15;
-    S_u(2, 2) = t13;
-    S_u(2, 3) = t15;
-    S_u(2, 4) = t12;
-    S_u(2, 5) = -t14;
-    S_u(3, 0) = -t16 - t17;
-    S_u(3, 1) = t18 - t19;
-    S_u(3, 2) = t16;
-    S_u(3, 3) = -t18;
-    S_u(3, 4) = t17;
-    S_u(3, 5) = t19;
+    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;
+    S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
+    S_u(0, 2) = CEG_per_x_D;
+    S_u(0, 3) = CEG_per_y_D;
+    S_u(0, 4) = CEG_per_x_F;
+    S_u(0, 5) = CEG_per_y_F;
+    S_u(1, 0) = -s_C_per_x_D - s_C_per_x_F;
+    S_u(1, 1) = -s_C_per_y_D - s_C_per_y_F;
+    S_u(1, 2) = s_C_per_x_D;
+    S_u(1, 3) = s_C_per_y_D;
+    S_u(1, 4) = s_C_per_x_F;
+    S_u(1, 5) = s_C_per_y_F;
+    S_u(2, 0) = -s_E_per_x_D - s_E_per_x_F;
+    S_u(2, 1) = -s_E_per_y_D - s_E_per_y_F;
+    S_u(2, 2) = s_E_per_x_D;
+    S_u(2, 3) = s_E_per_y_D;
+    S_u(2, 4) = s_E_per_x_F;
+    S_u(2, 5) = s_E_per_y_F;
+    S_u(3, 0) = -s_G_per_x_D - s_G_per_x_F;
+    S_u(3, 1) = -s_G_per_y_D - s_G_per_y_F;
+    S_u(3, 2) = s_G_per_x_D;
+    S_u(3, 3) = s_G_per_y_D;
+    S_u(3, 4) = s_G_per_x_F;
+    S_u(3, 5) = s_G_per_y_F;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -841,30 +829,30 @@ struct Model11 {
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar CEG_along_slide_E = d.psi_E_CEG.cos * q.s_C - q.s_E - d.psi_E_CEG.sin * d.h_C_BC;
-    const Scalar CEG_across_slide_E = d.h_E_DE - d.psi_E_CEG.sin * q.s_C
-        - d.psi_E_CEG.cos * d.h_C_BC;
-    const Scalar CEG_along_slide_G = d.psi_G_CEG.cos * q.s_C - q.s_G - d.psi_G_CEG.sin * d.h_C_BC;
-    const Scalar CEG_across_slide_G = d.h_G_FG - d.psi_G_CEG.sin * q.s_C
-        - d.psi_G_CEG.cos * d.h_C_BC - d.h_G_CEG;
-    const Scalar determinant = d.psi_E_CEG.sin * CEG_along_slide_G
-        - d.psi_G_CEG.sin * CEG_along_slide_E;
+    const Scalar CEG_along_slide_E = q.s_C * d.psi_E_CEG.cos - q.s_E - d.h_C_BC * d.psi_E_CEG.sin;
+    const Scalar CEG_across_slide_E = d.h_E_DE - q.s_C * d.psi_E_CEG.sin
+        - d.h_C_BC * d.psi_E_CEG.cos;
+    const Scalar CEG_along_slide_G = q.s_C * d.psi_G_CEG.cos - q.s_G - d.h_C_BC * d.psi_G_CEG.sin;
+    const Scalar CEG_across_slide_G = d.h_G_FG - q.s_C * d.psi_G_CEG.sin
+        - d.h_C_BC * d.psi_G_CEG.cos - d.h_G_CEG;
+    const Scalar determinant = CEG_along_slide_G * d.psi_E_CEG.sin
+        - CEG_along_slide_E * d.psi_G_CEG.sin;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_E = t01 * cos_DE + t02 * sin_DE;
-    const Scalar velocity_across_slide_E = cos_DE * t02 - t01 * sin_DE;
+    const Scalar velocity_along_slide_E = cos_DE * t01 + sin_DE * t02;
+    const Scalar velocity_across_slide_E = cos_DE * t02 - sin_DE * t01;
     const Scalar t03 = v_x_B - v_x_F;
     const Scalar t04 = v_y_B - v_y_F;
-    const Scalar velocity_along_slide_G = t03 * cos_FG + t04 * sin_FG;
-    const Scalar velocity_across_slide_G = cos_FG * t04 - t03 * sin_FG;
-    const Scalar omega_CEG = (d.psi_E_CEG.sin * velocity_across_slide_G
-        - d.psi_G_CEG.sin * velocity_across_slide_E) * inverse;
+    const Scalar velocity_along_slide_G = cos_FG * t03 + sin_FG * t04;
+    const Scalar velocity_across_slide_G = cos_FG * t04 - sin_FG * t03;
+    const Scalar omega_CEG = inverse * (d.psi_E_CEG.sin * velocity_across_slide_G
+        - d.psi_G_CEG.sin * velocity_across_slide_E);
     const Scalar v_s_C = inverse * (CEG_along_slide_E * velocity_across_slide_G
         - CEG_along_slide_G * velocity_across_slide_E);
-    const Scalar v_s_G = d.psi_G_CEG.cos * v_s_C - omega_CEG * CEG_across_slide_G
+    const Scalar v_s_G = d.psi_G_CEG.cos * v_s_C - CEG_across_slide_G * omega_CEG
         - velocity_along_slide_G;
-    const Scalar v_s_E = d.psi_E_CEG.cos * v_s_C - omega_CEG * CEG_across_slide_E
+    const Scalar v_s_E = d.psi_E_CEG.cos * v_s_C - CEG_across_slide_E * omega_CEG
         - velocity_along_slide_E;
     q_rate(0) = omega_CEG;
     q_rate(1) = v_s_C;
@@ -894,32 +882,32 @@ struct Model11 {
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar CEG_along_slide_E = d.psi_E_CEG.cos * q.s_C - q.s_E - d.psi_E_CEG.sin * d.h_C_BC;
-    const Scalar CEG_across_slide_E = d.h_E_DE - d.psi_E_CEG.sin * q.s_C
-        - d.psi_E_CEG.cos * d.h_C_BC;
-    const Scalar CEG_along_slide_G = d.psi_G_CEG.cos * q.s_C - q.s_G - d.psi_G_CEG.sin * d.h_C_BC;
-    const Scalar CEG_across_slide_G = d.h_G_FG - d.psi_G_CEG.sin * q.s_C
-        - d.psi_G_CEG.cos * d.h_C_BC - d.h_G_CEG;
-    const Scalar determinant = d.psi_E_CEG.sin * CEG_along_slide_G
-        - d.psi_G_CEG.sin * CEG_along_slide_E;
+    const Scalar CEG_along_slide_E = q.s_C * d.psi_E_CEG.cos - q.s_E - d.h_C_BC * d.psi_E_CEG.sin;
+    const Scalar CEG_across_slide_E = d.h_E_DE - q.s_C * d.psi_E_CEG.sin
+        - d.h_C_BC * d.psi_E_CEG.cos;
+    const Scalar CEG_along_slide_G = q.s_C * d.psi_G_CEG.cos - q.s_G - d.h_C_BC * d.psi_G_CEG.sin;
+    const Scalar CEG_across_slide_G = d.h_G_FG - q.s_C * d.psi_G_CEG.sin
+        - d.h_C_BC * d.psi_G_CEG.cos - d.h_G_CEG;
+    const Scalar determinant = CEG_along_slide_G * d.psi_E_CEG.sin
+        - CEG_along_slide_E * d.psi_G_CEG.sin;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_E = t01 * cos_DE + t02 * sin_DE;
-    const Scalar velocity_across_slide_E = cos_DE * t02 - t01 * sin_DE;
+    const Scalar velocity_along_slide_E = cos_DE * t01 + sin_DE * t02;
+    const Scalar velocity_across_slide_E = cos_DE * t02 - sin_DE * t01;
     const Scalar t03 = v_x_B - v_x_F;
     const Scalar t04 = v_y_B - v_y_F;
-    const Scalar velocity_along_slide_G = t03 * cos_FG + t04 * sin_FG;
-    const Scalar velocity_across_slide_G = cos_FG * t04 - t03 * sin_FG;
-    const Scalar omega_CEG = (d.psi_E_CEG.sin * velocity_across_slide_G
-        - d.psi_G_CEG.sin * velocity_across_slide_E) * inverse;
+    const Scalar velocity_along_slide_G = cos_FG * t03 + sin_FG * t04;
+    const Scalar velocity_across_slide_G = cos_FG * t04 - sin_FG * t03;
+    const Scalar omega_CEG = inverse * (d.psi_E_CEG.sin * velocity_across_slide_G
+        - d.psi_G_CEG.sin * velocity_across_slide_E);
     const Scalar v_s_C = inverse * (CEG_along_slide_E * velocity_across_slide_G
         - CEG_along_slide_G * velocity_across_slide_E);
     const Scalar t05 = d.psi_G_CEG.cos * v_s_C;
-    const Scalar t06 = omega_CEG * CEG_across_slide_G;
+    const Scalar t06 = CEG_across_slide_G * omega_CEG;
     const Scalar v_s_G = t05 - t06 - velocity_along_slide_G;
     const Scalar t07 = d.psi_E_CEG.cos * v_s_C;
-    const Scalar t08 = omega_CEG * CEG_across_slide_E;
+    const Scalar t08 = CEG_across_slide_E * omega_CEG;
     const Scalar v_s_E = t07 - t08 - velocity_along_slide_E;
     const Scalar t09 = a_x_B - a_x_D;
     const Scalar t10 = a_y_B - a_y_D;
@@ -975,83 +963,59 @@ struct Model11 {
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar CEG_along_slide_E = d.psi_E_CEG.cos * q.s_C - q.s_E - d.psi_E_CEG.sin * d.h_C_BC;
-    const Scalar CEG_across_slide_E = d.h_E_DE - d.psi_E_CEG.sin * q.s_C
-        - d.psi_E_CEG.cos * d.h_C_BC;
-    const Scalar CEG_along_slide_G = d.psi_G_CEG.cos * q.s_C - q.s_G - d.psi_G_CEG.sin * d.h_C_BC;
+    const Scalar CEG_along_slide_E = q.s_C * d.psi_E_CEG.cos - q.s_E - d.h_C_BC * d.psi_E_CEG.sin;
+    const Scalar CEG_across_slide_E = d.h_E_DE - q.s_C * d.psi_E_CEG.sin
+        - d.h_C_BC * d.psi_E_CEG.cos;
+    const Scalar CEG_along_slide_G = q.s_C * d.psi_G_CEG.cos - q.s_G - d.h_C_BC * d.psi_G_CEG.sin;
     const Scalar t01 = d.h_G_CEG - d.h_G_FG;
-    const Scalar CEG_across_slide_G = -d.psi_G_CEG.sin * q.s_C - d.psi_G_CEG.cos * d.h_C_BC - t01;
-    const Scalar determinant = d.psi_E_CEG.sin * CEG_along_slide_G
-        - d.psi_G_CEG.sin * CEG_along_slide_E;
+    const Scalar CEG_across_slide_G = -q.s_C * d.psi_G_CEG.sin - d.h_C_BC * d.psi_G_CEG.cos - t01;
+    const Scalar determinant = CEG_along_slide_G * d.psi_E_CEG.sin
+        - CEG_along_slide_E * d.psi_G_CEG.sin;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
-    const Scalar CEG_per_across_slide_E = -d.psi_G_CEG.sin * inverse;
+    const Scalar CEG_per_across_slide_E = -inverse * d.psi_G_CEG.sin;
     const Scalar s_C_per_across_slide_E = -CEG_along_slide_G * inverse;
     const Scalar s_G_per_across_slide_E = d.psi_G_CEG.cos * s_C_per_across_slide_E
         - CEG_across_slide_G * CEG_per_across_slide_E;
     const Scalar t02 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
     const Scalar s_E_per_across_slide_E = t02 - CEG_per_across_slide_E * CEG_across_slide_E;
-    const Scalar CEG_per_across_slide_G = d.psi_E_CEG.sin * inverse;
+    const Scalar CEG_per_across_slide_G = inverse * d.psi_E_CEG.sin;
     const Scalar s_C_per_across_slide_G = CEG_along_slide_E * inverse;
     const Scalar t03 = d.psi_G_CEG.cos * s_C_per_across_slide_G;
     const Scalar s_G_per_across_slide_G = t03 - CEG_across_slide_G * CEG_per_across_slide_G;
     const Scalar s_E_per_across_slide_G = d.psi_E_CEG.cos * s_C_per_across_slide_G
         - CEG_across_slide_E * CEG_per_across_slide_G;
-    const Scalar t04 = CEG_per_across_slide_E * sin_DE;
-    const Scalar t05 = CEG_per_across_slide_G * sin_FG;
-    const Scalar t06 = t04 + t05;
-    const Scalar CEG_per_x_B = -t06;
-    const Scalar t07 = s_C_per_across_slide_E * sin_DE;
-    const Scalar t08 = s_C_per_across_slide_G * sin_FG;
-    const Scalar t09 = t07 + t08;
-    const Scalar s_C_per_x_B = -t09;
-    const Scalar t10 = sin_FG * s_E_per_across_slide_G;
-    const Scalar t11 = cos_DE + sin_DE * s_E_per_across_slide_E;
-    const Scalar t12 = t10 + t11;
-    const Scalar s_E_per_x_B = -t12;
-    const Scalar t13 = sin_DE * s_G_per_across_slide_E;
-    const Scalar t14 = cos_FG + sin_FG * s_G_per_across_slide_G;
-    const Scalar t15 = t13 + t14;
-    const Scalar s_G_per_x_B = -t15;
-    const Scalar t16 = CEG_per_across_slide_E * cos_DE;
-    const Scalar t17 = CEG_per_across_slide_G * cos_FG;
-    const Scalar t18 = t16 + t17;
-    const Scalar CEG_per_y_B = t18;
-    const Scalar t19 = s_C_per_across_slide_E * cos_DE;
-    const Scalar t20 = s_C_per_across_slide_G * cos_FG;
-    const Scalar t21 = t19 + t20;
-    const Scalar s_C_per_y_B = t21;
-    const Scalar t22 = s_E_per_across_slide_G * cos_FG;
-    const Scalar t23 = sin_DE - cos_DE * s_E_per_across_slide_E;
-    const Scalar t24 = t22 - t23;
-    const Scalar s_E_per_y_B = t24;
-    const Scalar t25 = cos_DE * s_G_per_across_slide_E;
-    const Scalar t26 = sin_FG - cos_FG * s_G_per_across_slide_G;
-    const Scalar t27 = t25 - t26;
-    const Scalar s_G_per_y_B = t27;
-    const Scalar CEG_per_x_D = t04;
-    const Scalar s_C_per_x_D = t07;
-    const Scalar s_E_per_x_D = t11;
-    const Scalar s_G_per_x_D = t13;
-    const Scalar CEG_per_y_D = -t16;
-    const Scalar s_C_per_y_D = -t19;
-    const Scalar s_E_per_y_D = t23;
-    const Scalar s_G_per_y_D = -t25;
-    const Scalar CEG_per_x_F = t05;
-    const Scalar s_C_per_x_F = t08;
-    const Scalar s_E_per_x_F = t10;
-    const Scalar s_G_per_x_F = t14;
-    const Scalar CEG_per_y_F = -t17;
-    const Scalar s_C_per_y_F = -t20;
-    const Scalar s_E_per_y_F = -t22;
-    const Scalar s_G_per_y_F = t26;
-    const Scalar omega_CEG = v_x_B * CEG_per_x_B + v_y_B * CEG_per_y_B + v_x_D * CEG_per_x_D
-        + v_y_D * CEG_per_y_D + v_x_F * CEG_per_x_F + v_y_F * CEG_per_y_F;
-    const Scalar v_s_C = v_x_B * s_C_per_x_B + v_y_B * s_C_per_y_B + v_x_D * s_C_per_x_D
-        + v_y_D * s_C_per_y_D + v_x_F * s_C_per_x_F + v_y_F * s_C_per_y_F;
-    const Scalar v_s_E = v_x_B * s_E_per_x_B + v_y_B * s_E_per_y_B + v_x_D * s_E_per_x_D
-        + v_y_D * s_E_per_y_D + v_x_F * s_E_per_x_F + v_y_F * s_E_per_y_F;
-    const Scalar v_s_G = v_x_B * s_G_per_x_B + v_y_B * s_G_per_y_B + v_x_D * s_G_per_x_D
-        + v_y_D * s_G_per_y_D + v_x_F * s_G_per_x_F + v_y_F * s_G_per_y_F;
+    const Scalar CEG_per_x_D = CEG_per_across_slide_E * sin_DE;
+    const Scalar CEG_per_x_F = CEG_per_across_slide_G * sin_FG;
+    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
+    const Scalar s_C_per_x_D = s_C_per_across_slide_E * sin_DE;
+    const Scalar s_C_per_x_F = s_C_per_across_slide_G * sin_FG;
+    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
+    const Scalar s_E_per_x_D = cos_DE + sin_DE * s_E_per_across_slide_E;
+    const Scalar s_E_per_x_F = sin_FG * s_E_per_across_slide_G;
+    const Scalar s_E_per_x_B = -s_E_per_x_D - s_E_per_x_F;
+    const Scalar s_G_per_x_D = sin_DE * s_G_per_across_slide_E;
+    const Scalar s_G_per_x_F = cos_FG + sin_FG * s_G_per_across_slide_G;
+    const Scalar s_G_per_x_B = -s_G_per_x_D - s_G_per_x_F;
+    const Scalar CEG_per_y_D = -CEG_per_across_slide_E * cos_DE;
+    const Scalar CEG_per_y_F = -CEG_per_across_slide_G * cos_FG;
+    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
+    const Scalar s_C_per_y_D = -s_C_per_across_slide_E * cos_DE;
+    const Scalar s_C_per_y_F = -s_C_per_across_slide_G * cos_FG;
+    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
+    const Scalar s_E_per_y_D = sin_DE - cos_DE * s_E_per_across_slide_E;
+    const Scalar s_E_per_y_F = -s_E_per_across_slide_G * cos_FG;
+    const Scalar s_E_per_y_B = -s_E_per_y_D - s_E_per_y_F;
+    const Scalar s_G_per_y_D = -cos_DE * s_G_per_across_slide_E;
+    const Scalar s_G_per_y_F = sin_FG - cos_FG * s_G_per_across_slide_G;
+    const Scalar s_G_per_y_B = -s_G_per_y_D - s_G_per_y_F;
+    const Scalar omega_CEG = CEG_per_x_B * v_x_B + CEG_per_y_B * v_y_B + CEG_per_x_D * v_x_D
+        + CEG_per_y_D * v_y_D + CEG_per_x_F * v_x_F + CEG_per_y_F * v_y_F;
+    const Scalar v_s_C = s_C_per_x_B * v_x_B + s_C_per_y_B * v_y_B + s_C_per_x_D * v_x_D
+        + s_C_per_y_D * v_y_D + s_C_per_x_F * v_x_F + s_C_per_y_F * v_y_F;
+    const Scalar v_s_E = s_E_per_x_B * v_x_B + s_E_per_y_B * v_y_B + s_E_per_x_D * v_x_D
+        + s_E_per_y_D * v_y_D + s_E_per_x_F * v_x_F + s_E_per_y_F * v_y_F;
+    const Scalar v_s_G = s_G_per_x_B * v_x_B + s_G_per_y_B * v_y_B + s_G_per_x_D * v_x_D
+        + s_G_per_y_D * v_y_D + s_G_per_x_F * v_x_F + s_G_per_y_F * v_y_F;
     const Scalar centripetal_along_slide_E = -omega_CEG * (Scalar(2) * d.psi_E_CEG.sin * v_s_C
         - CEG_along_slide_E * omega_CEG);
     const Scalar centripetal_across_slide_E = -omega_CEG * (Scalar(2) * d.psi_E_CEG.cos * v_s_C
@@ -1063,7 +1027,7 @@ struct Model11 {
     S_d(0, 0) = q.s_E * CEG_per_across_slide_E;
     S_d(0, 1) = q.s_G * CEG_per_across_slide_G;
     S_d(0, 2) = CEG_per_across_slide_G;
-    S_d(0, 3) = d.psi_E_CEG.cos * CEG_per_across_slide_E + d.psi_G_CEG.cos * CEG_per_across_slide_G;
+    S_d(0, 3) = CEG_per_across_slide_E * d.psi_E_CEG.cos + CEG_per_across_slide_G * d.psi_G_CEG.cos;
     S_d(0, 4) = -CEG_per_across_slide_E;
     S_d(0, 5) = -CEG_per_across_slide_G;
     S_d(1, 0) = q.s_E * s_C_per_across_slide_E;
@@ -1086,30 +1050,30 @@ struct Model11 {
         - d.psi_G_CEG.sin;
     S_d(3, 4) = -s_G_per_across_slide_E;
     S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = -t06;
-    S_u(0, 1) = t18;
-    S_u(0, 2) = t04;
-    S_u(0, 3) = -t16;
-    S_u(0, 4) = t05;
-    S_u(0, 5) = -t17;
-    S_u(1, 0) = -t09;
-    S_u(1, 1) = t21;
-    S_u(1, 2) = t07;
-    S_u(1, 3) = -t19;
-    S_u(1, 4) = t08;
-    S_u(1, 5) = -t20;
-    S_u(2, 0) = -t12;
-    S_u(2, 1) = t24;
-    S_u(2, 2) = t11;
-    S_u(2, 3) = t23;
-    S_u(2, 4) = t10;
-    S_u(2, 5) = -t22;
-    S_u(3, 0) = -t15;
-    S_u(3, 1) = t27;
-    S_u(3, 2) = t13;
-    S_u(3, 3) = -t25;
-    S_u(3, 4) = t14;
-    S_u(3, 5) = t26;
+    S_u(0, 0) = CEG_per_x_B;
+    S_u(0, 1) = CEG_per_y_B;
+    S_u(0, 2) = CEG_per_x_D;
+    S_u(0, 3) = CEG_per_y_D;
+    S_u(0, 4) = CEG_per_x_F;
+    S_u(0, 5) = CEG_per_y_F;
+    S_u(1, 0) = s_C_per_x_B;
+    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 2) = s_C_per_x_D;
+    S_u(1, 3) = s_C_per_y_D;
+    S_u(1, 4) = s_C_per_x_F;
+    S_u(1, 5) = s_C_per_y_F;
+    S_u(2, 0) = s_E_per_x_B;
+    S_u(2, 1) = s_E_per_y_B;
+    S_u(2, 2) = s_E_per_x_D;
+    S_u(2, 3) = s_E_per_y_D;
+    S_u(2, 4) = s_E_per_x_F;
+    S_u(2, 5) = s_E_per_y_F;
+    S_u(3, 0) = s_G_per_x_B;
+    S_u(3, 1) = s_G_per_y_B;
+    S_u(3, 2) = s_G_per_x_D;
+    S_u(3, 3) = s_G_per_y_D;
+    S_u(3, 4) = s_G_per_x_F;
+    S_u(3, 5) = s_G_per_y_F;
     q_rate(0) = omega_CEG;
     q_rate(1) = v_s_C;
     q_rate(2) = v_s_E;
@@ -1144,16 +1108,16 @@ struct Model11 {
     const Scalar b_0_re = Scalar(2) * d.psi_E_CEG.sin;
     const Scalar t01 = FB_y - FD_y;
     const Scalar t02 = FB_x - FD_x;
-    const Scalar c_m1_re = t01 * d.psi_E_CEG.cos - d.psi_E_CEG.sin * t02;
-    const Scalar c_m1_im = -d.psi_E_CEG.cos * t02 - d.psi_E_CEG.sin * t01;
-    const Scalar c_0_re = Scalar(2) * (d.psi_E_CEG.cos * d.h_C_BC - d.h_E_DE);
+    const Scalar c_m1_re = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
+    const Scalar c_m1_im = -t02 * d.psi_E_CEG.cos - t01 * d.psi_E_CEG.sin;
+    const Scalar c_0_re = Scalar(2) * (d.h_C_BC * d.psi_E_CEG.cos - d.h_E_DE);
     const Scalar e_0_re = Scalar(2) * d.psi_G_CEG.sin;
     const Scalar f_m1_re = FB_y * d.psi_G_CEG.cos - FB_x * d.psi_G_CEG.sin;
     const Scalar f_m1_im = -FB_x * d.psi_G_CEG.cos - FB_y * d.psi_G_CEG.sin;
     const Scalar f_0_re = Scalar(2) * (d.h_C_BC * d.psi_G_CEG.cos + d.h_G_CEG - d.h_G_FG);
-    T.cosine[0] = b_0_re * f_0_re - c_0_re * e_0_re;
-    T.cosine[1] = Scalar(2) * (b_0_re * f_m1_re - e_0_re * c_m1_re);
-    T.sine[1] = Scalar(2) * (b_0_re * f_m1_im - e_0_re * c_m1_im);
+    T.cosine[0] = f_0_re * b_0_re - c_0_re * e_0_re;
+    T.cosine[1] = Scalar(2) * (f_m1_re * b_0_re - c_m1_re * e_0_re);
+    T.sine[1] = Scalar(2) * (f_m1_im * b_0_re - c_m1_im * e_0_re);
   }
 
   /// The reduced equations, one a row, where theta_CEG is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
@@ -1171,12 +1135,12 @@ struct Model11 {
     const Scalar t02 = FB_x - FD_x;
     e(0, 1) = Scalar(2) * d.psi_E_CEG.sin;
     e(0, 2) = Scalar(2) * ((t01 * q.theta_CEG.cos + d.h_C_BC
-        - t02 * q.theta_CEG.sin) * d.psi_E_CEG.cos - d.psi_E_CEG.sin * (q.theta_CEG.cos * t02
-        + t01 * q.theta_CEG.sin) - d.h_E_DE);
+        - t02 * q.theta_CEG.sin) * d.psi_E_CEG.cos - (t02 * q.theta_CEG.cos
+        + t01 * q.theta_CEG.sin) * d.psi_E_CEG.sin - d.h_E_DE);
     e(1, 1) = Scalar(2) * d.psi_G_CEG.sin;
     e(1, 2) = Scalar(2) * ((d.h_C_BC + FB_y * q.theta_CEG.cos
-        - FB_x * q.theta_CEG.sin) * d.psi_G_CEG.cos + d.h_G_CEG
-        - d.psi_G_CEG.sin * (q.theta_CEG.cos * FB_x + FB_y * q.theta_CEG.sin) - d.h_G_FG);
+        - FB_x * q.theta_CEG.sin) * d.psi_G_CEG.cos + d.h_G_CEG - (FB_x * q.theta_CEG.cos
+        + FB_y * q.theta_CEG.sin) * d.psi_G_CEG.sin - d.h_G_FG);
   }
 
   /// The other unknowns of a configuration in which those of the reduced
@@ -1191,9 +1155,9 @@ struct Model11 {
     const Scalar t01 = FB_x - FD_x;
     const Scalar t02 = FB_y - FD_y;
     q.s_E = -(t01 * q.theta_CEG.cos + t02 * q.theta_CEG.sin - q.s_C) * d.psi_E_CEG.cos
-        - (q.theta_CEG.cos * t02 + d.h_C_BC - t01 * q.theta_CEG.sin) * d.psi_E_CEG.sin;
+        - (t02 * q.theta_CEG.cos + d.h_C_BC - t01 * q.theta_CEG.sin) * d.psi_E_CEG.sin;
     q.s_G = (q.s_C - FB_x * q.theta_CEG.cos - FB_y * q.theta_CEG.sin) * d.psi_G_CEG.cos - (d.h_C_BC
-        + q.theta_CEG.cos * FB_y - FB_x * q.theta_CEG.sin) * d.psi_G_CEG.sin;
+        + FB_y * q.theta_CEG.cos - FB_x * q.theta_CEG.sin) * d.psi_G_CEG.sin;
   }
 };
 

@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     44, 31, 1
 ///   motion:                       83, 63, 1
 ///   sensitivities_and_motion:     157, 110, 1
-///   position_polynomial:          27, 23, 0
+///   position_polynomial:          29, 23, 0
 ///   second_equations:             22, 20, 0
 ///   complete:                     12, 14, 0
 struct Model12 {
@@ -187,32 +187,30 @@ struct Model12 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar t01 = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar cos_FG = t01;
-    const Scalar t02 = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
-    const Scalar sin_FG = t02;
-    const Scalar DE_x = -q.theta_CEG.sin * d.h_E_DE;
-    const Scalar DE_y = q.theta_CEG.cos * d.h_E_DE;
+    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
+    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
+    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin;
+    const Scalar DE_y = d.h_E_DE * q.theta_CEG.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = -q.theta_CEG.sin * d.h_E_CEG;
-    const Scalar CE_y = q.theta_CEG.cos * d.h_E_CEG;
-    const Scalar slide_E_x = q.theta_CEG.cos * q.s_E;
-    const Scalar slide_E_y = q.theta_CEG.sin * q.s_E;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = d.h_E_CEG * q.theta_CEG.cos;
+    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos;
+    const Scalar slide_E_y = q.s_E * q.theta_CEG.sin;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -t02 * d.h_G_CEG;
-    const Scalar CG_y = t01 * d.h_G_CEG;
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = BC_x + u.x_B + slide_B_x;
-    const Scalar t04 = BC_y + u.y_B + slide_B_y;
-    f(0) = u.x_D + DE_x - CE_x - slide_E_x - t03;
-    f(1) = u.y_D + DE_y - CE_y - slide_E_y - t04;
-    f(2) = u.x_F + FG_x - CG_x - slide_G_x - t03;
-    f(3) = u.y_F + FG_y - CG_y - slide_G_y - t04;
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = BC_x + u.x_B + slide_B_x;
+    const Scalar t02 = BC_y + u.y_B + slide_B_y;
+    f(0) = u.x_D + DE_x - CE_x - slide_E_x - t01;
+    f(1) = u.y_D + DE_y - CE_y - slide_E_y - t02;
+    f(2) = u.x_F + FG_x - CG_x - slide_G_x - t01;
+    f(3) = u.y_F + FG_y - CG_y - slide_G_y - t02;
   }
 
   /// J = df/dq.
@@ -220,22 +218,20 @@ struct Model12 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar t01 = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar cos_FG = t01;
-    const Scalar t02 = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
-    const Scalar sin_FG = t02;
-    const Scalar DE_x = -q.theta_CEG.sin * d.h_E_DE;
-    const Scalar DE_y = q.theta_CEG.cos * d.h_E_DE;
-    const Scalar CE_x = -q.theta_CEG.sin * d.h_E_CEG;
-    const Scalar CE_y = q.theta_CEG.cos * d.h_E_CEG;
-    const Scalar slide_E_x = q.theta_CEG.cos * q.s_E;
-    const Scalar slide_E_y = q.theta_CEG.sin * q.s_E;
+    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
+    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
+    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin;
+    const Scalar DE_y = d.h_E_DE * q.theta_CEG.cos;
+    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = d.h_E_CEG * q.theta_CEG.cos;
+    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos;
+    const Scalar slide_E_y = q.s_E * q.theta_CEG.sin;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -t02 * d.h_G_CEG;
-    const Scalar CG_y = t01 * d.h_G_CEG;
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
     J(0, 0) = CE_y + slide_E_y - DE_y;
     J(0, 1) = -u.phi_B.cos;
     J(0, 2) = -q.theta_CEG.cos;
@@ -255,16 +251,14 @@ struct Model12 {
   static void dimension_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    const Scalar t01 = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar cos_FG = t01;
-    const Scalar t02 = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
-    const Scalar sin_FG = t02;
+    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
+    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -t02 * d.h_G_CEG;
-    const Scalar CG_y = t01 * d.h_G_CEG;
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
     F_d(0, 0) = q.theta_CEG.sin;
     F_d(0, 3) = -u.phi_B.sin;
     F_d(0, 4) = -q.theta_CEG.sin;
@@ -288,8 +282,8 @@ struct Model12 {
     F_u.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_y + BC_y;
     const Scalar t02 = slide_B_x + BC_x;
     F_u(0, 0) = -Scalar(1);
@@ -320,10 +314,10 @@ struct Model12 {
     const Scalar v_y_F = u_rate(6);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = (slide_B_y + BC_y) * omega_B - v_x_B;
-    const Scalar t02 = omega_B * (slide_B_x + BC_x) + v_y_B;
+    const Scalar t02 = (slide_B_x + BC_x) * omega_B + v_y_B;
     rhs(0) = -v_x_D - t01;
     rhs(1) = t02 - v_y_D;
     rhs(2) = -v_x_F - t01;
@@ -349,39 +343,37 @@ struct Model12 {
     const Scalar a_y_D = u_second_rate(4);
     const Scalar a_x_F = u_second_rate(5);
     const Scalar a_y_F = u_second_rate(6);
-    const Scalar t01 = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar cos_FG = t01;
-    const Scalar t02 = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
-    const Scalar sin_FG = t02;
-    const Scalar DE_x = -q.theta_CEG.sin * d.h_E_DE;
-    const Scalar DE_y = q.theta_CEG.cos * d.h_E_DE;
+    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
+    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
+    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin;
+    const Scalar DE_y = d.h_E_DE * q.theta_CEG.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = -q.theta_CEG.sin * d.h_E_CEG;
-    const Scalar CE_y = q.theta_CEG.cos * d.h_E_CEG;
-    const Scalar slide_E_x = q.theta_CEG.cos * q.s_E;
-    const Scalar slide_E_y = q.theta_CEG.sin * q.s_E;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = d.h_E_CEG * q.theta_CEG.cos;
+    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos;
+    const Scalar slide_E_y = q.s_E * q.theta_CEG.sin;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -t02 * d.h_G_CEG;
-    const Scalar CG_y = t01 * d.h_G_CEG;
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = slide_B_x + BC_x;
-    const Scalar t04 = slide_B_y + BC_y;
-    const Scalar t05 = a_x_B - omega_B * (t03 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B)
-        - t04 * alpha_B;
-    const Scalar t06 = a_y_B + t03 * alpha_B - omega_B * (omega_B * t04
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_B_x + BC_x;
+    const Scalar t02 = slide_B_y + BC_y;
+    const Scalar t03 = a_x_B - omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B)
+        - t02 * alpha_B;
+    const Scalar t04 = a_y_B + t01 * alpha_B - omega_B * (t02 * omega_B
         - Scalar(2) * u.phi_B.cos * v_s_B);
     rhs(0) = omega_CEG * ((DE_x - CE_x - slide_E_x) * omega_CEG
-        - Scalar(2) * q.theta_CEG.sin * v_s_E) + t05 - a_x_D;
-    rhs(1) = omega_CEG * (omega_CEG * (DE_y - CE_y - slide_E_y)
-        + Scalar(2) * q.theta_CEG.cos * v_s_E) + t06 - a_y_D;
-    rhs(2) = omega_CEG * (omega_CEG * (FG_x - CG_x - slide_G_x) - Scalar(2) * sin_FG * v_s_G) + t05
+        - Scalar(2) * q.theta_CEG.sin * v_s_E) + t03 - a_x_D;
+    rhs(1) = omega_CEG * ((DE_y - CE_y - slide_E_y) * omega_CEG
+        + Scalar(2) * q.theta_CEG.cos * v_s_E) + t04 - a_y_D;
+    rhs(2) = omega_CEG * ((FG_x - CG_x - slide_G_x) * omega_CEG - Scalar(2) * sin_FG * v_s_G) + t03
         - a_x_F;
-    rhs(3) = omega_CEG * (omega_CEG * (FG_y - CG_y - slide_G_y) + Scalar(2) * cos_FG * v_s_G) + t06
+    rhs(3) = omega_CEG * ((FG_y - CG_y - slide_G_y) * omega_CEG + Scalar(2) * cos_FG * v_s_G) + t04
         - a_y_F;
   }
 
@@ -410,56 +402,54 @@ struct Model12 {
     const Scalar j_y_D = u_third_rate(4);
     const Scalar j_x_F = u_third_rate(5);
     const Scalar j_y_F = u_third_rate(6);
-    const Scalar t01 = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar cos_FG = t01;
-    const Scalar t02 = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
-    const Scalar sin_FG = t02;
-    const Scalar DE_x = -q.theta_CEG.sin * d.h_E_DE;
-    const Scalar DE_y = q.theta_CEG.cos * d.h_E_DE;
+    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
+    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
+    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin;
+    const Scalar DE_y = d.h_E_DE * q.theta_CEG.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = -q.theta_CEG.sin * d.h_E_CEG;
-    const Scalar CE_y = q.theta_CEG.cos * d.h_E_CEG;
-    const Scalar slide_E_x = q.theta_CEG.cos * q.s_E;
-    const Scalar slide_E_y = q.theta_CEG.sin * q.s_E;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = d.h_E_CEG * q.theta_CEG.cos;
+    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos;
+    const Scalar slide_E_y = q.s_E * q.theta_CEG.sin;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -t02 * d.h_G_CEG;
-    const Scalar CG_y = t01 * d.h_G_CEG;
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = DE_y - CE_y - slide_E_y;
-    const Scalar t04 = q.theta_CEG.cos * v_s_E;
-    const Scalar t05 = DE_x - CE_x - slide_E_x;
-    const Scalar t06 = q.theta_CEG.sin * v_s_E;
-    const Scalar t07 = slide_B_y + BC_y;
-    const Scalar t08 = u.phi_B.cos * v_s_B;
-    const Scalar t09 = slide_B_x + BC_x;
-    const Scalar t10 = u.phi_B.sin * v_s_B;
-    const Scalar t11 = omega_B * (omega_B * (t07 * omega_B - Scalar(3) * t08)
-        - Scalar(3) * t09 * alpha_B - Scalar(3) * u.phi_B.sin * a_s_B) - t07 * jerk_B + j_x_B
-        - Scalar(3) * alpha_B * t10;
-    const Scalar t12 = omega_B * (omega_B * (omega_B * t09 + Scalar(3) * t10)
-        + Scalar(3) * t07 * alpha_B - Scalar(3) * u.phi_B.cos * a_s_B) - t09 * jerk_B - j_y_B
-        - Scalar(3) * t08 * alpha_B;
-    const Scalar t13 = FG_y - CG_y - slide_G_y;
-    const Scalar t14 = cos_FG * v_s_G;
-    const Scalar t15 = FG_x - CG_x - slide_G_x;
-    const Scalar t16 = sin_FG * v_s_G;
-    rhs(0) = t11 - omega_CEG * (omega_CEG * (t03 * omega_CEG + Scalar(3) * t04)
-        + Scalar(3) * q.theta_CEG.sin * a_s_E - Scalar(3) * t05 * alpha_CEG) - j_x_D
-        - Scalar(3) * alpha_CEG * t06;
-    rhs(1) = omega_CEG * (omega_CEG * (omega_CEG * t05 - Scalar(3) * t06)
-        + Scalar(3) * t03 * alpha_CEG + Scalar(3) * q.theta_CEG.cos * a_s_E)
-        + Scalar(3) * t04 * alpha_CEG - j_y_D - t12;
-    rhs(2) = t11 - omega_CEG * (omega_CEG * (omega_CEG * t13 + Scalar(3) * t14)
-        + Scalar(3) * sin_FG * a_s_G - Scalar(3) * alpha_CEG * t15) - j_x_F
-        - Scalar(3) * alpha_CEG * t16;
-    rhs(3) = omega_CEG * (omega_CEG * (omega_CEG * t15 - Scalar(3) * t16)
-        + Scalar(3) * alpha_CEG * t13 + Scalar(3) * cos_FG * a_s_G) + Scalar(3) * alpha_CEG * t14
-        - j_y_F - t12;
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = DE_y - CE_y - slide_E_y;
+    const Scalar t02 = q.theta_CEG.cos * v_s_E;
+    const Scalar t03 = DE_x - CE_x - slide_E_x;
+    const Scalar t04 = q.theta_CEG.sin * v_s_E;
+    const Scalar t05 = slide_B_y + BC_y;
+    const Scalar t06 = u.phi_B.cos * v_s_B;
+    const Scalar t07 = slide_B_x + BC_x;
+    const Scalar t08 = u.phi_B.sin * v_s_B;
+    const Scalar t09 = omega_B * (omega_B * (t05 * omega_B - Scalar(3) * t06)
+        - Scalar(3) * t07 * alpha_B - Scalar(3) * u.phi_B.sin * a_s_B) - t05 * jerk_B + j_x_B
+        - Scalar(3) * alpha_B * t08;
+    const Scalar t10 = omega_B * (omega_B * (t07 * omega_B + Scalar(3) * t08)
+        + Scalar(3) * t05 * alpha_B - Scalar(3) * u.phi_B.cos * a_s_B) - t07 * jerk_B - j_y_B
+        - Scalar(3) * t06 * alpha_B;
+    const Scalar t11 = FG_y - CG_y - slide_G_y;
+    const Scalar t12 = cos_FG * v_s_G;
+    const Scalar t13 = FG_x - CG_x - slide_G_x;
+    const Scalar t14 = sin_FG * v_s_G;
+    rhs(0) = t09 - omega_CEG * (omega_CEG * (t01 * omega_CEG + Scalar(3) * t02)
+        + Scalar(3) * q.theta_CEG.sin * a_s_E - Scalar(3) * t03 * alpha_CEG) - j_x_D
+        - Scalar(3) * alpha_CEG * t04;
+    rhs(1) = omega_CEG * (omega_CEG * (t03 * omega_CEG - Scalar(3) * t04)
+        + Scalar(3) * t01 * alpha_CEG + Scalar(3) * q.theta_CEG.cos * a_s_E)
+        + Scalar(3) * t02 * alpha_CEG - j_y_D - t10;
+    rhs(2) = t09 - omega_CEG * (omega_CEG * (t11 * omega_CEG + Scalar(3) * t12)
+        + Scalar(3) * sin_FG * a_s_G - Scalar(3) * t13 * alpha_CEG) - j_x_F
+        - Scalar(3) * alpha_CEG * t14;
+    rhs(3) = omega_CEG * (omega_CEG * (t13 * omega_CEG - Scalar(3) * t14)
+        + Scalar(3) * t11 * alpha_CEG + Scalar(3) * cos_FG * a_s_G) + Scalar(3) * alpha_CEG * t12
+        - j_y_F - t10;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -480,46 +470,44 @@ struct Model12 {
     const Scalar v_h_E_DE = d_rate(4);
     const Scalar v_h_G_FG = d_rate(5);
     const Scalar omega_B = u_rate(2);
-    const Scalar t01 = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar cos_FG = t01;
-    const Scalar t02 = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
-    const Scalar sin_FG = t02;
-    const Scalar DE_x = -q.theta_CEG.sin * d.h_E_DE;
-    const Scalar DE_y = q.theta_CEG.cos * d.h_E_DE;
+    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
+    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
+    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin;
+    const Scalar DE_y = d.h_E_DE * q.theta_CEG.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = -q.theta_CEG.sin * d.h_E_CEG;
-    const Scalar CE_y = q.theta_CEG.cos * d.h_E_CEG;
-    const Scalar slide_E_x = q.theta_CEG.cos * q.s_E;
-    const Scalar slide_E_y = q.theta_CEG.sin * q.s_E;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = d.h_E_CEG * q.theta_CEG.cos;
+    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos;
+    const Scalar slide_E_y = q.s_E * q.theta_CEG.sin;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -t02 * d.h_G_CEG;
-    const Scalar CG_y = t01 * d.h_G_CEG;
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = v_h_E_CEG - v_h_E_DE;
-    const Scalar t04 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = v_h_E_CEG - v_h_E_DE;
+    const Scalar t02 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
-    const Scalar t05 = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+    const Scalar t03 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BC);
-    const Scalar t06 = FG_x - CG_x - slide_G_x;
-    const Scalar t07 = t06 * omega_G_CEG;
-    const Scalar t08 = v_h_G_CEG - v_h_G_FG;
-    const Scalar t09 = cos_FG * t08 + sin_FG * v_s_G;
-    const Scalar t10 = FG_y - CG_y - slide_G_y;
-    const Scalar t11 = omega_G_CEG * t10;
-    const Scalar t12 = sin_FG * t08 - cos_FG * v_s_G;
-    rhs(0) = omega_CEG * ((DE_x - CE_x - slide_E_x) * omega_CEG - Scalar(2) * q.theta_CEG.cos * t03
-        - Scalar(2) * q.theta_CEG.sin * v_s_E) - t04;
-    rhs(1) = omega_CEG * (omega_CEG * (DE_y - CE_y - slide_E_y)
-        + Scalar(2) * q.theta_CEG.cos * v_s_E - Scalar(2) * q.theta_CEG.sin * t03) - t05;
-    rhs(2) = omega_CEG * (omega_CEG * t06 + Scalar(2) * t07 - Scalar(2) * t09) + omega_G_CEG * (t07
-        - Scalar(2) * t09) - t04;
-    rhs(3) = omega_CEG * (omega_CEG * t10 + Scalar(2) * t11 - Scalar(2) * t12) + omega_G_CEG * (t11
-        - Scalar(2) * t12) - t05;
+    const Scalar t04 = FG_x - CG_x - slide_G_x;
+    const Scalar t05 = t04 * omega_G_CEG;
+    const Scalar t06 = v_h_G_CEG - v_h_G_FG;
+    const Scalar t07 = cos_FG * t06 + sin_FG * v_s_G;
+    const Scalar t08 = FG_y - CG_y - slide_G_y;
+    const Scalar t09 = t08 * omega_G_CEG;
+    const Scalar t10 = sin_FG * t06 - cos_FG * v_s_G;
+    rhs(0) = omega_CEG * ((DE_x - CE_x - slide_E_x) * omega_CEG - Scalar(2) * q.theta_CEG.cos * t01
+        - Scalar(2) * q.theta_CEG.sin * v_s_E) - t02;
+    rhs(1) = omega_CEG * ((DE_y - CE_y - slide_E_y) * omega_CEG
+        + Scalar(2) * q.theta_CEG.cos * v_s_E - Scalar(2) * q.theta_CEG.sin * t01) - t03;
+    rhs(2) = omega_CEG * (t04 * omega_CEG + Scalar(2) * t05 - Scalar(2) * t07) + omega_G_CEG * (t05
+        - Scalar(2) * t07) - t02;
+    rhs(3) = omega_CEG * (t08 * omega_CEG + Scalar(2) * t09 - Scalar(2) * t10) + omega_G_CEG * (t09
+        - Scalar(2) * t10) - t03;
   }
 
   /// Frames of the links in the fixed frame.
@@ -530,8 +518,8 @@ struct Model12 {
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = u.x_B + slide_B_x + BC_x;
     const Scalar t02 = u.y_B + slide_B_y + BC_y;
     poses[0].x = t01;
@@ -564,8 +552,8 @@ struct Model12 {
     P_u.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_y + BC_y;
     const Scalar t02 = slide_B_x + BC_x;
     P_q(0, 1) = u.phi_B.cos;
@@ -611,10 +599,10 @@ struct Model12 {
     const Scalar v_y_F = u_rate(6);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = (slide_B_y + BC_y) * omega_B - u.phi_B.cos * v_s_B - v_x_B;
-    const Scalar t02 = omega_B * (slide_B_x + BC_x) + u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar t02 = (slide_B_x + BC_x) * omega_B + u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = -t01;
     v(0, 1) = t02;
     v(0, 2) = omega_CEG;
@@ -648,13 +636,13 @@ struct Model12 {
     const Scalar a_y_F = u_second_rate(6);
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_x + BC_x;
     const Scalar t02 = slide_B_y + BC_y;
     const Scalar t03 = omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B) + t02 * alpha_B
         - u.phi_B.cos * a_s_B - a_x_B;
-    const Scalar t04 = omega_B * (omega_B * t02 - Scalar(2) * u.phi_B.cos * v_s_B) - t01 * alpha_B
+    const Scalar t04 = omega_B * (t02 * omega_B - Scalar(2) * u.phi_B.cos * v_s_B) - t01 * alpha_B
         - u.phi_B.sin * a_s_B - a_y_B;
     a(0, 0) = -t03;
     a(0, 1) = -t04;
@@ -683,11 +671,11 @@ struct Model12 {
     p.setZero();
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
-    const Scalar t02 = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+    const Scalar t02 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BC);
     p(0, 0) = -t01;
     p(0, 1) = -t02;
@@ -734,22 +722,22 @@ struct Model12 {
     const Scalar determinant = q.s_E * sin_phi_B_minus_psi_G_CEG_minus_CEG
         - q.s_G * sin_phi_B_minus_CEG;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
-    const Scalar CEG_per_across_slide_E = -sin_phi_B_minus_psi_G_CEG_minus_CEG * inverse;
+    const Scalar CEG_per_across_slide_E = -inverse * sin_phi_B_minus_psi_G_CEG_minus_CEG;
     const Scalar s_B_per_across_slide_E = q.s_G * inverse;
     const Scalar s_G_per_across_slide_E = -cos_phi_B_minus_psi_G_CEG_minus_CEG *
         s_B_per_across_slide_E - CEG_across_slide_G * CEG_per_across_slide_E;
     const Scalar s_E_per_across_slide_E = -s_B_per_across_slide_E * cos_phi_B_minus_CEG
         - CEG_per_across_slide_E * CEG_across_slide_E;
-    const Scalar CEG_per_across_slide_G = sin_phi_B_minus_CEG * inverse;
+    const Scalar CEG_per_across_slide_G = inverse * sin_phi_B_minus_CEG;
     const Scalar s_B_per_across_slide_G = -q.s_E * inverse;
     const Scalar s_G_per_across_slide_G = -cos_phi_B_minus_psi_G_CEG_minus_CEG *
         s_B_per_across_slide_G - CEG_across_slide_G * CEG_per_across_slide_G;
     const Scalar s_E_per_across_slide_G = -cos_phi_B_minus_CEG * s_B_per_across_slide_G
         - CEG_across_slide_E * CEG_per_across_slide_G;
-    J_inverse(0, 0) = -q.theta_CEG.sin * CEG_per_across_slide_E;
-    J_inverse(0, 1) = q.theta_CEG.cos * CEG_per_across_slide_E;
-    J_inverse(0, 2) = -sin_FG * CEG_per_across_slide_G;
-    J_inverse(0, 3) = cos_FG * CEG_per_across_slide_G;
+    J_inverse(0, 0) = -CEG_per_across_slide_E * q.theta_CEG.sin;
+    J_inverse(0, 1) = CEG_per_across_slide_E * q.theta_CEG.cos;
+    J_inverse(0, 2) = -CEG_per_across_slide_G * sin_FG;
+    J_inverse(0, 3) = CEG_per_across_slide_G * cos_FG;
     J_inverse(1, 0) = -q.theta_CEG.sin * s_B_per_across_slide_E;
     J_inverse(1, 1) = q.theta_CEG.cos * s_B_per_across_slide_E;
     J_inverse(1, 2) = -sin_FG * s_B_per_across_slide_G;
@@ -779,57 +767,56 @@ struct Model12 {
     const Scalar sin_phi_B_minus_psi_G_CEG_minus_CEG = u.phi_B.sin * cos_FG - u.phi_B.cos * sin_FG;
     const Scalar phi_B_along_slide_E = -q.s_B * cos_phi_B_minus_CEG
         - d.h_B_BC * sin_phi_B_minus_CEG;
-    const Scalar phi_B_across_slide_E = cos_phi_B_minus_CEG * d.h_B_BC
+    const Scalar phi_B_across_slide_E = d.h_B_BC * cos_phi_B_minus_CEG
         - q.s_B * sin_phi_B_minus_CEG;
     const Scalar CEG_across_slide_E = d.h_E_DE - d.h_E_CEG;
     const Scalar phi_B_along_slide_G = -q.s_B * cos_phi_B_minus_psi_G_CEG_minus_CEG
         - d.h_B_BC * sin_phi_B_minus_psi_G_CEG_minus_CEG;
     const Scalar phi_B_across_slide_G = d.h_B_BC * cos_phi_B_minus_psi_G_CEG_minus_CEG
         - q.s_B * sin_phi_B_minus_psi_G_CEG_minus_CEG;
-    const Scalar t01 = d.h_G_CEG - d.h_G_FG;
-    const Scalar CEG_across_slide_G = -t01;
-    const Scalar determinant = sin_phi_B_minus_psi_G_CEG_minus_CEG * q.s_E
-        - sin_phi_B_minus_CEG * q.s_G;
+    const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
+    const Scalar determinant = q.s_E * sin_phi_B_minus_psi_G_CEG_minus_CEG
+        - q.s_G * sin_phi_B_minus_CEG;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
-    const Scalar CEG_per_across_slide_E = -sin_phi_B_minus_psi_G_CEG_minus_CEG * inverse;
+    const Scalar CEG_per_across_slide_E = -inverse * sin_phi_B_minus_psi_G_CEG_minus_CEG;
     const Scalar s_B_per_across_slide_E = q.s_G * inverse;
     const Scalar s_G_per_across_slide_E = -cos_phi_B_minus_psi_G_CEG_minus_CEG *
         s_B_per_across_slide_E - CEG_across_slide_G * CEG_per_across_slide_E;
-    const Scalar t02 = cos_phi_B_minus_CEG * s_B_per_across_slide_E;
-    const Scalar s_E_per_across_slide_E = -t02 - CEG_per_across_slide_E * CEG_across_slide_E;
-    const Scalar CEG_per_across_slide_G = sin_phi_B_minus_CEG * inverse;
+    const Scalar t01 = cos_phi_B_minus_CEG * s_B_per_across_slide_E;
+    const Scalar s_E_per_across_slide_E = -t01 - CEG_per_across_slide_E * CEG_across_slide_E;
+    const Scalar CEG_per_across_slide_G = inverse * sin_phi_B_minus_CEG;
     const Scalar s_B_per_across_slide_G = -q.s_E * inverse;
-    const Scalar t03 = cos_phi_B_minus_psi_G_CEG_minus_CEG * s_B_per_across_slide_G;
-    const Scalar s_G_per_across_slide_G = -t03 - CEG_across_slide_G * CEG_per_across_slide_G;
+    const Scalar t02 = cos_phi_B_minus_psi_G_CEG_minus_CEG * s_B_per_across_slide_G;
+    const Scalar s_G_per_across_slide_G = -t02 - CEG_across_slide_G * CEG_per_across_slide_G;
     const Scalar s_E_per_across_slide_G = -cos_phi_B_minus_CEG * s_B_per_across_slide_G
         - CEG_across_slide_E * CEG_per_across_slide_G;
-    const Scalar t04 = q.theta_CEG.sin * CEG_per_across_slide_E;
-    const Scalar t05 = sin_FG * CEG_per_across_slide_G;
-    const Scalar t06 = q.theta_CEG.cos * CEG_per_across_slide_E;
-    const Scalar t07 = cos_FG * CEG_per_across_slide_G;
-    const Scalar t08 = q.theta_CEG.sin * s_B_per_across_slide_E;
-    const Scalar t09 = sin_FG * s_B_per_across_slide_G;
-    const Scalar t10 = q.theta_CEG.cos * s_B_per_across_slide_E;
-    const Scalar t11 = cos_FG * s_B_per_across_slide_G;
-    const Scalar t12 = sin_FG * s_E_per_across_slide_G;
-    const Scalar t13 = q.theta_CEG.cos + q.theta_CEG.sin * s_E_per_across_slide_E;
-    const Scalar t14 = cos_FG * s_E_per_across_slide_G;
-    const Scalar t15 = q.theta_CEG.sin - q.theta_CEG.cos * s_E_per_across_slide_E;
-    const Scalar t16 = q.theta_CEG.sin * s_G_per_across_slide_E;
-    const Scalar t17 = cos_FG + sin_FG * s_G_per_across_slide_G;
-    const Scalar t18 = q.theta_CEG.cos * s_G_per_across_slide_E;
-    const Scalar t19 = sin_FG - cos_FG * s_G_per_across_slide_G;
+    const Scalar CEG_per_x_D = CEG_per_across_slide_E * q.theta_CEG.sin;
+    const Scalar s_B_per_x_D = q.theta_CEG.sin * s_B_per_across_slide_E;
+    const Scalar s_E_per_x_D = q.theta_CEG.cos + q.theta_CEG.sin * s_E_per_across_slide_E;
+    const Scalar s_G_per_x_D = q.theta_CEG.sin * s_G_per_across_slide_E;
+    const Scalar CEG_per_y_D = -CEG_per_across_slide_E * q.theta_CEG.cos;
+    const Scalar s_B_per_y_D = -q.theta_CEG.cos * s_B_per_across_slide_E;
+    const Scalar s_E_per_y_D = q.theta_CEG.sin - q.theta_CEG.cos * s_E_per_across_slide_E;
+    const Scalar s_G_per_y_D = -q.theta_CEG.cos * s_G_per_across_slide_E;
+    const Scalar CEG_per_x_F = CEG_per_across_slide_G * sin_FG;
+    const Scalar s_B_per_x_F = sin_FG * s_B_per_across_slide_G;
+    const Scalar s_E_per_x_F = sin_FG * s_E_per_across_slide_G;
+    const Scalar s_G_per_x_F = cos_FG + sin_FG * s_G_per_across_slide_G;
+    const Scalar CEG_per_y_F = -CEG_per_across_slide_G * cos_FG;
+    const Scalar s_B_per_y_F = -cos_FG * s_B_per_across_slide_G;
+    const Scalar s_E_per_y_F = -cos_FG * s_E_per_across_slide_G;
+    const Scalar s_G_per_y_F = sin_FG - cos_FG * s_G_per_across_slide_G;
     S_d(0, 0) = CEG_per_across_slide_E;
     S_d(0, 1) = q.s_G * CEG_per_across_slide_G;
     S_d(0, 2) = CEG_per_across_slide_G;
-    S_d(0, 3) = -cos_phi_B_minus_CEG * CEG_per_across_slide_E
-        - cos_phi_B_minus_psi_G_CEG_minus_CEG * CEG_per_across_slide_G;
+    S_d(0, 3) = -CEG_per_across_slide_E * cos_phi_B_minus_CEG
+        - CEG_per_across_slide_G * cos_phi_B_minus_psi_G_CEG_minus_CEG;
     S_d(0, 4) = -CEG_per_across_slide_E;
     S_d(0, 5) = -CEG_per_across_slide_G;
     S_d(1, 0) = s_B_per_across_slide_E;
     S_d(1, 1) = q.s_G * s_B_per_across_slide_G;
     S_d(1, 2) = s_B_per_across_slide_G;
-    S_d(1, 3) = -t02 - t03;
+    S_d(1, 3) = -t01 - t02;
     S_d(1, 4) = -s_B_per_across_slide_E;
     S_d(1, 5) = -s_B_per_across_slide_G;
     S_d(2, 0) = s_E_per_across_slide_E;
@@ -840,44 +827,44 @@ struct Model12 {
     S_d(2, 4) = -s_E_per_across_slide_E;
     S_d(2, 5) = -s_E_per_across_slide_G;
     S_d(3, 0) = s_G_per_across_slide_E;
-    S_d(3, 1) = t01 + q.s_G * s_G_per_across_slide_G;
+    S_d(3, 1) = q.s_G * s_G_per_across_slide_G - CEG_across_slide_G;
     S_d(3, 2) = s_G_per_across_slide_G;
     S_d(3, 3) = -sin_phi_B_minus_psi_G_CEG_minus_CEG - cos_phi_B_minus_CEG * s_G_per_across_slide_E
         - cos_phi_B_minus_psi_G_CEG_minus_CEG * s_G_per_across_slide_G;
     S_d(3, 4) = -s_G_per_across_slide_E;
     S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = -t04 - t05;
-    S_u(0, 1) = t06 + t07;
+    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;
+    S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
     S_u(0, 2) = -CEG_per_across_slide_E * phi_B_along_slide_E
         - CEG_per_across_slide_G * phi_B_along_slide_G;
-    S_u(0, 3) = t04;
-    S_u(0, 4) = -t06;
-    S_u(0, 5) = t05;
-    S_u(0, 6) = -t07;
-    S_u(1, 0) = -t08 - t09;
-    S_u(1, 1) = t10 + t11;
-    S_u(1, 2) = -s_B_per_across_slide_E * phi_B_along_slide_E
-        - s_B_per_across_slide_G * phi_B_along_slide_G;
-    S_u(1, 3) = t08;
-    S_u(1, 4) = -t10;
-    S_u(1, 5) = t09;
-    S_u(1, 6) = -t11;
-    S_u(2, 0) = -t12 - t13;
-    S_u(2, 1) = t14 - t15;
-    S_u(2, 2) = -s_E_per_across_slide_E * phi_B_along_slide_E - phi_B_across_slide_E
-        - s_E_per_across_slide_G * phi_B_along_slide_G;
-    S_u(2, 3) = t13;
-    S_u(2, 4) = t15;
-    S_u(2, 5) = t12;
-    S_u(2, 6) = -t14;
-    S_u(3, 0) = -t16 - t17;
-    S_u(3, 1) = t18 - t19;
-    S_u(3, 2) = -s_G_per_across_slide_E * phi_B_along_slide_E
-        - s_G_per_across_slide_G * phi_B_along_slide_G - phi_B_across_slide_G;
-    S_u(3, 3) = t16;
-    S_u(3, 4) = -t18;
-    S_u(3, 5) = t17;
-    S_u(3, 6) = t19;
+    S_u(0, 3) = CEG_per_x_D;
+    S_u(0, 4) = CEG_per_y_D;
+    S_u(0, 5) = CEG_per_x_F;
+    S_u(0, 6) = CEG_per_y_F;
+    S_u(1, 0) = -s_B_per_x_D - s_B_per_x_F;
+    S_u(1, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_u(1, 2) = -phi_B_along_slide_E * s_B_per_across_slide_E
+        - phi_B_along_slide_G * s_B_per_across_slide_G;
+    S_u(1, 3) = s_B_per_x_D;
+    S_u(1, 4) = s_B_per_y_D;
+    S_u(1, 5) = s_B_per_x_F;
+    S_u(1, 6) = s_B_per_y_F;
+    S_u(2, 0) = -s_E_per_x_D - s_E_per_x_F;
+    S_u(2, 1) = -s_E_per_y_D - s_E_per_y_F;
+    S_u(2, 2) = -phi_B_along_slide_E * s_E_per_across_slide_E - phi_B_across_slide_E
+        - phi_B_along_slide_G * s_E_per_across_slide_G;
+    S_u(2, 3) = s_E_per_x_D;
+    S_u(2, 4) = s_E_per_y_D;
+    S_u(2, 5) = s_E_per_x_F;
+    S_u(2, 6) = s_E_per_y_F;
+    S_u(3, 0) = -s_G_per_x_D - s_G_per_x_F;
+    S_u(3, 1) = -s_G_per_y_D - s_G_per_y_F;
+    S_u(3, 2) = -phi_B_along_slide_E * s_G_per_across_slide_E
+        - phi_B_along_slide_G * s_G_per_across_slide_G - phi_B_across_slide_G;
+    S_u(3, 3) = s_G_per_x_D;
+    S_u(3, 4) = s_G_per_y_D;
+    S_u(3, 5) = s_G_per_x_F;
+    S_u(3, 6) = s_G_per_y_F;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -902,7 +889,7 @@ struct Model12 {
     const Scalar sin_phi_B_minus_psi_G_CEG_minus_CEG = u.phi_B.sin * cos_FG - u.phi_B.cos * sin_FG;
     const Scalar phi_B_along_slide_E = -q.s_B * cos_phi_B_minus_CEG
         - d.h_B_BC * sin_phi_B_minus_CEG;
-    const Scalar phi_B_across_slide_E = cos_phi_B_minus_CEG * d.h_B_BC
+    const Scalar phi_B_across_slide_E = d.h_B_BC * cos_phi_B_minus_CEG
         - q.s_B * sin_phi_B_minus_CEG;
     const Scalar CEG_across_slide_E = d.h_E_DE - d.h_E_CEG;
     const Scalar phi_B_along_slide_G = -q.s_B * cos_phi_B_minus_psi_G_CEG_minus_CEG
@@ -910,28 +897,28 @@ struct Model12 {
     const Scalar phi_B_across_slide_G = d.h_B_BC * cos_phi_B_minus_psi_G_CEG_minus_CEG
         - q.s_B * sin_phi_B_minus_psi_G_CEG_minus_CEG;
     const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
-    const Scalar determinant = sin_phi_B_minus_psi_G_CEG_minus_CEG * q.s_E
-        - sin_phi_B_minus_CEG * q.s_G;
+    const Scalar determinant = q.s_E * sin_phi_B_minus_psi_G_CEG_minus_CEG
+        - q.s_G * sin_phi_B_minus_CEG;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_E = q.theta_CEG.cos * t01 + q.theta_CEG.sin * t02
-        + omega_B * phi_B_across_slide_E;
+        + phi_B_across_slide_E * omega_B;
     const Scalar velocity_across_slide_E = q.theta_CEG.cos * t02 - q.theta_CEG.sin * t01
-        - omega_B * phi_B_along_slide_E;
+        - phi_B_along_slide_E * omega_B;
     const Scalar t03 = v_x_B - v_x_F;
     const Scalar t04 = v_y_B - v_y_F;
     const Scalar velocity_along_slide_G = cos_FG * t03 + sin_FG * t04
-        + omega_B * phi_B_across_slide_G;
+        + phi_B_across_slide_G * omega_B;
     const Scalar velocity_across_slide_G = cos_FG * t04 - sin_FG * t03
-        - omega_B * phi_B_along_slide_G;
-    const Scalar omega_CEG = (sin_phi_B_minus_CEG * velocity_across_slide_G
-        - sin_phi_B_minus_psi_G_CEG_minus_CEG * velocity_across_slide_E) * inverse;
+        - phi_B_along_slide_G * omega_B;
+    const Scalar omega_CEG = inverse * (sin_phi_B_minus_CEG * velocity_across_slide_G
+        - sin_phi_B_minus_psi_G_CEG_minus_CEG * velocity_across_slide_E);
     const Scalar v_s_B = -inverse * (q.s_E * velocity_across_slide_G
         - q.s_G * velocity_across_slide_E);
-    const Scalar v_s_G = -omega_CEG * CEG_across_slide_G
+    const Scalar v_s_G = -CEG_across_slide_G * omega_CEG
         - cos_phi_B_minus_psi_G_CEG_minus_CEG * v_s_B - velocity_along_slide_G;
-    const Scalar v_s_E = -omega_CEG * CEG_across_slide_E - cos_phi_B_minus_CEG * v_s_B
+    const Scalar v_s_E = -CEG_across_slide_E * omega_CEG - cos_phi_B_minus_CEG * v_s_B
         - velocity_along_slide_E;
     q_rate(0) = omega_CEG;
     q_rate(1) = v_s_B;
@@ -969,7 +956,7 @@ struct Model12 {
     const Scalar sin_phi_B_minus_psi_G_CEG_minus_CEG = u.phi_B.sin * cos_FG - u.phi_B.cos * sin_FG;
     const Scalar phi_B_along_slide_E = -q.s_B * cos_phi_B_minus_CEG
         - d.h_B_BC * sin_phi_B_minus_CEG;
-    const Scalar phi_B_across_slide_E = cos_phi_B_minus_CEG * d.h_B_BC
+    const Scalar phi_B_across_slide_E = d.h_B_BC * cos_phi_B_minus_CEG
         - q.s_B * sin_phi_B_minus_CEG;
     const Scalar CEG_across_slide_E = d.h_E_DE - d.h_E_CEG;
     const Scalar phi_B_along_slide_G = -q.s_B * cos_phi_B_minus_psi_G_CEG_minus_CEG
@@ -977,29 +964,29 @@ struct Model12 {
     const Scalar phi_B_across_slide_G = d.h_B_BC * cos_phi_B_minus_psi_G_CEG_minus_CEG
         - q.s_B * sin_phi_B_minus_psi_G_CEG_minus_CEG;
     const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
-    const Scalar determinant = sin_phi_B_minus_psi_G_CEG_minus_CEG * q.s_E
-        - sin_phi_B_minus_CEG * q.s_G;
+    const Scalar determinant = q.s_E * sin_phi_B_minus_psi_G_CEG_minus_CEG
+        - q.s_G * sin_phi_B_minus_CEG;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
-    const Scalar t03 = omega_B * phi_B_across_slide_E;
+    const Scalar t03 = phi_B_across_slide_E * omega_B;
     const Scalar velocity_along_slide_E = q.theta_CEG.cos * t01 + q.theta_CEG.sin * t02 + t03;
-    const Scalar t04 = omega_B * phi_B_along_slide_E;
+    const Scalar t04 = phi_B_along_slide_E * omega_B;
     const Scalar velocity_across_slide_E = q.theta_CEG.cos * t02 - q.theta_CEG.sin * t01 - t04;
     const Scalar t05 = v_x_B - v_x_F;
     const Scalar t06 = v_y_B - v_y_F;
-    const Scalar t07 = omega_B * phi_B_across_slide_G;
+    const Scalar t07 = phi_B_across_slide_G * omega_B;
     const Scalar velocity_along_slide_G = cos_FG * t05 + sin_FG * t06 + t07;
-    const Scalar t08 = omega_B * phi_B_along_slide_G;
+    const Scalar t08 = phi_B_along_slide_G * omega_B;
     const Scalar velocity_across_slide_G = cos_FG * t06 - sin_FG * t05 - t08;
-    const Scalar omega_CEG = (sin_phi_B_minus_CEG * velocity_across_slide_G
-        - sin_phi_B_minus_psi_G_CEG_minus_CEG * velocity_across_slide_E) * inverse;
+    const Scalar omega_CEG = inverse * (sin_phi_B_minus_CEG * velocity_across_slide_G
+        - sin_phi_B_minus_psi_G_CEG_minus_CEG * velocity_across_slide_E);
     const Scalar v_s_B = -inverse * (q.s_E * velocity_across_slide_G
         - q.s_G * velocity_across_slide_E);
-    const Scalar t09 = omega_CEG * CEG_across_slide_G;
+    const Scalar t09 = CEG_across_slide_G * omega_CEG;
     const Scalar t10 = cos_phi_B_minus_psi_G_CEG_minus_CEG * v_s_B;
     const Scalar v_s_G = -t09 - t10 - velocity_along_slide_G;
-    const Scalar t11 = omega_CEG * CEG_across_slide_E;
+    const Scalar t11 = CEG_across_slide_E * omega_CEG;
     const Scalar t12 = cos_phi_B_minus_CEG * v_s_B;
     const Scalar v_s_E = -t11 - t12 - velocity_along_slide_E;
     const Scalar t13 = a_x_B - a_x_D;
@@ -1069,120 +1056,91 @@ struct Model12 {
     const Scalar sin_phi_B_minus_psi_G_CEG_minus_CEG = u.phi_B.sin * cos_FG - u.phi_B.cos * sin_FG;
     const Scalar phi_B_along_slide_E = -q.s_B * cos_phi_B_minus_CEG
         - d.h_B_BC * sin_phi_B_minus_CEG;
-    const Scalar phi_B_across_slide_E = cos_phi_B_minus_CEG * d.h_B_BC
+    const Scalar phi_B_across_slide_E = d.h_B_BC * cos_phi_B_minus_CEG
         - q.s_B * sin_phi_B_minus_CEG;
     const Scalar CEG_across_slide_E = d.h_E_DE - d.h_E_CEG;
     const Scalar phi_B_along_slide_G = -q.s_B * cos_phi_B_minus_psi_G_CEG_minus_CEG
         - d.h_B_BC * sin_phi_B_minus_psi_G_CEG_minus_CEG;
     const Scalar phi_B_across_slide_G = d.h_B_BC * cos_phi_B_minus_psi_G_CEG_minus_CEG
         - q.s_B * sin_phi_B_minus_psi_G_CEG_minus_CEG;
-    const Scalar t01 = d.h_G_CEG - d.h_G_FG;
-    const Scalar CEG_across_slide_G = -t01;
-    const Scalar determinant = sin_phi_B_minus_psi_G_CEG_minus_CEG * q.s_E
-        - sin_phi_B_minus_CEG * q.s_G;
+    const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
+    const Scalar determinant = q.s_E * sin_phi_B_minus_psi_G_CEG_minus_CEG
+        - q.s_G * sin_phi_B_minus_CEG;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
-    const Scalar CEG_per_across_slide_E = -sin_phi_B_minus_psi_G_CEG_minus_CEG * inverse;
+    const Scalar CEG_per_across_slide_E = -inverse * sin_phi_B_minus_psi_G_CEG_minus_CEG;
     const Scalar s_B_per_across_slide_E = q.s_G * inverse;
     const Scalar s_G_per_across_slide_E = -cos_phi_B_minus_psi_G_CEG_minus_CEG *
         s_B_per_across_slide_E - CEG_across_slide_G * CEG_per_across_slide_E;
-    const Scalar t02 = cos_phi_B_minus_CEG * s_B_per_across_slide_E;
-    const Scalar s_E_per_across_slide_E = -t02 - CEG_per_across_slide_E * CEG_across_slide_E;
-    const Scalar CEG_per_across_slide_G = sin_phi_B_minus_CEG * inverse;
+    const Scalar t01 = cos_phi_B_minus_CEG * s_B_per_across_slide_E;
+    const Scalar s_E_per_across_slide_E = -t01 - CEG_per_across_slide_E * CEG_across_slide_E;
+    const Scalar CEG_per_across_slide_G = inverse * sin_phi_B_minus_CEG;
     const Scalar s_B_per_across_slide_G = -q.s_E * inverse;
-    const Scalar t03 = cos_phi_B_minus_psi_G_CEG_minus_CEG * s_B_per_across_slide_G;
-    const Scalar s_G_per_across_slide_G = -t03 - CEG_across_slide_G * CEG_per_across_slide_G;
+    const Scalar t02 = cos_phi_B_minus_psi_G_CEG_minus_CEG * s_B_per_across_slide_G;
+    const Scalar s_G_per_across_slide_G = -t02 - CEG_across_slide_G * CEG_per_across_slide_G;
     const Scalar s_E_per_across_slide_G = -cos_phi_B_minus_CEG * s_B_per_across_slide_G
         - CEG_across_slide_E * CEG_per_across_slide_G;
-    const Scalar t04 = q.theta_CEG.sin * CEG_per_across_slide_E;
-    const Scalar t05 = sin_FG * CEG_per_across_slide_G;
-    const Scalar t06 = t04 + t05;
-    const Scalar CEG_per_x_B = -t06;
-    const Scalar t07 = q.theta_CEG.sin * s_B_per_across_slide_E;
-    const Scalar t08 = sin_FG * s_B_per_across_slide_G;
-    const Scalar t09 = t07 + t08;
-    const Scalar s_B_per_x_B = -t09;
-    const Scalar t10 = sin_FG * s_E_per_across_slide_G;
-    const Scalar t11 = q.theta_CEG.cos + q.theta_CEG.sin * s_E_per_across_slide_E;
-    const Scalar t12 = t10 + t11;
-    const Scalar s_E_per_x_B = -t12;
-    const Scalar t13 = q.theta_CEG.sin * s_G_per_across_slide_E;
-    const Scalar t14 = cos_FG + sin_FG * s_G_per_across_slide_G;
-    const Scalar t15 = t13 + t14;
-    const Scalar s_G_per_x_B = -t15;
-    const Scalar t16 = q.theta_CEG.cos * CEG_per_across_slide_E;
-    const Scalar t17 = cos_FG * CEG_per_across_slide_G;
-    const Scalar t18 = t16 + t17;
-    const Scalar CEG_per_y_B = t18;
-    const Scalar t19 = q.theta_CEG.cos * s_B_per_across_slide_E;
-    const Scalar t20 = cos_FG * s_B_per_across_slide_G;
-    const Scalar t21 = t19 + t20;
-    const Scalar s_B_per_y_B = t21;
-    const Scalar t22 = cos_FG * s_E_per_across_slide_G;
-    const Scalar t23 = q.theta_CEG.sin - q.theta_CEG.cos * s_E_per_across_slide_E;
-    const Scalar t24 = t22 - t23;
-    const Scalar s_E_per_y_B = t24;
-    const Scalar t25 = q.theta_CEG.cos * s_G_per_across_slide_E;
-    const Scalar t26 = sin_FG - cos_FG * s_G_per_across_slide_G;
-    const Scalar t27 = t25 - t26;
-    const Scalar s_G_per_y_B = t27;
-    const Scalar t28 = CEG_per_across_slide_E * phi_B_along_slide_E
-        + CEG_per_across_slide_G * phi_B_along_slide_G;
-    const Scalar CEG_per_phi_B = -t28;
-    const Scalar t29 = s_B_per_across_slide_E * phi_B_along_slide_E
-        + s_B_per_across_slide_G * phi_B_along_slide_G;
-    const Scalar s_B_per_phi_B = -t29;
-    const Scalar t30 = s_E_per_across_slide_E * phi_B_along_slide_E + phi_B_across_slide_E
-        + s_E_per_across_slide_G * phi_B_along_slide_G;
-    const Scalar s_E_per_phi_B = -t30;
-    const Scalar t31 = s_G_per_across_slide_E * phi_B_along_slide_E
-        + s_G_per_across_slide_G * phi_B_along_slide_G + phi_B_across_slide_G;
-    const Scalar s_G_per_phi_B = -t31;
-    const Scalar CEG_per_x_D = t04;
-    const Scalar s_B_per_x_D = t07;
-    const Scalar s_E_per_x_D = t11;
-    const Scalar s_G_per_x_D = t13;
-    const Scalar CEG_per_y_D = -t16;
-    const Scalar s_B_per_y_D = -t19;
-    const Scalar s_E_per_y_D = t23;
-    const Scalar s_G_per_y_D = -t25;
-    const Scalar CEG_per_x_F = t05;
-    const Scalar s_B_per_x_F = t08;
-    const Scalar s_E_per_x_F = t10;
-    const Scalar s_G_per_x_F = t14;
-    const Scalar CEG_per_y_F = -t17;
-    const Scalar s_B_per_y_F = -t20;
-    const Scalar s_E_per_y_F = -t22;
-    const Scalar s_G_per_y_F = t26;
-    const Scalar omega_CEG = v_x_B * CEG_per_x_B + v_y_B * CEG_per_y_B + omega_B * CEG_per_phi_B
-        + v_x_D * CEG_per_x_D + v_y_D * CEG_per_y_D + v_x_F * CEG_per_x_F + v_y_F * CEG_per_y_F;
-    const Scalar v_s_B = v_x_B * s_B_per_x_B + v_y_B * s_B_per_y_B + omega_B * s_B_per_phi_B
-        + v_x_D * s_B_per_x_D + v_y_D * s_B_per_y_D + v_x_F * s_B_per_x_F + v_y_F * s_B_per_y_F;
-    const Scalar v_s_E = v_x_B * s_E_per_x_B + v_y_B * s_E_per_y_B + omega_B * s_E_per_phi_B
-        + v_x_D * s_E_per_x_D + v_y_D * s_E_per_y_D + v_x_F * s_E_per_x_F + v_y_F * s_E_per_y_F;
-    const Scalar v_s_G = v_x_B * s_G_per_x_B + v_y_B * s_G_per_y_B + omega_B * s_G_per_phi_B
-        + v_x_D * s_G_per_x_D + v_y_D * s_G_per_y_D + v_x_F * s_G_per_x_F + v_y_F * s_G_per_y_F;
-    const Scalar t32 = omega_CEG * omega_CEG;
+    const Scalar CEG_per_x_D = CEG_per_across_slide_E * q.theta_CEG.sin;
+    const Scalar CEG_per_x_F = CEG_per_across_slide_G * sin_FG;
+    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
+    const Scalar s_B_per_x_D = q.theta_CEG.sin * s_B_per_across_slide_E;
+    const Scalar s_B_per_x_F = sin_FG * s_B_per_across_slide_G;
+    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
+    const Scalar s_E_per_x_D = q.theta_CEG.cos + q.theta_CEG.sin * s_E_per_across_slide_E;
+    const Scalar s_E_per_x_F = sin_FG * s_E_per_across_slide_G;
+    const Scalar s_E_per_x_B = -s_E_per_x_D - s_E_per_x_F;
+    const Scalar s_G_per_x_D = q.theta_CEG.sin * s_G_per_across_slide_E;
+    const Scalar s_G_per_x_F = cos_FG + sin_FG * s_G_per_across_slide_G;
+    const Scalar s_G_per_x_B = -s_G_per_x_D - s_G_per_x_F;
+    const Scalar CEG_per_y_D = -CEG_per_across_slide_E * q.theta_CEG.cos;
+    const Scalar CEG_per_y_F = -CEG_per_across_slide_G * cos_FG;
+    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
+    const Scalar s_B_per_y_D = -q.theta_CEG.cos * s_B_per_across_slide_E;
+    const Scalar s_B_per_y_F = -cos_FG * s_B_per_across_slide_G;
+    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
+    const Scalar s_E_per_y_D = q.theta_CEG.sin - q.theta_CEG.cos * s_E_per_across_slide_E;
+    const Scalar s_E_per_y_F = -cos_FG * s_E_per_across_slide_G;
+    const Scalar s_E_per_y_B = -s_E_per_y_D - s_E_per_y_F;
+    const Scalar s_G_per_y_D = -q.theta_CEG.cos * s_G_per_across_slide_E;
+    const Scalar s_G_per_y_F = sin_FG - cos_FG * s_G_per_across_slide_G;
+    const Scalar s_G_per_y_B = -s_G_per_y_D - s_G_per_y_F;
+    const Scalar CEG_per_phi_B = -CEG_per_across_slide_E * phi_B_along_slide_E
+        - CEG_per_across_slide_G * phi_B_along_slide_G;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_E * s_B_per_across_slide_E
+        - phi_B_along_slide_G * s_B_per_across_slide_G;
+    const Scalar s_E_per_phi_B = -phi_B_along_slide_E * s_E_per_across_slide_E
+        - phi_B_across_slide_E - phi_B_along_slide_G * s_E_per_across_slide_G;
+    const Scalar s_G_per_phi_B = -phi_B_along_slide_E * s_G_per_across_slide_E
+        - phi_B_along_slide_G * s_G_per_across_slide_G - phi_B_across_slide_G;
+    const Scalar omega_CEG = CEG_per_x_B * v_x_B + CEG_per_y_B * v_y_B + CEG_per_phi_B * omega_B
+        + CEG_per_x_D * v_x_D + CEG_per_y_D * v_y_D + CEG_per_x_F * v_x_F + CEG_per_y_F * v_y_F;
+    const Scalar v_s_B = s_B_per_x_B * v_x_B + s_B_per_y_B * v_y_B + s_B_per_phi_B * omega_B
+        + s_B_per_x_D * v_x_D + s_B_per_y_D * v_y_D + s_B_per_x_F * v_x_F + s_B_per_y_F * v_y_F;
+    const Scalar v_s_E = s_E_per_x_B * v_x_B + s_E_per_y_B * v_y_B + s_E_per_phi_B * omega_B
+        + s_E_per_x_D * v_x_D + s_E_per_y_D * v_y_D + s_E_per_x_F * v_x_F + s_E_per_y_F * v_y_F;
+    const Scalar v_s_G = s_G_per_x_B * v_x_B + s_G_per_y_B * v_y_B + s_G_per_phi_B * omega_B
+        + s_G_per_x_D * v_x_D + s_G_per_y_D * v_y_D + s_G_per_x_F * v_x_F + s_G_per_y_F * v_y_F;
+    const Scalar t03 = omega_CEG * omega_CEG;
     const Scalar centripetal_along_slide_E = -omega_B * (Scalar(2) * sin_phi_B_minus_CEG * v_s_B
-        - phi_B_along_slide_E * omega_B) - q.s_E * t32;
+        - phi_B_along_slide_E * omega_B) - q.s_E * t03;
     const Scalar centripetal_across_slide_E = omega_CEG * (CEG_across_slide_E * omega_CEG
         + Scalar(2) * v_s_E) + omega_B * (Scalar(2) * cos_phi_B_minus_CEG * v_s_B
         + phi_B_across_slide_E * omega_B);
     const Scalar centripetal_along_slide_G = -omega_B * (Scalar(2) *
-        sin_phi_B_minus_psi_G_CEG_minus_CEG * v_s_B - phi_B_along_slide_G * omega_B) - q.s_G * t32;
+        sin_phi_B_minus_psi_G_CEG_minus_CEG * v_s_B - phi_B_along_slide_G * omega_B) - q.s_G * t03;
     const Scalar centripetal_across_slide_G = omega_CEG * (CEG_across_slide_G * omega_CEG
         + Scalar(2) * v_s_G) + omega_B * (Scalar(2) * cos_phi_B_minus_psi_G_CEG_minus_CEG * v_s_B
         + phi_B_across_slide_G * omega_B);
     S_d(0, 0) = CEG_per_across_slide_E;
     S_d(0, 1) = q.s_G * CEG_per_across_slide_G;
     S_d(0, 2) = CEG_per_across_slide_G;
-    S_d(0, 3) = -cos_phi_B_minus_CEG * CEG_per_across_slide_E
-        - cos_phi_B_minus_psi_G_CEG_minus_CEG * CEG_per_across_slide_G;
+    S_d(0, 3) = -CEG_per_across_slide_E * cos_phi_B_minus_CEG
+        - CEG_per_across_slide_G * cos_phi_B_minus_psi_G_CEG_minus_CEG;
     S_d(0, 4) = -CEG_per_across_slide_E;
     S_d(0, 5) = -CEG_per_across_slide_G;
     S_d(1, 0) = s_B_per_across_slide_E;
     S_d(1, 1) = q.s_G * s_B_per_across_slide_G;
     S_d(1, 2) = s_B_per_across_slide_G;
-    S_d(1, 3) = -t02 - t03;
+    S_d(1, 3) = -t01 - t02;
     S_d(1, 4) = -s_B_per_across_slide_E;
     S_d(1, 5) = -s_B_per_across_slide_G;
     S_d(2, 0) = s_E_per_across_slide_E;
@@ -1193,40 +1151,40 @@ struct Model12 {
     S_d(2, 4) = -s_E_per_across_slide_E;
     S_d(2, 5) = -s_E_per_across_slide_G;
     S_d(3, 0) = s_G_per_across_slide_E;
-    S_d(3, 1) = t01 + q.s_G * s_G_per_across_slide_G;
+    S_d(3, 1) = q.s_G * s_G_per_across_slide_G - CEG_across_slide_G;
     S_d(3, 2) = s_G_per_across_slide_G;
     S_d(3, 3) = -sin_phi_B_minus_psi_G_CEG_minus_CEG - cos_phi_B_minus_CEG * s_G_per_across_slide_E
         - cos_phi_B_minus_psi_G_CEG_minus_CEG * s_G_per_across_slide_G;
     S_d(3, 4) = -s_G_per_across_slide_E;
     S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = -t06;
-    S_u(0, 1) = t18;
-    S_u(0, 2) = -t28;
-    S_u(0, 3) = t04;
-    S_u(0, 4) = -t16;
-    S_u(0, 5) = t05;
-    S_u(0, 6) = -t17;
-    S_u(1, 0) = -t09;
-    S_u(1, 1) = t21;
-    S_u(1, 2) = -t29;
-    S_u(1, 3) = t07;
-    S_u(1, 4) = -t19;
-    S_u(1, 5) = t08;
-    S_u(1, 6) = -t20;
-    S_u(2, 0) = -t12;
-    S_u(2, 1) = t24;
-    S_u(2, 2) = -t30;
-    S_u(2, 3) = t11;
-    S_u(2, 4) = t23;
-    S_u(2, 5) = t10;
-    S_u(2, 6) = -t22;
-    S_u(3, 0) = -t15;
-    S_u(3, 1) = t27;
-    S_u(3, 2) = -t31;
-    S_u(3, 3) = t13;
-    S_u(3, 4) = -t25;
-    S_u(3, 5) = t14;
-    S_u(3, 6) = t26;
+    S_u(0, 0) = CEG_per_x_B;
+    S_u(0, 1) = CEG_per_y_B;
+    S_u(0, 2) = CEG_per_phi_B;
+    S_u(0, 3) = CEG_per_x_D;
+    S_u(0, 4) = CEG_per_y_D;
+    S_u(0, 5) = CEG_per_x_F;
+    S_u(0, 6) = CEG_per_y_F;
+    S_u(1, 0) = s_B_per_x_B;
+    S_u(1, 1) = s_B_per_y_B;
+    S_u(1, 2) = s_B_per_phi_B;
+    S_u(1, 3) = s_B_per_x_D;
+    S_u(1, 4) = s_B_per_y_D;
+    S_u(1, 5) = s_B_per_x_F;
+    S_u(1, 6) = s_B_per_y_F;
+    S_u(2, 0) = s_E_per_x_B;
+    S_u(2, 1) = s_E_per_y_B;
+    S_u(2, 2) = s_E_per_phi_B;
+    S_u(2, 3) = s_E_per_x_D;
+    S_u(2, 4) = s_E_per_y_D;
+    S_u(2, 5) = s_E_per_x_F;
+    S_u(2, 6) = s_E_per_y_F;
+    S_u(3, 0) = s_G_per_x_B;
+    S_u(3, 1) = s_G_per_y_B;
+    S_u(3, 2) = s_G_per_phi_B;
+    S_u(3, 3) = s_G_per_x_D;
+    S_u(3, 4) = s_G_per_y_D;
+    S_u(3, 5) = s_G_per_x_F;
+    S_u(3, 6) = s_G_per_y_F;
     q_rate(0) = omega_CEG;
     q_rate(1) = v_s_B;
     q_rate(2) = v_s_E;
@@ -1265,17 +1223,17 @@ struct Model12 {
     const Scalar c_0_re = Scalar(2) * (d.h_E_CEG - d.h_E_DE);
     const Scalar e_m1_re = u.phi_B.sin * d.psi_G_CEG.cos - u.phi_B.cos * d.psi_G_CEG.sin;
     const Scalar e_m1_im = -u.phi_B.cos * d.psi_G_CEG.cos - u.phi_B.sin * d.psi_G_CEG.sin;
-    const Scalar f_m1_re = -d.psi_G_CEG.cos * t01 - d.psi_G_CEG.sin * t02;
-    const Scalar f_m1_im = d.psi_G_CEG.sin * t01 - d.psi_G_CEG.cos * t02;
+    const Scalar f_m1_re = -t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
+    const Scalar f_m1_im = t01 * d.psi_G_CEG.sin - t02 * d.psi_G_CEG.cos;
     const Scalar f_0_re = Scalar(2) * (d.h_G_CEG - d.h_G_FG);
-    const Scalar t03 = u.phi_B.cos * f_m1_im + c_m1_im * e_m1_im;
-    const Scalar t04 = u.phi_B.sin * f_m1_re - c_m1_re * e_m1_re;
+    const Scalar t03 = f_m1_im * u.phi_B.cos + c_m1_im * e_m1_im;
+    const Scalar t04 = f_m1_re * u.phi_B.sin - c_m1_re * e_m1_re;
     T.cosine[0] = -Scalar(2) * (t03 - t04);
-    T.cosine[1] = Scalar(2) * (u.phi_B.sin * f_0_re - e_m1_re * c_0_re);
-    T.sine[1] = -Scalar(2) * (u.phi_B.cos * f_0_re + e_m1_im * c_0_re);
+    T.cosine[1] = Scalar(2) * (f_0_re * u.phi_B.sin - c_0_re * e_m1_re);
+    T.sine[1] = -Scalar(2) * (f_0_re * u.phi_B.cos + c_0_re * e_m1_im);
     T.cosine[2] = Scalar(2) * (t03 + t04);
-    T.sine[2] = -Scalar(2) * (u.phi_B.cos * f_m1_re + c_m1_re * e_m1_im + e_m1_re * c_m1_im
-        - u.phi_B.sin * f_m1_im);
+    T.sine[2] = -Scalar(2) * (f_m1_re * u.phi_B.cos + c_m1_re * e_m1_im + c_m1_im * e_m1_re
+        - f_m1_im * u.phi_B.sin);
   }
 
   /// The reduced equations, one a row, where theta_CEG is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
@@ -1289,16 +1247,16 @@ struct Model12 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = u.phi_B.cos * d.h_B_BC - FB_y;
-    const Scalar t02 = u.phi_B.sin * d.h_B_BC + FB_x;
+    const Scalar t01 = d.h_B_BC * u.phi_B.cos - FB_y;
+    const Scalar t02 = d.h_B_BC * u.phi_B.sin + FB_x;
     e(0, 1) = Scalar(2) * (q.theta_CEG.cos * u.phi_B.sin - q.theta_CEG.sin * u.phi_B.cos);
-    e(0, 2) = Scalar(2) * (d.h_E_CEG + q.theta_CEG.sin * (FD_x - t02) - d.h_E_DE
-        - q.theta_CEG.cos * (FD_y + t01));
+    e(0, 2) = Scalar(2) * (d.h_E_CEG + (FD_x - t02) * q.theta_CEG.sin - d.h_E_DE - (FD_y
+        + t01) * q.theta_CEG.cos);
     e(1, 1) = Scalar(2) * (q.theta_CEG.cos * (u.phi_B.sin * d.psi_G_CEG.cos
         - u.phi_B.cos * d.psi_G_CEG.sin) - q.theta_CEG.sin * (u.phi_B.cos * d.psi_G_CEG.cos
         + u.phi_B.sin * d.psi_G_CEG.sin));
-    e(1, 2) = -Scalar(2) * (q.theta_CEG.cos * (d.psi_G_CEG.cos * t01 + d.psi_G_CEG.sin * t02)
-        + q.theta_CEG.sin * (d.psi_G_CEG.cos * t02 - d.psi_G_CEG.sin * t01) + d.h_G_FG - d.h_G_CEG);
+    e(1, 2) = -Scalar(2) * ((t01 * d.psi_G_CEG.cos + t02 * d.psi_G_CEG.sin) * q.theta_CEG.cos
+        + (t02 * d.psi_G_CEG.cos - t01 * d.psi_G_CEG.sin) * q.theta_CEG.sin + d.h_G_FG - d.h_G_CEG);
   }
 
   /// The other unknowns of a configuration in which those of the reduced
@@ -1311,10 +1269,10 @@ struct Model12 {
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     const Scalar t01 = FB_x + q.s_B * u.phi_B.cos + d.h_B_BC * u.phi_B.sin;
-    const Scalar t02 = FB_y + q.s_B * u.phi_B.sin - u.phi_B.cos * d.h_B_BC;
-    q.s_E = q.theta_CEG.cos * (FD_x - t01) + q.theta_CEG.sin * (FD_y - t02);
-    q.s_G = q.theta_CEG.sin * (d.psi_G_CEG.sin * t01 - d.psi_G_CEG.cos * t02)
-        - q.theta_CEG.cos * (d.psi_G_CEG.cos * t01 + d.psi_G_CEG.sin * t02);
+    const Scalar t02 = FB_y + q.s_B * u.phi_B.sin - d.h_B_BC * u.phi_B.cos;
+    q.s_E = (FD_x - t01) * q.theta_CEG.cos + (FD_y - t02) * q.theta_CEG.sin;
+    q.s_G = (t01 * d.psi_G_CEG.sin - t02 * d.psi_G_CEG.cos) * q.theta_CEG.sin
+        - (t01 * d.psi_G_CEG.cos + t02 * d.psi_G_CEG.sin) * q.theta_CEG.cos;
   }
 };
 

@@ -33,14 +33,14 @@ namespace assur::triad {
 ///   none: link CEG does not close exactly one loop
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:                     30, 26, 0
+///   residual:                     26, 24, 0
 ///   jacobian:                     12, 6, 0
-///   dimension_jacobian:           28, 18, 0
-///   input_jacobian:               30, 20, 0
-///   velocity_rhs:                 34, 28, 0
-///   acceleration_rhs:             58, 42, 0
-///   jerk_rhs:                     90, 60, 0
-///   curvature_rhs:                86, 65, 0
+///   dimension_jacobian:           24, 16, 0
+///   input_jacobian:               26, 18, 0
+///   velocity_rhs:                 30, 26, 0
+///   acceleration_rhs:             54, 40, 0
+///   jerk_rhs:                     86, 58, 0
+///   curvature_rhs:                82, 63, 0
 ///   link_poses:                   16, 10, 0
 ///   pose_jacobians:               8, 4, 0
 ///   link_velocities:              16, 12, 0
@@ -52,7 +52,7 @@ namespace assur::triad {
 ///   velocity:                     56, 38, 1
 ///   motion:                       94, 68, 1
 ///   sensitivities_and_motion:     178, 126, 1
-///   position_polynomial:          28, 23, 0
+///   position_polynomial:          34, 23, 0
 ///   second_equations:             24, 21, 0
 ///   complete:                     20, 20, 0
 struct Model13 {
@@ -189,34 +189,32 @@ struct Model13 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -(d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG) * d.h_G_CEG;
-    const Scalar CG_y = d.h_G_CEG * (d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG);
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = slide_C_x - u.x_B - slide_B_x;
-    const Scalar t04 = slide_C_y - u.y_B - slide_B_y;
-    f(0) = u.x_D + DE_x + t03 - slide_E_x;
-    f(1) = u.y_D + DE_y + t04 - slide_E_y;
-    f(2) = u.x_F + FG_x + t03 - CG_x - slide_G_x;
-    f(3) = u.y_F + FG_y + t04 - CG_y - slide_G_y;
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_C_x - u.x_B - slide_B_x;
+    const Scalar t02 = slide_C_y - u.y_B - slide_B_y;
+    f(0) = u.x_D + DE_x + t01 - slide_E_x;
+    f(1) = u.y_D + DE_y + t02 - slide_E_y;
+    f(2) = u.x_F + FG_x + t01 - CG_x - slide_G_x;
+    f(3) = u.y_F + FG_y + t02 - CG_y - slide_G_y;
   }
 
   /// J = df/dq.
@@ -224,14 +222,12 @@ struct Model13 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>&, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     J(0, 0) = -u.phi_B.cos;
     J(0, 1) = cos_CEG;
     J(0, 2) = -cos_DE;
@@ -251,43 +247,41 @@ struct Model13 {
   static void dimension_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -(d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG) * d.h_G_CEG;
-    const Scalar CG_y = d.h_G_CEG * (d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG);
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = DE_y - slide_E_y;
-    const Scalar t04 = DE_x - slide_E_x;
-    const Scalar t05 = slide_G_y + CG_y - FG_y;
-    const Scalar t06 = slide_G_x + CG_x - FG_x;
-    F_d(0, 0) = -t03;
-    F_d(0, 3) = -t03 - slide_C_y;
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = DE_y - slide_E_y;
+    const Scalar t02 = DE_x - slide_E_x;
+    const Scalar t03 = slide_G_y + CG_y - FG_y;
+    const Scalar t04 = slide_G_x + CG_x - FG_x;
+    F_d(0, 0) = -t01;
+    F_d(0, 3) = -t01 - slide_C_y;
     F_d(0, 4) = -sin_DE;
-    F_d(1, 0) = t04;
-    F_d(1, 3) = t04 + slide_C_x;
+    F_d(1, 0) = t02;
+    F_d(1, 3) = t02 + slide_C_x;
     F_d(1, 4) = cos_DE;
-    F_d(2, 1) = t05;
+    F_d(2, 1) = t03;
     F_d(2, 2) = sin_FG;
-    F_d(2, 3) = t05 - slide_C_y;
+    F_d(2, 3) = t03 - slide_C_y;
     F_d(2, 5) = -sin_FG;
-    F_d(3, 1) = -t06;
+    F_d(3, 1) = -t04;
     F_d(3, 2) = -cos_FG;
-    F_d(3, 3) = slide_C_x - t06;
+    F_d(3, 3) = slide_C_x - t04;
     F_d(3, 5) = cos_FG;
   }
 
@@ -296,41 +290,39 @@ struct Model13 {
   static void input_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -(d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG) * d.h_G_CEG;
-    const Scalar CG_y = d.h_G_CEG * (d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG);
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = slide_B_y - slide_C_y;
-    const Scalar t04 = slide_B_x - slide_C_x;
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_B_y - slide_C_y;
+    const Scalar t02 = slide_B_x - slide_C_x;
     F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = slide_E_y + t03 - DE_y;
+    F_u(0, 2) = slide_E_y + t01 - DE_y;
     F_u(0, 3) = Scalar(1);
     F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = DE_x - slide_E_x - t04;
+    F_u(1, 2) = DE_x - slide_E_x - t02;
     F_u(1, 4) = Scalar(1);
     F_u(2, 0) = -Scalar(1);
-    F_u(2, 2) = CG_y + slide_G_y + t03 - FG_y;
+    F_u(2, 2) = CG_y + slide_G_y + t01 - FG_y;
     F_u(2, 5) = Scalar(1);
     F_u(3, 1) = -Scalar(1);
-    F_u(3, 2) = FG_x - CG_x - slide_G_x - t04;
+    F_u(3, 2) = FG_x - CG_x - slide_G_x - t02;
     F_u(3, 6) = Scalar(1);
   }
 
@@ -346,34 +338,32 @@ struct Model13 {
     const Scalar v_y_D = u_rate(4);
     const Scalar v_x_F = u_rate(5);
     const Scalar v_y_F = u_rate(6);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -(d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG) * d.h_G_CEG;
-    const Scalar CG_y = d.h_G_CEG * (d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG);
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = slide_B_y - slide_C_y;
-    const Scalar t04 = slide_B_x - slide_C_x;
-    rhs(0) = v_x_B + omega_B * (DE_y - slide_E_y - t03) - v_x_D;
-    rhs(1) = v_y_B - v_y_D - omega_B * (DE_x - slide_E_x - t04);
-    rhs(2) = v_x_B + omega_B * (FG_y - CG_y - slide_G_y - t03) - v_x_F;
-    rhs(3) = v_y_B - v_y_F - omega_B * (FG_x - CG_x - slide_G_x - t04);
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_B_y - slide_C_y;
+    const Scalar t02 = slide_B_x - slide_C_x;
+    rhs(0) = v_x_B + (DE_y - slide_E_y - t01) * omega_B - v_x_D;
+    rhs(1) = v_y_B - v_y_D - (DE_x - slide_E_x - t02) * omega_B;
+    rhs(2) = v_x_B + (FG_y - CG_y - slide_G_y - t01) * omega_B - v_x_F;
+    rhs(3) = v_y_B - v_y_F - (FG_x - CG_x - slide_G_x - t02) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -395,44 +385,42 @@ struct Model13 {
     const Scalar a_y_D = u_second_rate(4);
     const Scalar a_x_F = u_second_rate(5);
     const Scalar a_y_F = u_second_rate(6);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -(d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG) * d.h_G_CEG;
-    const Scalar CG_y = d.h_G_CEG * (d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG);
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = slide_B_x - slide_C_x;
-    const Scalar t04 = DE_x - slide_E_x - t03;
-    const Scalar t05 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t06 = slide_B_y - slide_C_y;
-    const Scalar t07 = DE_y - slide_E_y - t06;
-    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t09 = FG_x - CG_x - slide_G_x - t03;
-    const Scalar t10 = FG_y - CG_y - slide_G_y - t06;
-    rhs(0) = a_x_B + alpha_B * t07 - a_x_D - omega_B * (Scalar(2) * sin_DE * v_s_E + Scalar(2) * t05
-        - omega_B * t04);
-    rhs(1) = a_y_B + omega_B * (Scalar(2) * cos_DE * v_s_E + omega_B * t07 + Scalar(2) * t08)
-        - a_y_D - alpha_B * t04;
-    rhs(2) = a_x_B + alpha_B * t10 - a_x_F - omega_B * (Scalar(2) * sin_FG * v_s_G + Scalar(2) * t05
-        - omega_B * t09);
-    rhs(3) = a_y_B + omega_B * (Scalar(2) * cos_FG * v_s_G + omega_B * t10 + Scalar(2) * t08)
-        - a_y_F - alpha_B * t09;
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_B_x - slide_C_x;
+    const Scalar t02 = DE_x - slide_E_x - t01;
+    const Scalar t03 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
+    const Scalar t04 = slide_B_y - slide_C_y;
+    const Scalar t05 = DE_y - slide_E_y - t04;
+    const Scalar t06 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
+    const Scalar t07 = FG_x - CG_x - slide_G_x - t01;
+    const Scalar t08 = FG_y - CG_y - slide_G_y - t04;
+    rhs(0) = a_x_B + t05 * alpha_B - a_x_D - omega_B * (Scalar(2) * sin_DE * v_s_E + Scalar(2) * t03
+        - t02 * omega_B);
+    rhs(1) = a_y_B + omega_B * (Scalar(2) * cos_DE * v_s_E + t05 * omega_B + Scalar(2) * t06)
+        - a_y_D - t02 * alpha_B;
+    rhs(2) = a_x_B + t08 * alpha_B - a_x_F - omega_B * (Scalar(2) * sin_FG * v_s_G + Scalar(2) * t03
+        - t07 * omega_B);
+    rhs(3) = a_y_B + omega_B * (Scalar(2) * cos_FG * v_s_G + t08 * omega_B + Scalar(2) * t06)
+        - a_y_F - t07 * alpha_B;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -460,54 +448,52 @@ struct Model13 {
     const Scalar j_y_D = u_third_rate(4);
     const Scalar j_x_F = u_third_rate(5);
     const Scalar j_y_F = u_third_rate(6);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -(d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG) * d.h_G_CEG;
-    const Scalar CG_y = d.h_G_CEG * (d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG);
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t04 = sin_DE * v_s_E + t03;
-    const Scalar t05 = slide_B_y - slide_C_y;
-    const Scalar t06 = DE_y - slide_E_y - t05;
-    const Scalar t07 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t08 = cos_DE * v_s_E + t07;
-    const Scalar t09 = slide_B_x - slide_C_x;
-    const Scalar t10 = DE_x - slide_E_x - t09;
-    const Scalar t11 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t12 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t13 = sin_FG * v_s_G + t03;
-    const Scalar t14 = FG_y - CG_y - slide_G_y - t05;
-    const Scalar t15 = FG_x - CG_x - slide_G_x - t09;
-    const Scalar t16 = cos_FG * v_s_G + t07;
-    rhs(0) = j_x_B + jerk_B * t06 - j_x_D - Scalar(3) * alpha_B * t04
-        - omega_B * (Scalar(3) * sin_DE * a_s_E + omega_B * (Scalar(3) * t08 + omega_B * t06)
-        + Scalar(3) * t11 - Scalar(3) * alpha_B * t10);
-    rhs(1) = j_y_B + Scalar(3) * alpha_B * t08 + omega_B * (Scalar(3) * cos_DE * a_s_E
-        + Scalar(3) * alpha_B * t06 + Scalar(3) * t12 - omega_B * (Scalar(3) * t04 - omega_B * t10))
-        - j_y_D - jerk_B * t10;
-    rhs(2) = j_x_B + jerk_B * t14 - j_x_F - Scalar(3) * alpha_B * t13
-        - omega_B * (Scalar(3) * sin_FG * a_s_G + Scalar(3) * t11 + omega_B * (Scalar(3) * t16
-        + omega_B * t14) - Scalar(3) * alpha_B * t15);
-    rhs(3) = j_y_B + Scalar(3) * alpha_B * t16 + omega_B * (Scalar(3) * cos_FG * a_s_G
-        + Scalar(3) * alpha_B * t14 + Scalar(3) * t12 - omega_B * (Scalar(3) * t13 - omega_B * t15))
-        - j_y_F - jerk_B * t15;
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
+    const Scalar t02 = sin_DE * v_s_E + t01;
+    const Scalar t03 = slide_B_y - slide_C_y;
+    const Scalar t04 = DE_y - slide_E_y - t03;
+    const Scalar t05 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
+    const Scalar t06 = cos_DE * v_s_E + t05;
+    const Scalar t07 = slide_B_x - slide_C_x;
+    const Scalar t08 = DE_x - slide_E_x - t07;
+    const Scalar t09 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
+    const Scalar t10 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
+    const Scalar t11 = sin_FG * v_s_G + t01;
+    const Scalar t12 = FG_y - CG_y - slide_G_y - t03;
+    const Scalar t13 = FG_x - CG_x - slide_G_x - t07;
+    const Scalar t14 = cos_FG * v_s_G + t05;
+    rhs(0) = j_x_B + t04 * jerk_B - j_x_D - Scalar(3) * alpha_B * t02
+        - omega_B * (Scalar(3) * sin_DE * a_s_E + omega_B * (Scalar(3) * t06 + t04 * omega_B)
+        + Scalar(3) * t09 - Scalar(3) * t08 * alpha_B);
+    rhs(1) = j_y_B + Scalar(3) * alpha_B * t06 + omega_B * (Scalar(3) * cos_DE * a_s_E
+        + Scalar(3) * t04 * alpha_B + Scalar(3) * t10 - omega_B * (Scalar(3) * t02 - t08 * omega_B))
+        - j_y_D - t08 * jerk_B;
+    rhs(2) = j_x_B + t12 * jerk_B - j_x_F - Scalar(3) * alpha_B * t11
+        - omega_B * (Scalar(3) * sin_FG * a_s_G + Scalar(3) * t09 + omega_B * (Scalar(3) * t14
+        + t12 * omega_B) - Scalar(3) * t13 * alpha_B);
+    rhs(3) = j_y_B + Scalar(3) * alpha_B * t14 + omega_B * (Scalar(3) * cos_FG * a_s_G
+        + Scalar(3) * t12 * alpha_B + Scalar(3) * t10 - omega_B * (Scalar(3) * t11 - t13 * omega_B))
+        - j_y_F - t13 * jerk_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -528,89 +514,85 @@ struct Model13 {
     const Scalar v_h_E_DE = d_rate(4);
     const Scalar v_h_G_FG = d_rate(5);
     const Scalar omega_B = u_rate(2);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar DE_x = -d.h_E_DE * sin_DE;
     const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar slide_E_x = cos_DE * q.s_E;
-    const Scalar slide_E_y = sin_DE * q.s_E;
+    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -(d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG) * d.h_G_CEG;
-    const Scalar CG_y = d.h_G_CEG * (d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG);
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = DE_x - slide_E_x;
-    const Scalar t04 = t03 * omega_E_CEG;
-    const Scalar t05 = sin_DE * v_s_E - cos_DE * v_h_E_DE;
-    const Scalar t06 = omega_C_BC * (slide_C_x + t03);
-    const Scalar t07 = sin_CEG * v_s_C;
-    const Scalar t08 = t05 - t04 - t07;
-    const Scalar t09 = u.phi_B.sin * v_s_B;
-    const Scalar t10 = slide_B_x - slide_C_x;
-    const Scalar t11 = DE_y - slide_E_y;
-    const Scalar t12 = omega_E_CEG * t11;
-    const Scalar t13 = cos_DE * v_s_E + sin_DE * v_h_E_DE;
-    const Scalar t14 = omega_C_BC * (slide_C_y + t11);
-    const Scalar t15 = cos_CEG * v_s_C;
-    const Scalar t16 = t13 + t12 - t15;
-    const Scalar t17 = u.phi_B.cos * v_s_B;
-    const Scalar t18 = slide_B_y - slide_C_y;
-    const Scalar t19 = v_h_G_CEG - v_h_G_FG;
-    const Scalar t20 = cos_FG * t19 + sin_FG * v_s_G;
-    const Scalar t21 = slide_G_x + CG_x - FG_x;
-    const Scalar t22 = omega_G_CEG * t21;
-    const Scalar t23 = omega_C_BC * (slide_C_x - t21);
-    const Scalar t24 = t22 + t20 - t07;
-    const Scalar t25 = sin_FG * t19 - cos_FG * v_s_G;
-    const Scalar t26 = slide_G_y + CG_y - FG_y;
-    const Scalar t27 = omega_G_CEG * t26;
-    const Scalar t28 = omega_C_BC * (slide_C_y - t26);
-    const Scalar t29 = t27 + t15 + t25;
-    rhs(0) = omega_E_CEG * (t04 - Scalar(2) * t05) + omega_C_BC * (t06 - Scalar(2) * t08)
-        - omega_B * (Scalar(2) * t09 + Scalar(2) * t08 - Scalar(2) * t06 - omega_B * (t03 - t10));
-    rhs(1) = omega_E_CEG * (t12 + Scalar(2) * t13) + omega_C_BC * (t14 + Scalar(2) * t16)
-        + omega_B * (Scalar(2) * t17 + Scalar(2) * t14 + omega_B * (t11 - t18) + Scalar(2) * t16);
-    rhs(2) = omega_C_BC * (t23 - Scalar(2) * t24) - omega_G_CEG * (Scalar(2) * t20 + t22)
-        - omega_B * (Scalar(2) * t09 + omega_B * (t21 + t10) + Scalar(2) * t24 - Scalar(2) * t23);
-    rhs(3) = omega_C_BC * (t28 - Scalar(2) * t29) + omega_B * (Scalar(2) * t17 + Scalar(2) * t28
-        - omega_B * (t26 + t18) - Scalar(2) * t29) - omega_G_CEG * (Scalar(2) * t25 + t27);
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = DE_x - slide_E_x;
+    const Scalar t02 = t01 * omega_E_CEG;
+    const Scalar t03 = sin_DE * v_s_E - cos_DE * v_h_E_DE;
+    const Scalar t04 = (slide_C_x + t01) * omega_C_BC;
+    const Scalar t05 = sin_CEG * v_s_C;
+    const Scalar t06 = t03 - t02 - t05;
+    const Scalar t07 = u.phi_B.sin * v_s_B;
+    const Scalar t08 = slide_B_x - slide_C_x;
+    const Scalar t09 = DE_y - slide_E_y;
+    const Scalar t10 = t09 * omega_E_CEG;
+    const Scalar t11 = cos_DE * v_s_E + sin_DE * v_h_E_DE;
+    const Scalar t12 = (slide_C_y + t09) * omega_C_BC;
+    const Scalar t13 = cos_CEG * v_s_C;
+    const Scalar t14 = t11 + t10 - t13;
+    const Scalar t15 = u.phi_B.cos * v_s_B;
+    const Scalar t16 = slide_B_y - slide_C_y;
+    const Scalar t17 = v_h_G_CEG - v_h_G_FG;
+    const Scalar t18 = cos_FG * t17 + sin_FG * v_s_G;
+    const Scalar t19 = slide_G_x + CG_x - FG_x;
+    const Scalar t20 = t19 * omega_G_CEG;
+    const Scalar t21 = (slide_C_x - t19) * omega_C_BC;
+    const Scalar t22 = t20 + t18 - t05;
+    const Scalar t23 = sin_FG * t17 - cos_FG * v_s_G;
+    const Scalar t24 = slide_G_y + CG_y - FG_y;
+    const Scalar t25 = t24 * omega_G_CEG;
+    const Scalar t26 = (slide_C_y - t24) * omega_C_BC;
+    const Scalar t27 = t25 + t13 + t23;
+    rhs(0) = omega_E_CEG * (t02 - Scalar(2) * t03) + omega_C_BC * (t04 - Scalar(2) * t06)
+        - omega_B * (Scalar(2) * t07 + Scalar(2) * t06 - Scalar(2) * t04 - (t01 - t08) * omega_B);
+    rhs(1) = omega_E_CEG * (t10 + Scalar(2) * t11) + omega_C_BC * (t12 + Scalar(2) * t14)
+        + omega_B * (Scalar(2) * t15 + Scalar(2) * t12 + (t09 - t16) * omega_B + Scalar(2) * t14);
+    rhs(2) = omega_C_BC * (t21 - Scalar(2) * t22) - omega_G_CEG * (Scalar(2) * t18 + t20)
+        - omega_B * (Scalar(2) * t07 + (t19 + t08) * omega_B + Scalar(2) * t22 - Scalar(2) * t21);
+    rhs(3) = omega_C_BC * (t26 - Scalar(2) * t27) + omega_B * (Scalar(2) * t15 + Scalar(2) * t26
+        - (t24 + t16) * omega_B - Scalar(2) * t27) - omega_G_CEG * (Scalar(2) * t23 + t25);
   }
 
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 * d.psi_E_CEG.cos + t01 * d.psi_E_CEG.sin;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t03 = u.x_B + slide_B_x;
-    const Scalar t04 = u.y_B + slide_B_y;
-    poses[0].x = t03 - slide_C_x;
-    poses[0].y = t04 - slide_C_y;
+    const Scalar t01 = u.x_B + slide_B_x;
+    const Scalar t02 = u.y_B + slide_B_y;
+    poses[0].x = t01 - slide_C_x;
+    poses[0].y = t02 - slide_C_y;
     poses[0].direction.cos = cos_CEG;
     poses[0].direction.sin = sin_CEG;
-    poses[1].x = t03;
-    poses[1].y = t04;
+    poses[1].x = t01;
+    poses[1].y = t02;
     poses[1].direction.cos = u.phi_B.cos;
     poses[1].direction.sin = u.phi_B.sin;
     poses[2].x = u.x_D;
@@ -635,8 +617,8 @@ struct Model13 {
     P_u.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     P_q(0, 0) = u.phi_B.cos;
@@ -686,17 +668,17 @@ struct Model13 {
     const Scalar v_y_F = u_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
     const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = t01 - (slide_B_y - slide_C_y) * omega_B - cos_CEG * v_s_C;
-    v(0, 1) = omega_B * (slide_B_x - slide_C_x) + t02 - sin_CEG * v_s_C;
+    v(0, 1) = (slide_B_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;
     v(0, 2) = omega_B;
     v(1, 0) = t01 - slide_B_y * omega_B;
-    v(1, 1) = omega_B * slide_B_x + t02;
+    v(1, 1) = slide_B_x * omega_B + t02;
     v(1, 2) = omega_B;
     v(2, 0) = v_x_D;
     v(2, 1) = v_y_D;
@@ -726,8 +708,8 @@ struct Model13 {
     const Scalar a_y_F = u_second_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar t01 = slide_B_x - slide_C_x;
@@ -738,11 +720,11 @@ struct Model13 {
     const Scalar t06 = u.phi_B.sin * a_s_B + a_y_B;
     a(0, 0) = t04 - omega_B * (t01 * omega_B + Scalar(2) * t02 - Scalar(2) * sin_CEG * v_s_C)
         - t03 * alpha_B - cos_CEG * a_s_C;
-    a(0, 1) = t01 * alpha_B + t06 - omega_B * (omega_B * t03 + Scalar(2) * cos_CEG * v_s_C
+    a(0, 1) = t01 * alpha_B + t06 - omega_B * (t03 * omega_B + Scalar(2) * cos_CEG * v_s_C
         - Scalar(2) * t05) - sin_CEG * a_s_C;
     a(0, 2) = alpha_B;
     a(1, 0) = t04 - omega_B * (Scalar(2) * t02 + slide_B_x * omega_B) - slide_B_y * alpha_B;
-    a(1, 1) = omega_B * (Scalar(2) * t05 - omega_B * slide_B_y) + slide_B_x * alpha_B + t06;
+    a(1, 1) = omega_B * (Scalar(2) * t05 - slide_B_y * omega_B) + slide_B_x * alpha_B + t06;
     a(1, 2) = alpha_B;
     a(2, 0) = a_x_D;
     a(2, 1) = a_y_D;
@@ -766,8 +748,8 @@ struct Model13 {
     p.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar t01 = u.phi_B.sin * v_s_B;
@@ -775,13 +757,13 @@ struct Model13 {
     const Scalar t03 = slide_C_x * omega_C_BC;
     const Scalar t04 = u.phi_B.cos * v_s_B;
     const Scalar t05 = cos_CEG * v_s_C;
-    const Scalar t06 = omega_C_BC * slide_C_y;
+    const Scalar t06 = slide_C_y * omega_C_BC;
     p(0, 0) = omega_C_BC * (Scalar(2) * t02 + t03) - omega_B * ((slide_B_x - slide_C_x) * omega_B
         + Scalar(2) * t01 - Scalar(2) * t02 - Scalar(2) * t03);
-    p(0, 1) = -omega_B * (omega_B * (slide_B_y - slide_C_y) + Scalar(2) * t05 - Scalar(2) * t04
+    p(0, 1) = -omega_B * ((slide_B_y - slide_C_y) * omega_B + Scalar(2) * t05 - Scalar(2) * t04
         - Scalar(2) * t06) - omega_C_BC * (Scalar(2) * t05 - t06);
     p(1, 0) = -omega_B * (Scalar(2) * t01 + slide_B_x * omega_B);
-    p(1, 1) = omega_B * (Scalar(2) * t04 - omega_B * slide_B_y);
+    p(1, 1) = omega_B * (Scalar(2) * t04 - slide_B_y * omega_B);
   }
 
   /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
@@ -804,12 +786,12 @@ struct Model13 {
   template <typename Scalar>
   static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>&, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = d.psi_E_CEG.cos * t02 + t01 * d.psi_E_CEG.sin;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar cos_minus_psi_C_BC_minus_psi_E_CEG = d.psi_C_BC.cos * d.psi_E_CEG.cos
         - d.psi_C_BC.sin * d.psi_E_CEG.sin;
     const Scalar sin_minus_psi_C_BC_minus_psi_E_CEG = -d.psi_C_BC.sin * d.psi_E_CEG.cos
@@ -825,15 +807,15 @@ struct Model13 {
                                                        //     - psi_G_CEG) = 0
     const Scalar inverse_sin_psi_C_BC = sin_psi_E_CEG_minus_psi_G_CEG * inverse;
     const Scalar inverse_sin_psi_E_CEG_minus_psi_G_CEG = d.psi_C_BC.sin * inverse;
-    const Scalar t03 = inverse_sin_psi_C_BC * inverse_sin_psi_E_CEG_minus_psi_G_CEG;
-    const Scalar s_B_per_across_slide_E = -d.psi_G_CEG.sin * t03;
-    const Scalar s_C_per_across_slide_E = sin_minus_psi_C_BC_minus_psi_G_CEG * t03;
+    const Scalar t01 = inverse_sin_psi_C_BC * inverse_sin_psi_E_CEG_minus_psi_G_CEG;
+    const Scalar s_B_per_across_slide_E = -d.psi_G_CEG.sin * t01;
+    const Scalar s_C_per_across_slide_E = sin_minus_psi_C_BC_minus_psi_G_CEG * t01;
     const Scalar s_G_per_across_slide_E = d.psi_G_CEG.cos * s_C_per_across_slide_E
         - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_E;
     const Scalar s_E_per_across_slide_E = d.psi_E_CEG.cos * s_C_per_across_slide_E
         - s_B_per_across_slide_E * cos_minus_psi_C_BC_minus_psi_E_CEG;
-    const Scalar s_B_per_across_slide_G = d.psi_E_CEG.sin * t03;
-    const Scalar s_C_per_across_slide_G = -sin_minus_psi_C_BC_minus_psi_E_CEG * t03;
+    const Scalar s_B_per_across_slide_G = d.psi_E_CEG.sin * t01;
+    const Scalar s_C_per_across_slide_G = -sin_minus_psi_C_BC_minus_psi_E_CEG * t01;
     const Scalar s_G_per_across_slide_G = d.psi_G_CEG.cos * s_C_per_across_slide_G
         - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_G;
     const Scalar s_E_per_across_slide_G = d.psi_E_CEG.cos * s_C_per_across_slide_G
@@ -861,12 +843,12 @@ struct Model13 {
   static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = d.psi_E_CEG.cos * t02 + t01 * d.psi_E_CEG.sin;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar cos_minus_psi_C_BC_minus_psi_E_CEG = d.psi_C_BC.cos * d.psi_E_CEG.cos
         - d.psi_C_BC.sin * d.psi_E_CEG.sin;
     const Scalar sin_minus_psi_C_BC_minus_psi_E_CEG = -d.psi_C_BC.sin * d.psi_E_CEG.cos
@@ -875,15 +857,15 @@ struct Model13 {
         - d.psi_C_BC.sin * d.psi_G_CEG.sin;
     const Scalar sin_minus_psi_C_BC_minus_psi_G_CEG = -d.psi_C_BC.sin * d.psi_G_CEG.cos
         - d.psi_C_BC.cos * d.psi_G_CEG.sin;
-    const Scalar phi_B_along_slide_E = d.psi_E_CEG.cos * q.s_C
+    const Scalar phi_B_along_slide_E = q.s_C * d.psi_E_CEG.cos
         - q.s_B * cos_minus_psi_C_BC_minus_psi_E_CEG - q.s_E;
     const Scalar phi_B_across_slide_E = d.h_E_DE - q.s_B * sin_minus_psi_C_BC_minus_psi_E_CEG
-        - d.psi_E_CEG.sin * q.s_C;
-    const Scalar phi_B_along_slide_G = d.psi_G_CEG.cos * q.s_C
+        - q.s_C * d.psi_E_CEG.sin;
+    const Scalar phi_B_along_slide_G = q.s_C * d.psi_G_CEG.cos
         - q.s_B * cos_minus_psi_C_BC_minus_psi_G_CEG - q.s_G;
-    const Scalar t03 = d.h_G_CEG - d.h_G_FG;
+    const Scalar t01 = d.h_G_CEG - d.h_G_FG;
     const Scalar phi_B_across_slide_G = -q.s_B * sin_minus_psi_C_BC_minus_psi_G_CEG
-        - d.psi_G_CEG.sin * q.s_C - t03;
+        - q.s_C * d.psi_G_CEG.sin - t01;
     const Scalar sin_psi_E_CEG_minus_psi_G_CEG = d.psi_E_CEG.sin * d.psi_G_CEG.cos
         - d.psi_E_CEG.cos * d.psi_G_CEG.sin;
     const Scalar pivot_product = d.psi_C_BC.sin * sin_psi_E_CEG_minus_psi_G_CEG;
@@ -891,104 +873,104 @@ struct Model13 {
                                                        //     - psi_G_CEG) = 0
     const Scalar inverse_sin_psi_C_BC = sin_psi_E_CEG_minus_psi_G_CEG * inverse;
     const Scalar inverse_sin_psi_E_CEG_minus_psi_G_CEG = d.psi_C_BC.sin * inverse;
-    const Scalar t04 = inverse_sin_psi_C_BC * inverse_sin_psi_E_CEG_minus_psi_G_CEG;
-    const Scalar s_B_per_across_slide_E = -d.psi_G_CEG.sin * t04;
-    const Scalar s_C_per_across_slide_E = sin_minus_psi_C_BC_minus_psi_G_CEG * t04;
+    const Scalar t02 = inverse_sin_psi_C_BC * inverse_sin_psi_E_CEG_minus_psi_G_CEG;
+    const Scalar s_B_per_across_slide_E = -d.psi_G_CEG.sin * t02;
+    const Scalar s_C_per_across_slide_E = sin_minus_psi_C_BC_minus_psi_G_CEG * t02;
     const Scalar s_G_per_across_slide_E = d.psi_G_CEG.cos * s_C_per_across_slide_E
         - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_E;
-    const Scalar t05 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
-    const Scalar s_E_per_across_slide_E = t05
+    const Scalar t03 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
+    const Scalar s_E_per_across_slide_E = t03
         - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_across_slide_E;
-    const Scalar s_B_per_across_slide_G = d.psi_E_CEG.sin * t04;
-    const Scalar s_C_per_across_slide_G = -sin_minus_psi_C_BC_minus_psi_E_CEG * t04;
-    const Scalar t06 = d.psi_G_CEG.cos * s_C_per_across_slide_G;
-    const Scalar s_G_per_across_slide_G = t06
+    const Scalar s_B_per_across_slide_G = d.psi_E_CEG.sin * t02;
+    const Scalar s_C_per_across_slide_G = -sin_minus_psi_C_BC_minus_psi_E_CEG * t02;
+    const Scalar t04 = d.psi_G_CEG.cos * s_C_per_across_slide_G;
+    const Scalar s_G_per_across_slide_G = t04
         - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_G;
     const Scalar s_E_per_across_slide_G = d.psi_E_CEG.cos * s_C_per_across_slide_G
         - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_across_slide_G;
-    const Scalar t07 = q.s_E * s_B_per_across_slide_E;
-    const Scalar t08 = q.s_G * s_B_per_across_slide_G;
-    const Scalar t09 = q.s_E * s_C_per_across_slide_E;
-    const Scalar t10 = q.s_G * s_C_per_across_slide_G;
-    const Scalar t11 = d.h_E_DE - q.s_E * s_E_per_across_slide_E;
-    const Scalar t12 = q.s_G * s_E_per_across_slide_G;
-    const Scalar t13 = q.s_E * s_G_per_across_slide_E;
-    const Scalar t14 = q.s_G * s_G_per_across_slide_G + t03;
-    const Scalar t15 = s_B_per_across_slide_E * sin_DE;
-    const Scalar t16 = s_B_per_across_slide_G * sin_FG;
-    const Scalar t17 = s_B_per_across_slide_E * cos_DE;
-    const Scalar t18 = s_B_per_across_slide_G * cos_FG;
-    const Scalar t19 = s_C_per_across_slide_E * sin_DE;
-    const Scalar t20 = s_C_per_across_slide_G * sin_FG;
-    const Scalar t21 = s_C_per_across_slide_E * cos_DE;
-    const Scalar t22 = s_C_per_across_slide_G * cos_FG;
-    const Scalar t23 = s_E_per_across_slide_G * sin_FG;
-    const Scalar t24 = cos_DE + s_E_per_across_slide_E * sin_DE;
-    const Scalar t25 = s_E_per_across_slide_G * cos_FG;
-    const Scalar t26 = sin_DE - s_E_per_across_slide_E * cos_DE;
-    const Scalar t27 = s_G_per_across_slide_E * sin_DE;
-    const Scalar t28 = cos_FG + s_G_per_across_slide_G * sin_FG;
-    const Scalar t29 = s_G_per_across_slide_E * cos_DE;
-    const Scalar t30 = sin_FG - s_G_per_across_slide_G * cos_FG;
-    S_d(0, 0) = t07;
-    S_d(0, 1) = t08;
+    const Scalar s_B_per_x_D = s_B_per_across_slide_E * sin_DE;
+    const Scalar s_C_per_x_D = s_C_per_across_slide_E * sin_DE;
+    const Scalar s_E_per_x_D = cos_DE + s_E_per_across_slide_E * sin_DE;
+    const Scalar s_G_per_x_D = s_G_per_across_slide_E * sin_DE;
+    const Scalar s_B_per_y_D = -s_B_per_across_slide_E * cos_DE;
+    const Scalar s_C_per_y_D = -s_C_per_across_slide_E * cos_DE;
+    const Scalar s_E_per_y_D = sin_DE - s_E_per_across_slide_E * cos_DE;
+    const Scalar s_G_per_y_D = -s_G_per_across_slide_E * cos_DE;
+    const Scalar s_B_per_x_F = s_B_per_across_slide_G * sin_FG;
+    const Scalar s_C_per_x_F = s_C_per_across_slide_G * sin_FG;
+    const Scalar s_E_per_x_F = s_E_per_across_slide_G * sin_FG;
+    const Scalar s_G_per_x_F = cos_FG + s_G_per_across_slide_G * sin_FG;
+    const Scalar s_B_per_y_F = -s_B_per_across_slide_G * cos_FG;
+    const Scalar s_C_per_y_F = -s_C_per_across_slide_G * cos_FG;
+    const Scalar s_E_per_y_F = -s_E_per_across_slide_G * cos_FG;
+    const Scalar s_G_per_y_F = sin_FG - s_G_per_across_slide_G * cos_FG;
+    const Scalar t05 = q.s_E * s_B_per_across_slide_E;
+    const Scalar t06 = q.s_G * s_B_per_across_slide_G;
+    const Scalar t07 = q.s_E * s_C_per_across_slide_E;
+    const Scalar t08 = q.s_G * s_C_per_across_slide_G;
+    const Scalar t09 = d.h_E_DE - q.s_E * s_E_per_across_slide_E;
+    const Scalar t10 = q.s_G * s_E_per_across_slide_G;
+    const Scalar t11 = q.s_E * s_G_per_across_slide_E;
+    const Scalar t12 = q.s_G * s_G_per_across_slide_G + t01;
+    S_d(0, 0) = t05;
+    S_d(0, 1) = t06;
     S_d(0, 2) = s_B_per_across_slide_G;
-    S_d(0, 3) = t07 + t08 - q.s_C * (d.psi_E_CEG.cos * s_B_per_across_slide_E
+    S_d(0, 3) = t05 + t06 - q.s_C * (d.psi_E_CEG.cos * s_B_per_across_slide_E
         + d.psi_G_CEG.cos * s_B_per_across_slide_G);
     S_d(0, 4) = -s_B_per_across_slide_E;
     S_d(0, 5) = -s_B_per_across_slide_G;
-    S_d(1, 0) = t09;
-    S_d(1, 1) = t10;
+    S_d(1, 0) = t07;
+    S_d(1, 1) = t08;
     S_d(1, 2) = s_C_per_across_slide_G;
-    S_d(1, 3) = t09 + t10 - q.s_C * (t05 + t06);
+    S_d(1, 3) = t07 + t08 - q.s_C * (t03 + t04);
     S_d(1, 4) = -s_C_per_across_slide_E;
     S_d(1, 5) = -s_C_per_across_slide_G;
-    S_d(2, 0) = -t11;
-    S_d(2, 1) = t12;
+    S_d(2, 0) = -t09;
+    S_d(2, 1) = t10;
     S_d(2, 2) = s_E_per_across_slide_G;
-    S_d(2, 3) = t12 + q.s_C * (d.psi_E_CEG.sin - d.psi_E_CEG.cos * s_E_per_across_slide_E
-        - d.psi_G_CEG.cos * s_E_per_across_slide_G) - t11;
+    S_d(2, 3) = t10 + q.s_C * (d.psi_E_CEG.sin - d.psi_E_CEG.cos * s_E_per_across_slide_E
+        - d.psi_G_CEG.cos * s_E_per_across_slide_G) - t09;
     S_d(2, 4) = -s_E_per_across_slide_E;
     S_d(2, 5) = -s_E_per_across_slide_G;
-    S_d(3, 0) = t13;
-    S_d(3, 1) = t14;
+    S_d(3, 0) = t11;
+    S_d(3, 1) = t12;
     S_d(3, 2) = s_G_per_across_slide_G;
-    S_d(3, 3) = t13 + q.s_C * (d.psi_G_CEG.sin - d.psi_E_CEG.cos * s_G_per_across_slide_E
-        - d.psi_G_CEG.cos * s_G_per_across_slide_G) + t14;
+    S_d(3, 3) = t11 + q.s_C * (d.psi_G_CEG.sin - d.psi_E_CEG.cos * s_G_per_across_slide_E
+        - d.psi_G_CEG.cos * s_G_per_across_slide_G) + t12;
     S_d(3, 4) = -s_G_per_across_slide_E;
     S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = -t15 - t16;
-    S_u(0, 1) = t17 + t18;
-    S_u(0, 2) = -s_B_per_across_slide_E * phi_B_along_slide_E
-        - s_B_per_across_slide_G * phi_B_along_slide_G;
-    S_u(0, 3) = t15;
-    S_u(0, 4) = -t17;
-    S_u(0, 5) = t16;
-    S_u(0, 6) = -t18;
-    S_u(1, 0) = -t19 - t20;
-    S_u(1, 1) = t21 + t22;
-    S_u(1, 2) = -s_C_per_across_slide_E * phi_B_along_slide_E
-        - s_C_per_across_slide_G * phi_B_along_slide_G;
-    S_u(1, 3) = t19;
-    S_u(1, 4) = -t21;
-    S_u(1, 5) = t20;
-    S_u(1, 6) = -t22;
-    S_u(2, 0) = -t23 - t24;
-    S_u(2, 1) = t25 - t26;
-    S_u(2, 2) = -s_E_per_across_slide_E * phi_B_along_slide_E - phi_B_across_slide_E
-        - s_E_per_across_slide_G * phi_B_along_slide_G;
-    S_u(2, 3) = t24;
-    S_u(2, 4) = t26;
-    S_u(2, 5) = t23;
-    S_u(2, 6) = -t25;
-    S_u(3, 0) = -t27 - t28;
-    S_u(3, 1) = t29 - t30;
-    S_u(3, 2) = -s_G_per_across_slide_E * phi_B_along_slide_E
-        - s_G_per_across_slide_G * phi_B_along_slide_G - phi_B_across_slide_G;
-    S_u(3, 3) = t27;
-    S_u(3, 4) = -t29;
-    S_u(3, 5) = t28;
-    S_u(3, 6) = t30;
+    S_u(0, 0) = -s_B_per_x_D - s_B_per_x_F;
+    S_u(0, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_u(0, 2) = -phi_B_along_slide_E * s_B_per_across_slide_E
+        - phi_B_along_slide_G * s_B_per_across_slide_G;
+    S_u(0, 3) = s_B_per_x_D;
+    S_u(0, 4) = s_B_per_y_D;
+    S_u(0, 5) = s_B_per_x_F;
+    S_u(0, 6) = s_B_per_y_F;
+    S_u(1, 0) = -s_C_per_x_D - s_C_per_x_F;
+    S_u(1, 1) = -s_C_per_y_D - s_C_per_y_F;
+    S_u(1, 2) = -phi_B_along_slide_E * s_C_per_across_slide_E
+        - phi_B_along_slide_G * s_C_per_across_slide_G;
+    S_u(1, 3) = s_C_per_x_D;
+    S_u(1, 4) = s_C_per_y_D;
+    S_u(1, 5) = s_C_per_x_F;
+    S_u(1, 6) = s_C_per_y_F;
+    S_u(2, 0) = -s_E_per_x_D - s_E_per_x_F;
+    S_u(2, 1) = -s_E_per_y_D - s_E_per_y_F;
+    S_u(2, 2) = -phi_B_along_slide_E * s_E_per_across_slide_E - phi_B_across_slide_E
+        - phi_B_along_slide_G * s_E_per_across_slide_G;
+    S_u(2, 3) = s_E_per_x_D;
+    S_u(2, 4) = s_E_per_y_D;
+    S_u(2, 5) = s_E_per_x_F;
+    S_u(2, 6) = s_E_per_y_F;
+    S_u(3, 0) = -s_G_per_x_D - s_G_per_x_F;
+    S_u(3, 1) = -s_G_per_y_D - s_G_per_y_F;
+    S_u(3, 2) = -phi_B_along_slide_E * s_G_per_across_slide_E
+        - phi_B_along_slide_G * s_G_per_across_slide_G - phi_B_across_slide_G;
+    S_u(3, 3) = s_G_per_x_D;
+    S_u(3, 4) = s_G_per_y_D;
+    S_u(3, 5) = s_G_per_x_F;
+    S_u(3, 6) = s_G_per_y_F;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1003,12 +985,12 @@ struct Model13 {
     const Scalar v_y_D = u_rate(4);
     const Scalar v_x_F = u_rate(5);
     const Scalar v_y_F = u_rate(6);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = d.psi_E_CEG.cos * t02 + t01 * d.psi_E_CEG.sin;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar cos_minus_psi_C_BC_minus_psi_E_CEG = d.psi_C_BC.cos * d.psi_E_CEG.cos
         - d.psi_C_BC.sin * d.psi_E_CEG.sin;
     const Scalar sin_minus_psi_C_BC_minus_psi_E_CEG = -d.psi_C_BC.sin * d.psi_E_CEG.cos
@@ -1017,14 +999,14 @@ struct Model13 {
         - d.psi_C_BC.sin * d.psi_G_CEG.sin;
     const Scalar sin_minus_psi_C_BC_minus_psi_G_CEG = -d.psi_C_BC.sin * d.psi_G_CEG.cos
         - d.psi_C_BC.cos * d.psi_G_CEG.sin;
-    const Scalar phi_B_along_slide_E = d.psi_E_CEG.cos * q.s_C
+    const Scalar phi_B_along_slide_E = q.s_C * d.psi_E_CEG.cos
         - q.s_B * cos_minus_psi_C_BC_minus_psi_E_CEG - q.s_E;
     const Scalar phi_B_across_slide_E = d.h_E_DE - q.s_B * sin_minus_psi_C_BC_minus_psi_E_CEG
-        - d.psi_E_CEG.sin * q.s_C;
-    const Scalar phi_B_along_slide_G = d.psi_G_CEG.cos * q.s_C
+        - q.s_C * d.psi_E_CEG.sin;
+    const Scalar phi_B_along_slide_G = q.s_C * d.psi_G_CEG.cos
         - q.s_B * cos_minus_psi_C_BC_minus_psi_G_CEG - q.s_G;
     const Scalar phi_B_across_slide_G = d.h_G_FG - q.s_B * sin_minus_psi_C_BC_minus_psi_G_CEG
-        - d.psi_G_CEG.sin * q.s_C - d.h_G_CEG;
+        - q.s_C * d.psi_G_CEG.sin - d.h_G_CEG;
     const Scalar sin_psi_E_CEG_minus_psi_G_CEG = d.psi_E_CEG.sin * d.psi_G_CEG.cos
         - d.psi_E_CEG.cos * d.psi_G_CEG.sin;
     const Scalar pivot_product = d.psi_C_BC.sin * sin_psi_E_CEG_minus_psi_G_CEG;
@@ -1032,23 +1014,23 @@ struct Model13 {
                                                        //     - psi_G_CEG) = 0
     const Scalar inverse_sin_psi_C_BC = sin_psi_E_CEG_minus_psi_G_CEG * inverse;
     const Scalar inverse_sin_psi_E_CEG_minus_psi_G_CEG = d.psi_C_BC.sin * inverse;
-    const Scalar t03 = v_x_B - v_x_D;
-    const Scalar t04 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_E = t03 * cos_DE + t04 * sin_DE
-        + omega_B * phi_B_across_slide_E;
-    const Scalar velocity_across_slide_E = cos_DE * t04 - t03 * sin_DE
-        - omega_B * phi_B_along_slide_E;
-    const Scalar t05 = v_x_B - v_x_F;
-    const Scalar t06 = v_y_B - v_y_F;
-    const Scalar velocity_along_slide_G = t05 * cos_FG + t06 * sin_FG
-        + omega_B * phi_B_across_slide_G;
-    const Scalar velocity_across_slide_G = cos_FG * t06 - t05 * sin_FG
-        - omega_B * phi_B_along_slide_G;
-    const Scalar t07 = inverse_sin_psi_E_CEG_minus_psi_G_CEG * inverse_sin_psi_C_BC;
-    const Scalar v_s_B = (d.psi_E_CEG.sin * velocity_across_slide_G
-        - d.psi_G_CEG.sin * velocity_across_slide_E) * t07;
-    const Scalar v_s_C = -(sin_minus_psi_C_BC_minus_psi_E_CEG * velocity_across_slide_G
-        - sin_minus_psi_C_BC_minus_psi_G_CEG * velocity_across_slide_E) * t07;
+    const Scalar t01 = v_x_B - v_x_D;
+    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar velocity_along_slide_E = cos_DE * t01 + sin_DE * t02
+        + phi_B_across_slide_E * omega_B;
+    const Scalar velocity_across_slide_E = cos_DE * t02 - sin_DE * t01
+        - phi_B_along_slide_E * omega_B;
+    const Scalar t03 = v_x_B - v_x_F;
+    const Scalar t04 = v_y_B - v_y_F;
+    const Scalar velocity_along_slide_G = cos_FG * t03 + sin_FG * t04
+        + phi_B_across_slide_G * omega_B;
+    const Scalar velocity_across_slide_G = cos_FG * t04 - sin_FG * t03
+        - phi_B_along_slide_G * omega_B;
+    const Scalar t05 = inverse_sin_psi_E_CEG_minus_psi_G_CEG * inverse_sin_psi_C_BC;
+    const Scalar v_s_B = t05 * (d.psi_E_CEG.sin * velocity_across_slide_G
+        - d.psi_G_CEG.sin * velocity_across_slide_E);
+    const Scalar v_s_C = -t05 * (sin_minus_psi_C_BC_minus_psi_E_CEG * velocity_across_slide_G
+        - sin_minus_psi_C_BC_minus_psi_G_CEG * velocity_across_slide_E);
     const Scalar v_s_G = d.psi_G_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_G_CEG * v_s_B
         - velocity_along_slide_G;
     const Scalar v_s_E = d.psi_E_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_E_CEG * v_s_B
@@ -1079,12 +1061,12 @@ struct Model13 {
     const Scalar a_x_F = u_second_rate(5);
     const Scalar v_y_F = u_rate(6);
     const Scalar a_y_F = u_second_rate(6);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = d.psi_E_CEG.cos * t02 + t01 * d.psi_E_CEG.sin;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar cos_minus_psi_C_BC_minus_psi_E_CEG = d.psi_C_BC.cos * d.psi_E_CEG.cos
         - d.psi_C_BC.sin * d.psi_E_CEG.sin;
     const Scalar sin_minus_psi_C_BC_minus_psi_E_CEG = -d.psi_C_BC.sin * d.psi_E_CEG.cos
@@ -1093,14 +1075,14 @@ struct Model13 {
         - d.psi_C_BC.sin * d.psi_G_CEG.sin;
     const Scalar sin_minus_psi_C_BC_minus_psi_G_CEG = -d.psi_C_BC.sin * d.psi_G_CEG.cos
         - d.psi_C_BC.cos * d.psi_G_CEG.sin;
-    const Scalar phi_B_along_slide_E = d.psi_E_CEG.cos * q.s_C
+    const Scalar phi_B_along_slide_E = q.s_C * d.psi_E_CEG.cos
         - q.s_B * cos_minus_psi_C_BC_minus_psi_E_CEG - q.s_E;
     const Scalar phi_B_across_slide_E = d.h_E_DE - q.s_B * sin_minus_psi_C_BC_minus_psi_E_CEG
-        - d.psi_E_CEG.sin * q.s_C;
-    const Scalar phi_B_along_slide_G = d.psi_G_CEG.cos * q.s_C
+        - q.s_C * d.psi_E_CEG.sin;
+    const Scalar phi_B_along_slide_G = q.s_C * d.psi_G_CEG.cos
         - q.s_B * cos_minus_psi_C_BC_minus_psi_G_CEG - q.s_G;
     const Scalar phi_B_across_slide_G = d.h_G_FG - q.s_B * sin_minus_psi_C_BC_minus_psi_G_CEG
-        - d.psi_G_CEG.sin * q.s_C - d.h_G_CEG;
+        - q.s_C * d.psi_G_CEG.sin - d.h_G_CEG;
     const Scalar sin_psi_E_CEG_minus_psi_G_CEG = d.psi_E_CEG.sin * d.psi_G_CEG.cos
         - d.psi_E_CEG.cos * d.psi_G_CEG.sin;
     const Scalar pivot_product = d.psi_C_BC.sin * sin_psi_E_CEG_minus_psi_G_CEG;
@@ -1108,45 +1090,45 @@ struct Model13 {
                                                        //     - psi_G_CEG) = 0
     const Scalar inverse_sin_psi_C_BC = sin_psi_E_CEG_minus_psi_G_CEG * inverse;
     const Scalar inverse_sin_psi_E_CEG_minus_psi_G_CEG = d.psi_C_BC.sin * inverse;
-    const Scalar t03 = v_x_B - v_x_D;
-    const Scalar t04 = v_y_B - v_y_D;
-    const Scalar t05 = omega_B * phi_B_across_slide_E;
-    const Scalar velocity_along_slide_E = t03 * cos_DE + t04 * sin_DE + t05;
-    const Scalar t06 = omega_B * phi_B_along_slide_E;
-    const Scalar velocity_across_slide_E = cos_DE * t04 - t03 * sin_DE - t06;
-    const Scalar t07 = v_x_B - v_x_F;
-    const Scalar t08 = v_y_B - v_y_F;
-    const Scalar t09 = omega_B * phi_B_across_slide_G;
-    const Scalar velocity_along_slide_G = t07 * cos_FG + t08 * sin_FG + t09;
-    const Scalar t10 = omega_B * phi_B_along_slide_G;
-    const Scalar velocity_across_slide_G = cos_FG * t08 - t07 * sin_FG - t10;
-    const Scalar t11 = inverse_sin_psi_E_CEG_minus_psi_G_CEG * inverse_sin_psi_C_BC;
-    const Scalar v_s_B = (d.psi_E_CEG.sin * velocity_across_slide_G
-        - d.psi_G_CEG.sin * velocity_across_slide_E) * t11;
-    const Scalar v_s_C = -(sin_minus_psi_C_BC_minus_psi_E_CEG * velocity_across_slide_G
-        - sin_minus_psi_C_BC_minus_psi_G_CEG * velocity_across_slide_E) * t11;
-    const Scalar t12 = d.psi_G_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_G_CEG * v_s_B;
-    const Scalar v_s_G = t12 - velocity_along_slide_G;
-    const Scalar t13 = d.psi_E_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_E_CEG * v_s_B;
-    const Scalar v_s_E = t13 - velocity_along_slide_E;
-    const Scalar t14 = a_x_B - a_x_D;
-    const Scalar t15 = a_y_B - a_y_D;
-    const Scalar acceleration_along_slide_E = omega_B * (t06 - Scalar(2) * d.psi_E_CEG.sin * v_s_C
-        - Scalar(2) * sin_minus_psi_C_BC_minus_psi_E_CEG * v_s_B) + cos_DE * t14 + sin_DE * t15
+    const Scalar t01 = v_x_B - v_x_D;
+    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar t03 = phi_B_across_slide_E * omega_B;
+    const Scalar velocity_along_slide_E = cos_DE * t01 + sin_DE * t02 + t03;
+    const Scalar t04 = phi_B_along_slide_E * omega_B;
+    const Scalar velocity_across_slide_E = cos_DE * t02 - sin_DE * t01 - t04;
+    const Scalar t05 = v_x_B - v_x_F;
+    const Scalar t06 = v_y_B - v_y_F;
+    const Scalar t07 = phi_B_across_slide_G * omega_B;
+    const Scalar velocity_along_slide_G = cos_FG * t05 + sin_FG * t06 + t07;
+    const Scalar t08 = phi_B_along_slide_G * omega_B;
+    const Scalar velocity_across_slide_G = cos_FG * t06 - sin_FG * t05 - t08;
+    const Scalar t09 = inverse_sin_psi_E_CEG_minus_psi_G_CEG * inverse_sin_psi_C_BC;
+    const Scalar v_s_B = t09 * (d.psi_E_CEG.sin * velocity_across_slide_G
+        - d.psi_G_CEG.sin * velocity_across_slide_E);
+    const Scalar v_s_C = -t09 * (sin_minus_psi_C_BC_minus_psi_E_CEG * velocity_across_slide_G
+        - sin_minus_psi_C_BC_minus_psi_G_CEG * velocity_across_slide_E);
+    const Scalar t10 = d.psi_G_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_G_CEG * v_s_B;
+    const Scalar v_s_G = t10 - velocity_along_slide_G;
+    const Scalar t11 = d.psi_E_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_E_CEG * v_s_B;
+    const Scalar v_s_E = t11 - velocity_along_slide_E;
+    const Scalar t12 = a_x_B - a_x_D;
+    const Scalar t13 = a_y_B - a_y_D;
+    const Scalar acceleration_along_slide_E = omega_B * (t04 - Scalar(2) * d.psi_E_CEG.sin * v_s_C
+        - Scalar(2) * sin_minus_psi_C_BC_minus_psi_E_CEG * v_s_B) + cos_DE * t12 + sin_DE * t13
         + phi_B_across_slide_E * alpha_B;
-    const Scalar acceleration_across_slide_E = cos_DE * t15 + omega_B * (t05 + Scalar(2) * v_s_E
-        - Scalar(2) * t13) - sin_DE * t14 - phi_B_along_slide_E * alpha_B;
-    const Scalar t16 = a_x_B - a_x_F;
-    const Scalar t17 = a_y_B - a_y_F;
-    const Scalar acceleration_along_slide_G = omega_B * (t10 - Scalar(2) * d.psi_G_CEG.sin * v_s_C
-        - Scalar(2) * sin_minus_psi_C_BC_minus_psi_G_CEG * v_s_B) + cos_FG * t16 + sin_FG * t17
+    const Scalar acceleration_across_slide_E = cos_DE * t13 + omega_B * (t03 + Scalar(2) * v_s_E
+        - Scalar(2) * t11) - sin_DE * t12 - phi_B_along_slide_E * alpha_B;
+    const Scalar t14 = a_x_B - a_x_F;
+    const Scalar t15 = a_y_B - a_y_F;
+    const Scalar acceleration_along_slide_G = omega_B * (t08 - Scalar(2) * d.psi_G_CEG.sin * v_s_C
+        - Scalar(2) * sin_minus_psi_C_BC_minus_psi_G_CEG * v_s_B) + cos_FG * t14 + sin_FG * t15
         + phi_B_across_slide_G * alpha_B;
-    const Scalar acceleration_across_slide_G = cos_FG * t17 + omega_B * (t09 + Scalar(2) * v_s_G
-        - Scalar(2) * t12) - sin_FG * t16 - phi_B_along_slide_G * alpha_B;
-    const Scalar a_s_B = (d.psi_E_CEG.sin * acceleration_across_slide_G
-        - d.psi_G_CEG.sin * acceleration_across_slide_E) * t11;
-    const Scalar a_s_C = -(sin_minus_psi_C_BC_minus_psi_E_CEG * acceleration_across_slide_G
-        - sin_minus_psi_C_BC_minus_psi_G_CEG * acceleration_across_slide_E) * t11;
+    const Scalar acceleration_across_slide_G = cos_FG * t15 + omega_B * (t07 + Scalar(2) * v_s_G
+        - Scalar(2) * t10) - sin_FG * t14 - phi_B_along_slide_G * alpha_B;
+    const Scalar a_s_B = t09 * (d.psi_E_CEG.sin * acceleration_across_slide_G
+        - d.psi_G_CEG.sin * acceleration_across_slide_E);
+    const Scalar a_s_C = -t09 * (sin_minus_psi_C_BC_minus_psi_E_CEG * acceleration_across_slide_G
+        - sin_minus_psi_C_BC_minus_psi_G_CEG * acceleration_across_slide_E);
     const Scalar a_s_G = d.psi_G_CEG.cos * a_s_C - cos_minus_psi_C_BC_minus_psi_G_CEG * a_s_B
         - acceleration_along_slide_G;
     const Scalar a_s_E = d.psi_E_CEG.cos * a_s_C - cos_minus_psi_C_BC_minus_psi_E_CEG * a_s_B
@@ -1183,12 +1165,12 @@ struct Model13 {
     const Scalar a_x_F = u_second_rate(5);
     const Scalar v_y_F = u_rate(6);
     const Scalar a_y_F = u_second_rate(6);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_DE = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
-    const Scalar sin_DE = d.psi_E_CEG.cos * t02 + t01 * d.psi_E_CEG.sin;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar cos_minus_psi_C_BC_minus_psi_E_CEG = d.psi_C_BC.cos * d.psi_E_CEG.cos
         - d.psi_C_BC.sin * d.psi_E_CEG.sin;
     const Scalar sin_minus_psi_C_BC_minus_psi_E_CEG = -d.psi_C_BC.sin * d.psi_E_CEG.cos
@@ -1197,15 +1179,15 @@ struct Model13 {
         - d.psi_C_BC.sin * d.psi_G_CEG.sin;
     const Scalar sin_minus_psi_C_BC_minus_psi_G_CEG = -d.psi_C_BC.sin * d.psi_G_CEG.cos
         - d.psi_C_BC.cos * d.psi_G_CEG.sin;
-    const Scalar phi_B_along_slide_E = d.psi_E_CEG.cos * q.s_C
+    const Scalar phi_B_along_slide_E = q.s_C * d.psi_E_CEG.cos
         - q.s_B * cos_minus_psi_C_BC_minus_psi_E_CEG - q.s_E;
     const Scalar phi_B_across_slide_E = d.h_E_DE - q.s_B * sin_minus_psi_C_BC_minus_psi_E_CEG
-        - d.psi_E_CEG.sin * q.s_C;
-    const Scalar phi_B_along_slide_G = d.psi_G_CEG.cos * q.s_C
+        - q.s_C * d.psi_E_CEG.sin;
+    const Scalar phi_B_along_slide_G = q.s_C * d.psi_G_CEG.cos
         - q.s_B * cos_minus_psi_C_BC_minus_psi_G_CEG - q.s_G;
-    const Scalar t03 = d.h_G_CEG - d.h_G_FG;
+    const Scalar t01 = d.h_G_CEG - d.h_G_FG;
     const Scalar phi_B_across_slide_G = -q.s_B * sin_minus_psi_C_BC_minus_psi_G_CEG
-        - d.psi_G_CEG.sin * q.s_C - t03;
+        - q.s_C * d.psi_G_CEG.sin - t01;
     const Scalar sin_psi_E_CEG_minus_psi_G_CEG = d.psi_E_CEG.sin * d.psi_G_CEG.cos
         - d.psi_E_CEG.cos * d.psi_G_CEG.sin;
     const Scalar pivot_product = d.psi_C_BC.sin * sin_psi_E_CEG_minus_psi_G_CEG;
@@ -1213,89 +1195,61 @@ struct Model13 {
                                                        //     - psi_G_CEG) = 0
     const Scalar inverse_sin_psi_C_BC = sin_psi_E_CEG_minus_psi_G_CEG * inverse;
     const Scalar inverse_sin_psi_E_CEG_minus_psi_G_CEG = d.psi_C_BC.sin * inverse;
-    const Scalar t04 = inverse_sin_psi_C_BC * inverse_sin_psi_E_CEG_minus_psi_G_CEG;
-    const Scalar s_B_per_across_slide_E = -d.psi_G_CEG.sin * t04;
-    const Scalar s_C_per_across_slide_E = sin_minus_psi_C_BC_minus_psi_G_CEG * t04;
+    const Scalar t02 = inverse_sin_psi_C_BC * inverse_sin_psi_E_CEG_minus_psi_G_CEG;
+    const Scalar s_B_per_across_slide_E = -d.psi_G_CEG.sin * t02;
+    const Scalar s_C_per_across_slide_E = sin_minus_psi_C_BC_minus_psi_G_CEG * t02;
     const Scalar s_G_per_across_slide_E = d.psi_G_CEG.cos * s_C_per_across_slide_E
         - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_E;
-    const Scalar t05 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
-    const Scalar s_E_per_across_slide_E = t05
+    const Scalar t03 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
+    const Scalar s_E_per_across_slide_E = t03
         - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_across_slide_E;
-    const Scalar s_B_per_across_slide_G = d.psi_E_CEG.sin * t04;
-    const Scalar s_C_per_across_slide_G = -sin_minus_psi_C_BC_minus_psi_E_CEG * t04;
-    const Scalar t06 = d.psi_G_CEG.cos * s_C_per_across_slide_G;
-    const Scalar s_G_per_across_slide_G = t06
+    const Scalar s_B_per_across_slide_G = d.psi_E_CEG.sin * t02;
+    const Scalar s_C_per_across_slide_G = -sin_minus_psi_C_BC_minus_psi_E_CEG * t02;
+    const Scalar t04 = d.psi_G_CEG.cos * s_C_per_across_slide_G;
+    const Scalar s_G_per_across_slide_G = t04
         - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_G;
     const Scalar s_E_per_across_slide_G = d.psi_E_CEG.cos * s_C_per_across_slide_G
         - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_across_slide_G;
-    const Scalar t07 = s_B_per_across_slide_E * sin_DE;
-    const Scalar t08 = s_B_per_across_slide_G * sin_FG;
-    const Scalar t09 = t07 + t08;
-    const Scalar s_B_per_x_B = -t09;
-    const Scalar t10 = s_C_per_across_slide_E * sin_DE;
-    const Scalar t11 = s_C_per_across_slide_G * sin_FG;
-    const Scalar t12 = t10 + t11;
-    const Scalar s_C_per_x_B = -t12;
-    const Scalar t13 = sin_FG * s_E_per_across_slide_G;
-    const Scalar t14 = cos_DE + sin_DE * s_E_per_across_slide_E;
-    const Scalar t15 = t13 + t14;
-    const Scalar s_E_per_x_B = -t15;
-    const Scalar t16 = sin_DE * s_G_per_across_slide_E;
-    const Scalar t17 = cos_FG + sin_FG * s_G_per_across_slide_G;
-    const Scalar t18 = t16 + t17;
-    const Scalar s_G_per_x_B = -t18;
-    const Scalar t19 = s_B_per_across_slide_E * cos_DE;
-    const Scalar t20 = s_B_per_across_slide_G * cos_FG;
-    const Scalar t21 = t19 + t20;
-    const Scalar s_B_per_y_B = t21;
-    const Scalar t22 = s_C_per_across_slide_E * cos_DE;
-    const Scalar t23 = s_C_per_across_slide_G * cos_FG;
-    const Scalar t24 = t22 + t23;
-    const Scalar s_C_per_y_B = t24;
-    const Scalar t25 = s_E_per_across_slide_G * cos_FG;
-    const Scalar t26 = sin_DE - cos_DE * s_E_per_across_slide_E;
-    const Scalar t27 = t25 - t26;
-    const Scalar s_E_per_y_B = t27;
-    const Scalar t28 = cos_DE * s_G_per_across_slide_E;
-    const Scalar t29 = sin_FG - cos_FG * s_G_per_across_slide_G;
-    const Scalar t30 = t28 - t29;
-    const Scalar s_G_per_y_B = t30;
-    const Scalar t31 = s_B_per_across_slide_E * phi_B_along_slide_E
-        + s_B_per_across_slide_G * phi_B_along_slide_G;
-    const Scalar s_B_per_phi_B = -t31;
-    const Scalar t32 = s_C_per_across_slide_E * phi_B_along_slide_E
-        + s_C_per_across_slide_G * phi_B_along_slide_G;
-    const Scalar s_C_per_phi_B = -t32;
-    const Scalar t33 = s_E_per_across_slide_E * phi_B_along_slide_E + phi_B_across_slide_E
-        + s_E_per_across_slide_G * phi_B_along_slide_G;
-    const Scalar s_E_per_phi_B = -t33;
-    const Scalar t34 = s_G_per_across_slide_E * phi_B_along_slide_E
-        + s_G_per_across_slide_G * phi_B_along_slide_G + phi_B_across_slide_G;
-    const Scalar s_G_per_phi_B = -t34;
-    const Scalar s_B_per_x_D = t07;
-    const Scalar s_C_per_x_D = t10;
-    const Scalar s_E_per_x_D = t14;
-    const Scalar s_G_per_x_D = t16;
-    const Scalar s_B_per_y_D = -t19;
-    const Scalar s_C_per_y_D = -t22;
-    const Scalar s_E_per_y_D = t26;
-    const Scalar s_G_per_y_D = -t28;
-    const Scalar s_B_per_x_F = t08;
-    const Scalar s_C_per_x_F = t11;
-    const Scalar s_E_per_x_F = t13;
-    const Scalar s_G_per_x_F = t17;
-    const Scalar s_B_per_y_F = -t20;
-    const Scalar s_C_per_y_F = -t23;
-    const Scalar s_E_per_y_F = -t25;
-    const Scalar s_G_per_y_F = t29;
-    const Scalar v_s_B = v_x_B * s_B_per_x_B + v_y_B * s_B_per_y_B + omega_B * s_B_per_phi_B
-        + v_x_D * s_B_per_x_D + v_y_D * s_B_per_y_D + v_x_F * s_B_per_x_F + v_y_F * s_B_per_y_F;
-    const Scalar v_s_C = v_x_B * s_C_per_x_B + v_y_B * s_C_per_y_B + omega_B * s_C_per_phi_B
-        + v_x_D * s_C_per_x_D + v_y_D * s_C_per_y_D + v_x_F * s_C_per_x_F + v_y_F * s_C_per_y_F;
-    const Scalar v_s_E = v_x_B * s_E_per_x_B + v_y_B * s_E_per_y_B + omega_B * s_E_per_phi_B
-        + v_x_D * s_E_per_x_D + v_y_D * s_E_per_y_D + v_x_F * s_E_per_x_F + v_y_F * s_E_per_y_F;
-    const Scalar v_s_G = v_x_B * s_G_per_x_B + v_y_B * s_G_per_y_B + omega_B * s_G_per_phi_B
-        + v_x_D * s_G_per_x_D + v_y_D * s_G_per_y_D + v_x_F * s_G_per_x_F + v_y_F * s_G_per_y_F;
+    const Scalar s_B_per_x_D = s_B_per_across_slide_E * sin_DE;
+    const Scalar s_B_per_x_F = s_B_per_across_slide_G * sin_FG;
+    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
+    const Scalar s_C_per_x_D = s_C_per_across_slide_E * sin_DE;
+    const Scalar s_C_per_x_F = s_C_per_across_slide_G * sin_FG;
+    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
+    const Scalar s_E_per_x_D = cos_DE + sin_DE * s_E_per_across_slide_E;
+    const Scalar s_E_per_x_F = sin_FG * s_E_per_across_slide_G;
+    const Scalar s_E_per_x_B = -s_E_per_x_D - s_E_per_x_F;
+    const Scalar s_G_per_x_D = sin_DE * s_G_per_across_slide_E;
+    const Scalar s_G_per_x_F = cos_FG + sin_FG * s_G_per_across_slide_G;
+    const Scalar s_G_per_x_B = -s_G_per_x_D - s_G_per_x_F;
+    const Scalar s_B_per_y_D = -s_B_per_across_slide_E * cos_DE;
+    const Scalar s_B_per_y_F = -s_B_per_across_slide_G * cos_FG;
+    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
+    const Scalar s_C_per_y_D = -s_C_per_across_slide_E * cos_DE;
+    const Scalar s_C_per_y_F = -s_C_per_across_slide_G * cos_FG;
+    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
+    const Scalar s_E_per_y_D = sin_DE - cos_DE * s_E_per_across_slide_E;
+    const Scalar s_E_per_y_F = -s_E_per_across_slide_G * cos_FG;
+    const Scalar s_E_per_y_B = -s_E_per_y_D - s_E_per_y_F;
+    const Scalar s_G_per_y_D = -cos_DE * s_G_per_across_slide_E;
+    const Scalar s_G_per_y_F = sin_FG - cos_FG * s_G_per_across_slide_G;
+    const Scalar s_G_per_y_B = -s_G_per_y_D - s_G_per_y_F;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_E * s_B_per_across_slide_E
+        - phi_B_along_slide_G * s_B_per_across_slide_G;
+    const Scalar s_C_per_phi_B = -phi_B_along_slide_E * s_C_per_across_slide_E
+        - phi_B_along_slide_G * s_C_per_across_slide_G;
+    const Scalar s_E_per_phi_B = -phi_B_along_slide_E * s_E_per_across_slide_E
+        - phi_B_across_slide_E - phi_B_along_slide_G * s_E_per_across_slide_G;
+    const Scalar s_G_per_phi_B = -phi_B_along_slide_E * s_G_per_across_slide_E
+        - phi_B_along_slide_G * s_G_per_across_slide_G - phi_B_across_slide_G;
+    const Scalar v_s_B = s_B_per_x_B * v_x_B + s_B_per_y_B * v_y_B + s_B_per_phi_B * omega_B
+        + s_B_per_x_D * v_x_D + s_B_per_y_D * v_y_D + s_B_per_x_F * v_x_F + s_B_per_y_F * v_y_F;
+    const Scalar v_s_C = s_C_per_x_B * v_x_B + s_C_per_y_B * v_y_B + s_C_per_phi_B * omega_B
+        + s_C_per_x_D * v_x_D + s_C_per_y_D * v_y_D + s_C_per_x_F * v_x_F + s_C_per_y_F * v_y_F;
+    const Scalar v_s_E = s_E_per_x_B * v_x_B + s_E_per_y_B * v_y_B + s_E_per_phi_B * omega_B
+        + s_E_per_x_D * v_x_D + s_E_per_y_D * v_y_D + s_E_per_x_F * v_x_F + s_E_per_y_F * v_y_F;
+    const Scalar v_s_G = s_G_per_x_B * v_x_B + s_G_per_y_B * v_y_B + s_G_per_phi_B * omega_B
+        + s_G_per_x_D * v_x_D + s_G_per_y_D * v_y_D + s_G_per_x_F * v_x_F + s_G_per_y_F * v_y_F;
     const Scalar centripetal_along_slide_E = -omega_B * (Scalar(2) * d.psi_E_CEG.sin * v_s_C
         + Scalar(2) * sin_minus_psi_C_BC_minus_psi_E_CEG * v_s_B - phi_B_along_slide_E * omega_B);
     const Scalar centripetal_across_slide_E = -omega_B * (Scalar(2) * d.psi_E_CEG.cos * v_s_C
@@ -1306,69 +1260,69 @@ struct Model13 {
     const Scalar centripetal_across_slide_G = -omega_B * (Scalar(2) * d.psi_G_CEG.cos * v_s_C
         - Scalar(2) * cos_minus_psi_C_BC_minus_psi_G_CEG * v_s_B - Scalar(2) * v_s_G
         - phi_B_across_slide_G * omega_B);
-    const Scalar t35 = q.s_E * s_B_per_across_slide_E;
-    const Scalar t36 = q.s_G * s_B_per_across_slide_G;
-    const Scalar t37 = q.s_E * s_C_per_across_slide_E;
-    const Scalar t38 = q.s_G * s_C_per_across_slide_G;
-    const Scalar t39 = d.h_E_DE - q.s_E * s_E_per_across_slide_E;
-    const Scalar t40 = q.s_G * s_E_per_across_slide_G;
-    const Scalar t41 = q.s_E * s_G_per_across_slide_E;
-    const Scalar t42 = q.s_G * s_G_per_across_slide_G + t03;
-    S_d(0, 0) = t35;
-    S_d(0, 1) = t36;
+    const Scalar t05 = q.s_E * s_B_per_across_slide_E;
+    const Scalar t06 = q.s_G * s_B_per_across_slide_G;
+    const Scalar t07 = q.s_E * s_C_per_across_slide_E;
+    const Scalar t08 = q.s_G * s_C_per_across_slide_G;
+    const Scalar t09 = d.h_E_DE - q.s_E * s_E_per_across_slide_E;
+    const Scalar t10 = q.s_G * s_E_per_across_slide_G;
+    const Scalar t11 = q.s_E * s_G_per_across_slide_E;
+    const Scalar t12 = q.s_G * s_G_per_across_slide_G + t01;
+    S_d(0, 0) = t05;
+    S_d(0, 1) = t06;
     S_d(0, 2) = s_B_per_across_slide_G;
-    S_d(0, 3) = t35 + t36 - q.s_C * (d.psi_E_CEG.cos * s_B_per_across_slide_E
+    S_d(0, 3) = t05 + t06 - q.s_C * (d.psi_E_CEG.cos * s_B_per_across_slide_E
         + d.psi_G_CEG.cos * s_B_per_across_slide_G);
     S_d(0, 4) = -s_B_per_across_slide_E;
     S_d(0, 5) = -s_B_per_across_slide_G;
-    S_d(1, 0) = t37;
-    S_d(1, 1) = t38;
+    S_d(1, 0) = t07;
+    S_d(1, 1) = t08;
     S_d(1, 2) = s_C_per_across_slide_G;
-    S_d(1, 3) = t37 + t38 - q.s_C * (t05 + t06);
+    S_d(1, 3) = t07 + t08 - q.s_C * (t03 + t04);
     S_d(1, 4) = -s_C_per_across_slide_E;
     S_d(1, 5) = -s_C_per_across_slide_G;
-    S_d(2, 0) = -t39;
-    S_d(2, 1) = t40;
+    S_d(2, 0) = -t09;
+    S_d(2, 1) = t10;
     S_d(2, 2) = s_E_per_across_slide_G;
-    S_d(2, 3) = t40 + q.s_C * (d.psi_E_CEG.sin - d.psi_E_CEG.cos * s_E_per_across_slide_E
-        - d.psi_G_CEG.cos * s_E_per_across_slide_G) - t39;
+    S_d(2, 3) = t10 + q.s_C * (d.psi_E_CEG.sin - d.psi_E_CEG.cos * s_E_per_across_slide_E
+        - d.psi_G_CEG.cos * s_E_per_across_slide_G) - t09;
     S_d(2, 4) = -s_E_per_across_slide_E;
     S_d(2, 5) = -s_E_per_across_slide_G;
-    S_d(3, 0) = t41;
-    S_d(3, 1) = t42;
+    S_d(3, 0) = t11;
+    S_d(3, 1) = t12;
     S_d(3, 2) = s_G_per_across_slide_G;
-    S_d(3, 3) = t41 + q.s_C * (d.psi_G_CEG.sin - d.psi_E_CEG.cos * s_G_per_across_slide_E
-        - d.psi_G_CEG.cos * s_G_per_across_slide_G) + t42;
+    S_d(3, 3) = t11 + q.s_C * (d.psi_G_CEG.sin - d.psi_E_CEG.cos * s_G_per_across_slide_E
+        - d.psi_G_CEG.cos * s_G_per_across_slide_G) + t12;
     S_d(3, 4) = -s_G_per_across_slide_E;
     S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = -t09;
-    S_u(0, 1) = t21;
-    S_u(0, 2) = -t31;
-    S_u(0, 3) = t07;
-    S_u(0, 4) = -t19;
-    S_u(0, 5) = t08;
-    S_u(0, 6) = -t20;
-    S_u(1, 0) = -t12;
-    S_u(1, 1) = t24;
-    S_u(1, 2) = -t32;
-    S_u(1, 3) = t10;
-    S_u(1, 4) = -t22;
-    S_u(1, 5) = t11;
-    S_u(1, 6) = -t23;
-    S_u(2, 0) = -t15;
-    S_u(2, 1) = t27;
-    S_u(2, 2) = -t33;
-    S_u(2, 3) = t14;
-    S_u(2, 4) = t26;
-    S_u(2, 5) = t13;
-    S_u(2, 6) = -t25;
-    S_u(3, 0) = -t18;
-    S_u(3, 1) = t30;
-    S_u(3, 2) = -t34;
-    S_u(3, 3) = t16;
-    S_u(3, 4) = -t28;
-    S_u(3, 5) = t17;
-    S_u(3, 6) = t29;
+    S_u(0, 0) = s_B_per_x_B;
+    S_u(0, 1) = s_B_per_y_B;
+    S_u(0, 2) = s_B_per_phi_B;
+    S_u(0, 3) = s_B_per_x_D;
+    S_u(0, 4) = s_B_per_y_D;
+    S_u(0, 5) = s_B_per_x_F;
+    S_u(0, 6) = s_B_per_y_F;
+    S_u(1, 0) = s_C_per_x_B;
+    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 2) = s_C_per_phi_B;
+    S_u(1, 3) = s_C_per_x_D;
+    S_u(1, 4) = s_C_per_y_D;
+    S_u(1, 5) = s_C_per_x_F;
+    S_u(1, 6) = s_C_per_y_F;
+    S_u(2, 0) = s_E_per_x_B;
+    S_u(2, 1) = s_E_per_y_B;
+    S_u(2, 2) = s_E_per_phi_B;
+    S_u(2, 3) = s_E_per_x_D;
+    S_u(2, 4) = s_E_per_y_D;
+    S_u(2, 5) = s_E_per_x_F;
+    S_u(2, 6) = s_E_per_y_F;
+    S_u(3, 0) = s_G_per_x_B;
+    S_u(3, 1) = s_G_per_y_B;
+    S_u(3, 2) = s_G_per_phi_B;
+    S_u(3, 3) = s_G_per_x_D;
+    S_u(3, 4) = s_G_per_y_D;
+    S_u(3, 5) = s_G_per_x_F;
+    S_u(3, 6) = s_G_per_y_F;
     q_rate(0) = v_s_B;
     q_rate(1) = v_s_C;
     q_rate(2) = v_s_E;
@@ -1404,21 +1358,21 @@ struct Model13 {
     const Scalar t01 = FB_y - FD_y;
     const Scalar t02 = FB_x - FD_x;
     const Scalar t03 = t01 * u.phi_B.cos - t02 * u.phi_B.sin;
-    const Scalar t04 = u.phi_B.cos * t02 + t01 * u.phi_B.sin;
+    const Scalar t04 = t02 * u.phi_B.cos + t01 * u.phi_B.sin;
     const Scalar c_0_re = Scalar(2) * ((t03 * d.psi_C_BC.cos
-        - t04 * d.psi_C_BC.sin) * d.psi_E_CEG.cos - d.psi_E_CEG.sin * (d.psi_C_BC.cos * t04
-        + t03 * d.psi_C_BC.sin) - d.h_E_DE);
+        - t04 * d.psi_C_BC.sin) * d.psi_E_CEG.cos - (t04 * d.psi_C_BC.cos
+        + t03 * d.psi_C_BC.sin) * d.psi_E_CEG.sin - d.h_E_DE);
     const Scalar c_1_re = -Scalar(2) * (d.psi_C_BC.sin * d.psi_E_CEG.cos
         + d.psi_E_CEG.sin * d.psi_C_BC.cos);
     const Scalar e_0_re = Scalar(2) * d.psi_G_CEG.sin;
     const Scalar t05 = FB_y * u.phi_B.cos - FB_x * u.phi_B.sin;
-    const Scalar t06 = u.phi_B.cos * FB_x + FB_y * u.phi_B.sin;
-    const Scalar f_0_re = Scalar(2) * ((d.psi_C_BC.cos * t05
-        - d.psi_C_BC.sin * t06) * d.psi_G_CEG.cos + d.h_G_CEG
-        - d.psi_G_CEG.sin * (d.psi_C_BC.cos * t06 + d.psi_C_BC.sin * t05) - d.h_G_FG);
+    const Scalar t06 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
+    const Scalar f_0_re = Scalar(2) * ((t05 * d.psi_C_BC.cos
+        - t06 * d.psi_C_BC.sin) * d.psi_G_CEG.cos + d.h_G_CEG - (t06 * d.psi_C_BC.cos
+        + t05 * d.psi_C_BC.sin) * d.psi_G_CEG.sin - d.h_G_FG);
     const Scalar f_1_re = -Scalar(2) * (d.psi_C_BC.sin * d.psi_G_CEG.cos
         + d.psi_C_BC.cos * d.psi_G_CEG.sin);
-    T(0) = b_0_re * f_0_re - c_0_re * e_0_re;
+    T(0) = f_0_re * b_0_re - c_0_re * e_0_re;
     T(1) = b_0_re * f_1_re - e_0_re * c_1_re;
   }
 
@@ -1435,15 +1389,15 @@ struct Model13 {
     const Scalar t01 = FB_x - FD_x;
     const Scalar t02 = FB_y - FD_y;
     const Scalar t03 = t01 * u.phi_B.cos + t02 * u.phi_B.sin + q.s_B;
-    const Scalar t04 = u.phi_B.cos * t02 - t01 * u.phi_B.sin;
+    const Scalar t04 = t02 * u.phi_B.cos - t01 * u.phi_B.sin;
     const Scalar t05 = q.s_B + FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
-    const Scalar t06 = u.phi_B.cos * FB_y - FB_x * u.phi_B.sin;
+    const Scalar t06 = FB_y * u.phi_B.cos - FB_x * u.phi_B.sin;
     e(0, 1) = Scalar(2) * d.psi_E_CEG.sin;
     e(0, 2) = -Scalar(2) * ((t03 * d.psi_C_BC.sin - t04 * d.psi_C_BC.cos) * d.psi_E_CEG.cos
-        + d.psi_E_CEG.sin * (t03 * d.psi_C_BC.cos + d.psi_C_BC.sin * t04) + d.h_E_DE);
+        + (t03 * d.psi_C_BC.cos + t04 * d.psi_C_BC.sin) * d.psi_E_CEG.sin + d.h_E_DE);
     e(1, 1) = Scalar(2) * d.psi_G_CEG.sin;
-    e(1, 2) = -Scalar(2) * ((d.psi_C_BC.sin * t05 - d.psi_C_BC.cos * t06) * d.psi_G_CEG.cos
-        + d.psi_G_CEG.sin * (d.psi_C_BC.cos * t05 + d.psi_C_BC.sin * t06) + d.h_G_FG - d.h_G_CEG);
+    e(1, 2) = -Scalar(2) * ((t05 * d.psi_C_BC.sin - t06 * d.psi_C_BC.cos) * d.psi_G_CEG.cos
+        + (t05 * d.psi_C_BC.cos + t06 * d.psi_C_BC.sin) * d.psi_G_CEG.sin + d.h_G_FG - d.h_G_CEG);
   }
 
   /// The other unknowns of a configuration in which those of the reduced
@@ -1458,13 +1412,13 @@ struct Model13 {
     const Scalar t01 = FB_x - FD_x;
     const Scalar t02 = FB_y - FD_y;
     const Scalar t03 = t01 * u.phi_B.cos + t02 * u.phi_B.sin + q.s_B;
-    const Scalar t04 = u.phi_B.cos * t02 - t01 * u.phi_B.sin;
+    const Scalar t04 = t02 * u.phi_B.cos - t01 * u.phi_B.sin;
     const Scalar t05 = q.s_B + FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
-    const Scalar t06 = u.phi_B.cos * FB_y - FB_x * u.phi_B.sin;
-    q.s_E = (t03 * d.psi_C_BC.sin - d.psi_C_BC.cos * t04) * d.psi_E_CEG.sin - (t03 * d.psi_C_BC.cos
+    const Scalar t06 = FB_y * u.phi_B.cos - FB_x * u.phi_B.sin;
+    q.s_E = (t03 * d.psi_C_BC.sin - t04 * d.psi_C_BC.cos) * d.psi_E_CEG.sin - (t03 * d.psi_C_BC.cos
         + t04 * d.psi_C_BC.sin - q.s_C) * d.psi_E_CEG.cos;
-    q.s_G = (q.s_C - d.psi_C_BC.cos * t05 - d.psi_C_BC.sin * t06) * d.psi_G_CEG.cos
-        + (d.psi_C_BC.sin * t05 - d.psi_C_BC.cos * t06) * d.psi_G_CEG.sin;
+    q.s_G = (q.s_C - t05 * d.psi_C_BC.cos - t06 * d.psi_C_BC.sin) * d.psi_G_CEG.cos
+        + (t05 * d.psi_C_BC.sin - t06 * d.psi_C_BC.cos) * d.psi_G_CEG.sin;
   }
 };
 

@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     50, 34, 1
 ///   motion:                       93, 70, 1
 ///   sensitivities_and_motion:     180, 123, 1
-///   position_polynomial:          25, 20, 0
+///   position_polynomial:          28, 20, 0
 ///   second_equations:             18, 19, 0
 ///   complete:                     12, 16, 0
 struct Model14 {
@@ -191,20 +191,20 @@ struct Model14 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = q.theta_CEG.cos * d.x_E_CEG - q.theta_CEG.sin * d.y_E_CEG;
-    const Scalar CE_y = q.theta_CEG.cos * d.y_E_CEG + d.x_E_CEG * q.theta_CEG.sin;
-    const Scalar FG_x = -q.theta_CEG.sin * d.h_G_FG;
-    const Scalar FG_y = q.theta_CEG.cos * d.h_G_FG;
-    const Scalar CG_x = -q.theta_CEG.sin * d.h_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.h_G_CEG;
-    const Scalar slide_G_x = q.theta_CEG.cos * q.s_G;
-    const Scalar slide_G_y = q.theta_CEG.sin * q.s_G;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.x_E_CEG * q.theta_CEG.cos - d.y_E_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = d.y_E_CEG * q.theta_CEG.cos + d.x_E_CEG * q.theta_CEG.sin;
+    const Scalar FG_x = -d.h_G_FG * q.theta_CEG.sin;
+    const Scalar FG_y = d.h_G_FG * q.theta_CEG.cos;
+    const Scalar CG_x = -d.h_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.h_G_CEG * q.theta_CEG.cos;
+    const Scalar slide_G_x = q.s_G * q.theta_CEG.cos;
+    const Scalar slide_G_y = q.s_G * q.theta_CEG.sin;
     const Scalar t01 = BC_x + u.x_B + slide_B_x;
     const Scalar t02 = BC_y + u.y_B + slide_B_y;
     f(0) = u.x_D + slide_D_x + DE_x - CE_x - t01;
@@ -218,14 +218,14 @@ struct Model14 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar CE_x = q.theta_CEG.cos * d.x_E_CEG - q.theta_CEG.sin * d.y_E_CEG;
-    const Scalar CE_y = q.theta_CEG.cos * d.y_E_CEG + d.x_E_CEG * q.theta_CEG.sin;
-    const Scalar FG_x = -q.theta_CEG.sin * d.h_G_FG;
-    const Scalar FG_y = q.theta_CEG.cos * d.h_G_FG;
-    const Scalar CG_x = -q.theta_CEG.sin * d.h_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.h_G_CEG;
-    const Scalar slide_G_x = q.theta_CEG.cos * q.s_G;
-    const Scalar slide_G_y = q.theta_CEG.sin * q.s_G;
+    const Scalar CE_x = d.x_E_CEG * q.theta_CEG.cos - d.y_E_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = d.y_E_CEG * q.theta_CEG.cos + d.x_E_CEG * q.theta_CEG.sin;
+    const Scalar FG_x = -d.h_G_FG * q.theta_CEG.sin;
+    const Scalar FG_y = d.h_G_FG * q.theta_CEG.cos;
+    const Scalar CG_x = -d.h_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.h_G_CEG * q.theta_CEG.cos;
+    const Scalar slide_G_x = q.s_G * q.theta_CEG.cos;
+    const Scalar slide_G_y = q.s_G * q.theta_CEG.sin;
     J(0, 0) = CE_y;
     J(0, 1) = -u.phi_B.cos;
     J(0, 2) = u.phi_D.cos;
@@ -268,12 +268,12 @@ struct Model14 {
     F_u.setZero();
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_y + BC_y;
     const Scalar t02 = slide_B_x + BC_x;
     F_u(0, 0) = -Scalar(1);
@@ -307,16 +307,16 @@ struct Model14 {
     const Scalar v_y_F = u_rate(7);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = (slide_B_y + BC_y) * omega_B - v_x_B;
-    const Scalar t02 = omega_B * (slide_B_x + BC_x) + v_y_B;
+    const Scalar t02 = (slide_B_x + BC_x) * omega_B + v_y_B;
     rhs(0) = (slide_D_y + DE_y) * omega_D - v_x_D - t01;
-    rhs(1) = t02 - omega_D * (slide_D_x + DE_x) - v_y_D;
+    rhs(1) = t02 - (slide_D_x + DE_x) * omega_D - v_y_D;
     rhs(2) = -v_x_F - t01;
     rhs(3) = t02 - v_y_F;
   }
@@ -344,20 +344,20 @@ struct Model14 {
     const Scalar a_y_F = u_second_rate(7);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = q.theta_CEG.cos * d.x_E_CEG - q.theta_CEG.sin * d.y_E_CEG;
-    const Scalar CE_y = q.theta_CEG.cos * d.y_E_CEG + d.x_E_CEG * q.theta_CEG.sin;
-    const Scalar FG_x = -q.theta_CEG.sin * d.h_G_FG;
-    const Scalar FG_y = q.theta_CEG.cos * d.h_G_FG;
-    const Scalar CG_x = -q.theta_CEG.sin * d.h_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.h_G_CEG;
-    const Scalar slide_G_x = q.theta_CEG.cos * q.s_G;
-    const Scalar slide_G_y = q.theta_CEG.sin * q.s_G;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.x_E_CEG * q.theta_CEG.cos - d.y_E_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = d.y_E_CEG * q.theta_CEG.cos + d.x_E_CEG * q.theta_CEG.sin;
+    const Scalar FG_x = -d.h_G_FG * q.theta_CEG.sin;
+    const Scalar FG_y = d.h_G_FG * q.theta_CEG.cos;
+    const Scalar CG_x = -d.h_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.h_G_CEG * q.theta_CEG.cos;
+    const Scalar slide_G_x = q.s_G * q.theta_CEG.cos;
+    const Scalar slide_G_y = q.s_G * q.theta_CEG.sin;
     const Scalar t01 = slide_D_x + DE_x;
     const Scalar t02 = slide_D_y + DE_y;
     const Scalar t03 = omega_CEG * omega_CEG;
@@ -365,15 +365,15 @@ struct Model14 {
     const Scalar t05 = slide_B_y + BC_y;
     const Scalar t06 = a_x_B - omega_B * (t04 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B)
         - t05 * alpha_B;
-    const Scalar t07 = a_y_B + t04 * alpha_B - omega_B * (omega_B * t05
+    const Scalar t07 = a_y_B + t04 * alpha_B - omega_B * (t05 * omega_B
         - Scalar(2) * u.phi_B.cos * v_s_B);
     rhs(0) = omega_D * (t01 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D) + t02 * alpha_D + t06
         - a_x_D - CE_x * t03;
-    rhs(1) = omega_D * (omega_D * t02 - Scalar(2) * u.phi_D.cos * v_s_D) + t07 - t01 * alpha_D
+    rhs(1) = omega_D * (t02 * omega_D - Scalar(2) * u.phi_D.cos * v_s_D) + t07 - t01 * alpha_D
         - a_y_D - CE_y * t03;
-    rhs(2) = omega_CEG * (omega_CEG * (FG_x - CG_x - slide_G_x)
+    rhs(2) = omega_CEG * ((FG_x - CG_x - slide_G_x) * omega_CEG
         - Scalar(2) * q.theta_CEG.sin * v_s_G) + t06 - a_x_F;
-    rhs(3) = omega_CEG * (omega_CEG * (FG_y - CG_y - slide_G_y)
+    rhs(3) = omega_CEG * ((FG_y - CG_y - slide_G_y) * omega_CEG
         + Scalar(2) * q.theta_CEG.cos * v_s_G) + t07 - a_y_F;
   }
 
@@ -407,20 +407,20 @@ struct Model14 {
     const Scalar j_y_F = u_third_rate(7);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = q.theta_CEG.cos * d.x_E_CEG - q.theta_CEG.sin * d.y_E_CEG;
-    const Scalar CE_y = q.theta_CEG.cos * d.y_E_CEG + d.x_E_CEG * q.theta_CEG.sin;
-    const Scalar FG_x = -q.theta_CEG.sin * d.h_G_FG;
-    const Scalar FG_y = q.theta_CEG.cos * d.h_G_FG;
-    const Scalar CG_x = -q.theta_CEG.sin * d.h_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.h_G_CEG;
-    const Scalar slide_G_x = q.theta_CEG.cos * q.s_G;
-    const Scalar slide_G_y = q.theta_CEG.sin * q.s_G;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.x_E_CEG * q.theta_CEG.cos - d.y_E_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = d.y_E_CEG * q.theta_CEG.cos + d.x_E_CEG * q.theta_CEG.sin;
+    const Scalar FG_x = -d.h_G_FG * q.theta_CEG.sin;
+    const Scalar FG_y = d.h_G_FG * q.theta_CEG.cos;
+    const Scalar CG_x = -d.h_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.h_G_CEG * q.theta_CEG.cos;
+    const Scalar slide_G_x = q.s_G * q.theta_CEG.cos;
+    const Scalar slide_G_y = q.s_G * q.theta_CEG.sin;
     const Scalar t01 = slide_D_y + DE_y;
     const Scalar t02 = u.phi_D.cos * v_s_D;
     const Scalar t03 = slide_D_x + DE_x;
@@ -433,7 +433,7 @@ struct Model14 {
     const Scalar t10 = omega_B * (omega_B * (t06 * omega_B - Scalar(3) * t07)
         - Scalar(3) * t08 * alpha_B - Scalar(3) * u.phi_B.sin * a_s_B) - t06 * jerk_B + j_x_B
         - Scalar(3) * alpha_B * t09;
-    const Scalar t11 = omega_B * (omega_B * (omega_B * t08 + Scalar(3) * t09)
+    const Scalar t11 = omega_B * (omega_B * (t08 * omega_B + Scalar(3) * t09)
         + Scalar(3) * t06 * alpha_B - Scalar(3) * u.phi_B.cos * a_s_B) - t08 * jerk_B - j_y_B
         - Scalar(3) * t07 * alpha_B;
     const Scalar t12 = FG_y - CG_y - slide_G_y;
@@ -442,15 +442,15 @@ struct Model14 {
     const Scalar t15 = q.theta_CEG.sin * v_s_G;
     rhs(0) = t01 * jerk_D + Scalar(3) * alpha_D * t04 + t10 - omega_D * (omega_D * (t01 * omega_D
         - Scalar(3) * t02) - Scalar(3) * t03 * alpha_D - Scalar(3) * u.phi_D.sin * a_s_D) - j_x_D
-        - omega_CEG * (Scalar(3) * alpha_CEG * CE_x - CE_y * t05);
-    rhs(1) = omega_D * (omega_D * (omega_D * t03 + Scalar(3) * t04) + Scalar(3) * t01 * alpha_D
+        - omega_CEG * (Scalar(3) * CE_x * alpha_CEG - CE_y * t05);
+    rhs(1) = omega_D * (omega_D * (t03 * omega_D + Scalar(3) * t04) + Scalar(3) * t01 * alpha_D
         - Scalar(3) * u.phi_D.cos * a_s_D) - t03 * jerk_D - j_y_D - Scalar(3) * t02 * alpha_D
         - omega_CEG * (Scalar(3) * CE_y * alpha_CEG + CE_x * t05) - t11;
-    rhs(2) = t10 - omega_CEG * (omega_CEG * (omega_CEG * t12 + Scalar(3) * t13)
-        + Scalar(3) * q.theta_CEG.sin * a_s_G - Scalar(3) * alpha_CEG * t14) - j_x_F
+    rhs(2) = t10 - omega_CEG * (omega_CEG * (t12 * omega_CEG + Scalar(3) * t13)
+        + Scalar(3) * q.theta_CEG.sin * a_s_G - Scalar(3) * t14 * alpha_CEG) - j_x_F
         - Scalar(3) * alpha_CEG * t15;
-    rhs(3) = omega_CEG * (omega_CEG * (omega_CEG * t14 - Scalar(3) * t15)
-        + Scalar(3) * alpha_CEG * t12 + Scalar(3) * q.theta_CEG.cos * a_s_G)
+    rhs(3) = omega_CEG * (omega_CEG * (t14 * omega_CEG - Scalar(3) * t15)
+        + Scalar(3) * t12 * alpha_CEG + Scalar(3) * q.theta_CEG.cos * a_s_G)
         + Scalar(3) * alpha_CEG * t13 - j_y_F - t11;
   }
 
@@ -475,35 +475,35 @@ struct Model14 {
     const Scalar omega_D = u_rate(5);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = q.theta_CEG.cos * d.x_E_CEG - q.theta_CEG.sin * d.y_E_CEG;
-    const Scalar CE_y = q.theta_CEG.cos * d.y_E_CEG + d.x_E_CEG * q.theta_CEG.sin;
-    const Scalar FG_x = -q.theta_CEG.sin * d.h_G_FG;
-    const Scalar FG_y = q.theta_CEG.cos * d.h_G_FG;
-    const Scalar CG_x = -q.theta_CEG.sin * d.h_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.h_G_CEG;
-    const Scalar slide_G_x = q.theta_CEG.cos * q.s_G;
-    const Scalar slide_G_y = q.theta_CEG.sin * q.s_G;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.x_E_CEG * q.theta_CEG.cos - d.y_E_CEG * q.theta_CEG.sin;
+    const Scalar CE_y = d.y_E_CEG * q.theta_CEG.cos + d.x_E_CEG * q.theta_CEG.sin;
+    const Scalar FG_x = -d.h_G_FG * q.theta_CEG.sin;
+    const Scalar FG_y = d.h_G_FG * q.theta_CEG.cos;
+    const Scalar CG_x = -d.h_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.h_G_CEG * q.theta_CEG.cos;
+    const Scalar slide_G_x = q.s_G * q.theta_CEG.cos;
+    const Scalar slide_G_y = q.s_G * q.theta_CEG.sin;
     const Scalar t01 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
-    const Scalar t02 = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+    const Scalar t02 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BC);
     const Scalar t03 = v_h_G_CEG - v_h_G_FG;
     rhs(0) = omega_D * ((slide_D_x + DE_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * u.phi_D.cos * v_h_D_DE) - t01
         - omega_CEG * (Scalar(2) * q.theta_CEG.cos * v_y_E_CEG
-        + Scalar(2) * q.theta_CEG.sin * v_x_E_CEG + omega_CEG * CE_x);
-    rhs(1) = omega_D * (omega_D * (slide_D_y + DE_y) - Scalar(2) * u.phi_D.cos * v_s_D
+        + Scalar(2) * q.theta_CEG.sin * v_x_E_CEG + CE_x * omega_CEG);
+    rhs(1) = omega_D * ((slide_D_y + DE_y) * omega_D - Scalar(2) * u.phi_D.cos * v_s_D
         - Scalar(2) * u.phi_D.sin * v_h_D_DE) + omega_CEG * (Scalar(2) * q.theta_CEG.cos * v_x_E_CEG
-        - Scalar(2) * q.theta_CEG.sin * v_y_E_CEG - omega_CEG * CE_y) - t02;
-    rhs(2) = omega_CEG * (omega_CEG * (FG_x - CG_x - slide_G_x) - Scalar(2) * q.theta_CEG.cos * t03
+        - Scalar(2) * q.theta_CEG.sin * v_y_E_CEG - CE_y * omega_CEG) - t02;
+    rhs(2) = omega_CEG * ((FG_x - CG_x - slide_G_x) * omega_CEG - Scalar(2) * q.theta_CEG.cos * t03
         - Scalar(2) * q.theta_CEG.sin * v_s_G) - t01;
-    rhs(3) = omega_CEG * (omega_CEG * (FG_y - CG_y - slide_G_y)
+    rhs(3) = omega_CEG * ((FG_y - CG_y - slide_G_y) * omega_CEG
         + Scalar(2) * q.theta_CEG.cos * v_s_G - Scalar(2) * q.theta_CEG.sin * t03) - t02;
   }
 
@@ -513,12 +513,12 @@ struct Model14 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = u.x_B + slide_B_x + BC_x;
     const Scalar t02 = u.y_B + slide_B_y + BC_y;
     poses[0].x = t01;
@@ -551,12 +551,12 @@ struct Model14 {
     P_u.setZero();
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_y + BC_y;
     const Scalar t02 = slide_B_x + BC_x;
     P_q(0, 1) = u.phi_B.cos;
@@ -609,14 +609,14 @@ struct Model14 {
     const Scalar v_y_F = u_rate(7);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = (slide_B_y + BC_y) * omega_B - u.phi_B.cos * v_s_B - v_x_B;
-    const Scalar t02 = omega_B * (slide_B_x + BC_x) + u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar t02 = (slide_B_x + BC_x) * omega_B + u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = -t01;
     v(0, 1) = t02;
     v(0, 2) = omega_CEG;
@@ -624,7 +624,7 @@ struct Model14 {
     v(1, 1) = t02;
     v(1, 2) = omega_B;
     v(2, 0) = u.phi_D.cos * v_s_D + v_x_D - (slide_D_y + DE_y) * omega_D;
-    v(2, 1) = omega_D * (slide_D_x + DE_x) + u.phi_D.sin * v_s_D + v_y_D;
+    v(2, 1) = (slide_D_x + DE_x) * omega_D + u.phi_D.sin * v_s_D + v_y_D;
     v(2, 2) = omega_D;
     v(3, 0) = v_x_F;
     v(3, 1) = v_y_F;
@@ -654,17 +654,17 @@ struct Model14 {
     const Scalar a_y_F = u_second_rate(7);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = slide_B_x + BC_x;
     const Scalar t02 = slide_B_y + BC_y;
     const Scalar t03 = omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B) + t02 * alpha_B
         - u.phi_B.cos * a_s_B - a_x_B;
-    const Scalar t04 = omega_B * (omega_B * t02 - Scalar(2) * u.phi_B.cos * v_s_B) - t01 * alpha_B
+    const Scalar t04 = omega_B * (t02 * omega_B - Scalar(2) * u.phi_B.cos * v_s_B) - t01 * alpha_B
         - u.phi_B.sin * a_s_B - a_y_B;
     const Scalar t05 = slide_D_x + DE_x;
     const Scalar t06 = slide_D_y + DE_y;
@@ -676,7 +676,7 @@ struct Model14 {
     a(1, 2) = alpha_B;
     a(2, 0) = u.phi_D.cos * a_s_D + a_x_D - omega_D * (t05 * omega_D
         + Scalar(2) * u.phi_D.sin * v_s_D) - t06 * alpha_D;
-    a(2, 1) = t05 * alpha_D + u.phi_D.sin * a_s_D + a_y_D - omega_D * (omega_D * t06
+    a(2, 1) = t05 * alpha_D + u.phi_D.sin * a_s_D + a_y_D - omega_D * (t06 * omega_D
         - Scalar(2) * u.phi_D.cos * v_s_D);
     a(2, 2) = alpha_D;
     a(3, 0) = a_x_F;
@@ -700,15 +700,15 @@ struct Model14 {
     p.setZero();
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
-    const Scalar t02 = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+    const Scalar t02 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BC);
     p(0, 0) = -t01;
     p(0, 1) = -t02;
@@ -716,7 +716,7 @@ struct Model14 {
     p(1, 1) = -t02;
     p(2, 0) = -omega_D * ((slide_D_x + DE_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * u.phi_D.cos * v_h_D_DE);
-    p(2, 1) = -omega_D * (omega_D * (slide_D_y + DE_y) - Scalar(2) * u.phi_D.cos * v_s_D
+    p(2, 1) = -omega_D * ((slide_D_y + DE_y) * omega_D - Scalar(2) * u.phi_D.cos * v_s_D
         - Scalar(2) * u.phi_D.sin * v_h_D_DE);
   }
 
@@ -738,7 +738,7 @@ struct Model14 {
     const Scalar CEG_along_slide_D = d.y_E_CEG * sin_CEG_minus_phi_D
         - d.x_E_CEG * cos_CEG_minus_phi_D;
     const Scalar determinant = -q.s_G * sin_phi_B_minus_phi_D
-        - sin_phi_B_minus_CEG * CEG_along_slide_D;
+        - CEG_along_slide_D * sin_phi_B_minus_CEG;
     const Scalar t01 = abs(d.y_E_CEG) + abs(d.h_G_CEG) + abs(d.h_G_FG) + abs(q.s_G)
         + abs(d.x_E_CEG);
     p(0) = determinant;
@@ -763,27 +763,27 @@ struct Model14 {
     const Scalar CEG_along_slide_D = d.y_E_CEG * sin_CEG_minus_phi_D
         - d.x_E_CEG * cos_CEG_minus_phi_D;
     const Scalar CEG_across_slide_D = -d.x_E_CEG * sin_CEG_minus_phi_D
-        - cos_CEG_minus_phi_D * d.y_E_CEG;
+        - d.y_E_CEG * cos_CEG_minus_phi_D;
     const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
     const Scalar determinant = -q.s_G * sin_phi_B_minus_phi_D
-        - sin_phi_B_minus_CEG * CEG_along_slide_D;
+        - CEG_along_slide_D * sin_phi_B_minus_CEG;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
-    const Scalar CEG_per_across_slide_D = -sin_phi_B_minus_CEG * inverse;
+    const Scalar CEG_per_across_slide_D = -inverse * sin_phi_B_minus_CEG;
     const Scalar s_B_per_across_slide_D = q.s_G * inverse;
     const Scalar s_G_per_across_slide_D = -cos_phi_B_minus_CEG * s_B_per_across_slide_D
         - CEG_across_slide_G * CEG_per_across_slide_D;
     const Scalar s_D_per_across_slide_D = s_B_per_across_slide_D * cos_phi_B_minus_phi_D
         + CEG_per_across_slide_D * CEG_across_slide_D;
-    const Scalar CEG_per_across_slide_G = sin_phi_B_minus_phi_D * inverse;
+    const Scalar CEG_per_across_slide_G = inverse * sin_phi_B_minus_phi_D;
     const Scalar s_B_per_across_slide_G = CEG_along_slide_D * inverse;
     const Scalar s_G_per_across_slide_G = -cos_phi_B_minus_CEG * s_B_per_across_slide_G
         - CEG_across_slide_G * CEG_per_across_slide_G;
     const Scalar s_D_per_across_slide_G = cos_phi_B_minus_phi_D * s_B_per_across_slide_G
         + CEG_across_slide_D * CEG_per_across_slide_G;
-    J_inverse(0, 0) = -u.phi_D.sin * CEG_per_across_slide_D;
-    J_inverse(0, 1) = u.phi_D.cos * CEG_per_across_slide_D;
-    J_inverse(0, 2) = -q.theta_CEG.sin * CEG_per_across_slide_G;
-    J_inverse(0, 3) = q.theta_CEG.cos * CEG_per_across_slide_G;
+    J_inverse(0, 0) = -CEG_per_across_slide_D * u.phi_D.sin;
+    J_inverse(0, 1) = CEG_per_across_slide_D * u.phi_D.cos;
+    J_inverse(0, 2) = -CEG_per_across_slide_G * q.theta_CEG.sin;
+    J_inverse(0, 3) = CEG_per_across_slide_G * q.theta_CEG.cos;
     J_inverse(1, 0) = -u.phi_D.sin * s_B_per_across_slide_D;
     J_inverse(1, 1) = u.phi_D.cos * s_B_per_across_slide_D;
     J_inverse(1, 2) = -q.theta_CEG.sin * s_B_per_across_slide_G;
@@ -815,53 +815,53 @@ struct Model14 {
         - u.phi_B.cos * q.theta_CEG.sin;
     const Scalar phi_B_along_slide_D = -q.s_B * cos_phi_B_minus_phi_D
         - d.h_B_BC * sin_phi_B_minus_phi_D;
-    const Scalar phi_B_across_slide_D = cos_phi_B_minus_phi_D * d.h_B_BC
+    const Scalar phi_B_across_slide_D = d.h_B_BC * cos_phi_B_minus_phi_D
         - q.s_B * sin_phi_B_minus_phi_D;
     const Scalar CEG_along_slide_D = d.y_E_CEG * sin_CEG_minus_phi_D
         - d.x_E_CEG * cos_CEG_minus_phi_D;
     const Scalar CEG_across_slide_D = -d.x_E_CEG * sin_CEG_minus_phi_D
-        - cos_CEG_minus_phi_D * d.y_E_CEG;
+        - d.y_E_CEG * cos_CEG_minus_phi_D;
     const Scalar phi_B_along_slide_G = -q.s_B * cos_phi_B_minus_CEG
         - d.h_B_BC * sin_phi_B_minus_CEG;
     const Scalar phi_B_across_slide_G = d.h_B_BC * cos_phi_B_minus_CEG
         - q.s_B * sin_phi_B_minus_CEG;
     const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
-    const Scalar determinant = -sin_phi_B_minus_phi_D * q.s_G
-        - sin_phi_B_minus_CEG * CEG_along_slide_D;
+    const Scalar determinant = -q.s_G * sin_phi_B_minus_phi_D
+        - CEG_along_slide_D * sin_phi_B_minus_CEG;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
-    const Scalar CEG_per_across_slide_D = -sin_phi_B_minus_CEG * inverse;
+    const Scalar CEG_per_across_slide_D = -inverse * sin_phi_B_minus_CEG;
     const Scalar s_B_per_across_slide_D = q.s_G * inverse;
     const Scalar s_G_per_across_slide_D = -cos_phi_B_minus_CEG * s_B_per_across_slide_D
         - CEG_across_slide_G * CEG_per_across_slide_D;
     const Scalar t01 = cos_phi_B_minus_phi_D * s_B_per_across_slide_D;
     const Scalar s_D_per_across_slide_D = t01 + CEG_per_across_slide_D * CEG_across_slide_D;
-    const Scalar CEG_per_across_slide_G = sin_phi_B_minus_phi_D * inverse;
+    const Scalar CEG_per_across_slide_G = inverse * sin_phi_B_minus_phi_D;
     const Scalar s_B_per_across_slide_G = CEG_along_slide_D * inverse;
     const Scalar t02 = cos_phi_B_minus_CEG * s_B_per_across_slide_G;
     const Scalar s_G_per_across_slide_G = -t02 - CEG_across_slide_G * CEG_per_across_slide_G;
     const Scalar s_D_per_across_slide_G = cos_phi_B_minus_phi_D * s_B_per_across_slide_G
         + CEG_across_slide_D * CEG_per_across_slide_G;
-    const Scalar t03 = q.theta_CEG.sin * CEG_per_across_slide_G;
-    const Scalar t04 = u.phi_D.sin * CEG_per_across_slide_D;
-    const Scalar t05 = q.theta_CEG.cos * CEG_per_across_slide_G;
-    const Scalar t06 = u.phi_D.cos * CEG_per_across_slide_D;
-    const Scalar t07 = q.theta_CEG.sin * s_B_per_across_slide_G;
-    const Scalar t08 = u.phi_D.sin * s_B_per_across_slide_D;
-    const Scalar t09 = q.theta_CEG.cos * s_B_per_across_slide_G;
-    const Scalar t10 = u.phi_D.cos * s_B_per_across_slide_D;
-    const Scalar t11 = q.theta_CEG.sin * s_D_per_across_slide_G;
-    const Scalar t12 = u.phi_D.cos - u.phi_D.sin * s_D_per_across_slide_D;
-    const Scalar t13 = q.theta_CEG.cos * s_D_per_across_slide_G;
-    const Scalar t14 = u.phi_D.sin + u.phi_D.cos * s_D_per_across_slide_D;
-    const Scalar t15 = u.phi_D.sin * s_G_per_across_slide_D;
-    const Scalar t16 = q.theta_CEG.cos + q.theta_CEG.sin * s_G_per_across_slide_G;
-    const Scalar t17 = u.phi_D.cos * s_G_per_across_slide_D;
-    const Scalar t18 = q.theta_CEG.sin - q.theta_CEG.cos * s_G_per_across_slide_G;
-    S_d(0, 0) = sin_CEG_minus_phi_D * CEG_per_across_slide_D;
-    S_d(0, 1) = cos_CEG_minus_phi_D * CEG_per_across_slide_D;
+    const Scalar CEG_per_x_D = CEG_per_across_slide_D * u.phi_D.sin;
+    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
+    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
+    const Scalar s_G_per_x_D = u.phi_D.sin * s_G_per_across_slide_D;
+    const Scalar CEG_per_y_D = -CEG_per_across_slide_D * u.phi_D.cos;
+    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
+    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
+    const Scalar s_G_per_y_D = -u.phi_D.cos * s_G_per_across_slide_D;
+    const Scalar CEG_per_x_F = CEG_per_across_slide_G * q.theta_CEG.sin;
+    const Scalar s_B_per_x_F = q.theta_CEG.sin * s_B_per_across_slide_G;
+    const Scalar s_D_per_x_F = q.theta_CEG.sin * s_D_per_across_slide_G;
+    const Scalar s_G_per_x_F = q.theta_CEG.cos + q.theta_CEG.sin * s_G_per_across_slide_G;
+    const Scalar CEG_per_y_F = -CEG_per_across_slide_G * q.theta_CEG.cos;
+    const Scalar s_B_per_y_F = -q.theta_CEG.cos * s_B_per_across_slide_G;
+    const Scalar s_D_per_y_F = -q.theta_CEG.cos * s_D_per_across_slide_G;
+    const Scalar s_G_per_y_F = q.theta_CEG.sin - q.theta_CEG.cos * s_G_per_across_slide_G;
+    S_d(0, 0) = CEG_per_across_slide_D * sin_CEG_minus_phi_D;
+    S_d(0, 1) = CEG_per_across_slide_D * cos_CEG_minus_phi_D;
     S_d(0, 2) = CEG_per_across_slide_G;
-    S_d(0, 3) = -cos_phi_B_minus_phi_D * CEG_per_across_slide_D
-        - cos_phi_B_minus_CEG * CEG_per_across_slide_G;
+    S_d(0, 3) = -CEG_per_across_slide_D * cos_phi_B_minus_phi_D
+        - CEG_per_across_slide_G * cos_phi_B_minus_CEG;
     S_d(0, 4) = CEG_per_across_slide_D;
     S_d(0, 5) = -CEG_per_across_slide_G;
     S_d(1, 0) = sin_CEG_minus_phi_D * s_B_per_across_slide_D;
@@ -884,42 +884,42 @@ struct Model14 {
         - cos_phi_B_minus_CEG * s_G_per_across_slide_G;
     S_d(3, 4) = s_G_per_across_slide_D;
     S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = -t03 - t04;
-    S_u(0, 1) = t05 + t06;
+    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;
+    S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
     S_u(0, 2) = -CEG_per_across_slide_D * phi_B_along_slide_D
         - CEG_per_across_slide_G * phi_B_along_slide_G;
-    S_u(0, 3) = t04;
-    S_u(0, 4) = -t06;
+    S_u(0, 3) = CEG_per_x_D;
+    S_u(0, 4) = CEG_per_y_D;
     S_u(0, 5) = -CEG_per_across_slide_D * q.s_D;
-    S_u(0, 6) = t03;
-    S_u(0, 7) = -t05;
-    S_u(1, 0) = -t07 - t08;
-    S_u(1, 1) = t09 + t10;
-    S_u(1, 2) = -s_B_per_across_slide_D * phi_B_along_slide_D
-        - s_B_per_across_slide_G * phi_B_along_slide_G;
-    S_u(1, 3) = t08;
-    S_u(1, 4) = -t10;
-    S_u(1, 5) = -s_B_per_across_slide_D * q.s_D;
-    S_u(1, 6) = t07;
-    S_u(1, 7) = -t09;
-    S_u(2, 0) = t12 - t11;
-    S_u(2, 1) = t13 + t14;
-    S_u(2, 2) = phi_B_across_slide_D - s_D_per_across_slide_D * phi_B_along_slide_D
-        - s_D_per_across_slide_G * phi_B_along_slide_G;
-    S_u(2, 3) = -t12;
-    S_u(2, 4) = -t14;
-    S_u(2, 5) = -s_D_per_across_slide_D * q.s_D - d.h_D_DE;
-    S_u(2, 6) = t11;
-    S_u(2, 7) = -t13;
-    S_u(3, 0) = -t15 - t16;
-    S_u(3, 1) = t17 - t18;
-    S_u(3, 2) = -s_G_per_across_slide_D * phi_B_along_slide_D
-        - s_G_per_across_slide_G * phi_B_along_slide_G - phi_B_across_slide_G;
-    S_u(3, 3) = t15;
-    S_u(3, 4) = -t17;
-    S_u(3, 5) = -s_G_per_across_slide_D * q.s_D;
-    S_u(3, 6) = t16;
-    S_u(3, 7) = t18;
+    S_u(0, 6) = CEG_per_x_F;
+    S_u(0, 7) = CEG_per_y_F;
+    S_u(1, 0) = -s_B_per_x_D - s_B_per_x_F;
+    S_u(1, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_u(1, 2) = -phi_B_along_slide_D * s_B_per_across_slide_D
+        - phi_B_along_slide_G * s_B_per_across_slide_G;
+    S_u(1, 3) = s_B_per_x_D;
+    S_u(1, 4) = s_B_per_y_D;
+    S_u(1, 5) = -q.s_D * s_B_per_across_slide_D;
+    S_u(1, 6) = s_B_per_x_F;
+    S_u(1, 7) = s_B_per_y_F;
+    S_u(2, 0) = -s_D_per_x_D - s_D_per_x_F;
+    S_u(2, 1) = -s_D_per_y_D - s_D_per_y_F;
+    S_u(2, 2) = phi_B_across_slide_D - phi_B_along_slide_D * s_D_per_across_slide_D
+        - phi_B_along_slide_G * s_D_per_across_slide_G;
+    S_u(2, 3) = s_D_per_x_D;
+    S_u(2, 4) = s_D_per_y_D;
+    S_u(2, 5) = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
+    S_u(2, 6) = s_D_per_x_F;
+    S_u(2, 7) = s_D_per_y_F;
+    S_u(3, 0) = -s_G_per_x_D - s_G_per_x_F;
+    S_u(3, 1) = -s_G_per_y_D - s_G_per_y_F;
+    S_u(3, 2) = -phi_B_along_slide_D * s_G_per_across_slide_D
+        - phi_B_along_slide_G * s_G_per_across_slide_G - phi_B_across_slide_G;
+    S_u(3, 3) = s_G_per_x_D;
+    S_u(3, 4) = s_G_per_y_D;
+    S_u(3, 5) = -q.s_D * s_G_per_across_slide_D;
+    S_u(3, 6) = s_G_per_x_F;
+    S_u(3, 7) = s_G_per_y_F;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -947,39 +947,39 @@ struct Model14 {
         - u.phi_B.cos * q.theta_CEG.sin;
     const Scalar phi_B_along_slide_D = -q.s_B * cos_phi_B_minus_phi_D
         - d.h_B_BC * sin_phi_B_minus_phi_D;
-    const Scalar phi_B_across_slide_D = cos_phi_B_minus_phi_D * d.h_B_BC
+    const Scalar phi_B_across_slide_D = d.h_B_BC * cos_phi_B_minus_phi_D
         - q.s_B * sin_phi_B_minus_phi_D;
     const Scalar CEG_along_slide_D = d.y_E_CEG * sin_CEG_minus_phi_D
         - d.x_E_CEG * cos_CEG_minus_phi_D;
     const Scalar CEG_across_slide_D = -d.x_E_CEG * sin_CEG_minus_phi_D
-        - cos_CEG_minus_phi_D * d.y_E_CEG;
+        - d.y_E_CEG * cos_CEG_minus_phi_D;
     const Scalar phi_B_along_slide_G = -q.s_B * cos_phi_B_minus_CEG
         - d.h_B_BC * sin_phi_B_minus_CEG;
     const Scalar phi_B_across_slide_G = d.h_B_BC * cos_phi_B_minus_CEG
         - q.s_B * sin_phi_B_minus_CEG;
     const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
-    const Scalar determinant = -sin_phi_B_minus_phi_D * q.s_G
-        - sin_phi_B_minus_CEG * CEG_along_slide_D;
+    const Scalar determinant = -q.s_G * sin_phi_B_minus_phi_D
+        - CEG_along_slide_D * sin_phi_B_minus_CEG;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_D = u.phi_D.cos * t01 + u.phi_D.sin * t02
-        + omega_B * phi_B_across_slide_D - d.h_D_DE * omega_D;
-    const Scalar velocity_across_slide_D = u.phi_D.cos * t02 - u.phi_D.sin * t01 - omega_D * q.s_D
-        - omega_B * phi_B_along_slide_D;
+        + phi_B_across_slide_D * omega_B - d.h_D_DE * omega_D;
+    const Scalar velocity_across_slide_D = u.phi_D.cos * t02 - u.phi_D.sin * t01 - q.s_D * omega_D
+        - phi_B_along_slide_D * omega_B;
     const Scalar t03 = v_x_B - v_x_F;
     const Scalar t04 = v_y_B - v_y_F;
     const Scalar velocity_along_slide_G = q.theta_CEG.cos * t03 + q.theta_CEG.sin * t04
-        + omega_B * phi_B_across_slide_G;
+        + phi_B_across_slide_G * omega_B;
     const Scalar velocity_across_slide_G = q.theta_CEG.cos * t04 - q.theta_CEG.sin * t03
-        - omega_B * phi_B_along_slide_G;
-    const Scalar omega_CEG = (sin_phi_B_minus_phi_D * velocity_across_slide_G
-        - sin_phi_B_minus_CEG * velocity_across_slide_D) * inverse;
+        - phi_B_along_slide_G * omega_B;
+    const Scalar omega_CEG = inverse * (sin_phi_B_minus_phi_D * velocity_across_slide_G
+        - sin_phi_B_minus_CEG * velocity_across_slide_D);
     const Scalar v_s_B = inverse * (q.s_G * velocity_across_slide_D
         + CEG_along_slide_D * velocity_across_slide_G);
-    const Scalar v_s_G = -omega_CEG * CEG_across_slide_G - cos_phi_B_minus_CEG * v_s_B
+    const Scalar v_s_G = -CEG_across_slide_G * omega_CEG - cos_phi_B_minus_CEG * v_s_B
         - velocity_along_slide_G;
-    const Scalar v_s_D = omega_CEG * CEG_across_slide_D + cos_phi_B_minus_phi_D * v_s_B
+    const Scalar v_s_D = CEG_across_slide_D * omega_CEG + cos_phi_B_minus_phi_D * v_s_B
         + velocity_along_slide_D;
     q_rate(0) = omega_CEG;
     q_rate(1) = v_s_B;
@@ -1021,43 +1021,43 @@ struct Model14 {
         - u.phi_B.cos * q.theta_CEG.sin;
     const Scalar phi_B_along_slide_D = -q.s_B * cos_phi_B_minus_phi_D
         - d.h_B_BC * sin_phi_B_minus_phi_D;
-    const Scalar phi_B_across_slide_D = cos_phi_B_minus_phi_D * d.h_B_BC
+    const Scalar phi_B_across_slide_D = d.h_B_BC * cos_phi_B_minus_phi_D
         - q.s_B * sin_phi_B_minus_phi_D;
     const Scalar CEG_along_slide_D = d.y_E_CEG * sin_CEG_minus_phi_D
         - d.x_E_CEG * cos_CEG_minus_phi_D;
     const Scalar CEG_across_slide_D = -d.x_E_CEG * sin_CEG_minus_phi_D
-        - cos_CEG_minus_phi_D * d.y_E_CEG;
+        - d.y_E_CEG * cos_CEG_minus_phi_D;
     const Scalar phi_B_along_slide_G = -q.s_B * cos_phi_B_minus_CEG
         - d.h_B_BC * sin_phi_B_minus_CEG;
     const Scalar phi_B_across_slide_G = d.h_B_BC * cos_phi_B_minus_CEG
         - q.s_B * sin_phi_B_minus_CEG;
     const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
-    const Scalar determinant = -sin_phi_B_minus_phi_D * q.s_G
-        - sin_phi_B_minus_CEG * CEG_along_slide_D;
+    const Scalar determinant = -q.s_G * sin_phi_B_minus_phi_D
+        - CEG_along_slide_D * sin_phi_B_minus_CEG;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar t03 = d.h_D_DE * omega_D;
-    const Scalar t04 = omega_B * phi_B_across_slide_D;
+    const Scalar t04 = phi_B_across_slide_D * omega_B;
     const Scalar velocity_along_slide_D = u.phi_D.cos * t01 + u.phi_D.sin * t02 + t04 - t03;
-    const Scalar t05 = omega_D * q.s_D;
-    const Scalar t06 = omega_B * phi_B_along_slide_D;
+    const Scalar t05 = q.s_D * omega_D;
+    const Scalar t06 = phi_B_along_slide_D * omega_B;
     const Scalar velocity_across_slide_D = u.phi_D.cos * t02 - u.phi_D.sin * t01 - t05 - t06;
     const Scalar t07 = v_x_B - v_x_F;
     const Scalar t08 = v_y_B - v_y_F;
-    const Scalar t09 = omega_B * phi_B_across_slide_G;
+    const Scalar t09 = phi_B_across_slide_G * omega_B;
     const Scalar velocity_along_slide_G = q.theta_CEG.cos * t07 + q.theta_CEG.sin * t08 + t09;
-    const Scalar t10 = omega_B * phi_B_along_slide_G;
+    const Scalar t10 = phi_B_along_slide_G * omega_B;
     const Scalar velocity_across_slide_G = q.theta_CEG.cos * t08 - q.theta_CEG.sin * t07 - t10;
-    const Scalar omega_CEG = (sin_phi_B_minus_phi_D * velocity_across_slide_G
-        - sin_phi_B_minus_CEG * velocity_across_slide_D) * inverse;
+    const Scalar omega_CEG = inverse * (sin_phi_B_minus_phi_D * velocity_across_slide_G
+        - sin_phi_B_minus_CEG * velocity_across_slide_D);
     const Scalar v_s_B = inverse * (q.s_G * velocity_across_slide_D
         + CEG_along_slide_D * velocity_across_slide_G);
-    const Scalar t11 = omega_CEG * CEG_across_slide_G;
+    const Scalar t11 = CEG_across_slide_G * omega_CEG;
     const Scalar t12 = cos_phi_B_minus_CEG * v_s_B;
     const Scalar v_s_G = -t11 - t12 - velocity_along_slide_G;
     const Scalar t13 = cos_phi_B_minus_phi_D * v_s_B;
-    const Scalar v_s_D = omega_CEG * CEG_across_slide_D + t13 + velocity_along_slide_D;
+    const Scalar v_s_D = CEG_across_slide_D * omega_CEG + t13 + velocity_along_slide_D;
     const Scalar t14 = a_x_B - a_x_D;
     const Scalar t15 = a_y_B - a_y_D;
     const Scalar t16 = omega_CEG * omega_CEG;
@@ -1129,128 +1129,96 @@ struct Model14 {
         - u.phi_B.cos * q.theta_CEG.sin;
     const Scalar phi_B_along_slide_D = -q.s_B * cos_phi_B_minus_phi_D
         - d.h_B_BC * sin_phi_B_minus_phi_D;
-    const Scalar phi_B_across_slide_D = cos_phi_B_minus_phi_D * d.h_B_BC
+    const Scalar phi_B_across_slide_D = d.h_B_BC * cos_phi_B_minus_phi_D
         - q.s_B * sin_phi_B_minus_phi_D;
     const Scalar CEG_along_slide_D = d.y_E_CEG * sin_CEG_minus_phi_D
         - d.x_E_CEG * cos_CEG_minus_phi_D;
     const Scalar CEG_across_slide_D = -d.x_E_CEG * sin_CEG_minus_phi_D
-        - cos_CEG_minus_phi_D * d.y_E_CEG;
+        - d.y_E_CEG * cos_CEG_minus_phi_D;
     const Scalar phi_B_along_slide_G = -q.s_B * cos_phi_B_minus_CEG
         - d.h_B_BC * sin_phi_B_minus_CEG;
     const Scalar phi_B_across_slide_G = d.h_B_BC * cos_phi_B_minus_CEG
         - q.s_B * sin_phi_B_minus_CEG;
     const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
-    const Scalar determinant = -sin_phi_B_minus_phi_D * q.s_G
-        - sin_phi_B_minus_CEG * CEG_along_slide_D;
+    const Scalar determinant = -q.s_G * sin_phi_B_minus_phi_D
+        - CEG_along_slide_D * sin_phi_B_minus_CEG;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
-    const Scalar CEG_per_across_slide_D = -sin_phi_B_minus_CEG * inverse;
+    const Scalar CEG_per_across_slide_D = -inverse * sin_phi_B_minus_CEG;
     const Scalar s_B_per_across_slide_D = q.s_G * inverse;
     const Scalar s_G_per_across_slide_D = -cos_phi_B_minus_CEG * s_B_per_across_slide_D
         - CEG_across_slide_G * CEG_per_across_slide_D;
     const Scalar t01 = cos_phi_B_minus_phi_D * s_B_per_across_slide_D;
     const Scalar s_D_per_across_slide_D = t01 + CEG_per_across_slide_D * CEG_across_slide_D;
-    const Scalar CEG_per_across_slide_G = sin_phi_B_minus_phi_D * inverse;
+    const Scalar CEG_per_across_slide_G = inverse * sin_phi_B_minus_phi_D;
     const Scalar s_B_per_across_slide_G = CEG_along_slide_D * inverse;
     const Scalar t02 = cos_phi_B_minus_CEG * s_B_per_across_slide_G;
     const Scalar s_G_per_across_slide_G = -t02 - CEG_across_slide_G * CEG_per_across_slide_G;
     const Scalar s_D_per_across_slide_G = cos_phi_B_minus_phi_D * s_B_per_across_slide_G
         + CEG_across_slide_D * CEG_per_across_slide_G;
-    const Scalar t03 = q.theta_CEG.sin * CEG_per_across_slide_G;
-    const Scalar t04 = u.phi_D.sin * CEG_per_across_slide_D;
-    const Scalar t05 = t03 + t04;
-    const Scalar CEG_per_x_B = -t05;
-    const Scalar t06 = q.theta_CEG.sin * s_B_per_across_slide_G;
-    const Scalar t07 = u.phi_D.sin * s_B_per_across_slide_D;
-    const Scalar t08 = t06 + t07;
-    const Scalar s_B_per_x_B = -t08;
-    const Scalar t09 = q.theta_CEG.sin * s_D_per_across_slide_G;
-    const Scalar t10 = u.phi_D.cos - u.phi_D.sin * s_D_per_across_slide_D;
-    const Scalar t11 = t09 - t10;
-    const Scalar s_D_per_x_B = -t11;
-    const Scalar t12 = u.phi_D.sin * s_G_per_across_slide_D;
-    const Scalar t13 = q.theta_CEG.cos + q.theta_CEG.sin * s_G_per_across_slide_G;
-    const Scalar t14 = t12 + t13;
-    const Scalar s_G_per_x_B = -t14;
-    const Scalar t15 = q.theta_CEG.cos * CEG_per_across_slide_G;
-    const Scalar t16 = u.phi_D.cos * CEG_per_across_slide_D;
-    const Scalar t17 = t15 + t16;
-    const Scalar CEG_per_y_B = t17;
-    const Scalar t18 = q.theta_CEG.cos * s_B_per_across_slide_G;
-    const Scalar t19 = u.phi_D.cos * s_B_per_across_slide_D;
-    const Scalar t20 = t18 + t19;
-    const Scalar s_B_per_y_B = t20;
-    const Scalar t21 = q.theta_CEG.cos * s_D_per_across_slide_G;
-    const Scalar t22 = u.phi_D.sin + u.phi_D.cos * s_D_per_across_slide_D;
-    const Scalar t23 = t21 + t22;
-    const Scalar s_D_per_y_B = t23;
-    const Scalar t24 = u.phi_D.cos * s_G_per_across_slide_D;
-    const Scalar t25 = q.theta_CEG.sin - q.theta_CEG.cos * s_G_per_across_slide_G;
-    const Scalar t26 = t24 - t25;
-    const Scalar s_G_per_y_B = t26;
-    const Scalar t27 = CEG_per_across_slide_D * phi_B_along_slide_D
-        + CEG_per_across_slide_G * phi_B_along_slide_G;
-    const Scalar CEG_per_phi_B = -t27;
-    const Scalar t28 = s_B_per_across_slide_D * phi_B_along_slide_D
-        + s_B_per_across_slide_G * phi_B_along_slide_G;
-    const Scalar s_B_per_phi_B = -t28;
-    const Scalar t29 = s_D_per_across_slide_D * phi_B_along_slide_D
-        + s_D_per_across_slide_G * phi_B_along_slide_G - phi_B_across_slide_D;
-    const Scalar s_D_per_phi_B = -t29;
-    const Scalar t30 = s_G_per_across_slide_D * phi_B_along_slide_D
-        + s_G_per_across_slide_G * phi_B_along_slide_G + phi_B_across_slide_G;
-    const Scalar s_G_per_phi_B = -t30;
-    const Scalar CEG_per_x_D = t04;
-    const Scalar s_B_per_x_D = t07;
-    const Scalar s_D_per_x_D = -t10;
-    const Scalar s_G_per_x_D = t12;
-    const Scalar CEG_per_y_D = -t16;
-    const Scalar s_B_per_y_D = -t19;
-    const Scalar s_D_per_y_D = -t22;
-    const Scalar s_G_per_y_D = -t24;
-    const Scalar t31 = CEG_per_across_slide_D * q.s_D;
-    const Scalar CEG_per_phi_D = -t31;
-    const Scalar t32 = s_B_per_across_slide_D * q.s_D;
-    const Scalar s_B_per_phi_D = -t32;
-    const Scalar t33 = s_D_per_across_slide_D * q.s_D + d.h_D_DE;
-    const Scalar s_D_per_phi_D = -t33;
-    const Scalar t34 = s_G_per_across_slide_D * q.s_D;
-    const Scalar s_G_per_phi_D = -t34;
-    const Scalar CEG_per_x_F = t03;
-    const Scalar s_B_per_x_F = t06;
-    const Scalar s_D_per_x_F = t09;
-    const Scalar s_G_per_x_F = t13;
-    const Scalar CEG_per_y_F = -t15;
-    const Scalar s_B_per_y_F = -t18;
-    const Scalar s_D_per_y_F = -t21;
-    const Scalar s_G_per_y_F = t25;
-    const Scalar omega_CEG = v_x_B * CEG_per_x_B + v_y_B * CEG_per_y_B + omega_B * CEG_per_phi_B
-        + v_x_D * CEG_per_x_D + v_y_D * CEG_per_y_D + omega_D * CEG_per_phi_D + v_x_F * CEG_per_x_F
-        + v_y_F * CEG_per_y_F;
-    const Scalar v_s_B = v_x_B * s_B_per_x_B + v_y_B * s_B_per_y_B + omega_B * s_B_per_phi_B
-        + v_x_D * s_B_per_x_D + v_y_D * s_B_per_y_D + omega_D * s_B_per_phi_D + v_x_F * s_B_per_x_F
-        + v_y_F * s_B_per_y_F;
-    const Scalar v_s_D = v_x_B * s_D_per_x_B + v_y_B * s_D_per_y_B + omega_B * s_D_per_phi_B
-        + v_x_D * s_D_per_x_D + v_y_D * s_D_per_y_D + omega_D * s_D_per_phi_D + v_x_F * s_D_per_x_F
-        + v_y_F * s_D_per_y_F;
-    const Scalar v_s_G = v_x_B * s_G_per_x_B + v_y_B * s_G_per_y_B + omega_B * s_G_per_phi_B
-        + v_x_D * s_G_per_x_D + v_y_D * s_G_per_y_D + omega_D * s_G_per_phi_D + v_x_F * s_G_per_x_F
-        + v_y_F * s_G_per_y_F;
-    const Scalar t35 = omega_CEG * omega_CEG;
-    const Scalar centripetal_along_slide_D = q.s_D * omega_D * omega_D + CEG_along_slide_D * t35
+    const Scalar CEG_per_x_D = CEG_per_across_slide_D * u.phi_D.sin;
+    const Scalar CEG_per_x_F = CEG_per_across_slide_G * q.theta_CEG.sin;
+    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
+    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
+    const Scalar s_B_per_x_F = q.theta_CEG.sin * s_B_per_across_slide_G;
+    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
+    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
+    const Scalar s_D_per_x_F = q.theta_CEG.sin * s_D_per_across_slide_G;
+    const Scalar s_D_per_x_B = -s_D_per_x_D - s_D_per_x_F;
+    const Scalar s_G_per_x_D = u.phi_D.sin * s_G_per_across_slide_D;
+    const Scalar s_G_per_x_F = q.theta_CEG.cos + q.theta_CEG.sin * s_G_per_across_slide_G;
+    const Scalar s_G_per_x_B = -s_G_per_x_D - s_G_per_x_F;
+    const Scalar CEG_per_y_D = -CEG_per_across_slide_D * u.phi_D.cos;
+    const Scalar CEG_per_y_F = -CEG_per_across_slide_G * q.theta_CEG.cos;
+    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
+    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
+    const Scalar s_B_per_y_F = -q.theta_CEG.cos * s_B_per_across_slide_G;
+    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
+    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
+    const Scalar s_D_per_y_F = -q.theta_CEG.cos * s_D_per_across_slide_G;
+    const Scalar s_D_per_y_B = -s_D_per_y_D - s_D_per_y_F;
+    const Scalar s_G_per_y_D = -u.phi_D.cos * s_G_per_across_slide_D;
+    const Scalar s_G_per_y_F = q.theta_CEG.sin - q.theta_CEG.cos * s_G_per_across_slide_G;
+    const Scalar s_G_per_y_B = -s_G_per_y_D - s_G_per_y_F;
+    const Scalar CEG_per_phi_B = -CEG_per_across_slide_D * phi_B_along_slide_D
+        - CEG_per_across_slide_G * phi_B_along_slide_G;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_D * s_B_per_across_slide_D
+        - phi_B_along_slide_G * s_B_per_across_slide_G;
+    const Scalar s_D_per_phi_B = phi_B_across_slide_D - phi_B_along_slide_D * s_D_per_across_slide_D
+        - phi_B_along_slide_G * s_D_per_across_slide_G;
+    const Scalar s_G_per_phi_B = -phi_B_along_slide_D * s_G_per_across_slide_D
+        - phi_B_along_slide_G * s_G_per_across_slide_G - phi_B_across_slide_G;
+    const Scalar CEG_per_phi_D = -CEG_per_across_slide_D * q.s_D;
+    const Scalar s_B_per_phi_D = -q.s_D * s_B_per_across_slide_D;
+    const Scalar s_D_per_phi_D = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
+    const Scalar s_G_per_phi_D = -q.s_D * s_G_per_across_slide_D;
+    const Scalar omega_CEG = CEG_per_x_B * v_x_B + CEG_per_y_B * v_y_B + CEG_per_phi_B * omega_B
+        + CEG_per_x_D * v_x_D + CEG_per_y_D * v_y_D + CEG_per_phi_D * omega_D + CEG_per_x_F * v_x_F
+        + CEG_per_y_F * v_y_F;
+    const Scalar v_s_B = s_B_per_x_B * v_x_B + s_B_per_y_B * v_y_B + s_B_per_phi_B * omega_B
+        + s_B_per_x_D * v_x_D + s_B_per_y_D * v_y_D + s_B_per_phi_D * omega_D + s_B_per_x_F * v_x_F
+        + s_B_per_y_F * v_y_F;
+    const Scalar v_s_D = s_D_per_x_B * v_x_B + s_D_per_y_B * v_y_B + s_D_per_phi_B * omega_B
+        + s_D_per_x_D * v_x_D + s_D_per_y_D * v_y_D + s_D_per_phi_D * omega_D + s_D_per_x_F * v_x_F
+        + s_D_per_y_F * v_y_F;
+    const Scalar v_s_G = s_G_per_x_B * v_x_B + s_G_per_y_B * v_y_B + s_G_per_phi_B * omega_B
+        + s_G_per_x_D * v_x_D + s_G_per_y_D * v_y_D + s_G_per_phi_D * omega_D + s_G_per_x_F * v_x_F
+        + s_G_per_y_F * v_y_F;
+    const Scalar t03 = omega_CEG * omega_CEG;
+    const Scalar centripetal_along_slide_D = q.s_D * omega_D * omega_D + CEG_along_slide_D * t03
         - omega_B * (Scalar(2) * sin_phi_B_minus_phi_D * v_s_B - phi_B_along_slide_D * omega_B);
     const Scalar centripetal_across_slide_D = omega_B * (Scalar(2) * cos_phi_B_minus_phi_D * v_s_B
-        + phi_B_across_slide_D * omega_B) + CEG_across_slide_D * t35 - omega_D * (d.h_D_DE * omega_D
+        + phi_B_across_slide_D * omega_B) + CEG_across_slide_D * t03 - omega_D * (d.h_D_DE * omega_D
         + Scalar(2) * v_s_D);
     const Scalar centripetal_along_slide_G = -omega_B * (Scalar(2) * sin_phi_B_minus_CEG * v_s_B
-        - phi_B_along_slide_G * omega_B) - q.s_G * t35;
+        - phi_B_along_slide_G * omega_B) - q.s_G * t03;
     const Scalar centripetal_across_slide_G = omega_CEG * (CEG_across_slide_G * omega_CEG
         + Scalar(2) * v_s_G) + omega_B * (Scalar(2) * cos_phi_B_minus_CEG * v_s_B
         + phi_B_across_slide_G * omega_B);
-    S_d(0, 0) = sin_CEG_minus_phi_D * CEG_per_across_slide_D;
-    S_d(0, 1) = cos_CEG_minus_phi_D * CEG_per_across_slide_D;
+    S_d(0, 0) = CEG_per_across_slide_D * sin_CEG_minus_phi_D;
+    S_d(0, 1) = CEG_per_across_slide_D * cos_CEG_minus_phi_D;
     S_d(0, 2) = CEG_per_across_slide_G;
-    S_d(0, 3) = -cos_phi_B_minus_phi_D * CEG_per_across_slide_D
-        - cos_phi_B_minus_CEG * CEG_per_across_slide_G;
+    S_d(0, 3) = -CEG_per_across_slide_D * cos_phi_B_minus_phi_D
+        - CEG_per_across_slide_G * cos_phi_B_minus_CEG;
     S_d(0, 4) = CEG_per_across_slide_D;
     S_d(0, 5) = -CEG_per_across_slide_G;
     S_d(1, 0) = sin_CEG_minus_phi_D * s_B_per_across_slide_D;
@@ -1273,38 +1241,38 @@ struct Model14 {
         - cos_phi_B_minus_CEG * s_G_per_across_slide_G;
     S_d(3, 4) = s_G_per_across_slide_D;
     S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = -t05;
-    S_u(0, 1) = t17;
-    S_u(0, 2) = -t27;
-    S_u(0, 3) = t04;
-    S_u(0, 4) = -t16;
-    S_u(0, 5) = -t31;
-    S_u(0, 6) = t03;
-    S_u(0, 7) = -t15;
-    S_u(1, 0) = -t08;
-    S_u(1, 1) = t20;
-    S_u(1, 2) = -t28;
-    S_u(1, 3) = t07;
-    S_u(1, 4) = -t19;
-    S_u(1, 5) = -t32;
-    S_u(1, 6) = t06;
-    S_u(1, 7) = -t18;
-    S_u(2, 0) = -t11;
-    S_u(2, 1) = t23;
-    S_u(2, 2) = -t29;
-    S_u(2, 3) = -t10;
-    S_u(2, 4) = -t22;
-    S_u(2, 5) = -t33;
-    S_u(2, 6) = t09;
-    S_u(2, 7) = -t21;
-    S_u(3, 0) = -t14;
-    S_u(3, 1) = t26;
-    S_u(3, 2) = -t30;
-    S_u(3, 3) = t12;
-    S_u(3, 4) = -t24;
-    S_u(3, 5) = -t34;
-    S_u(3, 6) = t13;
-    S_u(3, 7) = t25;
+    S_u(0, 0) = CEG_per_x_B;
+    S_u(0, 1) = CEG_per_y_B;
+    S_u(0, 2) = CEG_per_phi_B;
+    S_u(0, 3) = CEG_per_x_D;
+    S_u(0, 4) = CEG_per_y_D;
+    S_u(0, 5) = CEG_per_phi_D;
+    S_u(0, 6) = CEG_per_x_F;
+    S_u(0, 7) = CEG_per_y_F;
+    S_u(1, 0) = s_B_per_x_B;
+    S_u(1, 1) = s_B_per_y_B;
+    S_u(1, 2) = s_B_per_phi_B;
+    S_u(1, 3) = s_B_per_x_D;
+    S_u(1, 4) = s_B_per_y_D;
+    S_u(1, 5) = s_B_per_phi_D;
+    S_u(1, 6) = s_B_per_x_F;
+    S_u(1, 7) = s_B_per_y_F;
+    S_u(2, 0) = s_D_per_x_B;
+    S_u(2, 1) = s_D_per_y_B;
+    S_u(2, 2) = s_D_per_phi_B;
+    S_u(2, 3) = s_D_per_x_D;
+    S_u(2, 4) = s_D_per_y_D;
+    S_u(2, 5) = s_D_per_phi_D;
+    S_u(2, 6) = s_D_per_x_F;
+    S_u(2, 7) = s_D_per_y_F;
+    S_u(3, 0) = s_G_per_x_B;
+    S_u(3, 1) = s_G_per_y_B;
+    S_u(3, 2) = s_G_per_phi_B;
+    S_u(3, 3) = s_G_per_x_D;
+    S_u(3, 4) = s_G_per_y_D;
+    S_u(3, 5) = s_G_per_phi_D;
+    S_u(3, 6) = s_G_per_x_F;
+    S_u(3, 7) = s_G_per_y_F;
     q_rate(0) = omega_CEG;
     q_rate(1) = v_s_B;
     q_rate(2) = v_s_D;
@@ -1337,22 +1305,20 @@ struct Model14 {
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     const Scalar b_0_re = Scalar(2) * (u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos);
-    const Scalar c_m1_re = u.phi_D.sin * d.x_E_CEG - u.phi_D.cos * d.y_E_CEG;
-    const Scalar c_m1_im = -u.phi_D.cos * d.x_E_CEG - u.phi_D.sin * d.y_E_CEG;
-    const Scalar t01 = u.phi_B.cos * d.h_B_BC - FB_y;
-    const Scalar t02 = u.phi_B.sin * d.h_B_BC + FB_x;
-    const Scalar c_0_re = -Scalar(2) * (d.h_D_DE + u.phi_D.sin * (FD_x - t02) - u.phi_D.cos * (FD_y
-        + t01));
-    const Scalar f_m1_re = -t01;
-    const Scalar f_m1_im = -t02;
+    const Scalar c_m1_re = d.x_E_CEG * u.phi_D.sin - d.y_E_CEG * u.phi_D.cos;
+    const Scalar c_m1_im = -d.x_E_CEG * u.phi_D.cos - d.y_E_CEG * u.phi_D.sin;
+    const Scalar f_m1_re = FB_y - d.h_B_BC * u.phi_B.cos;
+    const Scalar f_m1_im = -d.h_B_BC * u.phi_B.sin - FB_x;
+    const Scalar c_0_re = -Scalar(2) * (d.h_D_DE + (FD_x + f_m1_im) * u.phi_D.sin - (FD_y
+        - f_m1_re) * u.phi_D.cos);
     const Scalar f_0_re = Scalar(2) * (d.h_G_CEG - d.h_G_FG);
-    const Scalar t03 = u.phi_B.cos * c_m1_im;
-    const Scalar t04 = u.phi_B.sin * c_m1_re;
-    T.cosine[0] = Scalar(2) * t03 + b_0_re * f_0_re - Scalar(2) * t04;
-    T.cosine[1] = -Scalar(2) * (u.phi_B.sin * c_0_re - b_0_re * f_m1_re);
-    T.sine[1] = Scalar(2) * (u.phi_B.cos * c_0_re + b_0_re * f_m1_im);
-    T.cosine[2] = -Scalar(2) * (t03 + t04);
-    T.sine[2] = Scalar(2) * (u.phi_B.cos * c_m1_re - u.phi_B.sin * c_m1_im);
+    const Scalar t01 = c_m1_im * u.phi_B.cos;
+    const Scalar t02 = c_m1_re * u.phi_B.sin;
+    T.cosine[0] = Scalar(2) * t01 + f_0_re * b_0_re - Scalar(2) * t02;
+    T.cosine[1] = -Scalar(2) * (c_0_re * u.phi_B.sin - f_m1_re * b_0_re);
+    T.sine[1] = Scalar(2) * (c_0_re * u.phi_B.cos + f_m1_im * b_0_re);
+    T.cosine[2] = -Scalar(2) * (t01 + t02);
+    T.sine[2] = Scalar(2) * (c_m1_re * u.phi_B.cos - c_m1_im * u.phi_B.sin);
   }
 
   /// The reduced equations, one a row, where theta_CEG is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
@@ -1366,14 +1332,15 @@ struct Model14 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = u.phi_B.cos * d.h_B_BC - FB_y;
-    const Scalar t02 = u.phi_B.sin * d.h_B_BC + FB_x;
+    const Scalar f_m1_re = FB_y - d.h_B_BC * u.phi_B.cos;
+    const Scalar f_m1_im = -d.h_B_BC * u.phi_B.sin - FB_x;
     e(0, 1) = Scalar(2) * (u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos);
-    e(0, 2) = -Scalar(2) * (d.h_D_DE + u.phi_D.cos * (q.theta_CEG.cos * d.y_E_CEG
-        + q.theta_CEG.sin * d.x_E_CEG - FD_y - t01) - u.phi_D.sin * (q.theta_CEG.cos * d.x_E_CEG
-        + t02 - d.y_E_CEG * q.theta_CEG.sin - FD_x));
+    e(0, 2) = -Scalar(2) * (d.h_D_DE + (d.y_E_CEG * q.theta_CEG.cos + d.x_E_CEG * q.theta_CEG.sin
+        + f_m1_re - FD_y) * u.phi_D.cos - (d.x_E_CEG * q.theta_CEG.cos - d.y_E_CEG * q.theta_CEG.sin
+        - FD_x - f_m1_im) * u.phi_D.sin);
     e(1, 1) = Scalar(2) * (u.phi_B.sin * q.theta_CEG.cos - u.phi_B.cos * q.theta_CEG.sin);
-    e(1, 2) = -Scalar(2) * (q.theta_CEG.cos * t01 + q.theta_CEG.sin * t02 + d.h_G_FG - d.h_G_CEG);
+    e(1, 2) = Scalar(2) * (d.h_G_CEG + f_m1_re * q.theta_CEG.cos + f_m1_im * q.theta_CEG.sin
+        - d.h_G_FG);
   }
 
   /// The other unknowns of a configuration in which those of the reduced
@@ -1386,10 +1353,10 @@ struct Model14 {
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     const Scalar t01 = FB_x + q.s_B * u.phi_B.cos + d.h_B_BC * u.phi_B.sin;
-    const Scalar t02 = FB_y + q.s_B * u.phi_B.sin - u.phi_B.cos * d.h_B_BC;
-    q.s_D = u.phi_D.cos * (q.theta_CEG.cos * d.x_E_CEG + t01 - q.theta_CEG.sin * d.y_E_CEG - FD_x)
-        + u.phi_D.sin * (q.theta_CEG.cos * d.y_E_CEG + d.x_E_CEG * q.theta_CEG.sin + t02 - FD_y);
-    q.s_G = -q.theta_CEG.cos * t01 - q.theta_CEG.sin * t02;
+    const Scalar t02 = FB_y + q.s_B * u.phi_B.sin - d.h_B_BC * u.phi_B.cos;
+    q.s_D = (d.x_E_CEG * q.theta_CEG.cos + t01 - d.y_E_CEG * q.theta_CEG.sin - FD_x) * u.phi_D.cos
+        + (d.y_E_CEG * q.theta_CEG.cos + d.x_E_CEG * q.theta_CEG.sin + t02 - FD_y) * u.phi_D.sin;
+    q.s_G = -t01 * q.theta_CEG.cos - t02 * q.theta_CEG.sin;
   }
 };
 

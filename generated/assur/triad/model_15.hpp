@@ -32,14 +32,14 @@ namespace assur::triad {
 ///   none: link CEG does not close exactly one loop
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:                     28, 28, 0
+///   residual:                     24, 26, 0
 ///   jacobian:                     8, 4, 0
-///   dimension_jacobian:           22, 18, 0
-///   input_jacobian:               28, 20, 0
-///   velocity_rhs:                 34, 30, 0
-///   acceleration_rhs:             62, 46, 0
-///   jerk_rhs:                     106, 68, 0
-///   curvature_rhs:                109, 78, 0
+///   dimension_jacobian:           18, 16, 0
+///   input_jacobian:               24, 18, 0
+///   velocity_rhs:                 30, 28, 0
+///   acceleration_rhs:             58, 44, 0
+///   jerk_rhs:                     102, 66, 0
+///   curvature_rhs:                107, 74, 0
 ///   link_poses:                   18, 14, 0
 ///   pose_jacobians:               14, 8, 0
 ///   link_velocities:              26, 20, 0
@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     62, 42, 1
 ///   motion:                       104, 76, 1
 ///   sensitivities_and_motion:     202, 140, 1
-///   position_polynomial:          27, 24, 0
+///   position_polynomial:          33, 24, 0
 ///   second_equations:             30, 26, 0
 ///   complete:                     20, 22, 0
 struct Model15 {
@@ -193,36 +193,32 @@ struct Model15 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t03 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t03;
-    const Scalar t04 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = -t04;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = t03 - (d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG) * d.h_G_CEG;
-    const Scalar CG_y = d.h_G_CEG * (d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG) - t04;
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t05 = slide_C_x - u.x_B - slide_B_x;
-    const Scalar t06 = slide_C_y - u.y_B - slide_B_y;
-    f(0) = u.x_D + slide_D_x + DE_x + t05 - CE_x;
-    f(1) = u.y_D + slide_D_y + DE_y + t06 - CE_y;
-    f(2) = u.x_F + FG_x + t05 - CG_x - slide_G_x;
-    f(3) = u.y_F + FG_y + t06 - CG_y - slide_G_y;
+    const Scalar CG_x = CE_x - d.h_G_CEG * sin_FG;
+    const Scalar CG_y = CE_y + d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_C_x - u.x_B - slide_B_x;
+    const Scalar t02 = slide_C_y - u.y_B - slide_B_y;
+    f(0) = u.x_D + slide_D_x + DE_x + t01 - CE_x;
+    f(1) = u.y_D + slide_D_y + DE_y + t02 - CE_y;
+    f(2) = u.x_F + FG_x + t01 - CG_x - slide_G_x;
+    f(3) = u.y_F + FG_y + t02 - CG_y - slide_G_y;
   }
 
   /// J = df/dq.
@@ -230,12 +226,10 @@ struct Model15 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>&, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     J(0, 0) = -u.phi_B.cos;
     J(0, 1) = cos_CEG;
     J(0, 2) = u.phi_D.cos;
@@ -255,28 +249,24 @@ struct Model15 {
   static void dimension_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t03 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t03;
-    const Scalar t04 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = -t04;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar t05 = (d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG) * d.h_G_CEG;
-    const Scalar CG_x = t03 - t05;
-    const Scalar t06 = d.h_G_CEG * (d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG);
-    const Scalar CG_y = t06 - t04;
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t07 = FG_y - slide_G_y;
-    const Scalar t08 = FG_x - slide_G_x;
+    const Scalar t01 = d.h_G_CEG * sin_FG;
+    const Scalar CG_x = CE_x - t01;
+    const Scalar t02 = d.h_G_CEG * cos_FG;
+    const Scalar CG_y = CE_y + t02;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t03 = FG_y - slide_G_y;
+    const Scalar t04 = FG_x - slide_G_x;
     F_d(0, 0) = -sin_CEG;
     F_d(0, 3) = CE_y - slide_C_y;
     F_d(0, 4) = u.phi_D.sin;
@@ -284,14 +274,14 @@ struct Model15 {
     F_d(1, 3) = slide_C_x - CE_x;
     F_d(1, 4) = -u.phi_D.cos;
     F_d(2, 0) = -sin_CEG;
-    F_d(2, 1) = t06 - t07;
+    F_d(2, 1) = t02 - t03;
     F_d(2, 2) = sin_FG;
-    F_d(2, 3) = CG_y - slide_C_y - t07;
+    F_d(2, 3) = CG_y - slide_C_y - t03;
     F_d(2, 5) = -sin_FG;
     F_d(3, 0) = cos_CEG;
-    F_d(3, 1) = t05 + t08;
+    F_d(3, 1) = t04 + t01;
     F_d(3, 2) = -cos_FG;
-    F_d(3, 3) = slide_C_x + t08 - CG_x;
+    F_d(3, 3) = slide_C_x + t04 - CG_x;
     F_d(3, 5) = cos_FG;
   }
 
@@ -300,45 +290,41 @@ struct Model15 {
   static void input_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t03 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t03;
-    const Scalar t04 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = -t04;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = t03 - (d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG) * d.h_G_CEG;
-    const Scalar CG_y = d.h_G_CEG * (d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG) - t04;
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t05 = slide_B_y - slide_C_y;
-    const Scalar t06 = slide_B_x - slide_C_x;
+    const Scalar CG_x = CE_x - d.h_G_CEG * sin_FG;
+    const Scalar CG_y = CE_y + d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_B_y - slide_C_y;
+    const Scalar t02 = slide_B_x - slide_C_x;
     F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = CE_y + t05;
+    F_u(0, 2) = CE_y + t01;
     F_u(0, 3) = Scalar(1);
     F_u(0, 5) = -slide_D_y - DE_y;
     F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = -CE_x - t06;
+    F_u(1, 2) = -CE_x - t02;
     F_u(1, 4) = Scalar(1);
     F_u(1, 5) = slide_D_x + DE_x;
     F_u(2, 0) = -Scalar(1);
-    F_u(2, 2) = CG_y + slide_G_y + t05 - FG_y;
+    F_u(2, 2) = CG_y + slide_G_y + t01 - FG_y;
     F_u(2, 6) = Scalar(1);
     F_u(3, 1) = -Scalar(1);
-    F_u(3, 2) = FG_x - CG_x - slide_G_x - t06;
+    F_u(3, 2) = FG_x - CG_x - slide_G_x - t02;
     F_u(3, 7) = Scalar(1);
   }
 
@@ -355,36 +341,32 @@ struct Model15 {
     const Scalar omega_D = u_rate(5);
     const Scalar v_x_F = u_rate(6);
     const Scalar v_y_F = u_rate(7);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t03 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t03;
-    const Scalar t04 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = -t04;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = t03 - (d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG) * d.h_G_CEG;
-    const Scalar CG_y = d.h_G_CEG * (d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG) - t04;
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t05 = slide_B_y - slide_C_y;
-    const Scalar t06 = slide_B_x - slide_C_x;
-    rhs(0) = (slide_D_y + DE_y) * omega_D + v_x_B - v_x_D - omega_B * (CE_y + t05);
-    rhs(1) = v_y_B + omega_B * (CE_x + t06) - omega_D * (slide_D_x + DE_x) - v_y_D;
-    rhs(2) = v_x_B + omega_B * (FG_y - CG_y - slide_G_y - t05) - v_x_F;
-    rhs(3) = v_y_B - v_y_F - omega_B * (FG_x - CG_x - slide_G_x - t06);
+    const Scalar CG_x = CE_x - d.h_G_CEG * sin_FG;
+    const Scalar CG_y = CE_y + d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_B_y - slide_C_y;
+    const Scalar t02 = slide_B_x - slide_C_x;
+    rhs(0) = (slide_D_y + DE_y) * omega_D + v_x_B - v_x_D - (CE_y + t01) * omega_B;
+    rhs(1) = v_y_B + (CE_x + t02) * omega_B - (slide_D_x + DE_x) * omega_D - v_y_D;
+    rhs(2) = v_x_B + (FG_y - CG_y - slide_G_y - t01) * omega_B - v_x_F;
+    rhs(3) = v_y_B - v_y_F - (FG_x - CG_x - slide_G_x - t02) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -408,48 +390,44 @@ struct Model15 {
     const Scalar alpha_D = u_second_rate(5);
     const Scalar a_x_F = u_second_rate(6);
     const Scalar a_y_F = u_second_rate(7);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t03 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t03;
-    const Scalar t04 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = -t04;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = t03 - (d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG) * d.h_G_CEG;
-    const Scalar CG_y = d.h_G_CEG * (d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG) - t04;
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t05 = slide_D_x + DE_x;
-    const Scalar t06 = slide_D_y + DE_y;
-    const Scalar t07 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t08 = slide_B_x - slide_C_x;
-    const Scalar t09 = CE_x + t08;
-    const Scalar t10 = slide_B_y - slide_C_y;
-    const Scalar t11 = CE_y + t10;
-    const Scalar t12 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t13 = FG_x - CG_x - slide_G_x - t08;
-    const Scalar t14 = FG_y - CG_y - slide_G_y - t10;
-    rhs(0) = omega_D * (t05 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D) + t06 * alpha_D + a_x_B
-        - a_x_D - omega_B * (Scalar(2) * t07 + omega_B * t09) - alpha_B * t11;
-    rhs(1) = omega_D * (omega_D * t06 - Scalar(2) * u.phi_D.cos * v_s_D) + a_y_B + alpha_B * t09
-        + omega_B * (Scalar(2) * t12 - omega_B * t11) - t05 * alpha_D - a_y_D;
-    rhs(2) = a_x_B + alpha_B * t14 - a_x_F - omega_B * (Scalar(2) * t07 + Scalar(2) * sin_FG * v_s_G
-        - omega_B * t13);
-    rhs(3) = a_y_B + omega_B * (Scalar(2) * t12 + Scalar(2) * cos_FG * v_s_G + omega_B * t14)
-        - a_y_F - alpha_B * t13;
+    const Scalar CG_x = CE_x - d.h_G_CEG * sin_FG;
+    const Scalar CG_y = CE_y + d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_D_x + DE_x;
+    const Scalar t02 = slide_D_y + DE_y;
+    const Scalar t03 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
+    const Scalar t04 = slide_B_x - slide_C_x;
+    const Scalar t05 = CE_x + t04;
+    const Scalar t06 = slide_B_y - slide_C_y;
+    const Scalar t07 = CE_y + t06;
+    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
+    const Scalar t09 = FG_x - CG_x - slide_G_x - t04;
+    const Scalar t10 = FG_y - CG_y - slide_G_y - t06;
+    rhs(0) = omega_D * (t01 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D) + t02 * alpha_D + a_x_B
+        - a_x_D - omega_B * (Scalar(2) * t03 + t05 * omega_B) - t07 * alpha_B;
+    rhs(1) = omega_D * (t02 * omega_D - Scalar(2) * u.phi_D.cos * v_s_D) + a_y_B + t05 * alpha_B
+        + omega_B * (Scalar(2) * t08 - t07 * omega_B) - t01 * alpha_D - a_y_D;
+    rhs(2) = a_x_B + t10 * alpha_B - a_x_F - omega_B * (Scalar(2) * t03 + Scalar(2) * sin_FG * v_s_G
+        - t09 * omega_B);
+    rhs(3) = a_y_B + omega_B * (Scalar(2) * t08 + Scalar(2) * cos_FG * v_s_G + t10 * omega_B)
+        - a_y_F - t09 * alpha_B;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -480,60 +458,56 @@ struct Model15 {
     const Scalar jerk_D = u_third_rate(5);
     const Scalar j_x_F = u_third_rate(6);
     const Scalar j_y_F = u_third_rate(7);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t03 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t03;
-    const Scalar t04 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = -t04;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = t03 - (d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG) * d.h_G_CEG;
-    const Scalar CG_y = d.h_G_CEG * (d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG) - t04;
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t05 = slide_D_y + DE_y;
-    const Scalar t06 = u.phi_D.cos * v_s_D;
-    const Scalar t07 = slide_D_x + DE_x;
-    const Scalar t08 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t09 = u.phi_D.sin * v_s_D;
-    const Scalar t10 = slide_B_y - slide_C_y;
-    const Scalar t11 = CE_y + t10;
-    const Scalar t12 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t13 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t14 = slide_B_x - slide_C_x;
-    const Scalar t15 = CE_x + t14;
-    const Scalar t16 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t17 = t08 + sin_FG * v_s_G;
-    const Scalar t18 = FG_y - CG_y - slide_G_y - t10;
-    const Scalar t19 = t13 + cos_FG * v_s_G;
-    const Scalar t20 = FG_x - CG_x - slide_G_x - t14;
-    rhs(0) = t05 * jerk_D + j_x_B + Scalar(3) * alpha_D * t09 - omega_D * (omega_D * (t05 * omega_D
-        - Scalar(3) * t06) - Scalar(3) * t07 * alpha_D - Scalar(3) * u.phi_D.sin * a_s_D)
-        - Scalar(3) * alpha_B * t08 - j_x_D - jerk_B * t11 - omega_B * (Scalar(3) * t12
-        + omega_B * (Scalar(3) * t13 - omega_B * t11) + Scalar(3) * alpha_B * t15);
-    rhs(1) = omega_D * (omega_D * (omega_D * t07 + Scalar(3) * t09) + Scalar(3) * t05 * alpha_D
-        - Scalar(3) * u.phi_D.cos * a_s_D) + Scalar(3) * t13 * alpha_B + j_y_B + jerk_B * t15
-        + omega_B * (Scalar(3) * t16 - Scalar(3) * alpha_B * t11 - omega_B * (Scalar(3) * t08
-        + omega_B * t15)) - t07 * jerk_D - j_y_D - Scalar(3) * t06 * alpha_D;
-    rhs(2) = j_x_B + jerk_B * t18 - j_x_F - Scalar(3) * alpha_B * t17 - omega_B * (Scalar(3) * t12
-        + Scalar(3) * sin_FG * a_s_G + omega_B * (Scalar(3) * t19 + omega_B * t18)
-        - Scalar(3) * alpha_B * t20);
-    rhs(3) = j_y_B + Scalar(3) * alpha_B * t19 + omega_B * (Scalar(3) * t16
-        + Scalar(3) * cos_FG * a_s_G + Scalar(3) * alpha_B * t18 - omega_B * (Scalar(3) * t17
-        - omega_B * t20)) - j_y_F - jerk_B * t20;
+    const Scalar CG_x = CE_x - d.h_G_CEG * sin_FG;
+    const Scalar CG_y = CE_y + d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_D_y + DE_y;
+    const Scalar t02 = u.phi_D.cos * v_s_D;
+    const Scalar t03 = slide_D_x + DE_x;
+    const Scalar t04 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
+    const Scalar t05 = u.phi_D.sin * v_s_D;
+    const Scalar t06 = slide_B_y - slide_C_y;
+    const Scalar t07 = CE_y + t06;
+    const Scalar t08 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
+    const Scalar t09 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
+    const Scalar t10 = slide_B_x - slide_C_x;
+    const Scalar t11 = CE_x + t10;
+    const Scalar t12 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
+    const Scalar t13 = t04 + sin_FG * v_s_G;
+    const Scalar t14 = FG_y - CG_y - slide_G_y - t06;
+    const Scalar t15 = t09 + cos_FG * v_s_G;
+    const Scalar t16 = FG_x - CG_x - slide_G_x - t10;
+    rhs(0) = t01 * jerk_D + j_x_B + Scalar(3) * alpha_D * t05 - omega_D * (omega_D * (t01 * omega_D
+        - Scalar(3) * t02) - Scalar(3) * t03 * alpha_D - Scalar(3) * u.phi_D.sin * a_s_D)
+        - Scalar(3) * alpha_B * t04 - j_x_D - t07 * jerk_B - omega_B * (Scalar(3) * t08
+        + omega_B * (Scalar(3) * t09 - t07 * omega_B) + Scalar(3) * t11 * alpha_B);
+    rhs(1) = omega_D * (omega_D * (t03 * omega_D + Scalar(3) * t05) + Scalar(3) * t01 * alpha_D
+        - Scalar(3) * u.phi_D.cos * a_s_D) + Scalar(3) * t09 * alpha_B + j_y_B + t11 * jerk_B
+        + omega_B * (Scalar(3) * t12 - Scalar(3) * t07 * alpha_B - omega_B * (Scalar(3) * t04
+        + t11 * omega_B)) - t03 * jerk_D - j_y_D - Scalar(3) * t02 * alpha_D;
+    rhs(2) = j_x_B + t14 * jerk_B - j_x_F - Scalar(3) * alpha_B * t13 - omega_B * (Scalar(3) * t08
+        + Scalar(3) * sin_FG * a_s_G + omega_B * (Scalar(3) * t15 + t14 * omega_B)
+        - Scalar(3) * t16 * alpha_B);
+    rhs(3) = j_y_B + Scalar(3) * alpha_B * t15 + omega_B * (Scalar(3) * t12
+        + Scalar(3) * cos_FG * a_s_G + Scalar(3) * t14 * alpha_B - omega_B * (Scalar(3) * t13
+        - t16 * omega_B)) - j_y_F - t16 * jerk_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -555,104 +529,96 @@ struct Model15 {
     const Scalar v_h_G_FG = d_rate(5);
     const Scalar omega_B = u_rate(2);
     const Scalar omega_D = u_rate(5);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar t01 = d.psi_G_CEG.cos * cos_CEG;
+    const Scalar t02 = d.psi_G_CEG.sin * sin_CEG;
+    const Scalar cos_FG = t01 - t02;
+    const Scalar t03 = d.psi_G_CEG.cos * sin_CEG;
+    const Scalar t04 = d.psi_G_CEG.sin * cos_CEG;
+    const Scalar sin_FG = t03 + t04;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t03 = sin_CEG * d.h_C_CEG;
-    const Scalar CE_x = t03;
-    const Scalar t04 = cos_CEG * d.h_C_CEG;
-    const Scalar CE_y = -t04;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar t05 = d.psi_G_CEG.cos * sin_CEG;
-    const Scalar t06 = d.psi_G_CEG.sin * cos_CEG;
-    const Scalar t07 = t05 + t06;
-    const Scalar t08 = t07 * d.h_G_CEG;
-    const Scalar CG_x = t03 - t08;
-    const Scalar t09 = d.psi_G_CEG.cos * cos_CEG;
-    const Scalar t10 = d.psi_G_CEG.sin * sin_CEG;
-    const Scalar t11 = t09 - t10;
-    const Scalar t12 = d.h_G_CEG * t11;
-    const Scalar CG_y = t12 - t04;
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t13 = (slide_C_x - CE_x) * omega_C_BC;
-    const Scalar t14 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
-    const Scalar t15 = slide_B_x - slide_C_x;
-    const Scalar t16 = u.phi_B.sin * v_s_B - t14;
-    const Scalar t17 = omega_C_BC * (slide_C_y - CE_y);
-    const Scalar t18 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
-    const Scalar t19 = slide_B_y - slide_C_y;
-    const Scalar t20 = u.phi_B.cos * v_s_B - t18;
-    const Scalar t21 = sin_FG * v_s_G;
-    const Scalar t22 = FG_x - slide_G_x;
-    const Scalar t23 = Scalar(2) * omega_C_BC + omega_G_CEG;
-    const Scalar t24 = CG_x - t22;
-    const Scalar t25 = omega_C_BC * (slide_C_x - t24);
-    const Scalar t26 = v_h_G_CEG - v_h_G_FG;
-    const Scalar t27 = cos_FG * t26 + t21;
-    const Scalar t28 = cos_FG * v_s_G;
-    const Scalar t29 = FG_y - slide_G_y;
-    const Scalar t30 = CG_y - t29;
-    const Scalar t31 = omega_C_BC * (slide_C_y - t30);
-    const Scalar t32 = sin_FG * t26 - t28;
+    const Scalar t05 = d.h_G_CEG * sin_FG;
+    const Scalar CG_x = CE_x - t05;
+    const Scalar t06 = d.h_G_CEG * cos_FG;
+    const Scalar CG_y = CE_y + t06;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t07 = (slide_C_x - CE_x) * omega_C_BC;
+    const Scalar t08 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
+    const Scalar t09 = slide_B_x - slide_C_x;
+    const Scalar t10 = u.phi_B.sin * v_s_B - t08;
+    const Scalar t11 = (slide_C_y - CE_y) * omega_C_BC;
+    const Scalar t12 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
+    const Scalar t13 = slide_B_y - slide_C_y;
+    const Scalar t14 = u.phi_B.cos * v_s_B - t12;
+    const Scalar t15 = FG_x - slide_G_x;
+    const Scalar t16 = CG_x - t15;
+    const Scalar t17 = (slide_C_x - t16) * omega_C_BC;
+    const Scalar t18 = v_h_G_CEG - v_h_G_FG;
+    const Scalar t19 = sin_FG * v_s_G;
+    const Scalar t20 = cos_FG * t18 + t19;
+    const Scalar t21 = Scalar(2) * omega_C_BC + omega_G_CEG;
+    const Scalar t22 = FG_y - slide_G_y;
+    const Scalar t23 = CG_y - t22;
+    const Scalar t24 = (slide_C_y - t23) * omega_C_BC;
+    const Scalar t25 = cos_FG * v_s_G;
+    const Scalar t26 = sin_FG * t18 - t25;
     rhs(0) = omega_D * ((slide_D_x + DE_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
-        - Scalar(2) * u.phi_D.cos * v_h_D_DE) + omega_C_BC * (t13 + Scalar(2) * t14)
-        + omega_B * (Scalar(2) * t13 - omega_B * (CE_x + t15) - Scalar(2) * t16);
-    rhs(1) = omega_D * (omega_D * (slide_D_y + DE_y) - Scalar(2) * u.phi_D.cos * v_s_D
-        - Scalar(2) * u.phi_D.sin * v_h_D_DE) + omega_C_BC * (t17 - Scalar(2) * t18)
-        + omega_B * (Scalar(2) * t17 + Scalar(2) * t20 - omega_B * (CE_y + t19));
-    rhs(2) = omega_C_BC * (Scalar(2) * t14 + t25 - Scalar(2) * t27)
-        + omega_B * (Scalar(2) * omega_G_CEG * (t08 + t22) + Scalar(2) * t25 - Scalar(2) * t16
-        - omega_B * (t15 + t24) - Scalar(2) * t27) - omega_G_CEG * (Scalar(2) * t21
-        + v_h_G_CEG * (cos_FG + t11) - t22 * omega_G_CEG - Scalar(2) * omega_C_BC * t22
-        - Scalar(2) * cos_FG * v_h_G_FG - d.h_G_CEG * (t05 * t23 + t06 * t23));
-    rhs(3) = omega_G_CEG * (Scalar(2) * t28 + omega_G_CEG * t29 + Scalar(2) * omega_C_BC * t29
-        + Scalar(2) * sin_FG * v_h_G_FG - d.h_G_CEG * (t09 * t23 - t10 * t23) - v_h_G_CEG * (sin_FG
-        + t07)) - omega_C_BC * (Scalar(2) * t18 + Scalar(2) * t32 - t31)
-        - omega_B * (Scalar(2) * omega_G_CEG * (t12 - t29) + omega_B * (t19 + t30) + Scalar(2) * t32
-        - Scalar(2) * t20 - Scalar(2) * t31);
+        - Scalar(2) * u.phi_D.cos * v_h_D_DE) + omega_C_BC * (t07 + Scalar(2) * t08)
+        + omega_B * (Scalar(2) * t07 - (CE_x + t09) * omega_B - Scalar(2) * t10);
+    rhs(1) = omega_D * ((slide_D_y + DE_y) * omega_D - Scalar(2) * u.phi_D.cos * v_s_D
+        - Scalar(2) * u.phi_D.sin * v_h_D_DE) + omega_C_BC * (t11 - Scalar(2) * t12)
+        + omega_B * (Scalar(2) * t11 + Scalar(2) * t14 - (CE_y + t13) * omega_B);
+    rhs(2) = omega_C_BC * (Scalar(2) * t08 + t17 - Scalar(2) * t20) - omega_G_CEG * (Scalar(2) * t19
+        + Scalar(2) * cos_FG * v_h_G_CEG - t15 * omega_G_CEG - Scalar(2) * t15 * omega_C_BC
+        - Scalar(2) * cos_FG * v_h_G_FG - d.h_G_CEG * (t03 * t21 + t04 * t21))
+        - omega_B * (Scalar(2) * t10 + (t09 + t16) * omega_B + Scalar(2) * t20 - Scalar(2) * t17
+        - Scalar(2) * (t15 + t05) * omega_G_CEG);
+    rhs(3) = omega_G_CEG * (Scalar(2) * t25 + t22 * omega_G_CEG + Scalar(2) * t22 * omega_C_BC
+        + Scalar(2) * sin_FG * v_h_G_FG - d.h_G_CEG * (t01 * t21 - t02 * t21)
+        - Scalar(2) * sin_FG * v_h_G_CEG) + omega_B * (Scalar(2) * t14 + Scalar(2) * t24
+        + Scalar(2) * (t22 - t06) * omega_G_CEG - (t13 + t23) * omega_B - Scalar(2) * t26)
+        - omega_C_BC * (Scalar(2) * t12 + Scalar(2) * t26 - t24);
   }
 
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
-    const Scalar t03 = u.x_B + slide_B_x;
-    const Scalar t04 = u.y_B + slide_B_y;
-    poses[0].x = CE_x + t03 - slide_C_x;
-    poses[0].y = CE_y + t04 - slide_C_y;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t01 = u.x_B + slide_B_x;
+    const Scalar t02 = u.y_B + slide_B_y;
+    poses[0].x = CE_x + t01 - slide_C_x;
+    poses[0].y = CE_y + t02 - slide_C_y;
     poses[0].direction.cos = cos_CEG;
     poses[0].direction.sin = sin_CEG;
-    poses[1].x = t03;
-    poses[1].y = t04;
+    poses[1].x = t01;
+    poses[1].y = t02;
     poses[1].direction.cos = u.phi_B.cos;
     poses[1].direction.sin = u.phi_B.sin;
     poses[2].x = u.x_D + slide_D_x + DE_x;
@@ -679,14 +645,14 @@ struct Model15 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = slide_C_y - CE_y;
     const Scalar t02 = slide_C_x - CE_x;
     P_q(0, 0) = u.phi_B.cos;
@@ -746,24 +712,24 @@ struct Model15 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
     const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = t01 - (slide_B_y + CE_y - slide_C_y) * omega_B - cos_CEG * v_s_C;
-    v(0, 1) = omega_B * (slide_B_x + CE_x - slide_C_x) + t02 - sin_CEG * v_s_C;
+    v(0, 1) = (slide_B_x + CE_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;
     v(0, 2) = omega_B;
     v(1, 0) = t01 - slide_B_y * omega_B;
-    v(1, 1) = omega_B * slide_B_x + t02;
+    v(1, 1) = slide_B_x * omega_B + t02;
     v(1, 2) = omega_B;
     v(2, 0) = u.phi_D.cos * v_s_D + v_x_D - (slide_D_y + DE_y) * omega_D;
-    v(2, 1) = omega_D * (slide_D_x + DE_x) + u.phi_D.sin * v_s_D + v_y_D;
+    v(2, 1) = (slide_D_x + DE_x) * omega_D + u.phi_D.sin * v_s_D + v_y_D;
     v(2, 2) = omega_D;
     v(3, 0) = v_x_F;
     v(3, 1) = v_y_F;
@@ -796,14 +762,14 @@ struct Model15 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = slide_B_x + CE_x - slide_C_x;
     const Scalar t02 = u.phi_B.sin * v_s_B;
     const Scalar t03 = slide_B_y + CE_y - slide_C_y;
@@ -814,15 +780,15 @@ struct Model15 {
     const Scalar t08 = slide_D_y + DE_y;
     a(0, 0) = t04 - omega_B * (t01 * omega_B + Scalar(2) * t02 - Scalar(2) * sin_CEG * v_s_C)
         - t03 * alpha_B - cos_CEG * a_s_C;
-    a(0, 1) = t01 * alpha_B + t06 - omega_B * (omega_B * t03 + Scalar(2) * cos_CEG * v_s_C
+    a(0, 1) = t01 * alpha_B + t06 - omega_B * (t03 * omega_B + Scalar(2) * cos_CEG * v_s_C
         - Scalar(2) * t05) - sin_CEG * a_s_C;
     a(0, 2) = alpha_B;
     a(1, 0) = t04 - omega_B * (Scalar(2) * t02 + slide_B_x * omega_B) - slide_B_y * alpha_B;
-    a(1, 1) = omega_B * (Scalar(2) * t05 - omega_B * slide_B_y) + slide_B_x * alpha_B + t06;
+    a(1, 1) = omega_B * (Scalar(2) * t05 - slide_B_y * omega_B) + slide_B_x * alpha_B + t06;
     a(1, 2) = alpha_B;
     a(2, 0) = u.phi_D.cos * a_s_D + a_x_D - omega_D * (t07 * omega_D
         + Scalar(2) * u.phi_D.sin * v_s_D) - t08 * alpha_D;
-    a(2, 1) = t07 * alpha_D + u.phi_D.sin * a_s_D + a_y_D - omega_D * (omega_D * t08
+    a(2, 1) = t07 * alpha_D + u.phi_D.sin * a_s_D + a_y_D - omega_D * (t08 * omega_D
         - Scalar(2) * u.phi_D.cos * v_s_D);
     a(2, 2) = alpha_D;
     a(3, 0) = a_x_F;
@@ -850,31 +816,31 @@ struct Model15 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = slide_C_x - CE_x;
     const Scalar t02 = t01 * omega_C_BC;
     const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
     const Scalar t04 = u.phi_B.sin * v_s_B;
     const Scalar t05 = slide_C_y - CE_y;
-    const Scalar t06 = omega_C_BC * t05;
+    const Scalar t06 = t05 * omega_C_BC;
     const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
     const Scalar t08 = u.phi_B.cos * v_s_B;
     p(0, 0) = omega_C_BC * (t02 + Scalar(2) * t03) + omega_B * (Scalar(2) * t02 + Scalar(2) * t03
-        - Scalar(2) * t04 - omega_B * (slide_B_x - t01));
+        - Scalar(2) * t04 - (slide_B_x - t01) * omega_B);
     p(0, 1) = omega_C_BC * (t06 - Scalar(2) * t07) + omega_B * (Scalar(2) * t06 + Scalar(2) * t08
-        - Scalar(2) * t07 - omega_B * (slide_B_y - t05));
+        - Scalar(2) * t07 - (slide_B_y - t05) * omega_B);
     p(1, 0) = -omega_B * (Scalar(2) * t04 + slide_B_x * omega_B);
-    p(1, 1) = omega_B * (Scalar(2) * t08 - omega_B * slide_B_y);
+    p(1, 1) = omega_B * (Scalar(2) * t08 - slide_B_y * omega_B);
     p(2, 0) = -omega_D * ((slide_D_x + DE_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * u.phi_D.cos * v_h_D_DE);
-    p(2, 1) = -omega_D * (omega_D * (slide_D_y + DE_y) - Scalar(2) * u.phi_D.cos * v_s_D
+    p(2, 1) = -omega_D * ((slide_D_y + DE_y) * omega_D - Scalar(2) * u.phi_D.cos * v_s_D
         - Scalar(2) * u.phi_D.sin * v_h_D_DE);
   }
 
@@ -885,10 +851,10 @@ struct Model15 {
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>&, Vector<Scalar, pivot_count>& p,
       Vector<Scalar, pivot_count>& size, Scalar& terms) {
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = d.psi_G_CEG.cos * t02 + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D = u.phi_D.cos * sin_FG
         - u.phi_D.sin * cos_FG;
     p(0) = -sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D;
@@ -902,12 +868,10 @@ struct Model15 {
   template <typename Scalar>
   static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>&, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
     const Scalar sin_phi_B_minus_phi_D = u.phi_B.sin * u.phi_D.cos - u.phi_B.cos * u.phi_D.sin;
     const Scalar cos_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * cos_CEG
@@ -928,16 +892,16 @@ struct Model15 {
         inverse;
     const Scalar inverse_sin_psi_C_BC = -sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
         inverse;
-    const Scalar t03 = inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
+    const Scalar t01 = inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
         inverse_sin_psi_C_BC;
-    const Scalar s_B_per_across_slide_D = -d.psi_G_CEG.sin * t03;
-    const Scalar s_C_per_across_slide_D = sin_minus_psi_C_BC_minus_psi_G_CEG * t03;
+    const Scalar s_B_per_across_slide_D = -d.psi_G_CEG.sin * t01;
+    const Scalar s_C_per_across_slide_D = sin_minus_psi_C_BC_minus_psi_G_CEG * t01;
     const Scalar s_G_per_across_slide_D = d.psi_G_CEG.cos * s_C_per_across_slide_D
         - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_D;
     const Scalar s_D_per_across_slide_D = s_B_per_across_slide_D * cos_phi_B_minus_phi_D
         - s_C_per_across_slide_D * cos_phi_B_plus_psi_C_BC_minus_phi_D;
-    const Scalar s_B_per_across_slide_G = -sin_phi_B_plus_psi_C_BC_minus_phi_D * t03;
-    const Scalar s_C_per_across_slide_G = -sin_phi_B_minus_phi_D * t03;
+    const Scalar s_B_per_across_slide_G = -sin_phi_B_plus_psi_C_BC_minus_phi_D * t01;
+    const Scalar s_C_per_across_slide_G = -sin_phi_B_minus_phi_D * t01;
     const Scalar s_G_per_across_slide_G = d.psi_G_CEG.cos * s_C_per_across_slide_G
         - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_G;
     const Scalar s_D_per_across_slide_G = cos_phi_B_minus_phi_D * s_B_per_across_slide_G
@@ -965,12 +929,10 @@ struct Model15 {
   static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
     const Scalar sin_phi_B_minus_phi_D = u.phi_B.sin * u.phi_D.cos - u.phi_B.cos * u.phi_D.sin;
     const Scalar cos_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * cos_CEG
@@ -981,16 +943,16 @@ struct Model15 {
         - d.psi_C_BC.sin * d.psi_G_CEG.sin;
     const Scalar sin_minus_psi_C_BC_minus_psi_G_CEG = -d.psi_C_BC.sin * d.psi_G_CEG.cos
         - d.psi_C_BC.cos * d.psi_G_CEG.sin;
-    const Scalar t03 = q.s_C * cos_phi_B_plus_psi_C_BC_minus_phi_D
+    const Scalar t01 = q.s_C * cos_phi_B_plus_psi_C_BC_minus_phi_D
         - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
-    const Scalar phi_B_along_slide_D = t03 - q.s_B * cos_phi_B_minus_phi_D;
+    const Scalar phi_B_along_slide_D = t01 - q.s_B * cos_phi_B_minus_phi_D;
     const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
-        + cos_phi_B_plus_psi_C_BC_minus_phi_D * d.h_C_CEG - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar t04 = d.psi_G_CEG.sin * d.h_C_CEG + d.psi_G_CEG.cos * q.s_C - q.s_G;
-    const Scalar phi_B_along_slide_G = t04 - q.s_B * cos_minus_psi_C_BC_minus_psi_G_CEG;
-    const Scalar t05 = d.h_G_CEG - d.h_G_FG;
-    const Scalar phi_B_across_slide_G = d.psi_G_CEG.cos * d.h_C_CEG
-        - q.s_B * sin_minus_psi_C_BC_minus_psi_G_CEG - d.psi_G_CEG.sin * q.s_C - t05;
+        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
+    const Scalar t02 = d.h_C_CEG * d.psi_G_CEG.sin + q.s_C * d.psi_G_CEG.cos - q.s_G;
+    const Scalar phi_B_along_slide_G = t02 - q.s_B * cos_minus_psi_C_BC_minus_psi_G_CEG;
+    const Scalar t03 = d.h_G_CEG - d.h_G_FG;
+    const Scalar phi_B_across_slide_G = d.h_C_CEG * d.psi_G_CEG.cos
+        - q.s_B * sin_minus_psi_C_BC_minus_psi_G_CEG - q.s_C * d.psi_G_CEG.sin - t03;
     const Scalar sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D = u.phi_D.cos * sin_FG
         - u.phi_D.sin * cos_FG;
     const Scalar pivot_product = -d.psi_C_BC.sin *
@@ -1001,109 +963,109 @@ struct Model15 {
         inverse;
     const Scalar inverse_sin_psi_C_BC = -sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
         inverse;
-    const Scalar t06 = inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
+    const Scalar t04 = inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
         inverse_sin_psi_C_BC;
-    const Scalar s_B_per_across_slide_D = -d.psi_G_CEG.sin * t06;
-    const Scalar s_C_per_across_slide_D = sin_minus_psi_C_BC_minus_psi_G_CEG * t06;
+    const Scalar s_B_per_across_slide_D = -d.psi_G_CEG.sin * t04;
+    const Scalar s_C_per_across_slide_D = sin_minus_psi_C_BC_minus_psi_G_CEG * t04;
     const Scalar s_G_per_across_slide_D = d.psi_G_CEG.cos * s_C_per_across_slide_D
         - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_D;
-    const Scalar t07 = cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_across_slide_D;
-    const Scalar s_D_per_across_slide_D = cos_phi_B_minus_phi_D * s_B_per_across_slide_D - t07;
-    const Scalar s_B_per_across_slide_G = -sin_phi_B_plus_psi_C_BC_minus_phi_D * t06;
-    const Scalar s_C_per_across_slide_G = -sin_phi_B_minus_phi_D * t06;
-    const Scalar t08 = d.psi_G_CEG.cos * s_C_per_across_slide_G;
-    const Scalar s_G_per_across_slide_G = t08
+    const Scalar t05 = cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_across_slide_D;
+    const Scalar s_D_per_across_slide_D = cos_phi_B_minus_phi_D * s_B_per_across_slide_D - t05;
+    const Scalar s_B_per_across_slide_G = -sin_phi_B_plus_psi_C_BC_minus_phi_D * t04;
+    const Scalar s_C_per_across_slide_G = -sin_phi_B_minus_phi_D * t04;
+    const Scalar t06 = d.psi_G_CEG.cos * s_C_per_across_slide_G;
+    const Scalar s_G_per_across_slide_G = t06
         - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_G;
     const Scalar s_D_per_across_slide_G = cos_phi_B_minus_phi_D * s_B_per_across_slide_G
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_across_slide_G;
-    const Scalar t09 = sin_phi_B_plus_psi_C_BC_minus_phi_D
+    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
+    const Scalar s_C_per_x_D = u.phi_D.sin * s_C_per_across_slide_D;
+    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
+    const Scalar s_G_per_x_D = u.phi_D.sin * s_G_per_across_slide_D;
+    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
+    const Scalar s_C_per_y_D = -u.phi_D.cos * s_C_per_across_slide_D;
+    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
+    const Scalar s_G_per_y_D = -u.phi_D.cos * s_G_per_across_slide_D;
+    const Scalar s_B_per_x_F = sin_FG * s_B_per_across_slide_G;
+    const Scalar s_C_per_x_F = sin_FG * s_C_per_across_slide_G;
+    const Scalar s_D_per_x_F = sin_FG * s_D_per_across_slide_G;
+    const Scalar s_G_per_x_F = cos_FG + sin_FG * s_G_per_across_slide_G;
+    const Scalar s_B_per_y_F = -cos_FG * s_B_per_across_slide_G;
+    const Scalar s_C_per_y_F = -cos_FG * s_C_per_across_slide_G;
+    const Scalar s_D_per_y_F = -cos_FG * s_D_per_across_slide_G;
+    const Scalar s_G_per_y_F = sin_FG - cos_FG * s_G_per_across_slide_G;
+    const Scalar t07 = sin_phi_B_plus_psi_C_BC_minus_phi_D
         - d.psi_G_CEG.cos * s_D_per_across_slide_G
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D;
-    const Scalar t10 = q.s_G * s_D_per_across_slide_G;
-    const Scalar t11 = d.psi_G_CEG.sin - d.psi_G_CEG.cos * s_G_per_across_slide_G
+    const Scalar t08 = q.s_G * s_D_per_across_slide_G;
+    const Scalar t09 = d.psi_G_CEG.sin - d.psi_G_CEG.cos * s_G_per_across_slide_G
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_G_per_across_slide_D;
-    const Scalar t12 = q.s_G * s_G_per_across_slide_G + t05;
-    const Scalar t13 = u.phi_D.sin * s_B_per_across_slide_D;
-    const Scalar t14 = sin_FG * s_B_per_across_slide_G;
-    const Scalar t15 = u.phi_D.cos * s_B_per_across_slide_D;
-    const Scalar t16 = cos_FG * s_B_per_across_slide_G;
-    const Scalar t17 = u.phi_D.sin * s_C_per_across_slide_D;
-    const Scalar t18 = sin_FG * s_C_per_across_slide_G;
-    const Scalar t19 = u.phi_D.cos * s_C_per_across_slide_D;
-    const Scalar t20 = cos_FG * s_C_per_across_slide_G;
-    const Scalar t21 = sin_FG * s_D_per_across_slide_G;
-    const Scalar t22 = u.phi_D.cos - u.phi_D.sin * s_D_per_across_slide_D;
-    const Scalar t23 = cos_FG * s_D_per_across_slide_G;
-    const Scalar t24 = u.phi_D.sin + u.phi_D.cos * s_D_per_across_slide_D;
-    const Scalar t25 = u.phi_D.sin * s_G_per_across_slide_D;
-    const Scalar t26 = cos_FG + sin_FG * s_G_per_across_slide_G;
-    const Scalar t27 = u.phi_D.cos * s_G_per_across_slide_D;
-    const Scalar t28 = sin_FG - cos_FG * s_G_per_across_slide_G;
+    const Scalar t10 = q.s_G * s_G_per_across_slide_G + t03;
     S_d(0, 0) = -d.psi_G_CEG.cos * s_B_per_across_slide_G
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_B_per_across_slide_D;
     S_d(0, 1) = q.s_G * s_B_per_across_slide_G;
     S_d(0, 2) = s_B_per_across_slide_G;
-    S_d(0, 3) = -s_B_per_across_slide_D * t03 - s_B_per_across_slide_G * t04;
+    S_d(0, 3) = -t01 * s_B_per_across_slide_D - t02 * s_B_per_across_slide_G;
     S_d(0, 4) = s_B_per_across_slide_D;
     S_d(0, 5) = -s_B_per_across_slide_G;
-    S_d(1, 0) = -t07 - t08;
+    S_d(1, 0) = -t05 - t06;
     S_d(1, 1) = q.s_G * s_C_per_across_slide_G;
     S_d(1, 2) = s_C_per_across_slide_G;
-    S_d(1, 3) = -s_C_per_across_slide_D * t03 - s_C_per_across_slide_G * t04;
+    S_d(1, 3) = -t01 * s_C_per_across_slide_D - t02 * s_C_per_across_slide_G;
     S_d(1, 4) = s_C_per_across_slide_D;
     S_d(1, 5) = -s_C_per_across_slide_G;
-    S_d(2, 0) = t09;
-    S_d(2, 1) = t10;
+    S_d(2, 0) = t07;
+    S_d(2, 1) = t08;
     S_d(2, 2) = s_D_per_across_slide_G;
-    S_d(2, 3) = t10 + q.s_C * t09 + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_phi_D
+    S_d(2, 3) = t08 + q.s_C * t07 + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_phi_D
         + sin_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D
         - d.psi_G_CEG.sin * s_D_per_across_slide_G);
     S_d(2, 4) = s_D_per_across_slide_D;
     S_d(2, 5) = -s_D_per_across_slide_G;
-    S_d(3, 0) = t11;
-    S_d(3, 1) = t12;
+    S_d(3, 0) = t09;
+    S_d(3, 1) = t10;
     S_d(3, 2) = s_G_per_across_slide_G;
-    S_d(3, 3) = q.s_C * t11 + t12 - d.h_C_CEG * (d.psi_G_CEG.cos
+    S_d(3, 3) = q.s_C * t09 + t10 - d.h_C_CEG * (d.psi_G_CEG.cos
         + d.psi_G_CEG.sin * s_G_per_across_slide_G
         - sin_phi_B_plus_psi_C_BC_minus_phi_D * s_G_per_across_slide_D);
     S_d(3, 4) = s_G_per_across_slide_D;
     S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = -t13 - t14;
-    S_u(0, 1) = t15 + t16;
-    S_u(0, 2) = -s_B_per_across_slide_D * phi_B_along_slide_D
-        - s_B_per_across_slide_G * phi_B_along_slide_G;
-    S_u(0, 3) = t13;
-    S_u(0, 4) = -t15;
-    S_u(0, 5) = -s_B_per_across_slide_D * q.s_D;
-    S_u(0, 6) = t14;
-    S_u(0, 7) = -t16;
-    S_u(1, 0) = -t17 - t18;
-    S_u(1, 1) = t19 + t20;
-    S_u(1, 2) = -s_C_per_across_slide_D * phi_B_along_slide_D
-        - s_C_per_across_slide_G * phi_B_along_slide_G;
-    S_u(1, 3) = t17;
-    S_u(1, 4) = -t19;
-    S_u(1, 5) = -s_C_per_across_slide_D * q.s_D;
-    S_u(1, 6) = t18;
-    S_u(1, 7) = -t20;
-    S_u(2, 0) = t22 - t21;
-    S_u(2, 1) = t23 + t24;
-    S_u(2, 2) = phi_B_across_slide_D - s_D_per_across_slide_D * phi_B_along_slide_D
-        - s_D_per_across_slide_G * phi_B_along_slide_G;
-    S_u(2, 3) = -t22;
-    S_u(2, 4) = -t24;
-    S_u(2, 5) = -s_D_per_across_slide_D * q.s_D - d.h_D_DE;
-    S_u(2, 6) = t21;
-    S_u(2, 7) = -t23;
-    S_u(3, 0) = -t25 - t26;
-    S_u(3, 1) = t27 - t28;
-    S_u(3, 2) = -s_G_per_across_slide_D * phi_B_along_slide_D
-        - s_G_per_across_slide_G * phi_B_along_slide_G - phi_B_across_slide_G;
-    S_u(3, 3) = t25;
-    S_u(3, 4) = -t27;
-    S_u(3, 5) = -s_G_per_across_slide_D * q.s_D;
-    S_u(3, 6) = t26;
-    S_u(3, 7) = t28;
+    S_u(0, 0) = -s_B_per_x_D - s_B_per_x_F;
+    S_u(0, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_u(0, 2) = -phi_B_along_slide_D * s_B_per_across_slide_D
+        - phi_B_along_slide_G * s_B_per_across_slide_G;
+    S_u(0, 3) = s_B_per_x_D;
+    S_u(0, 4) = s_B_per_y_D;
+    S_u(0, 5) = -q.s_D * s_B_per_across_slide_D;
+    S_u(0, 6) = s_B_per_x_F;
+    S_u(0, 7) = s_B_per_y_F;
+    S_u(1, 0) = -s_C_per_x_D - s_C_per_x_F;
+    S_u(1, 1) = -s_C_per_y_D - s_C_per_y_F;
+    S_u(1, 2) = -phi_B_along_slide_D * s_C_per_across_slide_D
+        - phi_B_along_slide_G * s_C_per_across_slide_G;
+    S_u(1, 3) = s_C_per_x_D;
+    S_u(1, 4) = s_C_per_y_D;
+    S_u(1, 5) = -q.s_D * s_C_per_across_slide_D;
+    S_u(1, 6) = s_C_per_x_F;
+    S_u(1, 7) = s_C_per_y_F;
+    S_u(2, 0) = -s_D_per_x_D - s_D_per_x_F;
+    S_u(2, 1) = -s_D_per_y_D - s_D_per_y_F;
+    S_u(2, 2) = phi_B_across_slide_D - phi_B_along_slide_D * s_D_per_across_slide_D
+        - phi_B_along_slide_G * s_D_per_across_slide_G;
+    S_u(2, 3) = s_D_per_x_D;
+    S_u(2, 4) = s_D_per_y_D;
+    S_u(2, 5) = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
+    S_u(2, 6) = s_D_per_x_F;
+    S_u(2, 7) = s_D_per_y_F;
+    S_u(3, 0) = -s_G_per_x_D - s_G_per_x_F;
+    S_u(3, 1) = -s_G_per_y_D - s_G_per_y_F;
+    S_u(3, 2) = -phi_B_along_slide_D * s_G_per_across_slide_D
+        - phi_B_along_slide_G * s_G_per_across_slide_G - phi_B_across_slide_G;
+    S_u(3, 3) = s_G_per_x_D;
+    S_u(3, 4) = s_G_per_y_D;
+    S_u(3, 5) = -q.s_D * s_G_per_across_slide_D;
+    S_u(3, 6) = s_G_per_x_F;
+    S_u(3, 7) = s_G_per_y_F;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1119,12 +1081,10 @@ struct Model15 {
     const Scalar omega_D = u_rate(5);
     const Scalar v_x_F = u_rate(6);
     const Scalar v_y_F = u_rate(7);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
     const Scalar sin_phi_B_minus_phi_D = u.phi_B.sin * u.phi_D.cos - u.phi_B.cos * u.phi_D.sin;
     const Scalar cos_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * cos_CEG
@@ -1138,11 +1098,11 @@ struct Model15 {
     const Scalar phi_B_along_slide_D = q.s_C * cos_phi_B_plus_psi_C_BC_minus_phi_D
         - q.s_B * cos_phi_B_minus_phi_D - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
     const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
-        + cos_phi_B_plus_psi_C_BC_minus_phi_D * d.h_C_CEG - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar phi_B_along_slide_G = d.psi_G_CEG.cos * q.s_C + d.psi_G_CEG.sin * d.h_C_CEG
+        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
+    const Scalar phi_B_along_slide_G = q.s_C * d.psi_G_CEG.cos + d.h_C_CEG * d.psi_G_CEG.sin
         - q.s_B * cos_minus_psi_C_BC_minus_psi_G_CEG - q.s_G;
-    const Scalar phi_B_across_slide_G = d.psi_G_CEG.cos * d.h_C_CEG + d.h_G_FG
-        - q.s_B * sin_minus_psi_C_BC_minus_psi_G_CEG - d.psi_G_CEG.sin * q.s_C - d.h_G_CEG;
+    const Scalar phi_B_across_slide_G = d.h_C_CEG * d.psi_G_CEG.cos + d.h_G_FG
+        - q.s_B * sin_minus_psi_C_BC_minus_psi_G_CEG - q.s_C * d.psi_G_CEG.sin - d.h_G_CEG;
     const Scalar sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D = u.phi_D.cos * sin_FG
         - u.phi_D.sin * cos_FG;
     const Scalar pivot_product = -d.psi_C_BC.sin *
@@ -1153,24 +1113,24 @@ struct Model15 {
         inverse;
     const Scalar inverse_sin_psi_C_BC = -sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
         inverse;
-    const Scalar t03 = v_x_B - v_x_D;
-    const Scalar t04 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_D = u.phi_D.cos * t03 + u.phi_D.sin * t04
-        + omega_B * phi_B_across_slide_D - d.h_D_DE * omega_D;
-    const Scalar velocity_across_slide_D = u.phi_D.cos * t04 - u.phi_D.sin * t03 - omega_D * q.s_D
-        - omega_B * phi_B_along_slide_D;
-    const Scalar t05 = v_x_B - v_x_F;
-    const Scalar t06 = v_y_B - v_y_F;
-    const Scalar velocity_along_slide_G = cos_FG * t05 + sin_FG * t06
-        + omega_B * phi_B_across_slide_G;
-    const Scalar velocity_across_slide_G = cos_FG * t06 - sin_FG * t05
-        - omega_B * phi_B_along_slide_G;
-    const Scalar t07 = inverse_sin_psi_C_BC *
+    const Scalar t01 = v_x_B - v_x_D;
+    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar velocity_along_slide_D = u.phi_D.cos * t01 + u.phi_D.sin * t02
+        + phi_B_across_slide_D * omega_B - d.h_D_DE * omega_D;
+    const Scalar velocity_across_slide_D = u.phi_D.cos * t02 - u.phi_D.sin * t01 - q.s_D * omega_D
+        - phi_B_along_slide_D * omega_B;
+    const Scalar t03 = v_x_B - v_x_F;
+    const Scalar t04 = v_y_B - v_y_F;
+    const Scalar velocity_along_slide_G = cos_FG * t03 + sin_FG * t04
+        + phi_B_across_slide_G * omega_B;
+    const Scalar velocity_across_slide_G = cos_FG * t04 - sin_FG * t03
+        - phi_B_along_slide_G * omega_B;
+    const Scalar t05 = inverse_sin_psi_C_BC *
         inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D;
-    const Scalar v_s_B = -(d.psi_G_CEG.sin * velocity_across_slide_D
-        + sin_phi_B_plus_psi_C_BC_minus_phi_D * velocity_across_slide_G) * t07;
-    const Scalar v_s_C = -(sin_phi_B_minus_phi_D * velocity_across_slide_G
-        - sin_minus_psi_C_BC_minus_psi_G_CEG * velocity_across_slide_D) * t07;
+    const Scalar v_s_B = -t05 * (d.psi_G_CEG.sin * velocity_across_slide_D
+        + sin_phi_B_plus_psi_C_BC_minus_phi_D * velocity_across_slide_G);
+    const Scalar v_s_C = -t05 * (sin_phi_B_minus_phi_D * velocity_across_slide_G
+        - sin_minus_psi_C_BC_minus_psi_G_CEG * velocity_across_slide_D);
     const Scalar v_s_G = d.psi_G_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_G_CEG * v_s_B
         - velocity_along_slide_G;
     const Scalar v_s_D = cos_phi_B_minus_phi_D * v_s_B + velocity_along_slide_D
@@ -1203,12 +1163,10 @@ struct Model15 {
     const Scalar a_x_F = u_second_rate(6);
     const Scalar v_y_F = u_rate(7);
     const Scalar a_y_F = u_second_rate(7);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
     const Scalar sin_phi_B_minus_phi_D = u.phi_B.sin * u.phi_D.cos - u.phi_B.cos * u.phi_D.sin;
     const Scalar cos_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * cos_CEG
@@ -1222,11 +1180,11 @@ struct Model15 {
     const Scalar phi_B_along_slide_D = q.s_C * cos_phi_B_plus_psi_C_BC_minus_phi_D
         - q.s_B * cos_phi_B_minus_phi_D - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
     const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
-        + cos_phi_B_plus_psi_C_BC_minus_phi_D * d.h_C_CEG - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar phi_B_along_slide_G = d.psi_G_CEG.cos * q.s_C + d.psi_G_CEG.sin * d.h_C_CEG
+        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
+    const Scalar phi_B_along_slide_G = q.s_C * d.psi_G_CEG.cos + d.h_C_CEG * d.psi_G_CEG.sin
         - q.s_B * cos_minus_psi_C_BC_minus_psi_G_CEG - q.s_G;
-    const Scalar phi_B_across_slide_G = d.psi_G_CEG.cos * d.h_C_CEG + d.h_G_FG
-        - q.s_B * sin_minus_psi_C_BC_minus_psi_G_CEG - d.psi_G_CEG.sin * q.s_C - d.h_G_CEG;
+    const Scalar phi_B_across_slide_G = d.h_C_CEG * d.psi_G_CEG.cos + d.h_G_FG
+        - q.s_B * sin_minus_psi_C_BC_minus_psi_G_CEG - q.s_C * d.psi_G_CEG.sin - d.h_G_CEG;
     const Scalar sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D = u.phi_D.cos * sin_FG
         - u.phi_D.sin * cos_FG;
     const Scalar pivot_product = -d.psi_C_BC.sin *
@@ -1237,50 +1195,50 @@ struct Model15 {
         inverse;
     const Scalar inverse_sin_psi_C_BC = -sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
         inverse;
-    const Scalar t03 = v_x_B - v_x_D;
-    const Scalar t04 = v_y_B - v_y_D;
-    const Scalar t05 = d.h_D_DE * omega_D;
-    const Scalar t06 = omega_B * phi_B_across_slide_D;
-    const Scalar velocity_along_slide_D = u.phi_D.cos * t03 + u.phi_D.sin * t04 + t06 - t05;
-    const Scalar t07 = omega_D * q.s_D;
-    const Scalar t08 = omega_B * phi_B_along_slide_D;
-    const Scalar velocity_across_slide_D = u.phi_D.cos * t04 - u.phi_D.sin * t03 - t07 - t08;
-    const Scalar t09 = v_x_B - v_x_F;
-    const Scalar t10 = v_y_B - v_y_F;
-    const Scalar t11 = omega_B * phi_B_across_slide_G;
-    const Scalar velocity_along_slide_G = cos_FG * t09 + sin_FG * t10 + t11;
-    const Scalar t12 = omega_B * phi_B_along_slide_G;
-    const Scalar velocity_across_slide_G = cos_FG * t10 - sin_FG * t09 - t12;
-    const Scalar t13 = inverse_sin_psi_C_BC *
+    const Scalar t01 = v_x_B - v_x_D;
+    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar t03 = d.h_D_DE * omega_D;
+    const Scalar t04 = phi_B_across_slide_D * omega_B;
+    const Scalar velocity_along_slide_D = u.phi_D.cos * t01 + u.phi_D.sin * t02 + t04 - t03;
+    const Scalar t05 = q.s_D * omega_D;
+    const Scalar t06 = phi_B_along_slide_D * omega_B;
+    const Scalar velocity_across_slide_D = u.phi_D.cos * t02 - u.phi_D.sin * t01 - t05 - t06;
+    const Scalar t07 = v_x_B - v_x_F;
+    const Scalar t08 = v_y_B - v_y_F;
+    const Scalar t09 = phi_B_across_slide_G * omega_B;
+    const Scalar velocity_along_slide_G = cos_FG * t07 + sin_FG * t08 + t09;
+    const Scalar t10 = phi_B_along_slide_G * omega_B;
+    const Scalar velocity_across_slide_G = cos_FG * t08 - sin_FG * t07 - t10;
+    const Scalar t11 = inverse_sin_psi_C_BC *
         inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D;
-    const Scalar v_s_B = -(d.psi_G_CEG.sin * velocity_across_slide_D
-        + sin_phi_B_plus_psi_C_BC_minus_phi_D * velocity_across_slide_G) * t13;
-    const Scalar v_s_C = -(sin_phi_B_minus_phi_D * velocity_across_slide_G
-        - sin_minus_psi_C_BC_minus_psi_G_CEG * velocity_across_slide_D) * t13;
-    const Scalar t14 = d.psi_G_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_G_CEG * v_s_B;
-    const Scalar v_s_G = t14 - velocity_along_slide_G;
-    const Scalar t15 = cos_phi_B_minus_phi_D * v_s_B - cos_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C;
-    const Scalar v_s_D = velocity_along_slide_D + t15;
-    const Scalar t16 = a_x_B - a_x_D;
-    const Scalar t17 = a_y_B - a_y_D;
-    const Scalar acceleration_along_slide_D = omega_B * (t08
+    const Scalar v_s_B = -t11 * (d.psi_G_CEG.sin * velocity_across_slide_D
+        + sin_phi_B_plus_psi_C_BC_minus_phi_D * velocity_across_slide_G);
+    const Scalar v_s_C = -t11 * (sin_phi_B_minus_phi_D * velocity_across_slide_G
+        - sin_minus_psi_C_BC_minus_psi_G_CEG * velocity_across_slide_D);
+    const Scalar t12 = d.psi_G_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_G_CEG * v_s_B;
+    const Scalar v_s_G = t12 - velocity_along_slide_G;
+    const Scalar t13 = cos_phi_B_minus_phi_D * v_s_B - cos_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C;
+    const Scalar v_s_D = velocity_along_slide_D + t13;
+    const Scalar t14 = a_x_B - a_x_D;
+    const Scalar t15 = a_y_B - a_y_D;
+    const Scalar acceleration_along_slide_D = omega_B * (t06
         + Scalar(2) * sin_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C
-        - Scalar(2) * sin_phi_B_minus_phi_D * v_s_B) + u.phi_D.cos * t16 + u.phi_D.sin * t17
-        + phi_B_across_slide_D * alpha_B + omega_D * t07 - d.h_D_DE * alpha_D;
-    const Scalar acceleration_across_slide_D = u.phi_D.cos * t17 + omega_B * (t06 + Scalar(2) * t15)
-        - u.phi_D.sin * t16 - omega_D * (t05 + Scalar(2) * v_s_D) - q.s_D * alpha_D
+        - Scalar(2) * sin_phi_B_minus_phi_D * v_s_B) + u.phi_D.cos * t14 + u.phi_D.sin * t15
+        + phi_B_across_slide_D * alpha_B + omega_D * t05 - d.h_D_DE * alpha_D;
+    const Scalar acceleration_across_slide_D = u.phi_D.cos * t15 + omega_B * (t04 + Scalar(2) * t13)
+        - u.phi_D.sin * t14 - omega_D * (t03 + Scalar(2) * v_s_D) - q.s_D * alpha_D
         - phi_B_along_slide_D * alpha_B;
-    const Scalar t18 = a_x_B - a_x_F;
-    const Scalar t19 = a_y_B - a_y_F;
-    const Scalar acceleration_along_slide_G = omega_B * (t12 - Scalar(2) * d.psi_G_CEG.sin * v_s_C
-        - Scalar(2) * sin_minus_psi_C_BC_minus_psi_G_CEG * v_s_B) + cos_FG * t18 + sin_FG * t19
+    const Scalar t16 = a_x_B - a_x_F;
+    const Scalar t17 = a_y_B - a_y_F;
+    const Scalar acceleration_along_slide_G = omega_B * (t10 - Scalar(2) * d.psi_G_CEG.sin * v_s_C
+        - Scalar(2) * sin_minus_psi_C_BC_minus_psi_G_CEG * v_s_B) + cos_FG * t16 + sin_FG * t17
         + phi_B_across_slide_G * alpha_B;
-    const Scalar acceleration_across_slide_G = cos_FG * t19 + omega_B * (t11 + Scalar(2) * v_s_G
-        - Scalar(2) * t14) - sin_FG * t18 - phi_B_along_slide_G * alpha_B;
-    const Scalar a_s_B = -(d.psi_G_CEG.sin * acceleration_across_slide_D
-        + sin_phi_B_plus_psi_C_BC_minus_phi_D * acceleration_across_slide_G) * t13;
-    const Scalar a_s_C = -(sin_phi_B_minus_phi_D * acceleration_across_slide_G
-        - sin_minus_psi_C_BC_minus_psi_G_CEG * acceleration_across_slide_D) * t13;
+    const Scalar acceleration_across_slide_G = cos_FG * t17 + omega_B * (t09 + Scalar(2) * v_s_G
+        - Scalar(2) * t12) - sin_FG * t16 - phi_B_along_slide_G * alpha_B;
+    const Scalar a_s_B = -t11 * (d.psi_G_CEG.sin * acceleration_across_slide_D
+        + sin_phi_B_plus_psi_C_BC_minus_phi_D * acceleration_across_slide_G);
+    const Scalar a_s_C = -t11 * (sin_phi_B_minus_phi_D * acceleration_across_slide_G
+        - sin_minus_psi_C_BC_minus_psi_G_CEG * acceleration_across_slide_D);
     const Scalar a_s_G = d.psi_G_CEG.cos * a_s_C - cos_minus_psi_C_BC_minus_psi_G_CEG * a_s_B
         - acceleration_along_slide_G;
     const Scalar a_s_D = cos_phi_B_minus_phi_D * a_s_B + acceleration_along_slide_D
@@ -1319,12 +1277,10 @@ struct Model15 {
     const Scalar a_x_F = u_second_rate(6);
     const Scalar v_y_F = u_rate(7);
     const Scalar a_y_F = u_second_rate(7);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
     const Scalar sin_phi_B_minus_phi_D = u.phi_B.sin * u.phi_D.cos - u.phi_B.cos * u.phi_D.sin;
     const Scalar cos_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * cos_CEG
@@ -1335,16 +1291,16 @@ struct Model15 {
         - d.psi_C_BC.sin * d.psi_G_CEG.sin;
     const Scalar sin_minus_psi_C_BC_minus_psi_G_CEG = -d.psi_C_BC.sin * d.psi_G_CEG.cos
         - d.psi_C_BC.cos * d.psi_G_CEG.sin;
-    const Scalar t03 = q.s_C * cos_phi_B_plus_psi_C_BC_minus_phi_D
+    const Scalar t01 = q.s_C * cos_phi_B_plus_psi_C_BC_minus_phi_D
         - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
-    const Scalar phi_B_along_slide_D = t03 - q.s_B * cos_phi_B_minus_phi_D;
+    const Scalar phi_B_along_slide_D = t01 - q.s_B * cos_phi_B_minus_phi_D;
     const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
-        + cos_phi_B_plus_psi_C_BC_minus_phi_D * d.h_C_CEG - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar t04 = d.psi_G_CEG.sin * d.h_C_CEG + d.psi_G_CEG.cos * q.s_C - q.s_G;
-    const Scalar phi_B_along_slide_G = t04 - q.s_B * cos_minus_psi_C_BC_minus_psi_G_CEG;
-    const Scalar t05 = d.h_G_CEG - d.h_G_FG;
-    const Scalar phi_B_across_slide_G = d.psi_G_CEG.cos * d.h_C_CEG
-        - q.s_B * sin_minus_psi_C_BC_minus_psi_G_CEG - d.psi_G_CEG.sin * q.s_C - t05;
+        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
+    const Scalar t02 = d.h_C_CEG * d.psi_G_CEG.sin + q.s_C * d.psi_G_CEG.cos - q.s_G;
+    const Scalar phi_B_along_slide_G = t02 - q.s_B * cos_minus_psi_C_BC_minus_psi_G_CEG;
+    const Scalar t03 = d.h_G_CEG - d.h_G_FG;
+    const Scalar phi_B_across_slide_G = d.h_C_CEG * d.psi_G_CEG.cos
+        - q.s_B * sin_minus_psi_C_BC_minus_psi_G_CEG - q.s_C * d.psi_G_CEG.sin - t03;
     const Scalar sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D = u.phi_D.cos * sin_FG
         - u.phi_D.sin * cos_FG;
     const Scalar pivot_product = -d.psi_C_BC.sin *
@@ -1355,101 +1311,69 @@ struct Model15 {
         inverse;
     const Scalar inverse_sin_psi_C_BC = -sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
         inverse;
-    const Scalar t06 = inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
+    const Scalar t04 = inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
         inverse_sin_psi_C_BC;
-    const Scalar s_B_per_across_slide_D = -d.psi_G_CEG.sin * t06;
-    const Scalar s_C_per_across_slide_D = sin_minus_psi_C_BC_minus_psi_G_CEG * t06;
+    const Scalar s_B_per_across_slide_D = -d.psi_G_CEG.sin * t04;
+    const Scalar s_C_per_across_slide_D = sin_minus_psi_C_BC_minus_psi_G_CEG * t04;
     const Scalar s_G_per_across_slide_D = d.psi_G_CEG.cos * s_C_per_across_slide_D
         - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_D;
-    const Scalar t07 = cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_across_slide_D;
-    const Scalar s_D_per_across_slide_D = cos_phi_B_minus_phi_D * s_B_per_across_slide_D - t07;
-    const Scalar s_B_per_across_slide_G = -sin_phi_B_plus_psi_C_BC_minus_phi_D * t06;
-    const Scalar s_C_per_across_slide_G = -sin_phi_B_minus_phi_D * t06;
-    const Scalar t08 = d.psi_G_CEG.cos * s_C_per_across_slide_G;
-    const Scalar s_G_per_across_slide_G = t08
+    const Scalar t05 = cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_across_slide_D;
+    const Scalar s_D_per_across_slide_D = cos_phi_B_minus_phi_D * s_B_per_across_slide_D - t05;
+    const Scalar s_B_per_across_slide_G = -sin_phi_B_plus_psi_C_BC_minus_phi_D * t04;
+    const Scalar s_C_per_across_slide_G = -sin_phi_B_minus_phi_D * t04;
+    const Scalar t06 = d.psi_G_CEG.cos * s_C_per_across_slide_G;
+    const Scalar s_G_per_across_slide_G = t06
         - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_G;
     const Scalar s_D_per_across_slide_G = cos_phi_B_minus_phi_D * s_B_per_across_slide_G
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_across_slide_G;
-    const Scalar t09 = u.phi_D.sin * s_B_per_across_slide_D;
-    const Scalar t10 = sin_FG * s_B_per_across_slide_G;
-    const Scalar t11 = t09 + t10;
-    const Scalar s_B_per_x_B = -t11;
-    const Scalar t12 = u.phi_D.sin * s_C_per_across_slide_D;
-    const Scalar t13 = sin_FG * s_C_per_across_slide_G;
-    const Scalar t14 = t12 + t13;
-    const Scalar s_C_per_x_B = -t14;
-    const Scalar t15 = sin_FG * s_D_per_across_slide_G;
-    const Scalar t16 = u.phi_D.cos - u.phi_D.sin * s_D_per_across_slide_D;
-    const Scalar t17 = t15 - t16;
-    const Scalar s_D_per_x_B = -t17;
-    const Scalar t18 = u.phi_D.sin * s_G_per_across_slide_D;
-    const Scalar t19 = cos_FG + sin_FG * s_G_per_across_slide_G;
-    const Scalar t20 = t18 + t19;
-    const Scalar s_G_per_x_B = -t20;
-    const Scalar t21 = u.phi_D.cos * s_B_per_across_slide_D;
-    const Scalar t22 = cos_FG * s_B_per_across_slide_G;
-    const Scalar t23 = t21 + t22;
-    const Scalar s_B_per_y_B = t23;
-    const Scalar t24 = u.phi_D.cos * s_C_per_across_slide_D;
-    const Scalar t25 = cos_FG * s_C_per_across_slide_G;
-    const Scalar t26 = t24 + t25;
-    const Scalar s_C_per_y_B = t26;
-    const Scalar t27 = cos_FG * s_D_per_across_slide_G;
-    const Scalar t28 = u.phi_D.sin + u.phi_D.cos * s_D_per_across_slide_D;
-    const Scalar t29 = t27 + t28;
-    const Scalar s_D_per_y_B = t29;
-    const Scalar t30 = u.phi_D.cos * s_G_per_across_slide_D;
-    const Scalar t31 = sin_FG - cos_FG * s_G_per_across_slide_G;
-    const Scalar t32 = t30 - t31;
-    const Scalar s_G_per_y_B = t32;
-    const Scalar t33 = s_B_per_across_slide_D * phi_B_along_slide_D
-        + s_B_per_across_slide_G * phi_B_along_slide_G;
-    const Scalar s_B_per_phi_B = -t33;
-    const Scalar t34 = s_C_per_across_slide_D * phi_B_along_slide_D
-        + s_C_per_across_slide_G * phi_B_along_slide_G;
-    const Scalar s_C_per_phi_B = -t34;
-    const Scalar t35 = s_D_per_across_slide_D * phi_B_along_slide_D
-        + s_D_per_across_slide_G * phi_B_along_slide_G - phi_B_across_slide_D;
-    const Scalar s_D_per_phi_B = -t35;
-    const Scalar t36 = s_G_per_across_slide_D * phi_B_along_slide_D
-        + s_G_per_across_slide_G * phi_B_along_slide_G + phi_B_across_slide_G;
-    const Scalar s_G_per_phi_B = -t36;
-    const Scalar s_B_per_x_D = t09;
-    const Scalar s_C_per_x_D = t12;
-    const Scalar s_D_per_x_D = -t16;
-    const Scalar s_G_per_x_D = t18;
-    const Scalar s_B_per_y_D = -t21;
-    const Scalar s_C_per_y_D = -t24;
-    const Scalar s_D_per_y_D = -t28;
-    const Scalar s_G_per_y_D = -t30;
-    const Scalar t37 = s_B_per_across_slide_D * q.s_D;
-    const Scalar s_B_per_phi_D = -t37;
-    const Scalar t38 = s_C_per_across_slide_D * q.s_D;
-    const Scalar s_C_per_phi_D = -t38;
-    const Scalar t39 = s_D_per_across_slide_D * q.s_D + d.h_D_DE;
-    const Scalar s_D_per_phi_D = -t39;
-    const Scalar t40 = s_G_per_across_slide_D * q.s_D;
-    const Scalar s_G_per_phi_D = -t40;
-    const Scalar s_B_per_x_F = t10;
-    const Scalar s_C_per_x_F = t13;
-    const Scalar s_D_per_x_F = t15;
-    const Scalar s_G_per_x_F = t19;
-    const Scalar s_B_per_y_F = -t22;
-    const Scalar s_C_per_y_F = -t25;
-    const Scalar s_D_per_y_F = -t27;
-    const Scalar s_G_per_y_F = t31;
-    const Scalar v_s_B = v_x_B * s_B_per_x_B + v_y_B * s_B_per_y_B + omega_B * s_B_per_phi_B
-        + v_x_D * s_B_per_x_D + v_y_D * s_B_per_y_D + omega_D * s_B_per_phi_D + v_x_F * s_B_per_x_F
-        + v_y_F * s_B_per_y_F;
-    const Scalar v_s_C = v_x_B * s_C_per_x_B + v_y_B * s_C_per_y_B + omega_B * s_C_per_phi_B
-        + v_x_D * s_C_per_x_D + v_y_D * s_C_per_y_D + omega_D * s_C_per_phi_D + v_x_F * s_C_per_x_F
-        + v_y_F * s_C_per_y_F;
-    const Scalar v_s_D = v_x_B * s_D_per_x_B + v_y_B * s_D_per_y_B + omega_B * s_D_per_phi_B
-        + v_x_D * s_D_per_x_D + v_y_D * s_D_per_y_D + omega_D * s_D_per_phi_D + v_x_F * s_D_per_x_F
-        + v_y_F * s_D_per_y_F;
-    const Scalar v_s_G = v_x_B * s_G_per_x_B + v_y_B * s_G_per_y_B + omega_B * s_G_per_phi_B
-        + v_x_D * s_G_per_x_D + v_y_D * s_G_per_y_D + omega_D * s_G_per_phi_D + v_x_F * s_G_per_x_F
-        + v_y_F * s_G_per_y_F;
+    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
+    const Scalar s_B_per_x_F = sin_FG * s_B_per_across_slide_G;
+    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
+    const Scalar s_C_per_x_D = u.phi_D.sin * s_C_per_across_slide_D;
+    const Scalar s_C_per_x_F = sin_FG * s_C_per_across_slide_G;
+    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
+    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
+    const Scalar s_D_per_x_F = sin_FG * s_D_per_across_slide_G;
+    const Scalar s_D_per_x_B = -s_D_per_x_D - s_D_per_x_F;
+    const Scalar s_G_per_x_D = u.phi_D.sin * s_G_per_across_slide_D;
+    const Scalar s_G_per_x_F = cos_FG + sin_FG * s_G_per_across_slide_G;
+    const Scalar s_G_per_x_B = -s_G_per_x_D - s_G_per_x_F;
+    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
+    const Scalar s_B_per_y_F = -cos_FG * s_B_per_across_slide_G;
+    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
+    const Scalar s_C_per_y_D = -u.phi_D.cos * s_C_per_across_slide_D;
+    const Scalar s_C_per_y_F = -cos_FG * s_C_per_across_slide_G;
+    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
+    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
+    const Scalar s_D_per_y_F = -cos_FG * s_D_per_across_slide_G;
+    const Scalar s_D_per_y_B = -s_D_per_y_D - s_D_per_y_F;
+    const Scalar s_G_per_y_D = -u.phi_D.cos * s_G_per_across_slide_D;
+    const Scalar s_G_per_y_F = sin_FG - cos_FG * s_G_per_across_slide_G;
+    const Scalar s_G_per_y_B = -s_G_per_y_D - s_G_per_y_F;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_D * s_B_per_across_slide_D
+        - phi_B_along_slide_G * s_B_per_across_slide_G;
+    const Scalar s_C_per_phi_B = -phi_B_along_slide_D * s_C_per_across_slide_D
+        - phi_B_along_slide_G * s_C_per_across_slide_G;
+    const Scalar s_D_per_phi_B = phi_B_across_slide_D - phi_B_along_slide_D * s_D_per_across_slide_D
+        - phi_B_along_slide_G * s_D_per_across_slide_G;
+    const Scalar s_G_per_phi_B = -phi_B_along_slide_D * s_G_per_across_slide_D
+        - phi_B_along_slide_G * s_G_per_across_slide_G - phi_B_across_slide_G;
+    const Scalar s_B_per_phi_D = -q.s_D * s_B_per_across_slide_D;
+    const Scalar s_C_per_phi_D = -q.s_D * s_C_per_across_slide_D;
+    const Scalar s_D_per_phi_D = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
+    const Scalar s_G_per_phi_D = -q.s_D * s_G_per_across_slide_D;
+    const Scalar v_s_B = s_B_per_x_B * v_x_B + s_B_per_y_B * v_y_B + s_B_per_phi_B * omega_B
+        + s_B_per_x_D * v_x_D + s_B_per_y_D * v_y_D + s_B_per_phi_D * omega_D + s_B_per_x_F * v_x_F
+        + s_B_per_y_F * v_y_F;
+    const Scalar v_s_C = s_C_per_x_B * v_x_B + s_C_per_y_B * v_y_B + s_C_per_phi_B * omega_B
+        + s_C_per_x_D * v_x_D + s_C_per_y_D * v_y_D + s_C_per_phi_D * omega_D + s_C_per_x_F * v_x_F
+        + s_C_per_y_F * v_y_F;
+    const Scalar v_s_D = s_D_per_x_B * v_x_B + s_D_per_y_B * v_y_B + s_D_per_phi_B * omega_B
+        + s_D_per_x_D * v_x_D + s_D_per_y_D * v_y_D + s_D_per_phi_D * omega_D + s_D_per_x_F * v_x_F
+        + s_D_per_y_F * v_y_F;
+    const Scalar v_s_G = s_G_per_x_B * v_x_B + s_G_per_y_B * v_y_B + s_G_per_phi_B * omega_B
+        + s_G_per_x_D * v_x_D + s_G_per_y_D * v_y_D + s_G_per_phi_D * omega_D + s_G_per_x_F * v_x_F
+        + s_G_per_y_F * v_y_F;
     const Scalar centripetal_along_slide_D = q.s_D * omega_D * omega_D
         - omega_B * (Scalar(2) * sin_phi_B_minus_phi_D * v_s_B
         - Scalar(2) * sin_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C - phi_B_along_slide_D * omega_B);
@@ -1461,74 +1385,74 @@ struct Model15 {
     const Scalar centripetal_across_slide_G = -omega_B * (Scalar(2) * d.psi_G_CEG.cos * v_s_C
         - Scalar(2) * cos_minus_psi_C_BC_minus_psi_G_CEG * v_s_B - Scalar(2) * v_s_G
         - phi_B_across_slide_G * omega_B);
-    const Scalar t41 = sin_phi_B_plus_psi_C_BC_minus_phi_D
+    const Scalar t07 = sin_phi_B_plus_psi_C_BC_minus_phi_D
         - d.psi_G_CEG.cos * s_D_per_across_slide_G
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D;
-    const Scalar t42 = q.s_G * s_D_per_across_slide_G;
-    const Scalar t43 = d.psi_G_CEG.sin - d.psi_G_CEG.cos * s_G_per_across_slide_G
+    const Scalar t08 = q.s_G * s_D_per_across_slide_G;
+    const Scalar t09 = d.psi_G_CEG.sin - d.psi_G_CEG.cos * s_G_per_across_slide_G
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_G_per_across_slide_D;
-    const Scalar t44 = q.s_G * s_G_per_across_slide_G + t05;
+    const Scalar t10 = q.s_G * s_G_per_across_slide_G + t03;
     S_d(0, 0) = -d.psi_G_CEG.cos * s_B_per_across_slide_G
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_B_per_across_slide_D;
     S_d(0, 1) = q.s_G * s_B_per_across_slide_G;
     S_d(0, 2) = s_B_per_across_slide_G;
-    S_d(0, 3) = -s_B_per_across_slide_D * t03 - s_B_per_across_slide_G * t04;
+    S_d(0, 3) = -t01 * s_B_per_across_slide_D - t02 * s_B_per_across_slide_G;
     S_d(0, 4) = s_B_per_across_slide_D;
     S_d(0, 5) = -s_B_per_across_slide_G;
-    S_d(1, 0) = -t07 - t08;
+    S_d(1, 0) = -t05 - t06;
     S_d(1, 1) = q.s_G * s_C_per_across_slide_G;
     S_d(1, 2) = s_C_per_across_slide_G;
-    S_d(1, 3) = -s_C_per_across_slide_D * t03 - s_C_per_across_slide_G * t04;
+    S_d(1, 3) = -t01 * s_C_per_across_slide_D - t02 * s_C_per_across_slide_G;
     S_d(1, 4) = s_C_per_across_slide_D;
     S_d(1, 5) = -s_C_per_across_slide_G;
-    S_d(2, 0) = t41;
-    S_d(2, 1) = t42;
+    S_d(2, 0) = t07;
+    S_d(2, 1) = t08;
     S_d(2, 2) = s_D_per_across_slide_G;
-    S_d(2, 3) = t42 + q.s_C * t41 + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_phi_D
+    S_d(2, 3) = t08 + q.s_C * t07 + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_phi_D
         + sin_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D
         - d.psi_G_CEG.sin * s_D_per_across_slide_G);
     S_d(2, 4) = s_D_per_across_slide_D;
     S_d(2, 5) = -s_D_per_across_slide_G;
-    S_d(3, 0) = t43;
-    S_d(3, 1) = t44;
+    S_d(3, 0) = t09;
+    S_d(3, 1) = t10;
     S_d(3, 2) = s_G_per_across_slide_G;
-    S_d(3, 3) = q.s_C * t43 + t44 - d.h_C_CEG * (d.psi_G_CEG.cos
+    S_d(3, 3) = q.s_C * t09 + t10 - d.h_C_CEG * (d.psi_G_CEG.cos
         + d.psi_G_CEG.sin * s_G_per_across_slide_G
         - sin_phi_B_plus_psi_C_BC_minus_phi_D * s_G_per_across_slide_D);
     S_d(3, 4) = s_G_per_across_slide_D;
     S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = -t11;
-    S_u(0, 1) = t23;
-    S_u(0, 2) = -t33;
-    S_u(0, 3) = t09;
-    S_u(0, 4) = -t21;
-    S_u(0, 5) = -t37;
-    S_u(0, 6) = t10;
-    S_u(0, 7) = -t22;
-    S_u(1, 0) = -t14;
-    S_u(1, 1) = t26;
-    S_u(1, 2) = -t34;
-    S_u(1, 3) = t12;
-    S_u(1, 4) = -t24;
-    S_u(1, 5) = -t38;
-    S_u(1, 6) = t13;
-    S_u(1, 7) = -t25;
-    S_u(2, 0) = -t17;
-    S_u(2, 1) = t29;
-    S_u(2, 2) = -t35;
-    S_u(2, 3) = -t16;
-    S_u(2, 4) = -t28;
-    S_u(2, 5) = -t39;
-    S_u(2, 6) = t15;
-    S_u(2, 7) = -t27;
-    S_u(3, 0) = -t20;
-    S_u(3, 1) = t32;
-    S_u(3, 2) = -t36;
-    S_u(3, 3) = t18;
-    S_u(3, 4) = -t30;
-    S_u(3, 5) = -t40;
-    S_u(3, 6) = t19;
-    S_u(3, 7) = t31;
+    S_u(0, 0) = s_B_per_x_B;
+    S_u(0, 1) = s_B_per_y_B;
+    S_u(0, 2) = s_B_per_phi_B;
+    S_u(0, 3) = s_B_per_x_D;
+    S_u(0, 4) = s_B_per_y_D;
+    S_u(0, 5) = s_B_per_phi_D;
+    S_u(0, 6) = s_B_per_x_F;
+    S_u(0, 7) = s_B_per_y_F;
+    S_u(1, 0) = s_C_per_x_B;
+    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 2) = s_C_per_phi_B;
+    S_u(1, 3) = s_C_per_x_D;
+    S_u(1, 4) = s_C_per_y_D;
+    S_u(1, 5) = s_C_per_phi_D;
+    S_u(1, 6) = s_C_per_x_F;
+    S_u(1, 7) = s_C_per_y_F;
+    S_u(2, 0) = s_D_per_x_B;
+    S_u(2, 1) = s_D_per_y_B;
+    S_u(2, 2) = s_D_per_phi_B;
+    S_u(2, 3) = s_D_per_x_D;
+    S_u(2, 4) = s_D_per_y_D;
+    S_u(2, 5) = s_D_per_phi_D;
+    S_u(2, 6) = s_D_per_x_F;
+    S_u(2, 7) = s_D_per_y_F;
+    S_u(3, 0) = s_G_per_x_B;
+    S_u(3, 1) = s_G_per_y_B;
+    S_u(3, 2) = s_G_per_phi_B;
+    S_u(3, 3) = s_G_per_x_D;
+    S_u(3, 4) = s_G_per_y_D;
+    S_u(3, 5) = s_G_per_phi_D;
+    S_u(3, 6) = s_G_per_x_F;
+    S_u(3, 7) = s_G_per_y_F;
     q_rate(0) = v_s_B;
     q_rate(1) = v_s_C;
     q_rate(2) = v_s_D;
@@ -1561,20 +1485,22 @@ struct Model15 {
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     const Scalar t01 = u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos;
-    const Scalar t02 = u.phi_B.cos * u.phi_D.cos + u.phi_D.sin * u.phi_B.sin;
-    const Scalar b_0_re = -Scalar(2) * (t01 * d.psi_C_BC.cos - t02 * d.psi_C_BC.sin);
-    const Scalar c_0_re = Scalar(2) * ((d.psi_C_BC.cos * t02 + t01 * d.psi_C_BC.sin) * d.h_C_CEG
-        + u.phi_D.sin * (FB_x - FD_x) - u.phi_D.cos * (FB_y - FD_y) - d.h_D_DE);
+    const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_D.sin * u.phi_B.sin;
+    const Scalar b_0_re = -Scalar(2) * (t01 * d.psi_C_BC.cos
+        - d.psi_C_BC.sin * cos_phi_B_minus_phi_D);
+    const Scalar c_0_re = -Scalar(2) * ((FB_y - FD_y) * u.phi_D.cos + d.h_D_DE - (FB_x
+        - FD_x) * u.phi_D.sin - d.h_C_CEG * (t01 * d.psi_C_BC.sin
+        + d.psi_C_BC.cos * cos_phi_B_minus_phi_D));
     const Scalar c_1_re = Scalar(2) * t01;
     const Scalar e_0_re = Scalar(2) * d.psi_G_CEG.sin;
-    const Scalar t03 = u.phi_B.cos * FB_y - u.phi_B.sin * FB_x;
-    const Scalar t04 = u.phi_B.cos * FB_x + u.phi_B.sin * FB_y;
-    const Scalar f_0_re = -Scalar(2) * ((d.h_C_CEG + d.psi_C_BC.sin * t04
-        - d.psi_C_BC.cos * t03) * d.psi_G_CEG.cos + d.psi_G_CEG.sin * (d.psi_C_BC.cos * t04
-        + d.psi_C_BC.sin * t03) + d.h_G_FG - d.h_G_CEG);
+    const Scalar t02 = FB_y * u.phi_B.cos - FB_x * u.phi_B.sin;
+    const Scalar t03 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
+    const Scalar f_0_re = -Scalar(2) * ((d.h_C_CEG + t03 * d.psi_C_BC.sin
+        - t02 * d.psi_C_BC.cos) * d.psi_G_CEG.cos + (t03 * d.psi_C_BC.cos
+        + t02 * d.psi_C_BC.sin) * d.psi_G_CEG.sin + d.h_G_FG - d.h_G_CEG);
     const Scalar f_1_re = -Scalar(2) * (d.psi_C_BC.sin * d.psi_G_CEG.cos
         + d.psi_C_BC.cos * d.psi_G_CEG.sin);
-    T(0) = b_0_re * f_0_re - c_0_re * e_0_re;
+    T(0) = f_0_re * b_0_re - c_0_re * e_0_re;
     T(1) = b_0_re * f_1_re - e_0_re * c_1_re;
   }
 
@@ -1588,18 +1514,18 @@ struct Model15 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = q.s_B + u.phi_B.cos * FB_x + u.phi_B.sin * FB_y;
-    const Scalar t02 = u.phi_B.cos * FB_y - u.phi_B.sin * FB_x;
+    const Scalar t01 = q.s_B + FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
+    const Scalar t02 = FB_y * u.phi_B.cos - FB_x * u.phi_B.sin;
     e(0, 1) = -Scalar(2) * ((u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos) * d.psi_C_BC.cos
         - (u.phi_B.cos * u.phi_D.cos + u.phi_D.sin * u.phi_B.sin) * d.psi_C_BC.sin);
-    e(0, 2) = Scalar(2) * (u.phi_D.cos * ((u.phi_B.cos * d.psi_C_BC.cos
-        - u.phi_B.sin * d.psi_C_BC.sin) * d.h_C_CEG + FD_y - u.phi_B.sin * q.s_B - FB_y)
-        + u.phi_D.sin * (d.h_C_CEG * (u.phi_B.sin * d.psi_C_BC.cos + u.phi_B.cos * d.psi_C_BC.sin)
-        + u.phi_B.cos * q.s_B + FB_x - FD_x) - d.h_D_DE);
+    e(0, 2) = Scalar(2) * ((d.h_C_CEG * (u.phi_B.cos * d.psi_C_BC.cos
+        - u.phi_B.sin * d.psi_C_BC.sin) + FD_y - q.s_B * u.phi_B.sin - FB_y) * u.phi_D.cos
+        + (d.h_C_CEG * (u.phi_B.sin * d.psi_C_BC.cos + u.phi_B.cos * d.psi_C_BC.sin)
+        + q.s_B * u.phi_B.cos + FB_x - FD_x) * u.phi_D.sin - d.h_D_DE);
     e(1, 1) = Scalar(2) * d.psi_G_CEG.sin;
-    e(1, 2) = -Scalar(2) * ((d.h_C_CEG + d.psi_C_BC.sin * t01
-        - d.psi_C_BC.cos * t02) * d.psi_G_CEG.cos + d.psi_G_CEG.sin * (d.psi_C_BC.cos * t01
-        + d.psi_C_BC.sin * t02) + d.h_G_FG - d.h_G_CEG);
+    e(1, 2) = -Scalar(2) * ((d.h_C_CEG + t01 * d.psi_C_BC.sin
+        - t02 * d.psi_C_BC.cos) * d.psi_G_CEG.cos + (t01 * d.psi_C_BC.cos
+        + t02 * d.psi_C_BC.sin) * d.psi_G_CEG.sin + d.h_G_FG - d.h_G_CEG);
   }
 
   /// The other unknowns of a configuration in which those of the reduced
@@ -1612,13 +1538,13 @@ struct Model15 {
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     const Scalar t01 = q.s_B + d.h_C_CEG * d.psi_C_BC.sin - q.s_C * d.psi_C_BC.cos;
-    const Scalar t02 = q.s_C * d.psi_C_BC.sin + d.psi_C_BC.cos * d.h_C_CEG;
-    const Scalar t03 = q.s_B + u.phi_B.cos * FB_x + u.phi_B.sin * FB_y;
-    const Scalar t04 = u.phi_B.cos * FB_y - u.phi_B.sin * FB_x;
+    const Scalar t02 = q.s_C * d.psi_C_BC.sin + d.h_C_CEG * d.psi_C_BC.cos;
+    const Scalar t03 = q.s_B + FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
+    const Scalar t04 = FB_y * u.phi_B.cos - FB_x * u.phi_B.sin;
     q.s_D = (t01 * u.phi_B.cos + t02 * u.phi_B.sin + FB_x - FD_x) * u.phi_D.cos + (t01 * u.phi_B.sin
-        + FB_y - u.phi_B.cos * t02 - FD_y) * u.phi_D.sin;
-    q.s_G = (q.s_C - d.psi_C_BC.cos * t03 - d.psi_C_BC.sin * t04) * d.psi_G_CEG.cos + (d.h_C_CEG
-        + d.psi_C_BC.sin * t03 - d.psi_C_BC.cos * t04) * d.psi_G_CEG.sin;
+        + FB_y - t02 * u.phi_B.cos - FD_y) * u.phi_D.sin;
+    q.s_G = (q.s_C - t03 * d.psi_C_BC.cos - t04 * d.psi_C_BC.sin) * d.psi_G_CEG.cos + (d.h_C_CEG
+        + t03 * d.psi_C_BC.sin - t04 * d.psi_C_BC.cos) * d.psi_G_CEG.sin;
   }
 };
 

@@ -31,14 +31,14 @@ namespace assur::triad {
 ///   none: the group is no structure
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
-///   residual:                     30, 26, 0
+///   residual:                     26, 24, 0
 ///   jacobian:                     12, 6, 0
-///   dimension_jacobian:           26, 14, 0
-///   input_jacobian:               30, 18, 0
-///   velocity_rhs:                 36, 28, 0
-///   acceleration_rhs:             68, 46, 0
-///   jerk_rhs:                     114, 70, 0
-///   curvature_rhs:                96, 63, 0
+///   dimension_jacobian:           22, 12, 0
+///   input_jacobian:               26, 16, 0
+///   velocity_rhs:                 32, 26, 0
+///   acceleration_rhs:             64, 44, 0
+///   jerk_rhs:                     110, 68, 0
+///   curvature_rhs:                92, 61, 0
 ///   link_poses:                   14, 10, 0
 ///   pose_jacobians:               10, 4, 0
 ///   link_velocities:              22, 16, 0
@@ -170,16 +170,14 @@ struct Model16 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
@@ -188,16 +186,16 @@ struct Model16 {
     const Scalar slide_E_y = q.s_E * sin_slide_E;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -(d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG) * d.h_G_CEG;
-    const Scalar CG_y = d.h_G_CEG * (d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG);
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = slide_C_x - u.x_B - slide_B_x;
-    const Scalar t04 = slide_C_y - u.y_B - slide_B_y;
-    f(0) = u.x_D + slide_D_x + t03 - slide_E_x;
-    f(1) = u.y_D + slide_D_y + t04 - slide_E_y;
-    f(2) = u.x_F + FG_x + t03 - CG_x - slide_G_x;
-    f(3) = u.y_F + FG_y + t04 - CG_y - slide_G_y;
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_C_x - u.x_B - slide_B_x;
+    const Scalar t02 = slide_C_y - u.y_B - slide_B_y;
+    f(0) = u.x_D + slide_D_x + t01 - slide_E_x;
+    f(1) = u.y_D + slide_D_y + t02 - slide_E_y;
+    f(2) = u.x_F + FG_x + t01 - CG_x - slide_G_x;
+    f(3) = u.y_F + FG_y + t02 - CG_y - slide_G_y;
   }
 
   /// J = df/dq.
@@ -205,12 +203,10 @@ struct Model16 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>&, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar cos_slide_E = d.psi_E_DE.cos * u.phi_D.cos - d.psi_E_DE.sin * u.phi_D.sin;
     const Scalar sin_slide_E = d.psi_E_DE.cos * u.phi_D.sin + u.phi_D.cos * d.psi_E_DE.sin;
     J(0, 0) = -u.phi_B.cos;
@@ -234,12 +230,10 @@ struct Model16 {
   static void dimension_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar cos_slide_E = d.psi_E_DE.cos * u.phi_D.cos - d.psi_E_DE.sin * u.phi_D.sin;
@@ -248,23 +242,23 @@ struct Model16 {
     const Scalar slide_E_y = q.s_E * sin_slide_E;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -(d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG) * d.h_G_CEG;
-    const Scalar CG_y = d.h_G_CEG * (d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG);
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = slide_G_y + CG_y - FG_y;
-    const Scalar t04 = slide_G_x + CG_x - FG_x;
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_G_y + CG_y - FG_y;
+    const Scalar t02 = slide_G_x + CG_x - FG_x;
     F_d(0, 3) = -slide_C_y;
     F_d(0, 4) = slide_E_y;
     F_d(1, 3) = slide_C_x;
     F_d(1, 4) = -slide_E_x;
-    F_d(2, 1) = t03;
+    F_d(2, 1) = t01;
     F_d(2, 2) = sin_FG;
-    F_d(2, 3) = t03 - slide_C_y;
+    F_d(2, 3) = t01 - slide_C_y;
     F_d(2, 5) = -sin_FG;
-    F_d(3, 1) = -t04;
+    F_d(3, 1) = -t02;
     F_d(3, 2) = -cos_FG;
-    F_d(3, 3) = slide_C_x - t04;
+    F_d(3, 3) = slide_C_x - t02;
     F_d(3, 5) = cos_FG;
   }
 
@@ -273,16 +267,14 @@ struct Model16 {
   static void input_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
@@ -291,25 +283,25 @@ struct Model16 {
     const Scalar slide_E_y = q.s_E * sin_slide_E;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -(d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG) * d.h_G_CEG;
-    const Scalar CG_y = d.h_G_CEG * (d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG);
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = slide_B_y - slide_C_y;
-    const Scalar t04 = slide_B_x - slide_C_x;
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_B_y - slide_C_y;
+    const Scalar t02 = slide_B_x - slide_C_x;
     F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = t03;
+    F_u(0, 2) = t01;
     F_u(0, 3) = Scalar(1);
     F_u(0, 5) = slide_E_y - slide_D_y;
     F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = -t04;
+    F_u(1, 2) = -t02;
     F_u(1, 4) = Scalar(1);
     F_u(1, 5) = slide_D_x - slide_E_x;
     F_u(2, 0) = -Scalar(1);
-    F_u(2, 2) = t03 + CG_y + slide_G_y - FG_y;
+    F_u(2, 2) = t01 + CG_y + slide_G_y - FG_y;
     F_u(2, 6) = Scalar(1);
     F_u(3, 1) = -Scalar(1);
-    F_u(3, 2) = FG_x - t04 - CG_x - slide_G_x;
+    F_u(3, 2) = FG_x - t02 - CG_x - slide_G_x;
     F_u(3, 7) = Scalar(1);
   }
 
@@ -326,16 +318,14 @@ struct Model16 {
     const Scalar omega_D = u_rate(5);
     const Scalar v_x_F = u_rate(6);
     const Scalar v_y_F = u_rate(7);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
@@ -344,16 +334,16 @@ struct Model16 {
     const Scalar slide_E_y = q.s_E * sin_slide_E;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -(d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG) * d.h_G_CEG;
-    const Scalar CG_y = d.h_G_CEG * (d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG);
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = slide_B_y - slide_C_y;
-    const Scalar t04 = slide_B_x - slide_C_x;
-    rhs(0) = (slide_D_y - slide_E_y) * omega_D + v_x_B - t03 * omega_B - v_x_D;
-    rhs(1) = omega_B * t04 + v_y_B - omega_D * (slide_D_x - slide_E_x) - v_y_D;
-    rhs(2) = v_x_B - v_x_F - omega_B * (t03 + CG_y + slide_G_y - FG_y);
-    rhs(3) = v_y_B + omega_B * (t04 + CG_x + slide_G_x - FG_x) - v_y_F;
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_B_y - slide_C_y;
+    const Scalar t02 = slide_B_x - slide_C_x;
+    rhs(0) = (slide_D_y - slide_E_y) * omega_D + v_x_B - t01 * omega_B - v_x_D;
+    rhs(1) = t02 * omega_B + v_y_B - (slide_D_x - slide_E_x) * omega_D - v_y_D;
+    rhs(2) = v_x_B - v_x_F - (t01 + CG_y + slide_G_y - FG_y) * omega_B;
+    rhs(3) = v_y_B + (t02 + CG_x + slide_G_x - FG_x) * omega_B - v_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -378,16 +368,14 @@ struct Model16 {
     const Scalar alpha_D = u_second_rate(5);
     const Scalar a_x_F = u_second_rate(6);
     const Scalar a_y_F = u_second_rate(7);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
@@ -396,28 +384,28 @@ struct Model16 {
     const Scalar slide_E_y = q.s_E * sin_slide_E;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -(d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG) * d.h_G_CEG;
-    const Scalar CG_y = d.h_G_CEG * (d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG);
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = slide_D_x - slide_E_x;
-    const Scalar t04 = slide_B_y - slide_C_y;
-    const Scalar t05 = slide_D_y - slide_E_y;
-    const Scalar t06 = slide_B_x - slide_C_x;
-    const Scalar t07 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t09 = t06 + CG_x + slide_G_x - FG_x;
-    const Scalar t10 = t04 + CG_y + slide_G_y - FG_y;
-    rhs(0) = omega_D * (t03 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
-        - Scalar(2) * sin_slide_E * v_s_E) + t05 * alpha_D + a_x_B - t04 * alpha_B - a_x_D
-        - omega_B * (t06 * omega_B + Scalar(2) * t07);
-    rhs(1) = omega_D * (omega_D * t05 + Scalar(2) * cos_slide_E * v_s_E
-        - Scalar(2) * u.phi_D.cos * v_s_D) + t06 * alpha_B + a_y_B - t03 * alpha_D - a_y_D
-        - omega_B * (omega_B * t04 - Scalar(2) * t08);
-    rhs(2) = a_x_B - a_x_F - omega_B * (Scalar(2) * t07 + Scalar(2) * sin_FG * v_s_G
-        + omega_B * t09) - alpha_B * t10;
-    rhs(3) = a_y_B + alpha_B * t09 + omega_B * (Scalar(2) * t08 + Scalar(2) * cos_FG * v_s_G
-        - omega_B * t10) - a_y_F;
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_D_x - slide_E_x;
+    const Scalar t02 = slide_B_y - slide_C_y;
+    const Scalar t03 = slide_D_y - slide_E_y;
+    const Scalar t04 = slide_B_x - slide_C_x;
+    const Scalar t05 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
+    const Scalar t06 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
+    const Scalar t07 = t04 + CG_x + slide_G_x - FG_x;
+    const Scalar t08 = t02 + CG_y + slide_G_y - FG_y;
+    rhs(0) = omega_D * (t01 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
+        - Scalar(2) * sin_slide_E * v_s_E) + t03 * alpha_D + a_x_B - t02 * alpha_B - a_x_D
+        - omega_B * (t04 * omega_B + Scalar(2) * t05);
+    rhs(1) = omega_D * (t03 * omega_D + Scalar(2) * cos_slide_E * v_s_E
+        - Scalar(2) * u.phi_D.cos * v_s_D) + t04 * alpha_B + a_y_B - t01 * alpha_D - a_y_D
+        - omega_B * (t02 * omega_B - Scalar(2) * t06);
+    rhs(2) = a_x_B - a_x_F - omega_B * (Scalar(2) * t05 + Scalar(2) * sin_FG * v_s_G
+        + t07 * omega_B) - t08 * alpha_B;
+    rhs(3) = a_y_B + t07 * alpha_B + omega_B * (Scalar(2) * t06 + Scalar(2) * cos_FG * v_s_G
+        - t08 * omega_B) - a_y_F;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -450,16 +438,14 @@ struct Model16 {
     const Scalar jerk_D = u_third_rate(5);
     const Scalar j_x_F = u_third_rate(6);
     const Scalar j_y_F = u_third_rate(7);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
@@ -468,40 +454,40 @@ struct Model16 {
     const Scalar slide_E_y = q.s_E * sin_slide_E;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -(d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG) * d.h_G_CEG;
-    const Scalar CG_y = d.h_G_CEG * (d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG);
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t04 = slide_B_y - slide_C_y;
-    const Scalar t05 = u.phi_D.sin * v_s_D - sin_slide_E * v_s_E;
-    const Scalar t06 = slide_D_y - slide_E_y;
-    const Scalar t07 = slide_B_x - slide_C_x;
-    const Scalar t08 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t09 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t10 = slide_D_x - slide_E_x;
-    const Scalar t11 = u.phi_D.cos * v_s_D - cos_slide_E * v_s_E;
-    const Scalar t12 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t13 = t03 + sin_FG * v_s_G;
-    const Scalar t14 = t04 + CG_y + slide_G_y - FG_y;
-    const Scalar t15 = t09 + cos_FG * v_s_G;
-    const Scalar t16 = t07 + CG_x + slide_G_x - FG_x;
-    rhs(0) = Scalar(3) * alpha_D * t05 + t06 * jerk_D + j_x_B + omega_D * (Scalar(3) * t10 * alpha_D
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
+    const Scalar t02 = slide_B_y - slide_C_y;
+    const Scalar t03 = u.phi_D.sin * v_s_D - sin_slide_E * v_s_E;
+    const Scalar t04 = slide_D_y - slide_E_y;
+    const Scalar t05 = slide_B_x - slide_C_x;
+    const Scalar t06 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
+    const Scalar t07 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
+    const Scalar t08 = slide_D_x - slide_E_x;
+    const Scalar t09 = u.phi_D.cos * v_s_D - cos_slide_E * v_s_E;
+    const Scalar t10 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
+    const Scalar t11 = t01 + sin_FG * v_s_G;
+    const Scalar t12 = t02 + CG_y + slide_G_y - FG_y;
+    const Scalar t13 = t07 + cos_FG * v_s_G;
+    const Scalar t14 = t05 + CG_x + slide_G_x - FG_x;
+    rhs(0) = Scalar(3) * alpha_D * t03 + t04 * jerk_D + j_x_B + omega_D * (Scalar(3) * t08 * alpha_D
         + Scalar(3) * u.phi_D.sin * a_s_D - Scalar(3) * sin_slide_E * a_s_E
-        - omega_D * (t06 * omega_D - Scalar(3) * t11)) - Scalar(3) * alpha_B * t03 - t04 * jerk_B
-        - j_x_D - omega_B * (Scalar(3) * t07 * alpha_B + Scalar(3) * t08 - omega_B * (t04 * omega_B
-        - Scalar(3) * t09));
-    rhs(1) = Scalar(3) * t09 * alpha_B + t07 * jerk_B + j_y_B + omega_D * (Scalar(3) * t06 * alpha_D
-        + Scalar(3) * cos_slide_E * a_s_E + omega_D * (Scalar(3) * t05 + omega_D * t10)
-        - Scalar(3) * u.phi_D.cos * a_s_D) - Scalar(3) * t11 * alpha_D - t10 * jerk_D - j_y_D
-        - omega_B * (Scalar(3) * t04 * alpha_B + omega_B * (Scalar(3) * t03 + omega_B * t07)
-        - Scalar(3) * t12);
-    rhs(2) = j_x_B - j_x_F - Scalar(3) * alpha_B * t13 - jerk_B * t14 - omega_B * (Scalar(3) * t08
-        + Scalar(3) * sin_FG * a_s_G + omega_B * (Scalar(3) * t15 - omega_B * t14)
-        + Scalar(3) * alpha_B * t16);
-    rhs(3) = j_y_B + Scalar(3) * alpha_B * t15 + jerk_B * t16 + omega_B * (Scalar(3) * t12
-        + Scalar(3) * cos_FG * a_s_G - Scalar(3) * alpha_B * t14 - omega_B * (Scalar(3) * t13
-        + omega_B * t16)) - j_y_F;
+        - omega_D * (t04 * omega_D - Scalar(3) * t09)) - Scalar(3) * alpha_B * t01 - t02 * jerk_B
+        - j_x_D - omega_B * (Scalar(3) * t05 * alpha_B + Scalar(3) * t06 - omega_B * (t02 * omega_B
+        - Scalar(3) * t07));
+    rhs(1) = Scalar(3) * t07 * alpha_B + t05 * jerk_B + j_y_B + omega_D * (Scalar(3) * t04 * alpha_D
+        + Scalar(3) * cos_slide_E * a_s_E + omega_D * (Scalar(3) * t03 + t08 * omega_D)
+        - Scalar(3) * u.phi_D.cos * a_s_D) - Scalar(3) * t09 * alpha_D - t08 * jerk_D - j_y_D
+        - omega_B * (Scalar(3) * t02 * alpha_B + omega_B * (Scalar(3) * t01 + t05 * omega_B)
+        - Scalar(3) * t10);
+    rhs(2) = j_x_B - j_x_F - Scalar(3) * alpha_B * t11 - t12 * jerk_B - omega_B * (Scalar(3) * t06
+        + Scalar(3) * sin_FG * a_s_G + omega_B * (Scalar(3) * t13 - t12 * omega_B)
+        + Scalar(3) * t14 * alpha_B);
+    rhs(3) = j_y_B + Scalar(3) * alpha_B * t13 + t14 * jerk_B + omega_B * (Scalar(3) * t10
+        + Scalar(3) * cos_FG * a_s_G - Scalar(3) * t12 * alpha_B - omega_B * (Scalar(3) * t11
+        + t14 * omega_B)) - j_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -523,16 +509,14 @@ struct Model16 {
     const Scalar v_h_G_FG = d_rate(5);
     const Scalar omega_B = u_rate(2);
     const Scalar omega_D = u_rate(5);
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
@@ -541,73 +525,71 @@ struct Model16 {
     const Scalar slide_E_y = q.s_E * sin_slide_E;
     const Scalar FG_x = -d.h_G_FG * sin_FG;
     const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -(d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG) * d.h_G_CEG;
-    const Scalar CG_y = d.h_G_CEG * (d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG);
-    const Scalar slide_G_x = cos_FG * q.s_G;
-    const Scalar slide_G_y = sin_FG * q.s_G;
-    const Scalar t03 = sin_slide_E * v_s_E;
-    const Scalar t04 = slide_E_x * omega_E_DE;
-    const Scalar t05 = sin_CEG * v_s_C;
-    const Scalar t06 = slide_C_x * omega_C_BC;
-    const Scalar t07 = slide_B_x - slide_C_x;
-    const Scalar t08 = u.phi_B.sin * v_s_B - t05;
-    const Scalar t09 = cos_slide_E * v_s_E;
-    const Scalar t10 = omega_E_DE * slide_E_y;
-    const Scalar t11 = cos_CEG * v_s_C;
-    const Scalar t12 = omega_C_BC * slide_C_y;
-    const Scalar t13 = slide_B_y - slide_C_y;
-    const Scalar t14 = u.phi_B.cos * v_s_B - t11;
-    const Scalar t15 = v_h_G_CEG - v_h_G_FG;
-    const Scalar t16 = cos_FG * t15 + sin_FG * v_s_G;
-    const Scalar t17 = slide_G_x + CG_x - FG_x;
-    const Scalar t18 = omega_G_CEG * t17;
-    const Scalar t19 = omega_C_BC * (slide_C_x - t17);
-    const Scalar t20 = t16 + t18;
-    const Scalar t21 = sin_FG * t15 - cos_FG * v_s_G;
-    const Scalar t22 = slide_G_y + CG_y - FG_y;
-    const Scalar t23 = omega_G_CEG * t22;
-    const Scalar t24 = omega_C_BC * (slide_C_y - t22);
-    const Scalar t25 = t21 + t23;
+    const Scalar CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = sin_slide_E * v_s_E;
+    const Scalar t02 = slide_E_x * omega_E_DE;
+    const Scalar t03 = sin_CEG * v_s_C;
+    const Scalar t04 = slide_C_x * omega_C_BC;
+    const Scalar t05 = slide_B_x - slide_C_x;
+    const Scalar t06 = u.phi_B.sin * v_s_B - t03;
+    const Scalar t07 = cos_slide_E * v_s_E;
+    const Scalar t08 = slide_E_y * omega_E_DE;
+    const Scalar t09 = cos_CEG * v_s_C;
+    const Scalar t10 = slide_C_y * omega_C_BC;
+    const Scalar t11 = slide_B_y - slide_C_y;
+    const Scalar t12 = u.phi_B.cos * v_s_B - t09;
+    const Scalar t13 = v_h_G_CEG - v_h_G_FG;
+    const Scalar t14 = cos_FG * t13 + sin_FG * v_s_G;
+    const Scalar t15 = slide_G_x + CG_x - FG_x;
+    const Scalar t16 = t15 * omega_G_CEG;
+    const Scalar t17 = (slide_C_x - t15) * omega_C_BC;
+    const Scalar t18 = t14 + t16;
+    const Scalar t19 = sin_FG * t13 - cos_FG * v_s_G;
+    const Scalar t20 = slide_G_y + CG_y - FG_y;
+    const Scalar t21 = t20 * omega_G_CEG;
+    const Scalar t22 = (slide_C_y - t20) * omega_C_BC;
+    const Scalar t23 = t19 + t21;
     rhs(0) = omega_D * ((slide_D_x - slide_E_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
-        - Scalar(2) * t03 - Scalar(2) * t04) + omega_C_BC * (Scalar(2) * t05 + t06)
-        - omega_E_DE * (Scalar(2) * t03 + t04) - omega_B * (t07 * omega_B + Scalar(2) * t08
-        - Scalar(2) * t06);
-    rhs(1) = omega_D * (omega_D * (slide_D_y - slide_E_y) + Scalar(2) * t09
-        - Scalar(2) * u.phi_D.cos * v_s_D - Scalar(2) * t10) + omega_E_DE * (Scalar(2) * t09 - t10)
-        - omega_C_BC * (Scalar(2) * t11 - t12) - omega_B * (omega_B * t13 - Scalar(2) * t12
-        - Scalar(2) * t14);
-    rhs(2) = omega_C_BC * (Scalar(2) * t05 + t19 - Scalar(2) * t20) + omega_B * (Scalar(2) * t19
-        - omega_B * (t07 + t17) - Scalar(2) * t08 - Scalar(2) * t20)
-        - omega_G_CEG * (Scalar(2) * t16 + t18);
-    rhs(3) = omega_B * (Scalar(2) * t24 + Scalar(2) * t14 - omega_B * (t13 + t22) - Scalar(2) * t25)
-        - omega_G_CEG * (Scalar(2) * t21 + t23) - omega_C_BC * (Scalar(2) * t11 + Scalar(2) * t25
-        - t24);
+        - Scalar(2) * t01 - Scalar(2) * t02) + omega_C_BC * (Scalar(2) * t03 + t04)
+        - omega_E_DE * (Scalar(2) * t01 + t02) - omega_B * (t05 * omega_B + Scalar(2) * t06
+        - Scalar(2) * t04);
+    rhs(1) = omega_D * ((slide_D_y - slide_E_y) * omega_D + Scalar(2) * t07
+        - Scalar(2) * u.phi_D.cos * v_s_D - Scalar(2) * t08) + omega_E_DE * (Scalar(2) * t07 - t08)
+        - omega_C_BC * (Scalar(2) * t09 - t10) - omega_B * (t11 * omega_B - Scalar(2) * t10
+        - Scalar(2) * t12);
+    rhs(2) = omega_C_BC * (Scalar(2) * t03 + t17 - Scalar(2) * t18) + omega_B * (Scalar(2) * t17
+        - (t05 + t15) * omega_B - Scalar(2) * t06 - Scalar(2) * t18)
+        - omega_G_CEG * (Scalar(2) * t14 + t16);
+    rhs(3) = omega_B * (Scalar(2) * t22 + Scalar(2) * t12 - (t11 + t20) * omega_B - Scalar(2) * t23)
+        - omega_G_CEG * (Scalar(2) * t19 + t21) - omega_C_BC * (Scalar(2) * t09 + Scalar(2) * t23
+        - t22);
   }
 
   /// Frames of the links in the fixed frame.
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar t01 = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar cos_CEG = t01;
-    const Scalar t02 = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar sin_CEG = t02;
-    const Scalar cos_FG = t01 * d.psi_G_CEG.cos - t02 * d.psi_G_CEG.sin;
-    const Scalar sin_FG = t02 * d.psi_G_CEG.cos + t01 * d.psi_G_CEG.sin;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t03 = u.x_B + slide_B_x;
-    const Scalar t04 = u.y_B + slide_B_y;
-    poses[0].x = t03 - slide_C_x;
-    poses[0].y = t04 - slide_C_y;
+    const Scalar t01 = u.x_B + slide_B_x;
+    const Scalar t02 = u.y_B + slide_B_y;
+    poses[0].x = t01 - slide_C_x;
+    poses[0].y = t02 - slide_C_y;
     poses[0].direction.cos = cos_CEG;
     poses[0].direction.sin = sin_CEG;
-    poses[1].x = t03;
-    poses[1].y = t04;
+    poses[1].x = t01;
+    poses[1].y = t02;
     poses[1].direction.cos = u.phi_B.cos;
     poses[1].direction.sin = u.phi_B.sin;
     poses[2].x = u.x_D + slide_D_x;
@@ -634,8 +616,8 @@ struct Model16 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     P_q(0, 0) = u.phi_B.cos;
@@ -691,20 +673,20 @@ struct Model16 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
     const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = t01 - (slide_B_y - slide_C_y) * omega_B - cos_CEG * v_s_C;
-    v(0, 1) = omega_B * (slide_B_x - slide_C_x) + t02 - sin_CEG * v_s_C;
+    v(0, 1) = (slide_B_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;
     v(0, 2) = omega_B;
     v(1, 0) = t01 - slide_B_y * omega_B;
-    v(1, 1) = omega_B * slide_B_x + t02;
+    v(1, 1) = slide_B_x * omega_B + t02;
     v(1, 2) = omega_B;
-    v(2, 0) = u.phi_D.cos * v_s_D + v_x_D - omega_D * slide_D_y;
-    v(2, 1) = u.phi_D.sin * v_s_D + v_y_D + omega_D * slide_D_x;
+    v(2, 0) = u.phi_D.cos * v_s_D + v_x_D - slide_D_y * omega_D;
+    v(2, 1) = u.phi_D.sin * v_s_D + v_y_D + slide_D_x * omega_D;
     v(2, 2) = omega_D;
     v(3, 0) = v_x_F;
     v(3, 1) = v_y_F;
@@ -737,8 +719,8 @@ struct Model16 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar t01 = slide_B_x - slide_C_x;
@@ -749,15 +731,15 @@ struct Model16 {
     const Scalar t06 = u.phi_B.sin * a_s_B + a_y_B;
     a(0, 0) = t04 - omega_B * (t01 * omega_B + Scalar(2) * t02 - Scalar(2) * sin_CEG * v_s_C)
         - t03 * alpha_B - cos_CEG * a_s_C;
-    a(0, 1) = t01 * alpha_B + t06 - omega_B * (omega_B * t03 + Scalar(2) * cos_CEG * v_s_C
+    a(0, 1) = t01 * alpha_B + t06 - omega_B * (t03 * omega_B + Scalar(2) * cos_CEG * v_s_C
         - Scalar(2) * t05) - sin_CEG * a_s_C;
     a(0, 2) = alpha_B;
     a(1, 0) = t04 - omega_B * (Scalar(2) * t02 + slide_B_x * omega_B) - slide_B_y * alpha_B;
-    a(1, 1) = omega_B * (Scalar(2) * t05 - omega_B * slide_B_y) + slide_B_x * alpha_B + t06;
+    a(1, 1) = omega_B * (Scalar(2) * t05 - slide_B_y * omega_B) + slide_B_x * alpha_B + t06;
     a(1, 2) = alpha_B;
     a(2, 0) = u.phi_D.cos * a_s_D + a_x_D - omega_D * (Scalar(2) * u.phi_D.sin * v_s_D
-        + omega_D * slide_D_x) - alpha_D * slide_D_y;
-    a(2, 1) = omega_D * (Scalar(2) * u.phi_D.cos * v_s_D - omega_D * slide_D_y)
+        + slide_D_x * omega_D) - slide_D_y * alpha_D;
+    a(2, 1) = omega_D * (Scalar(2) * u.phi_D.cos * v_s_D - slide_D_y * omega_D)
         + u.phi_D.sin * a_s_D + a_y_D + slide_D_x * alpha_D;
     a(2, 2) = alpha_D;
     a(3, 0) = a_x_F;
@@ -783,8 +765,8 @@ struct Model16 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar t01 = u.phi_B.sin * v_s_B;
@@ -792,15 +774,15 @@ struct Model16 {
     const Scalar t03 = slide_C_x * omega_C_BC;
     const Scalar t04 = u.phi_B.cos * v_s_B;
     const Scalar t05 = cos_CEG * v_s_C;
-    const Scalar t06 = omega_C_BC * slide_C_y;
+    const Scalar t06 = slide_C_y * omega_C_BC;
     p(0, 0) = omega_C_BC * (Scalar(2) * t02 + t03) - omega_B * ((slide_B_x - slide_C_x) * omega_B
         + Scalar(2) * t01 - Scalar(2) * t02 - Scalar(2) * t03);
-    p(0, 1) = -omega_B * (omega_B * (slide_B_y - slide_C_y) + Scalar(2) * t05 - Scalar(2) * t04
+    p(0, 1) = -omega_B * ((slide_B_y - slide_C_y) * omega_B + Scalar(2) * t05 - Scalar(2) * t04
         - Scalar(2) * t06) - omega_C_BC * (Scalar(2) * t05 - t06);
     p(1, 0) = -omega_B * (Scalar(2) * t01 + slide_B_x * omega_B);
-    p(1, 1) = omega_B * (Scalar(2) * t04 - omega_B * slide_B_y);
-    p(2, 0) = -omega_D * (Scalar(2) * u.phi_D.sin * v_s_D + omega_D * slide_D_x);
-    p(2, 1) = omega_D * (Scalar(2) * u.phi_D.cos * v_s_D - omega_D * slide_D_y);
+    p(1, 1) = omega_B * (Scalar(2) * t04 - slide_B_y * omega_B);
+    p(2, 0) = -omega_D * (Scalar(2) * u.phi_D.sin * v_s_D + slide_D_x * omega_D);
+    p(2, 1) = omega_D * (Scalar(2) * u.phi_D.cos * v_s_D - slide_D_y * omega_D);
   }
 
   /// (cos, sin) of each sum of angles that must vanish: assembled only at (1, 0).

@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     58, 37, 1
 ///   motion:                       105, 77, 1
 ///   sensitivities_and_motion:     205, 136, 1
-///   position_polynomial:          27, 21, 0
+///   position_polynomial:          31, 21, 0
 ///   second_equations:             20, 20, 0
 ///   complete:                     14, 18, 0
 struct Model17 {
@@ -191,20 +191,20 @@ struct Model17 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = q.theta_CEG.cos * d.CE;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos;
     const Scalar CE_y = d.CE * q.theta_CEG.sin;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = BC_x + u.x_B + slide_B_x;
     const Scalar t02 = BC_y + u.y_B + slide_B_y;
     f(0) = u.x_D + slide_D_x + DE_x - CE_x - t01;
@@ -218,10 +218,10 @@ struct Model17 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar CE_x = q.theta_CEG.cos * d.CE;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos;
     const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     J(0, 0) = CE_y;
     J(0, 1) = -u.phi_B.cos;
     J(0, 2) = u.phi_D.cos;
@@ -264,16 +264,16 @@ struct Model17 {
     F_u.setZero();
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = slide_B_y + BC_y;
     const Scalar t02 = slide_B_x + BC_x;
     F_u(0, 0) = -Scalar(1);
@@ -310,22 +310,22 @@ struct Model17 {
     const Scalar omega_F = u_rate(8);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = (slide_B_y + BC_y) * omega_B - v_x_B;
-    const Scalar t02 = omega_B * (slide_B_x + BC_x) + v_y_B;
+    const Scalar t02 = (slide_B_x + BC_x) * omega_B + v_y_B;
     rhs(0) = (slide_D_y + DE_y) * omega_D - v_x_D - t01;
-    rhs(1) = t02 - omega_D * (slide_D_x + DE_x) - v_y_D;
+    rhs(1) = t02 - (slide_D_x + DE_x) * omega_D - v_y_D;
     rhs(2) = (slide_F_y + FG_y) * omega_F - v_x_F - t01;
-    rhs(3) = t02 - omega_F * (slide_F_x + FG_x) - v_y_F;
+    rhs(3) = t02 - (slide_F_x + FG_x) * omega_F - v_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -353,20 +353,20 @@ struct Model17 {
     const Scalar alpha_F = u_second_rate(8);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = q.theta_CEG.cos * d.CE;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos;
     const Scalar CE_y = d.CE * q.theta_CEG.sin;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = slide_D_x + DE_x;
     const Scalar t02 = slide_D_y + DE_y;
     const Scalar t03 = omega_CEG * omega_CEG;
@@ -374,17 +374,17 @@ struct Model17 {
     const Scalar t05 = slide_B_y + BC_y;
     const Scalar t06 = a_x_B - omega_B * (t04 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B)
         - t05 * alpha_B;
-    const Scalar t07 = a_y_B + t04 * alpha_B - omega_B * (omega_B * t05
+    const Scalar t07 = a_y_B + t04 * alpha_B - omega_B * (t05 * omega_B
         - Scalar(2) * u.phi_B.cos * v_s_B);
     const Scalar t08 = slide_F_x + FG_x;
     const Scalar t09 = slide_F_y + FG_y;
     rhs(0) = omega_D * (t01 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D) + t02 * alpha_D + t06
         - a_x_D - CE_x * t03;
-    rhs(1) = omega_D * (omega_D * t02 - Scalar(2) * u.phi_D.cos * v_s_D) + t07 - t01 * alpha_D
+    rhs(1) = omega_D * (t02 * omega_D - Scalar(2) * u.phi_D.cos * v_s_D) + t07 - t01 * alpha_D
         - a_y_D - CE_y * t03;
     rhs(2) = omega_F * (t08 * omega_F + Scalar(2) * u.phi_F.sin * v_s_F) + t09 * alpha_F + t06
         - a_x_F - CG_x * t03;
-    rhs(3) = omega_F * (omega_F * t09 - Scalar(2) * u.phi_F.cos * v_s_F) + t07 - t08 * alpha_F
+    rhs(3) = omega_F * (t09 * omega_F - Scalar(2) * u.phi_F.cos * v_s_F) + t07 - t08 * alpha_F
         - a_y_F - CG_y * t03;
   }
 
@@ -421,20 +421,20 @@ struct Model17 {
     const Scalar jerk_F = u_third_rate(8);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = q.theta_CEG.cos * d.CE;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos;
     const Scalar CE_y = d.CE * q.theta_CEG.sin;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = slide_D_y + DE_y;
     const Scalar t02 = u.phi_D.cos * v_s_D;
     const Scalar t03 = slide_D_x + DE_x;
@@ -447,7 +447,7 @@ struct Model17 {
     const Scalar t10 = omega_B * (omega_B * (t06 * omega_B - Scalar(3) * t07)
         - Scalar(3) * t08 * alpha_B - Scalar(3) * u.phi_B.sin * a_s_B) - t06 * jerk_B + j_x_B
         - Scalar(3) * alpha_B * t09;
-    const Scalar t11 = omega_B * (omega_B * (omega_B * t08 + Scalar(3) * t09)
+    const Scalar t11 = omega_B * (omega_B * (t08 * omega_B + Scalar(3) * t09)
         + Scalar(3) * t06 * alpha_B - Scalar(3) * u.phi_B.cos * a_s_B) - t08 * jerk_B - j_y_B
         - Scalar(3) * t07 * alpha_B;
     const Scalar t12 = slide_F_y + FG_y;
@@ -456,16 +456,16 @@ struct Model17 {
     const Scalar t15 = u.phi_F.sin * v_s_F;
     rhs(0) = t01 * jerk_D + Scalar(3) * alpha_D * t05 + t10 - omega_D * (omega_D * (t01 * omega_D
         - Scalar(3) * t02) - Scalar(3) * t03 * alpha_D - Scalar(3) * u.phi_D.sin * a_s_D) - j_x_D
-        - omega_CEG * (Scalar(3) * alpha_CEG * CE_x - CE_y * t04);
-    rhs(1) = omega_D * (omega_D * (omega_D * t03 + Scalar(3) * t05) + Scalar(3) * t01 * alpha_D
+        - omega_CEG * (Scalar(3) * CE_x * alpha_CEG - CE_y * t04);
+    rhs(1) = omega_D * (omega_D * (t03 * omega_D + Scalar(3) * t05) + Scalar(3) * t01 * alpha_D
         - Scalar(3) * u.phi_D.cos * a_s_D) - t03 * jerk_D - j_y_D
         - omega_CEG * (Scalar(3) * CE_y * alpha_CEG + CE_x * t04) - Scalar(3) * t02 * alpha_D - t11;
     rhs(2) = t12 * jerk_F + Scalar(3) * alpha_F * t15 + t10 - omega_F * (omega_F * (t12 * omega_F
         - Scalar(3) * t13) - Scalar(3) * t14 * alpha_F - Scalar(3) * u.phi_F.sin * a_s_F) - j_x_F
-        - omega_CEG * (Scalar(3) * alpha_CEG * CG_x - CG_y * t04);
-    rhs(3) = omega_F * (omega_F * (omega_F * t14 + Scalar(3) * t15) + Scalar(3) * t12 * alpha_F
+        - omega_CEG * (Scalar(3) * CG_x * alpha_CEG - CG_y * t04);
+    rhs(3) = omega_F * (omega_F * (t14 * omega_F + Scalar(3) * t15) + Scalar(3) * t12 * alpha_F
         - Scalar(3) * u.phi_F.cos * a_s_F) - t14 * jerk_F - j_y_F
-        - omega_CEG * (Scalar(3) * alpha_CEG * CG_y + CG_x * t04) - Scalar(3) * t13 * alpha_F - t11;
+        - omega_CEG * (Scalar(3) * CG_y * alpha_CEG + CG_x * t04) - Scalar(3) * t13 * alpha_F - t11;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -490,37 +490,37 @@ struct Model17 {
     const Scalar omega_F = u_rate(8);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
-    const Scalar CE_x = q.theta_CEG.cos * d.CE;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos;
     const Scalar CE_y = d.CE * q.theta_CEG.sin;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
-    const Scalar CG_x = q.theta_CEG.cos * d.x_G_CEG - q.theta_CEG.sin * d.y_G_CEG;
-    const Scalar CG_y = q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
-    const Scalar t02 = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+    const Scalar t02 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BC);
     rhs(0) = omega_D * ((slide_D_x + DE_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * u.phi_D.cos * v_h_D_DE) - t01
-        - omega_CEG * (Scalar(2) * q.theta_CEG.sin * v_CE + omega_CEG * CE_x);
-    rhs(1) = omega_D * (omega_D * (slide_D_y + DE_y) - Scalar(2) * u.phi_D.cos * v_s_D
+        - omega_CEG * (Scalar(2) * q.theta_CEG.sin * v_CE + CE_x * omega_CEG);
+    rhs(1) = omega_D * ((slide_D_y + DE_y) * omega_D - Scalar(2) * u.phi_D.cos * v_s_D
         - Scalar(2) * u.phi_D.sin * v_h_D_DE) + omega_CEG * (Scalar(2) * q.theta_CEG.cos * v_CE
-        - omega_CEG * CE_y) - t02;
+        - CE_y * omega_CEG) - t02;
     rhs(2) = omega_F * ((slide_F_x + FG_x) * omega_F + Scalar(2) * u.phi_F.sin * v_s_F
         - Scalar(2) * u.phi_F.cos * v_h_F_FG) - t01
         - omega_CEG * (Scalar(2) * q.theta_CEG.cos * v_y_G_CEG
-        + Scalar(2) * q.theta_CEG.sin * v_x_G_CEG + omega_CEG * CG_x);
-    rhs(3) = omega_F * (omega_F * (slide_F_y + FG_y) - Scalar(2) * u.phi_F.cos * v_s_F
+        + Scalar(2) * q.theta_CEG.sin * v_x_G_CEG + CG_x * omega_CEG);
+    rhs(3) = omega_F * ((slide_F_y + FG_y) * omega_F - Scalar(2) * u.phi_F.cos * v_s_F
         - Scalar(2) * u.phi_F.sin * v_h_F_FG) + omega_CEG * (Scalar(2) * q.theta_CEG.cos * v_x_G_CEG
-        - Scalar(2) * q.theta_CEG.sin * v_y_G_CEG - omega_CEG * CG_y) - t02;
+        - Scalar(2) * q.theta_CEG.sin * v_y_G_CEG - CG_y * omega_CEG) - t02;
   }
 
   /// Frames of the links in the fixed frame.
@@ -529,16 +529,16 @@ struct Model17 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = u.x_B + slide_B_x + BC_x;
     const Scalar t02 = u.y_B + slide_B_y + BC_y;
     poses[0].x = t01;
@@ -571,16 +571,16 @@ struct Model17 {
     P_u.setZero();
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = slide_B_y + BC_y;
     const Scalar t02 = slide_B_x + BC_x;
     P_q(0, 1) = u.phi_B.cos;
@@ -641,18 +641,18 @@ struct Model17 {
     const Scalar omega_F = u_rate(8);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = (slide_B_y + BC_y) * omega_B - u.phi_B.cos * v_s_B - v_x_B;
-    const Scalar t02 = omega_B * (slide_B_x + BC_x) + u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar t02 = (slide_B_x + BC_x) * omega_B + u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = -t01;
     v(0, 1) = t02;
     v(0, 2) = omega_CEG;
@@ -660,10 +660,10 @@ struct Model17 {
     v(1, 1) = t02;
     v(1, 2) = omega_B;
     v(2, 0) = u.phi_D.cos * v_s_D + v_x_D - (slide_D_y + DE_y) * omega_D;
-    v(2, 1) = omega_D * (slide_D_x + DE_x) + u.phi_D.sin * v_s_D + v_y_D;
+    v(2, 1) = (slide_D_x + DE_x) * omega_D + u.phi_D.sin * v_s_D + v_y_D;
     v(2, 2) = omega_D;
     v(3, 0) = u.phi_F.cos * v_s_F + v_x_F - (slide_F_y + FG_y) * omega_F;
-    v(3, 1) = omega_F * (slide_F_x + FG_x) + u.phi_F.sin * v_s_F + v_y_F;
+    v(3, 1) = (slide_F_x + FG_x) * omega_F + u.phi_F.sin * v_s_F + v_y_F;
     v(3, 2) = omega_F;
   }
 
@@ -694,21 +694,21 @@ struct Model17 {
     const Scalar alpha_F = u_second_rate(8);
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = slide_B_x + BC_x;
     const Scalar t02 = slide_B_y + BC_y;
     const Scalar t03 = omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B) + t02 * alpha_B
         - u.phi_B.cos * a_s_B - a_x_B;
-    const Scalar t04 = omega_B * (omega_B * t02 - Scalar(2) * u.phi_B.cos * v_s_B) - t01 * alpha_B
+    const Scalar t04 = omega_B * (t02 * omega_B - Scalar(2) * u.phi_B.cos * v_s_B) - t01 * alpha_B
         - u.phi_B.sin * a_s_B - a_y_B;
     const Scalar t05 = slide_D_x + DE_x;
     const Scalar t06 = slide_D_y + DE_y;
@@ -722,12 +722,12 @@ struct Model17 {
     a(1, 2) = alpha_B;
     a(2, 0) = u.phi_D.cos * a_s_D + a_x_D - omega_D * (t05 * omega_D
         + Scalar(2) * u.phi_D.sin * v_s_D) - t06 * alpha_D;
-    a(2, 1) = t05 * alpha_D + u.phi_D.sin * a_s_D + a_y_D - omega_D * (omega_D * t06
+    a(2, 1) = t05 * alpha_D + u.phi_D.sin * a_s_D + a_y_D - omega_D * (t06 * omega_D
         - Scalar(2) * u.phi_D.cos * v_s_D);
     a(2, 2) = alpha_D;
     a(3, 0) = u.phi_F.cos * a_s_F + a_x_F - omega_F * (t07 * omega_F
         + Scalar(2) * u.phi_F.sin * v_s_F) - t08 * alpha_F;
-    a(3, 1) = t07 * alpha_F + u.phi_F.sin * a_s_F + a_y_F - omega_F * (omega_F * t08
+    a(3, 1) = t07 * alpha_F + u.phi_F.sin * a_s_F + a_y_F - omega_F * (t08 * omega_F
         - Scalar(2) * u.phi_F.cos * v_s_F);
     a(3, 2) = alpha_F;
   }
@@ -751,19 +751,19 @@ struct Model17 {
     p.setZero();
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
     const Scalar slide_B_x = q.s_B * u.phi_B.cos;
     const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = u.phi_B.sin * d.h_B_BC;
-    const Scalar BC_y = -u.phi_B.cos * d.h_B_BC;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
-    const Scalar t02 = omega_B * (omega_B * (slide_B_y + BC_y) - Scalar(2) * u.phi_B.cos * v_s_B
+    const Scalar t02 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BC);
     p(0, 0) = -t01;
     p(0, 1) = -t02;
@@ -771,11 +771,11 @@ struct Model17 {
     p(1, 1) = -t02;
     p(2, 0) = -omega_D * ((slide_D_x + DE_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * u.phi_D.cos * v_h_D_DE);
-    p(2, 1) = -omega_D * (omega_D * (slide_D_y + DE_y) - Scalar(2) * u.phi_D.cos * v_s_D
+    p(2, 1) = -omega_D * ((slide_D_y + DE_y) * omega_D - Scalar(2) * u.phi_D.cos * v_s_D
         - Scalar(2) * u.phi_D.sin * v_h_D_DE);
     p(3, 0) = -omega_F * ((slide_F_x + FG_x) * omega_F + Scalar(2) * u.phi_F.sin * v_s_F
         - Scalar(2) * u.phi_F.cos * v_h_F_FG);
-    p(3, 1) = -omega_F * (omega_F * (slide_F_y + FG_y) - Scalar(2) * u.phi_F.cos * v_s_F
+    p(3, 1) = -omega_F * ((slide_F_y + FG_y) * omega_F - Scalar(2) * u.phi_F.cos * v_s_F
         - Scalar(2) * u.phi_F.sin * v_h_F_FG);
   }
 
@@ -798,8 +798,8 @@ struct Model17 {
     const Scalar CEG_along_slide_D = -d.CE * cos_CEG_minus_phi_D;
     const Scalar CEG_along_slide_F = d.y_G_CEG * sin_CEG_minus_phi_F
         - d.x_G_CEG * cos_CEG_minus_phi_F;
-    const Scalar determinant = sin_phi_B_minus_phi_D * CEG_along_slide_F
-        - sin_phi_B_minus_phi_F * CEG_along_slide_D;
+    const Scalar determinant = CEG_along_slide_F * sin_phi_B_minus_phi_D
+        - CEG_along_slide_D * sin_phi_B_minus_phi_F;
     const Scalar t01 = abs(d.y_G_CEG) + abs(d.CE) + abs(d.x_G_CEG);
     p(0) = determinant;
     size(0) = Scalar(2) * abs(q.s_B) + abs(q.s_D) + abs(q.s_F) + Scalar(2) * abs(d.h_B_BC)
@@ -828,26 +828,26 @@ struct Model17 {
     const Scalar CEG_along_slide_F = d.y_G_CEG * sin_CEG_minus_phi_F
         - d.x_G_CEG * cos_CEG_minus_phi_F;
     const Scalar CEG_across_slide_F = -d.x_G_CEG * sin_CEG_minus_phi_F
-        - cos_CEG_minus_phi_F * d.y_G_CEG;
-    const Scalar determinant = sin_phi_B_minus_phi_D * CEG_along_slide_F
-        - sin_phi_B_minus_phi_F * CEG_along_slide_D;
+        - d.y_G_CEG * cos_CEG_minus_phi_F;
+    const Scalar determinant = CEG_along_slide_F * sin_phi_B_minus_phi_D
+        - CEG_along_slide_D * sin_phi_B_minus_phi_F;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
-    const Scalar CEG_per_across_slide_D = -sin_phi_B_minus_phi_F * inverse;
+    const Scalar CEG_per_across_slide_D = -inverse * sin_phi_B_minus_phi_F;
     const Scalar s_B_per_across_slide_D = -CEG_along_slide_F * inverse;
     const Scalar s_F_per_across_slide_D = cos_phi_B_minus_phi_F * s_B_per_across_slide_D
         + CEG_across_slide_F * CEG_per_across_slide_D;
     const Scalar s_D_per_across_slide_D = s_B_per_across_slide_D * cos_phi_B_minus_phi_D
         + CEG_per_across_slide_D * CEG_across_slide_D;
-    const Scalar CEG_per_across_slide_F = sin_phi_B_minus_phi_D * inverse;
+    const Scalar CEG_per_across_slide_F = inverse * sin_phi_B_minus_phi_D;
     const Scalar s_B_per_across_slide_F = CEG_along_slide_D * inverse;
     const Scalar s_F_per_across_slide_F = cos_phi_B_minus_phi_F * s_B_per_across_slide_F
         + CEG_across_slide_F * CEG_per_across_slide_F;
     const Scalar s_D_per_across_slide_F = cos_phi_B_minus_phi_D * s_B_per_across_slide_F
         + CEG_across_slide_D * CEG_per_across_slide_F;
-    J_inverse(0, 0) = -u.phi_D.sin * CEG_per_across_slide_D;
-    J_inverse(0, 1) = u.phi_D.cos * CEG_per_across_slide_D;
-    J_inverse(0, 2) = -u.phi_F.sin * CEG_per_across_slide_F;
-    J_inverse(0, 3) = u.phi_F.cos * CEG_per_across_slide_F;
+    J_inverse(0, 0) = -CEG_per_across_slide_D * u.phi_D.sin;
+    J_inverse(0, 1) = CEG_per_across_slide_D * u.phi_D.cos;
+    J_inverse(0, 2) = -CEG_per_across_slide_F * u.phi_F.sin;
+    J_inverse(0, 3) = CEG_per_across_slide_F * u.phi_F.cos;
     J_inverse(1, 0) = -u.phi_D.sin * s_B_per_across_slide_D;
     J_inverse(1, 1) = u.phi_D.cos * s_B_per_across_slide_D;
     J_inverse(1, 2) = -u.phi_F.sin * s_B_per_across_slide_F;
@@ -881,7 +881,7 @@ struct Model17 {
         - q.theta_CEG.cos * u.phi_F.sin;
     const Scalar phi_B_along_slide_D = -q.s_B * cos_phi_B_minus_phi_D
         - d.h_B_BC * sin_phi_B_minus_phi_D;
-    const Scalar phi_B_across_slide_D = cos_phi_B_minus_phi_D * d.h_B_BC
+    const Scalar phi_B_across_slide_D = d.h_B_BC * cos_phi_B_minus_phi_D
         - q.s_B * sin_phi_B_minus_phi_D;
     const Scalar CEG_along_slide_D = -d.CE * cos_CEG_minus_phi_D;
     const Scalar CEG_across_slide_D = -d.CE * sin_CEG_minus_phi_D;
@@ -892,43 +892,43 @@ struct Model17 {
     const Scalar CEG_along_slide_F = d.y_G_CEG * sin_CEG_minus_phi_F
         - d.x_G_CEG * cos_CEG_minus_phi_F;
     const Scalar CEG_across_slide_F = -d.x_G_CEG * sin_CEG_minus_phi_F
-        - cos_CEG_minus_phi_F * d.y_G_CEG;
-    const Scalar determinant = sin_phi_B_minus_phi_D * CEG_along_slide_F
-        - sin_phi_B_minus_phi_F * CEG_along_slide_D;
+        - d.y_G_CEG * cos_CEG_minus_phi_F;
+    const Scalar determinant = CEG_along_slide_F * sin_phi_B_minus_phi_D
+        - CEG_along_slide_D * sin_phi_B_minus_phi_F;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
-    const Scalar CEG_per_across_slide_D = -sin_phi_B_minus_phi_F * inverse;
+    const Scalar CEG_per_across_slide_D = -inverse * sin_phi_B_minus_phi_F;
     const Scalar s_B_per_across_slide_D = -CEG_along_slide_F * inverse;
     const Scalar s_F_per_across_slide_D = cos_phi_B_minus_phi_F * s_B_per_across_slide_D
         + CEG_across_slide_F * CEG_per_across_slide_D;
     const Scalar t01 = cos_phi_B_minus_phi_D * s_B_per_across_slide_D;
     const Scalar s_D_per_across_slide_D = t01 + CEG_per_across_slide_D * CEG_across_slide_D;
-    const Scalar CEG_per_across_slide_F = sin_phi_B_minus_phi_D * inverse;
+    const Scalar CEG_per_across_slide_F = inverse * sin_phi_B_minus_phi_D;
     const Scalar s_B_per_across_slide_F = CEG_along_slide_D * inverse;
     const Scalar t02 = cos_phi_B_minus_phi_F * s_B_per_across_slide_F;
     const Scalar s_F_per_across_slide_F = t02 + CEG_across_slide_F * CEG_per_across_slide_F;
     const Scalar s_D_per_across_slide_F = cos_phi_B_minus_phi_D * s_B_per_across_slide_F
         + CEG_across_slide_D * CEG_per_across_slide_F;
-    const Scalar t03 = u.phi_D.sin * CEG_per_across_slide_D;
-    const Scalar t04 = u.phi_F.sin * CEG_per_across_slide_F;
-    const Scalar t05 = u.phi_D.cos * CEG_per_across_slide_D;
-    const Scalar t06 = u.phi_F.cos * CEG_per_across_slide_F;
-    const Scalar t07 = u.phi_D.sin * s_B_per_across_slide_D;
-    const Scalar t08 = u.phi_F.sin * s_B_per_across_slide_F;
-    const Scalar t09 = u.phi_D.cos * s_B_per_across_slide_D;
-    const Scalar t10 = u.phi_F.cos * s_B_per_across_slide_F;
-    const Scalar t11 = u.phi_F.sin * s_D_per_across_slide_F;
-    const Scalar t12 = u.phi_D.cos - u.phi_D.sin * s_D_per_across_slide_D;
-    const Scalar t13 = u.phi_F.cos * s_D_per_across_slide_F;
-    const Scalar t14 = u.phi_D.sin + u.phi_D.cos * s_D_per_across_slide_D;
-    const Scalar t15 = u.phi_D.sin * s_F_per_across_slide_D;
-    const Scalar t16 = u.phi_F.cos - u.phi_F.sin * s_F_per_across_slide_F;
-    const Scalar t17 = u.phi_D.cos * s_F_per_across_slide_D;
-    const Scalar t18 = u.phi_F.sin + u.phi_F.cos * s_F_per_across_slide_F;
-    S_d(0, 0) = sin_CEG_minus_phi_D * CEG_per_across_slide_D;
-    S_d(0, 1) = sin_CEG_minus_phi_F * CEG_per_across_slide_F;
-    S_d(0, 2) = cos_CEG_minus_phi_F * CEG_per_across_slide_F;
-    S_d(0, 3) = -cos_phi_B_minus_phi_D * CEG_per_across_slide_D
-        - cos_phi_B_minus_phi_F * CEG_per_across_slide_F;
+    const Scalar CEG_per_x_D = CEG_per_across_slide_D * u.phi_D.sin;
+    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
+    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
+    const Scalar s_F_per_x_D = u.phi_D.sin * s_F_per_across_slide_D;
+    const Scalar CEG_per_y_D = -CEG_per_across_slide_D * u.phi_D.cos;
+    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
+    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
+    const Scalar s_F_per_y_D = -u.phi_D.cos * s_F_per_across_slide_D;
+    const Scalar CEG_per_x_F = CEG_per_across_slide_F * u.phi_F.sin;
+    const Scalar s_B_per_x_F = u.phi_F.sin * s_B_per_across_slide_F;
+    const Scalar s_D_per_x_F = u.phi_F.sin * s_D_per_across_slide_F;
+    const Scalar s_F_per_x_F = u.phi_F.sin * s_F_per_across_slide_F - u.phi_F.cos;
+    const Scalar CEG_per_y_F = -CEG_per_across_slide_F * u.phi_F.cos;
+    const Scalar s_B_per_y_F = -u.phi_F.cos * s_B_per_across_slide_F;
+    const Scalar s_D_per_y_F = -u.phi_F.cos * s_D_per_across_slide_F;
+    const Scalar s_F_per_y_F = -u.phi_F.sin - u.phi_F.cos * s_F_per_across_slide_F;
+    S_d(0, 0) = CEG_per_across_slide_D * sin_CEG_minus_phi_D;
+    S_d(0, 1) = CEG_per_across_slide_F * sin_CEG_minus_phi_F;
+    S_d(0, 2) = CEG_per_across_slide_F * cos_CEG_minus_phi_F;
+    S_d(0, 3) = -CEG_per_across_slide_D * cos_phi_B_minus_phi_D
+        - CEG_per_across_slide_F * cos_phi_B_minus_phi_F;
     S_d(0, 4) = CEG_per_across_slide_D;
     S_d(0, 5) = CEG_per_across_slide_F;
     S_d(1, 0) = sin_CEG_minus_phi_D * s_B_per_across_slide_D;
@@ -951,46 +951,46 @@ struct Model17 {
         - cos_phi_B_minus_phi_F * s_F_per_across_slide_F;
     S_d(3, 4) = s_F_per_across_slide_D;
     S_d(3, 5) = s_F_per_across_slide_F;
-    S_u(0, 0) = -t03 - t04;
-    S_u(0, 1) = t05 + t06;
+    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;
+    S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
     S_u(0, 2) = -CEG_per_across_slide_D * phi_B_along_slide_D
         - CEG_per_across_slide_F * phi_B_along_slide_F;
-    S_u(0, 3) = t03;
-    S_u(0, 4) = -t05;
+    S_u(0, 3) = CEG_per_x_D;
+    S_u(0, 4) = CEG_per_y_D;
     S_u(0, 5) = -CEG_per_across_slide_D * q.s_D;
-    S_u(0, 6) = t04;
-    S_u(0, 7) = -t06;
+    S_u(0, 6) = CEG_per_x_F;
+    S_u(0, 7) = CEG_per_y_F;
     S_u(0, 8) = -CEG_per_across_slide_F * q.s_F;
-    S_u(1, 0) = -t07 - t08;
-    S_u(1, 1) = t09 + t10;
-    S_u(1, 2) = -s_B_per_across_slide_D * phi_B_along_slide_D
-        - s_B_per_across_slide_F * phi_B_along_slide_F;
-    S_u(1, 3) = t07;
-    S_u(1, 4) = -t09;
-    S_u(1, 5) = -s_B_per_across_slide_D * q.s_D;
-    S_u(1, 6) = t08;
-    S_u(1, 7) = -t10;
-    S_u(1, 8) = -s_B_per_across_slide_F * q.s_F;
-    S_u(2, 0) = t12 - t11;
-    S_u(2, 1) = t13 + t14;
-    S_u(2, 2) = phi_B_across_slide_D - s_D_per_across_slide_D * phi_B_along_slide_D
-        - s_D_per_across_slide_F * phi_B_along_slide_F;
-    S_u(2, 3) = -t12;
-    S_u(2, 4) = -t14;
-    S_u(2, 5) = -s_D_per_across_slide_D * q.s_D - d.h_D_DE;
-    S_u(2, 6) = t11;
-    S_u(2, 7) = -t13;
-    S_u(2, 8) = -s_D_per_across_slide_F * q.s_F;
-    S_u(3, 0) = t16 - t15;
-    S_u(3, 1) = t17 + t18;
-    S_u(3, 2) = phi_B_across_slide_F - s_F_per_across_slide_D * phi_B_along_slide_D
-        - s_F_per_across_slide_F * phi_B_along_slide_F;
-    S_u(3, 3) = t15;
-    S_u(3, 4) = -t17;
-    S_u(3, 5) = -s_F_per_across_slide_D * q.s_D;
-    S_u(3, 6) = -t16;
-    S_u(3, 7) = -t18;
-    S_u(3, 8) = -s_F_per_across_slide_F * q.s_F - d.h_F_FG;
+    S_u(1, 0) = -s_B_per_x_D - s_B_per_x_F;
+    S_u(1, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_u(1, 2) = -phi_B_along_slide_D * s_B_per_across_slide_D
+        - phi_B_along_slide_F * s_B_per_across_slide_F;
+    S_u(1, 3) = s_B_per_x_D;
+    S_u(1, 4) = s_B_per_y_D;
+    S_u(1, 5) = -q.s_D * s_B_per_across_slide_D;
+    S_u(1, 6) = s_B_per_x_F;
+    S_u(1, 7) = s_B_per_y_F;
+    S_u(1, 8) = -q.s_F * s_B_per_across_slide_F;
+    S_u(2, 0) = -s_D_per_x_D - s_D_per_x_F;
+    S_u(2, 1) = -s_D_per_y_D - s_D_per_y_F;
+    S_u(2, 2) = phi_B_across_slide_D - phi_B_along_slide_D * s_D_per_across_slide_D
+        - phi_B_along_slide_F * s_D_per_across_slide_F;
+    S_u(2, 3) = s_D_per_x_D;
+    S_u(2, 4) = s_D_per_y_D;
+    S_u(2, 5) = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
+    S_u(2, 6) = s_D_per_x_F;
+    S_u(2, 7) = s_D_per_y_F;
+    S_u(2, 8) = -q.s_F * s_D_per_across_slide_F;
+    S_u(3, 0) = -s_F_per_x_D - s_F_per_x_F;
+    S_u(3, 1) = -s_F_per_y_D - s_F_per_y_F;
+    S_u(3, 2) = phi_B_across_slide_F - phi_B_along_slide_D * s_F_per_across_slide_D
+        - phi_B_along_slide_F * s_F_per_across_slide_F;
+    S_u(3, 3) = s_F_per_x_D;
+    S_u(3, 4) = s_F_per_y_D;
+    S_u(3, 5) = -q.s_D * s_F_per_across_slide_D;
+    S_u(3, 6) = s_F_per_x_F;
+    S_u(3, 7) = s_F_per_y_F;
+    S_u(3, 8) = -q.s_F * s_F_per_across_slide_F - d.h_F_FG;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1021,7 +1021,7 @@ struct Model17 {
         - q.theta_CEG.cos * u.phi_F.sin;
     const Scalar phi_B_along_slide_D = -q.s_B * cos_phi_B_minus_phi_D
         - d.h_B_BC * sin_phi_B_minus_phi_D;
-    const Scalar phi_B_across_slide_D = cos_phi_B_minus_phi_D * d.h_B_BC
+    const Scalar phi_B_across_slide_D = d.h_B_BC * cos_phi_B_minus_phi_D
         - q.s_B * sin_phi_B_minus_phi_D;
     const Scalar CEG_along_slide_D = -d.CE * cos_CEG_minus_phi_D;
     const Scalar CEG_across_slide_D = -d.CE * sin_CEG_minus_phi_D;
@@ -1032,29 +1032,29 @@ struct Model17 {
     const Scalar CEG_along_slide_F = d.y_G_CEG * sin_CEG_minus_phi_F
         - d.x_G_CEG * cos_CEG_minus_phi_F;
     const Scalar CEG_across_slide_F = -d.x_G_CEG * sin_CEG_minus_phi_F
-        - cos_CEG_minus_phi_F * d.y_G_CEG;
-    const Scalar determinant = sin_phi_B_minus_phi_D * CEG_along_slide_F
-        - sin_phi_B_minus_phi_F * CEG_along_slide_D;
+        - d.y_G_CEG * cos_CEG_minus_phi_F;
+    const Scalar determinant = CEG_along_slide_F * sin_phi_B_minus_phi_D
+        - CEG_along_slide_D * sin_phi_B_minus_phi_F;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_D = u.phi_D.cos * t01 + u.phi_D.sin * t02
-        + omega_B * phi_B_across_slide_D - d.h_D_DE * omega_D;
-    const Scalar velocity_across_slide_D = u.phi_D.cos * t02 - u.phi_D.sin * t01 - omega_D * q.s_D
-        - omega_B * phi_B_along_slide_D;
+        + phi_B_across_slide_D * omega_B - d.h_D_DE * omega_D;
+    const Scalar velocity_across_slide_D = u.phi_D.cos * t02 - u.phi_D.sin * t01 - q.s_D * omega_D
+        - phi_B_along_slide_D * omega_B;
     const Scalar t03 = v_x_B - v_x_F;
     const Scalar t04 = v_y_B - v_y_F;
     const Scalar velocity_along_slide_F = u.phi_F.cos * t03 + u.phi_F.sin * t04
-        + omega_B * phi_B_across_slide_F - d.h_F_FG * omega_F;
-    const Scalar velocity_across_slide_F = u.phi_F.cos * t04 - u.phi_F.sin * t03 - omega_F * q.s_F
-        - omega_B * phi_B_along_slide_F;
-    const Scalar omega_CEG = (sin_phi_B_minus_phi_D * velocity_across_slide_F
-        - sin_phi_B_minus_phi_F * velocity_across_slide_D) * inverse;
+        + phi_B_across_slide_F * omega_B - d.h_F_FG * omega_F;
+    const Scalar velocity_across_slide_F = u.phi_F.cos * t04 - u.phi_F.sin * t03 - q.s_F * omega_F
+        - phi_B_along_slide_F * omega_B;
+    const Scalar omega_CEG = inverse * (sin_phi_B_minus_phi_D * velocity_across_slide_F
+        - sin_phi_B_minus_phi_F * velocity_across_slide_D);
     const Scalar v_s_B = inverse * (CEG_along_slide_D * velocity_across_slide_F
         - CEG_along_slide_F * velocity_across_slide_D);
-    const Scalar v_s_F = omega_CEG * CEG_across_slide_F + cos_phi_B_minus_phi_F * v_s_B
+    const Scalar v_s_F = CEG_across_slide_F * omega_CEG + cos_phi_B_minus_phi_F * v_s_B
         + velocity_along_slide_F;
-    const Scalar v_s_D = omega_CEG * CEG_across_slide_D + cos_phi_B_minus_phi_D * v_s_B
+    const Scalar v_s_D = CEG_across_slide_D * omega_CEG + cos_phi_B_minus_phi_D * v_s_B
         + velocity_along_slide_D;
     q_rate(0) = omega_CEG;
     q_rate(1) = v_s_B;
@@ -1100,7 +1100,7 @@ struct Model17 {
         - q.theta_CEG.cos * u.phi_F.sin;
     const Scalar phi_B_along_slide_D = -q.s_B * cos_phi_B_minus_phi_D
         - d.h_B_BC * sin_phi_B_minus_phi_D;
-    const Scalar phi_B_across_slide_D = cos_phi_B_minus_phi_D * d.h_B_BC
+    const Scalar phi_B_across_slide_D = d.h_B_BC * cos_phi_B_minus_phi_D
         - q.s_B * sin_phi_B_minus_phi_D;
     const Scalar CEG_along_slide_D = -d.CE * cos_CEG_minus_phi_D;
     const Scalar CEG_across_slide_D = -d.CE * sin_CEG_minus_phi_D;
@@ -1111,34 +1111,34 @@ struct Model17 {
     const Scalar CEG_along_slide_F = d.y_G_CEG * sin_CEG_minus_phi_F
         - d.x_G_CEG * cos_CEG_minus_phi_F;
     const Scalar CEG_across_slide_F = -d.x_G_CEG * sin_CEG_minus_phi_F
-        - cos_CEG_minus_phi_F * d.y_G_CEG;
-    const Scalar determinant = sin_phi_B_minus_phi_D * CEG_along_slide_F
-        - sin_phi_B_minus_phi_F * CEG_along_slide_D;
+        - d.y_G_CEG * cos_CEG_minus_phi_F;
+    const Scalar determinant = CEG_along_slide_F * sin_phi_B_minus_phi_D
+        - CEG_along_slide_D * sin_phi_B_minus_phi_F;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar t03 = d.h_D_DE * omega_D;
-    const Scalar t04 = omega_B * phi_B_across_slide_D;
+    const Scalar t04 = phi_B_across_slide_D * omega_B;
     const Scalar velocity_along_slide_D = u.phi_D.cos * t01 + u.phi_D.sin * t02 + t04 - t03;
-    const Scalar t05 = omega_D * q.s_D;
-    const Scalar t06 = omega_B * phi_B_along_slide_D;
+    const Scalar t05 = q.s_D * omega_D;
+    const Scalar t06 = phi_B_along_slide_D * omega_B;
     const Scalar velocity_across_slide_D = u.phi_D.cos * t02 - u.phi_D.sin * t01 - t05 - t06;
     const Scalar t07 = v_x_B - v_x_F;
     const Scalar t08 = v_y_B - v_y_F;
     const Scalar t09 = d.h_F_FG * omega_F;
-    const Scalar t10 = omega_B * phi_B_across_slide_F;
+    const Scalar t10 = phi_B_across_slide_F * omega_B;
     const Scalar velocity_along_slide_F = u.phi_F.cos * t07 + u.phi_F.sin * t08 + t10 - t09;
-    const Scalar t11 = omega_F * q.s_F;
-    const Scalar t12 = omega_B * phi_B_along_slide_F;
+    const Scalar t11 = q.s_F * omega_F;
+    const Scalar t12 = phi_B_along_slide_F * omega_B;
     const Scalar velocity_across_slide_F = u.phi_F.cos * t08 - u.phi_F.sin * t07 - t11 - t12;
-    const Scalar omega_CEG = (sin_phi_B_minus_phi_D * velocity_across_slide_F
-        - sin_phi_B_minus_phi_F * velocity_across_slide_D) * inverse;
+    const Scalar omega_CEG = inverse * (sin_phi_B_minus_phi_D * velocity_across_slide_F
+        - sin_phi_B_minus_phi_F * velocity_across_slide_D);
     const Scalar v_s_B = inverse * (CEG_along_slide_D * velocity_across_slide_F
         - CEG_along_slide_F * velocity_across_slide_D);
     const Scalar t13 = cos_phi_B_minus_phi_F * v_s_B;
-    const Scalar v_s_F = omega_CEG * CEG_across_slide_F + t13 + velocity_along_slide_F;
+    const Scalar v_s_F = CEG_across_slide_F * omega_CEG + t13 + velocity_along_slide_F;
     const Scalar t14 = cos_phi_B_minus_phi_D * v_s_B;
-    const Scalar v_s_D = omega_CEG * CEG_across_slide_D + t14 + velocity_along_slide_D;
+    const Scalar v_s_D = CEG_across_slide_D * omega_CEG + t14 + velocity_along_slide_D;
     const Scalar t15 = a_x_B - a_x_D;
     const Scalar t16 = a_y_B - a_y_D;
     const Scalar t17 = omega_CEG * omega_CEG;
@@ -1214,7 +1214,7 @@ struct Model17 {
         - q.theta_CEG.cos * u.phi_F.sin;
     const Scalar phi_B_along_slide_D = -q.s_B * cos_phi_B_minus_phi_D
         - d.h_B_BC * sin_phi_B_minus_phi_D;
-    const Scalar phi_B_across_slide_D = cos_phi_B_minus_phi_D * d.h_B_BC
+    const Scalar phi_B_across_slide_D = d.h_B_BC * cos_phi_B_minus_phi_D
         - q.s_B * sin_phi_B_minus_phi_D;
     const Scalar CEG_along_slide_D = -d.CE * cos_CEG_minus_phi_D;
     const Scalar CEG_across_slide_D = -d.CE * sin_CEG_minus_phi_D;
@@ -1225,126 +1225,90 @@ struct Model17 {
     const Scalar CEG_along_slide_F = d.y_G_CEG * sin_CEG_minus_phi_F
         - d.x_G_CEG * cos_CEG_minus_phi_F;
     const Scalar CEG_across_slide_F = -d.x_G_CEG * sin_CEG_minus_phi_F
-        - cos_CEG_minus_phi_F * d.y_G_CEG;
-    const Scalar determinant = sin_phi_B_minus_phi_D * CEG_along_slide_F
-        - sin_phi_B_minus_phi_F * CEG_along_slide_D;
+        - d.y_G_CEG * cos_CEG_minus_phi_F;
+    const Scalar determinant = CEG_along_slide_F * sin_phi_B_minus_phi_D
+        - CEG_along_slide_D * sin_phi_B_minus_phi_F;
     const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
-    const Scalar CEG_per_across_slide_D = -sin_phi_B_minus_phi_F * inverse;
+    const Scalar CEG_per_across_slide_D = -inverse * sin_phi_B_minus_phi_F;
     const Scalar s_B_per_across_slide_D = -CEG_along_slide_F * inverse;
     const Scalar s_F_per_across_slide_D = cos_phi_B_minus_phi_F * s_B_per_across_slide_D
         + CEG_across_slide_F * CEG_per_across_slide_D;
     const Scalar t01 = cos_phi_B_minus_phi_D * s_B_per_across_slide_D;
     const Scalar s_D_per_across_slide_D = t01 + CEG_per_across_slide_D * CEG_across_slide_D;
-    const Scalar CEG_per_across_slide_F = sin_phi_B_minus_phi_D * inverse;
+    const Scalar CEG_per_across_slide_F = inverse * sin_phi_B_minus_phi_D;
     const Scalar s_B_per_across_slide_F = CEG_along_slide_D * inverse;
     const Scalar t02 = cos_phi_B_minus_phi_F * s_B_per_across_slide_F;
     const Scalar s_F_per_across_slide_F = t02 + CEG_across_slide_F * CEG_per_across_slide_F;
     const Scalar s_D_per_across_slide_F = cos_phi_B_minus_phi_D * s_B_per_across_slide_F
         + CEG_across_slide_D * CEG_per_across_slide_F;
-    const Scalar t03 = u.phi_D.sin * CEG_per_across_slide_D;
-    const Scalar t04 = u.phi_F.sin * CEG_per_across_slide_F;
-    const Scalar t05 = t03 + t04;
-    const Scalar CEG_per_x_B = -t05;
-    const Scalar t06 = u.phi_D.sin * s_B_per_across_slide_D;
-    const Scalar t07 = u.phi_F.sin * s_B_per_across_slide_F;
-    const Scalar t08 = t06 + t07;
-    const Scalar s_B_per_x_B = -t08;
-    const Scalar t09 = u.phi_F.sin * s_D_per_across_slide_F;
-    const Scalar t10 = u.phi_D.cos - u.phi_D.sin * s_D_per_across_slide_D;
-    const Scalar t11 = t09 - t10;
-    const Scalar s_D_per_x_B = -t11;
-    const Scalar t12 = u.phi_D.sin * s_F_per_across_slide_D;
-    const Scalar t13 = u.phi_F.cos - u.phi_F.sin * s_F_per_across_slide_F;
-    const Scalar t14 = t12 - t13;
-    const Scalar s_F_per_x_B = -t14;
-    const Scalar t15 = u.phi_D.cos * CEG_per_across_slide_D;
-    const Scalar t16 = u.phi_F.cos * CEG_per_across_slide_F;
-    const Scalar t17 = t15 + t16;
-    const Scalar CEG_per_y_B = t17;
-    const Scalar t18 = u.phi_D.cos * s_B_per_across_slide_D;
-    const Scalar t19 = u.phi_F.cos * s_B_per_across_slide_F;
-    const Scalar t20 = t18 + t19;
-    const Scalar s_B_per_y_B = t20;
-    const Scalar t21 = u.phi_F.cos * s_D_per_across_slide_F;
-    const Scalar t22 = u.phi_D.sin + u.phi_D.cos * s_D_per_across_slide_D;
-    const Scalar t23 = t21 + t22;
-    const Scalar s_D_per_y_B = t23;
-    const Scalar t24 = u.phi_D.cos * s_F_per_across_slide_D;
-    const Scalar t25 = u.phi_F.sin + u.phi_F.cos * s_F_per_across_slide_F;
-    const Scalar t26 = t24 + t25;
-    const Scalar s_F_per_y_B = t26;
-    const Scalar t27 = CEG_per_across_slide_D * phi_B_along_slide_D
-        + CEG_per_across_slide_F * phi_B_along_slide_F;
-    const Scalar CEG_per_phi_B = -t27;
-    const Scalar t28 = s_B_per_across_slide_D * phi_B_along_slide_D
-        + s_B_per_across_slide_F * phi_B_along_slide_F;
-    const Scalar s_B_per_phi_B = -t28;
-    const Scalar t29 = s_D_per_across_slide_D * phi_B_along_slide_D
-        + s_D_per_across_slide_F * phi_B_along_slide_F - phi_B_across_slide_D;
-    const Scalar s_D_per_phi_B = -t29;
-    const Scalar t30 = s_F_per_across_slide_D * phi_B_along_slide_D
-        + s_F_per_across_slide_F * phi_B_along_slide_F - phi_B_across_slide_F;
-    const Scalar s_F_per_phi_B = -t30;
-    const Scalar CEG_per_x_D = t03;
-    const Scalar s_B_per_x_D = t06;
-    const Scalar s_D_per_x_D = -t10;
-    const Scalar s_F_per_x_D = t12;
-    const Scalar CEG_per_y_D = -t15;
-    const Scalar s_B_per_y_D = -t18;
-    const Scalar s_D_per_y_D = -t22;
-    const Scalar s_F_per_y_D = -t24;
-    const Scalar t31 = CEG_per_across_slide_D * q.s_D;
-    const Scalar CEG_per_phi_D = -t31;
-    const Scalar t32 = s_B_per_across_slide_D * q.s_D;
-    const Scalar s_B_per_phi_D = -t32;
-    const Scalar t33 = s_D_per_across_slide_D * q.s_D + d.h_D_DE;
-    const Scalar s_D_per_phi_D = -t33;
-    const Scalar t34 = s_F_per_across_slide_D * q.s_D;
-    const Scalar s_F_per_phi_D = -t34;
-    const Scalar CEG_per_x_F = t04;
-    const Scalar s_B_per_x_F = t07;
-    const Scalar s_D_per_x_F = t09;
-    const Scalar s_F_per_x_F = -t13;
-    const Scalar CEG_per_y_F = -t16;
-    const Scalar s_B_per_y_F = -t19;
-    const Scalar s_D_per_y_F = -t21;
-    const Scalar s_F_per_y_F = -t25;
-    const Scalar t35 = CEG_per_across_slide_F * q.s_F;
-    const Scalar CEG_per_phi_F = -t35;
-    const Scalar t36 = s_B_per_across_slide_F * q.s_F;
-    const Scalar s_B_per_phi_F = -t36;
-    const Scalar t37 = s_D_per_across_slide_F * q.s_F;
-    const Scalar s_D_per_phi_F = -t37;
-    const Scalar t38 = s_F_per_across_slide_F * q.s_F + d.h_F_FG;
-    const Scalar s_F_per_phi_F = -t38;
-    const Scalar omega_CEG = v_x_B * CEG_per_x_B + v_y_B * CEG_per_y_B + omega_B * CEG_per_phi_B
-        + v_x_D * CEG_per_x_D + v_y_D * CEG_per_y_D + omega_D * CEG_per_phi_D + v_x_F * CEG_per_x_F
-        + v_y_F * CEG_per_y_F + omega_F * CEG_per_phi_F;
-    const Scalar v_s_B = v_x_B * s_B_per_x_B + v_y_B * s_B_per_y_B + omega_B * s_B_per_phi_B
-        + v_x_D * s_B_per_x_D + v_y_D * s_B_per_y_D + omega_D * s_B_per_phi_D + v_x_F * s_B_per_x_F
-        + v_y_F * s_B_per_y_F + omega_F * s_B_per_phi_F;
-    const Scalar v_s_D = v_x_B * s_D_per_x_B + v_y_B * s_D_per_y_B + omega_B * s_D_per_phi_B
-        + v_x_D * s_D_per_x_D + v_y_D * s_D_per_y_D + omega_D * s_D_per_phi_D + v_x_F * s_D_per_x_F
-        + v_y_F * s_D_per_y_F + omega_F * s_D_per_phi_F;
-    const Scalar v_s_F = v_x_B * s_F_per_x_B + v_y_B * s_F_per_y_B + omega_B * s_F_per_phi_B
-        + v_x_D * s_F_per_x_D + v_y_D * s_F_per_y_D + omega_D * s_F_per_phi_D + v_x_F * s_F_per_x_F
-        + v_y_F * s_F_per_y_F + omega_F * s_F_per_phi_F;
-    const Scalar t39 = omega_CEG * omega_CEG;
-    const Scalar centripetal_along_slide_D = q.s_D * omega_D * omega_D + CEG_along_slide_D * t39
+    const Scalar CEG_per_x_D = CEG_per_across_slide_D * u.phi_D.sin;
+    const Scalar CEG_per_x_F = CEG_per_across_slide_F * u.phi_F.sin;
+    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
+    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
+    const Scalar s_B_per_x_F = u.phi_F.sin * s_B_per_across_slide_F;
+    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
+    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
+    const Scalar s_D_per_x_F = u.phi_F.sin * s_D_per_across_slide_F;
+    const Scalar s_D_per_x_B = -s_D_per_x_D - s_D_per_x_F;
+    const Scalar s_F_per_x_D = u.phi_D.sin * s_F_per_across_slide_D;
+    const Scalar s_F_per_x_F = u.phi_F.sin * s_F_per_across_slide_F - u.phi_F.cos;
+    const Scalar s_F_per_x_B = -s_F_per_x_D - s_F_per_x_F;
+    const Scalar CEG_per_y_D = -CEG_per_across_slide_D * u.phi_D.cos;
+    const Scalar CEG_per_y_F = -CEG_per_across_slide_F * u.phi_F.cos;
+    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
+    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
+    const Scalar s_B_per_y_F = -u.phi_F.cos * s_B_per_across_slide_F;
+    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
+    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
+    const Scalar s_D_per_y_F = -u.phi_F.cos * s_D_per_across_slide_F;
+    const Scalar s_D_per_y_B = -s_D_per_y_D - s_D_per_y_F;
+    const Scalar s_F_per_y_D = -u.phi_D.cos * s_F_per_across_slide_D;
+    const Scalar s_F_per_y_F = -u.phi_F.sin - u.phi_F.cos * s_F_per_across_slide_F;
+    const Scalar s_F_per_y_B = -s_F_per_y_D - s_F_per_y_F;
+    const Scalar CEG_per_phi_B = -CEG_per_across_slide_D * phi_B_along_slide_D
+        - CEG_per_across_slide_F * phi_B_along_slide_F;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_D * s_B_per_across_slide_D
+        - phi_B_along_slide_F * s_B_per_across_slide_F;
+    const Scalar s_D_per_phi_B = phi_B_across_slide_D - phi_B_along_slide_D * s_D_per_across_slide_D
+        - phi_B_along_slide_F * s_D_per_across_slide_F;
+    const Scalar s_F_per_phi_B = phi_B_across_slide_F - phi_B_along_slide_D * s_F_per_across_slide_D
+        - phi_B_along_slide_F * s_F_per_across_slide_F;
+    const Scalar CEG_per_phi_D = -CEG_per_across_slide_D * q.s_D;
+    const Scalar s_B_per_phi_D = -q.s_D * s_B_per_across_slide_D;
+    const Scalar s_D_per_phi_D = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
+    const Scalar s_F_per_phi_D = -q.s_D * s_F_per_across_slide_D;
+    const Scalar CEG_per_phi_F = -CEG_per_across_slide_F * q.s_F;
+    const Scalar s_B_per_phi_F = -q.s_F * s_B_per_across_slide_F;
+    const Scalar s_D_per_phi_F = -q.s_F * s_D_per_across_slide_F;
+    const Scalar s_F_per_phi_F = -q.s_F * s_F_per_across_slide_F - d.h_F_FG;
+    const Scalar omega_CEG = CEG_per_x_B * v_x_B + CEG_per_y_B * v_y_B + CEG_per_phi_B * omega_B
+        + CEG_per_x_D * v_x_D + CEG_per_y_D * v_y_D + CEG_per_phi_D * omega_D + CEG_per_x_F * v_x_F
+        + CEG_per_y_F * v_y_F + CEG_per_phi_F * omega_F;
+    const Scalar v_s_B = s_B_per_x_B * v_x_B + s_B_per_y_B * v_y_B + s_B_per_phi_B * omega_B
+        + s_B_per_x_D * v_x_D + s_B_per_y_D * v_y_D + s_B_per_phi_D * omega_D + s_B_per_x_F * v_x_F
+        + s_B_per_y_F * v_y_F + s_B_per_phi_F * omega_F;
+    const Scalar v_s_D = s_D_per_x_B * v_x_B + s_D_per_y_B * v_y_B + s_D_per_phi_B * omega_B
+        + s_D_per_x_D * v_x_D + s_D_per_y_D * v_y_D + s_D_per_phi_D * omega_D + s_D_per_x_F * v_x_F
+        + s_D_per_y_F * v_y_F + s_D_per_phi_F * omega_F;
+    const Scalar v_s_F = s_F_per_x_B * v_x_B + s_F_per_y_B * v_y_B + s_F_per_phi_B * omega_B
+        + s_F_per_x_D * v_x_D + s_F_per_y_D * v_y_D + s_F_per_phi_D * omega_D + s_F_per_x_F * v_x_F
+        + s_F_per_y_F * v_y_F + s_F_per_phi_F * omega_F;
+    const Scalar t03 = omega_CEG * omega_CEG;
+    const Scalar centripetal_along_slide_D = q.s_D * omega_D * omega_D + CEG_along_slide_D * t03
         - omega_B * (Scalar(2) * sin_phi_B_minus_phi_D * v_s_B - phi_B_along_slide_D * omega_B);
     const Scalar centripetal_across_slide_D = omega_B * (Scalar(2) * cos_phi_B_minus_phi_D * v_s_B
-        + phi_B_across_slide_D * omega_B) + CEG_across_slide_D * t39 - omega_D * (d.h_D_DE * omega_D
+        + phi_B_across_slide_D * omega_B) + CEG_across_slide_D * t03 - omega_D * (d.h_D_DE * omega_D
         + Scalar(2) * v_s_D);
-    const Scalar centripetal_along_slide_F = q.s_F * omega_F * omega_F + CEG_along_slide_F * t39
+    const Scalar centripetal_along_slide_F = q.s_F * omega_F * omega_F + CEG_along_slide_F * t03
         - omega_B * (Scalar(2) * sin_phi_B_minus_phi_F * v_s_B - phi_B_along_slide_F * omega_B);
     const Scalar centripetal_across_slide_F = omega_B * (Scalar(2) * cos_phi_B_minus_phi_F * v_s_B
-        + phi_B_across_slide_F * omega_B) + CEG_across_slide_F * t39 - omega_F * (d.h_F_FG * omega_F
+        + phi_B_across_slide_F * omega_B) + CEG_across_slide_F * t03 - omega_F * (d.h_F_FG * omega_F
         + Scalar(2) * v_s_F);
-    S_d(0, 0) = sin_CEG_minus_phi_D * CEG_per_across_slide_D;
-    S_d(0, 1) = sin_CEG_minus_phi_F * CEG_per_across_slide_F;
-    S_d(0, 2) = cos_CEG_minus_phi_F * CEG_per_across_slide_F;
-    S_d(0, 3) = -cos_phi_B_minus_phi_D * CEG_per_across_slide_D
-        - cos_phi_B_minus_phi_F * CEG_per_across_slide_F;
+    S_d(0, 0) = CEG_per_across_slide_D * sin_CEG_minus_phi_D;
+    S_d(0, 1) = CEG_per_across_slide_F * sin_CEG_minus_phi_F;
+    S_d(0, 2) = CEG_per_across_slide_F * cos_CEG_minus_phi_F;
+    S_d(0, 3) = -CEG_per_across_slide_D * cos_phi_B_minus_phi_D
+        - CEG_per_across_slide_F * cos_phi_B_minus_phi_F;
     S_d(0, 4) = CEG_per_across_slide_D;
     S_d(0, 5) = CEG_per_across_slide_F;
     S_d(1, 0) = sin_CEG_minus_phi_D * s_B_per_across_slide_D;
@@ -1367,42 +1331,42 @@ struct Model17 {
         - cos_phi_B_minus_phi_F * s_F_per_across_slide_F;
     S_d(3, 4) = s_F_per_across_slide_D;
     S_d(3, 5) = s_F_per_across_slide_F;
-    S_u(0, 0) = -t05;
-    S_u(0, 1) = t17;
-    S_u(0, 2) = -t27;
-    S_u(0, 3) = t03;
-    S_u(0, 4) = -t15;
-    S_u(0, 5) = -t31;
-    S_u(0, 6) = t04;
-    S_u(0, 7) = -t16;
-    S_u(0, 8) = -t35;
-    S_u(1, 0) = -t08;
-    S_u(1, 1) = t20;
-    S_u(1, 2) = -t28;
-    S_u(1, 3) = t06;
-    S_u(1, 4) = -t18;
-    S_u(1, 5) = -t32;
-    S_u(1, 6) = t07;
-    S_u(1, 7) = -t19;
-    S_u(1, 8) = -t36;
-    S_u(2, 0) = -t11;
-    S_u(2, 1) = t23;
-    S_u(2, 2) = -t29;
-    S_u(2, 3) = -t10;
-    S_u(2, 4) = -t22;
-    S_u(2, 5) = -t33;
-    S_u(2, 6) = t09;
-    S_u(2, 7) = -t21;
-    S_u(2, 8) = -t37;
-    S_u(3, 0) = -t14;
-    S_u(3, 1) = t26;
-    S_u(3, 2) = -t30;
-    S_u(3, 3) = t12;
-    S_u(3, 4) = -t24;
-    S_u(3, 5) = -t34;
-    S_u(3, 6) = -t13;
-    S_u(3, 7) = -t25;
-    S_u(3, 8) = -t38;
+    S_u(0, 0) = CEG_per_x_B;
+    S_u(0, 1) = CEG_per_y_B;
+    S_u(0, 2) = CEG_per_phi_B;
+    S_u(0, 3) = CEG_per_x_D;
+    S_u(0, 4) = CEG_per_y_D;
+    S_u(0, 5) = CEG_per_phi_D;
+    S_u(0, 6) = CEG_per_x_F;
+    S_u(0, 7) = CEG_per_y_F;
+    S_u(0, 8) = CEG_per_phi_F;
+    S_u(1, 0) = s_B_per_x_B;
+    S_u(1, 1) = s_B_per_y_B;
+    S_u(1, 2) = s_B_per_phi_B;
+    S_u(1, 3) = s_B_per_x_D;
+    S_u(1, 4) = s_B_per_y_D;
+    S_u(1, 5) = s_B_per_phi_D;
+    S_u(1, 6) = s_B_per_x_F;
+    S_u(1, 7) = s_B_per_y_F;
+    S_u(1, 8) = s_B_per_phi_F;
+    S_u(2, 0) = s_D_per_x_B;
+    S_u(2, 1) = s_D_per_y_B;
+    S_u(2, 2) = s_D_per_phi_B;
+    S_u(2, 3) = s_D_per_x_D;
+    S_u(2, 4) = s_D_per_y_D;
+    S_u(2, 5) = s_D_per_phi_D;
+    S_u(2, 6) = s_D_per_x_F;
+    S_u(2, 7) = s_D_per_y_F;
+    S_u(2, 8) = s_D_per_phi_F;
+    S_u(3, 0) = s_F_per_x_B;
+    S_u(3, 1) = s_F_per_y_B;
+    S_u(3, 2) = s_F_per_phi_B;
+    S_u(3, 3) = s_F_per_x_D;
+    S_u(3, 4) = s_F_per_y_D;
+    S_u(3, 5) = s_F_per_phi_D;
+    S_u(3, 6) = s_F_per_x_F;
+    S_u(3, 7) = s_F_per_y_F;
+    S_u(3, 8) = s_F_per_phi_F;
     q_rate(0) = omega_CEG;
     q_rate(1) = v_s_B;
     q_rate(2) = v_s_D;
@@ -1439,18 +1403,18 @@ struct Model17 {
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     const Scalar b_0_re = Scalar(2) * (u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos);
-    const Scalar c_m1_re = u.phi_D.sin * d.CE;
-    const Scalar c_m1_im = -u.phi_D.cos * d.CE;
-    const Scalar c_0_re = Scalar(2) * (u.phi_D.cos * (u.phi_B.cos * d.h_B_BC + FD_y - FB_y)
-        + u.phi_D.sin * (u.phi_B.sin * d.h_B_BC + FB_x - FD_x) - d.h_D_DE);
+    const Scalar c_m1_re = d.CE * u.phi_D.sin;
+    const Scalar c_m1_im = -d.CE * u.phi_D.cos;
+    const Scalar c_0_re = Scalar(2) * ((d.h_B_BC * u.phi_B.cos + FD_y - FB_y) * u.phi_D.cos
+        + (d.h_B_BC * u.phi_B.sin + FB_x - FD_x) * u.phi_D.sin - d.h_D_DE);
     const Scalar e_0_re = Scalar(2) * (u.phi_B.cos * u.phi_F.sin - u.phi_B.sin * u.phi_F.cos);
-    const Scalar f_m1_re = u.phi_F.sin * d.x_G_CEG - u.phi_F.cos * d.y_G_CEG;
-    const Scalar f_m1_im = -u.phi_F.cos * d.x_G_CEG - u.phi_F.sin * d.y_G_CEG;
+    const Scalar f_m1_re = d.x_G_CEG * u.phi_F.sin - d.y_G_CEG * u.phi_F.cos;
+    const Scalar f_m1_im = -d.x_G_CEG * u.phi_F.cos - d.y_G_CEG * u.phi_F.sin;
     const Scalar f_0_re = Scalar(2) * (d.h_B_BC * (u.phi_B.cos * u.phi_F.cos
         + u.phi_B.sin * u.phi_F.sin) + FB_x * u.phi_F.sin - d.h_F_FG - FB_y * u.phi_F.cos);
-    T.cosine[0] = b_0_re * f_0_re - c_0_re * e_0_re;
-    T.cosine[1] = Scalar(2) * (b_0_re * f_m1_re - e_0_re * c_m1_re);
-    T.sine[1] = Scalar(2) * (b_0_re * f_m1_im - e_0_re * c_m1_im);
+    T.cosine[0] = f_0_re * b_0_re - c_0_re * e_0_re;
+    T.cosine[1] = Scalar(2) * (f_m1_re * b_0_re - c_m1_re * e_0_re);
+    T.sine[1] = Scalar(2) * (f_m1_im * b_0_re - c_m1_im * e_0_re);
   }
 
   /// The reduced equations, one a row, where theta_CEG is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
@@ -1464,15 +1428,15 @@ struct Model17 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = u.phi_B.cos * d.h_B_BC - FB_y;
-    const Scalar t02 = u.phi_B.sin * d.h_B_BC + FB_x;
+    const Scalar t01 = d.h_B_BC * u.phi_B.cos - FB_y;
+    const Scalar t02 = d.h_B_BC * u.phi_B.sin + FB_x;
     e(0, 1) = Scalar(2) * (u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos);
-    e(0, 2) = -Scalar(2) * (d.h_D_DE + u.phi_D.cos * (q.theta_CEG.sin * d.CE - FD_y - t01)
-        - u.phi_D.sin * (d.CE * q.theta_CEG.cos + t02 - FD_x));
+    e(0, 2) = -Scalar(2) * (d.h_D_DE + (d.CE * q.theta_CEG.sin - FD_y - t01) * u.phi_D.cos
+        - (d.CE * q.theta_CEG.cos + t02 - FD_x) * u.phi_D.sin);
     e(1, 1) = Scalar(2) * (u.phi_B.cos * u.phi_F.sin - u.phi_B.sin * u.phi_F.cos);
-    e(1, 2) = -Scalar(2) * (d.h_F_FG + u.phi_F.cos * (q.theta_CEG.cos * d.y_G_CEG
-        + q.theta_CEG.sin * d.x_G_CEG - t01) - u.phi_F.sin * (q.theta_CEG.cos * d.x_G_CEG + t02
-        - q.theta_CEG.sin * d.y_G_CEG));
+    e(1, 2) = -Scalar(2) * (d.h_F_FG + (d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin
+        - t01) * u.phi_F.cos - (d.x_G_CEG * q.theta_CEG.cos + t02
+        - d.y_G_CEG * q.theta_CEG.sin) * u.phi_F.sin);
   }
 
   /// The other unknowns of a configuration in which those of the reduced
@@ -1485,11 +1449,11 @@ struct Model17 {
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     const Scalar t01 = FB_x + q.s_B * u.phi_B.cos + d.h_B_BC * u.phi_B.sin;
-    const Scalar t02 = FB_y + q.s_B * u.phi_B.sin - u.phi_B.cos * d.h_B_BC;
-    q.s_D = u.phi_D.cos * (q.theta_CEG.cos * d.CE + t01 - FD_x)
-        + u.phi_D.sin * (d.CE * q.theta_CEG.sin + t02 - FD_y);
-    q.s_F = u.phi_F.cos * (q.theta_CEG.cos * d.x_G_CEG + t01 - q.theta_CEG.sin * d.y_G_CEG)
-        + u.phi_F.sin * (q.theta_CEG.cos * d.y_G_CEG + q.theta_CEG.sin * d.x_G_CEG + t02);
+    const Scalar t02 = FB_y + q.s_B * u.phi_B.sin - d.h_B_BC * u.phi_B.cos;
+    q.s_D = (d.CE * q.theta_CEG.cos + t01 - FD_x) * u.phi_D.cos + (d.CE * q.theta_CEG.sin + t02
+        - FD_y) * u.phi_D.sin;
+    q.s_F = (d.x_G_CEG * q.theta_CEG.cos + t01 - d.y_G_CEG * q.theta_CEG.sin) * u.phi_F.cos
+        + (d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin + t02) * u.phi_F.sin;
   }
 };
 

@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     64, 43, 1
 ///   motion:                       110, 81, 1
 ///   sensitivities_and_motion:     219, 149, 1
-///   position_polynomial:          31, 27, 0
+///   position_polynomial:          37, 27, 0
 ///   second_equations:             36, 30, 0
 ///   complete:                     20, 24, 0
 struct Model18 {
@@ -196,21 +196,21 @@ struct Model18 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     const Scalar t02 = slide_C_x - u.x_B - slide_B_x;
     const Scalar t03 = slide_C_y - u.y_B - slide_B_y;
     f(0) = u.x_D + slide_D_x + DE_x + t02 - CE_x;
@@ -249,11 +249,11 @@ struct Model18 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     F_d(0, 0) = -sin_CEG;
     F_d(0, 3) = CE_y - slide_C_y;
     F_d(0, 4) = u.phi_D.sin;
@@ -281,21 +281,21 @@ struct Model18 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     const Scalar t02 = slide_B_y - slide_C_y;
     const Scalar t03 = slide_B_x - slide_C_x;
     F_u(0, 0) = -Scalar(1);
@@ -334,27 +334,27 @@ struct Model18 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     const Scalar t02 = slide_B_y - slide_C_y;
     const Scalar t03 = slide_B_x - slide_C_x;
-    rhs(0) = (slide_D_y + DE_y) * omega_D + v_x_B - v_x_D - omega_B * (CE_y + t02);
-    rhs(1) = v_y_B + omega_B * (CE_x + t03) - omega_D * (slide_D_x + DE_x) - v_y_D;
-    rhs(2) = v_x_B + (slide_F_y + FG_y) * omega_F - v_x_F - omega_B * (CG_y + t02);
-    rhs(3) = v_y_B + omega_B * (CG_x + t03) - omega_F * (slide_F_x + FG_x) - v_y_F;
+    rhs(0) = (slide_D_y + DE_y) * omega_D + v_x_B - v_x_D - (CE_y + t02) * omega_B;
+    rhs(1) = v_y_B + (CE_x + t03) * omega_B - (slide_D_x + DE_x) * omega_D - v_y_D;
+    rhs(2) = v_x_B + (slide_F_y + FG_y) * omega_F - v_x_F - (CG_y + t02) * omega_B;
+    rhs(3) = v_y_B + (CG_x + t03) * omega_B - (slide_F_x + FG_x) * omega_F - v_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -384,21 +384,21 @@ struct Model18 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     const Scalar t02 = slide_D_x + DE_x;
     const Scalar t03 = slide_D_y + DE_y;
     const Scalar t04 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
@@ -412,13 +412,13 @@ struct Model18 {
     const Scalar t12 = CG_x + t05;
     const Scalar t13 = CG_y + t07;
     rhs(0) = omega_D * (t02 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D) + t03 * alpha_D + a_x_B
-        - a_x_D - omega_B * (Scalar(2) * t04 + omega_B * t06) - alpha_B * t08;
-    rhs(1) = omega_D * (omega_D * t03 - Scalar(2) * u.phi_D.cos * v_s_D) + a_y_B + alpha_B * t06
-        + omega_B * (Scalar(2) * t09 - omega_B * t08) - t02 * alpha_D - a_y_D;
+        - a_x_D - omega_B * (Scalar(2) * t04 + t06 * omega_B) - t08 * alpha_B;
+    rhs(1) = omega_D * (t03 * omega_D - Scalar(2) * u.phi_D.cos * v_s_D) + a_y_B + t06 * alpha_B
+        + omega_B * (Scalar(2) * t09 - t08 * omega_B) - t02 * alpha_D - a_y_D;
     rhs(2) = a_x_B + omega_F * (t10 * omega_F + Scalar(2) * u.phi_F.sin * v_s_F) + t11 * alpha_F
-        - a_x_F - omega_B * (Scalar(2) * t04 + omega_B * t12) - alpha_B * t13;
-    rhs(3) = a_y_B + omega_F * (omega_F * t11 - Scalar(2) * u.phi_F.cos * v_s_F) + alpha_B * t12
-        + omega_B * (Scalar(2) * t09 - omega_B * t13) - t10 * alpha_F - a_y_F;
+        - a_x_F - omega_B * (Scalar(2) * t04 + t12 * omega_B) - t13 * alpha_B;
+    rhs(3) = a_y_B + omega_F * (t11 * omega_F - Scalar(2) * u.phi_F.cos * v_s_F) + t12 * alpha_B
+        + omega_B * (Scalar(2) * t09 - t13 * omega_B) - t10 * alpha_F - a_y_F;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -456,21 +456,21 @@ struct Model18 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     const Scalar t02 = slide_D_y + DE_y;
     const Scalar t03 = u.phi_D.cos * v_s_D;
     const Scalar t04 = slide_D_x + DE_x;
@@ -493,19 +493,19 @@ struct Model18 {
     const Scalar t21 = CG_x + t10;
     rhs(0) = t02 * jerk_D + Scalar(3) * alpha_D * t05 - omega_D * (omega_D * (t02 * omega_D
         - Scalar(3) * t03) - Scalar(3) * t04 * alpha_D - Scalar(3) * u.phi_D.sin * a_s_D) - j_x_D
-        - jerk_B * t07 - omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t09 - omega_B * t07)
-        + Scalar(3) * alpha_B * t11) - Scalar(3) * t13;
-    rhs(1) = omega_D * (omega_D * (omega_D * t04 + Scalar(3) * t05) + Scalar(3) * t02 * alpha_D
-        - Scalar(3) * u.phi_D.cos * a_s_D) + jerk_B * t11 + omega_B * (Scalar(3) * t14
-        - Scalar(3) * alpha_B * t07 - omega_B * (Scalar(3) * t12 + omega_B * t11)) + Scalar(3) * t15
+        - t07 * jerk_B - omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t09 - t07 * omega_B)
+        + Scalar(3) * t11 * alpha_B) - Scalar(3) * t13;
+    rhs(1) = omega_D * (omega_D * (t04 * omega_D + Scalar(3) * t05) + Scalar(3) * t02 * alpha_D
+        - Scalar(3) * u.phi_D.cos * a_s_D) + t11 * jerk_B + omega_B * (Scalar(3) * t14
+        - Scalar(3) * t07 * alpha_B - omega_B * (Scalar(3) * t12 + t11 * omega_B)) + Scalar(3) * t15
         - t04 * jerk_D - j_y_D - Scalar(3) * t03 * alpha_D;
     rhs(2) = t16 * jerk_F + Scalar(3) * alpha_F * t19 - omega_F * (omega_F * (t16 * omega_F
         - Scalar(3) * t17) - Scalar(3) * t18 * alpha_F - Scalar(3) * u.phi_F.sin * a_s_F) - j_x_F
-        - jerk_B * t20 - omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t09 - omega_B * t20)
-        + Scalar(3) * alpha_B * t21) - Scalar(3) * t13;
-    rhs(3) = omega_F * (omega_F * (omega_F * t18 + Scalar(3) * t19) + Scalar(3) * t16 * alpha_F
-        - Scalar(3) * u.phi_F.cos * a_s_F) + jerk_B * t21 + omega_B * (Scalar(3) * t14
-        - Scalar(3) * alpha_B * t20 - omega_B * (Scalar(3) * t12 + omega_B * t21)) + Scalar(3) * t15
+        - t20 * jerk_B - omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t09 - t20 * omega_B)
+        + Scalar(3) * t21 * alpha_B) - Scalar(3) * t13;
+    rhs(3) = omega_F * (omega_F * (t18 * omega_F + Scalar(3) * t19) + Scalar(3) * t16 * alpha_F
+        - Scalar(3) * u.phi_F.cos * a_s_F) + t21 * jerk_B + omega_B * (Scalar(3) * t14
+        - Scalar(3) * t20 * alpha_B - omega_B * (Scalar(3) * t12 + t21 * omega_B)) + Scalar(3) * t15
         - t18 * jerk_F - j_y_F - Scalar(3) * t17 * alpha_F;
   }
 
@@ -533,47 +533,47 @@ struct Model18 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = sin_CEG * t01 + cos_CEG * d.x_G_CEG;
-    const Scalar CG_y = sin_CEG * d.x_G_CEG - cos_CEG * t01;
+    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
     const Scalar t02 = (slide_C_x - CE_x) * omega_C_BC;
     const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
     const Scalar t04 = u.phi_B.sin * v_s_B;
     const Scalar t05 = slide_B_x - slide_C_x;
-    const Scalar t06 = omega_C_BC * (slide_C_y - CE_y);
+    const Scalar t06 = (slide_C_y - CE_y) * omega_C_BC;
     const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
     const Scalar t08 = u.phi_B.cos * v_s_B;
     const Scalar t09 = slide_B_y - slide_C_y;
-    const Scalar t10 = omega_C_BC * (slide_C_x - CG_x);
+    const Scalar t10 = (slide_C_x - CG_x) * omega_C_BC;
     const Scalar t11 = v_h_C_CEG - v_y_G_CEG;
     const Scalar t12 = v_s_C - v_x_G_CEG;
     const Scalar t13 = cos_CEG * t11 + sin_CEG * t12;
-    const Scalar t14 = omega_C_BC * (slide_C_y - CG_y);
+    const Scalar t14 = (slide_C_y - CG_y) * omega_C_BC;
     const Scalar t15 = cos_CEG * t12 - sin_CEG * t11;
     rhs(0) = omega_D * ((slide_D_x + DE_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * u.phi_D.cos * v_h_D_DE) + omega_C_BC * (t02 + Scalar(2) * t03)
-        + omega_B * (Scalar(2) * t02 + Scalar(2) * t03 - Scalar(2) * t04 - omega_B * (CE_x + t05));
-    rhs(1) = omega_D * (omega_D * (slide_D_y + DE_y) - Scalar(2) * u.phi_D.cos * v_s_D
+        + omega_B * (Scalar(2) * t02 + Scalar(2) * t03 - Scalar(2) * t04 - (CE_x + t05) * omega_B);
+    rhs(1) = omega_D * ((slide_D_y + DE_y) * omega_D - Scalar(2) * u.phi_D.cos * v_s_D
         - Scalar(2) * u.phi_D.sin * v_h_D_DE) + omega_C_BC * (t06 - Scalar(2) * t07)
-        + omega_B * (Scalar(2) * t06 + Scalar(2) * t08 - Scalar(2) * t07 - omega_B * (CE_y + t09));
+        + omega_B * (Scalar(2) * t06 + Scalar(2) * t08 - Scalar(2) * t07 - (CE_y + t09) * omega_B);
     rhs(2) = omega_F * ((slide_F_x + FG_x) * omega_F + Scalar(2) * u.phi_F.sin * v_s_F
         - Scalar(2) * u.phi_F.cos * v_h_F_FG) + omega_C_BC * (t10 + Scalar(2) * t13)
-        - omega_B * (Scalar(2) * t04 + omega_B * (CG_x + t05) - Scalar(2) * t10 - Scalar(2) * t13);
-    rhs(3) = omega_F * (omega_F * (slide_F_y + FG_y) - Scalar(2) * u.phi_F.cos * v_s_F
+        - omega_B * (Scalar(2) * t04 + (CG_x + t05) * omega_B - Scalar(2) * t10 - Scalar(2) * t13);
+    rhs(3) = omega_F * ((slide_F_y + FG_y) * omega_F - Scalar(2) * u.phi_F.cos * v_s_F
         - Scalar(2) * u.phi_F.sin * v_h_F_FG) + omega_C_BC * (t14 - Scalar(2) * t15)
-        + omega_B * (Scalar(2) * t08 + Scalar(2) * t14 - Scalar(2) * t15 - omega_B * (CG_y + t09));
+        + omega_B * (Scalar(2) * t08 + Scalar(2) * t14 - Scalar(2) * t15 - (CG_y + t09) * omega_B);
   }
 
   /// Frames of the links in the fixed frame.
@@ -584,18 +584,18 @@ struct Model18 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = u.x_B + slide_B_x;
     const Scalar t02 = u.y_B + slide_B_y;
     poses[0].x = CE_x + t01 - slide_C_x;
@@ -630,18 +630,18 @@ struct Model18 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = slide_C_y - CE_y;
     const Scalar t02 = slide_C_x - CE_x;
     P_q(0, 0) = u.phi_B.cos;
@@ -707,31 +707,31 @@ struct Model18 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
     const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = t01 - (slide_B_y + CE_y - slide_C_y) * omega_B - cos_CEG * v_s_C;
-    v(0, 1) = omega_B * (slide_B_x + CE_x - slide_C_x) + t02 - sin_CEG * v_s_C;
+    v(0, 1) = (slide_B_x + CE_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;
     v(0, 2) = omega_B;
     v(1, 0) = t01 - slide_B_y * omega_B;
-    v(1, 1) = omega_B * slide_B_x + t02;
+    v(1, 1) = slide_B_x * omega_B + t02;
     v(1, 2) = omega_B;
     v(2, 0) = u.phi_D.cos * v_s_D + v_x_D - (slide_D_y + DE_y) * omega_D;
-    v(2, 1) = omega_D * (slide_D_x + DE_x) + u.phi_D.sin * v_s_D + v_y_D;
+    v(2, 1) = (slide_D_x + DE_x) * omega_D + u.phi_D.sin * v_s_D + v_y_D;
     v(2, 2) = omega_D;
     v(3, 0) = u.phi_F.cos * v_s_F + v_x_F - (slide_F_y + FG_y) * omega_F;
-    v(3, 1) = omega_F * (slide_F_x + FG_x) + u.phi_F.sin * v_s_F + v_y_F;
+    v(3, 1) = (slide_F_x + FG_x) * omega_F + u.phi_F.sin * v_s_F + v_y_F;
     v(3, 2) = omega_F;
   }
 
@@ -765,18 +765,18 @@ struct Model18 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = slide_B_x + CE_x - slide_C_x;
     const Scalar t02 = u.phi_B.sin * v_s_B;
     const Scalar t03 = slide_B_y + CE_y - slide_C_y;
@@ -789,20 +789,20 @@ struct Model18 {
     const Scalar t10 = slide_F_y + FG_y;
     a(0, 0) = t04 - omega_B * (t01 * omega_B + Scalar(2) * t02 - Scalar(2) * sin_CEG * v_s_C)
         - t03 * alpha_B - cos_CEG * a_s_C;
-    a(0, 1) = t01 * alpha_B + t06 - omega_B * (omega_B * t03 + Scalar(2) * cos_CEG * v_s_C
+    a(0, 1) = t01 * alpha_B + t06 - omega_B * (t03 * omega_B + Scalar(2) * cos_CEG * v_s_C
         - Scalar(2) * t05) - sin_CEG * a_s_C;
     a(0, 2) = alpha_B;
     a(1, 0) = t04 - omega_B * (Scalar(2) * t02 + slide_B_x * omega_B) - slide_B_y * alpha_B;
-    a(1, 1) = omega_B * (Scalar(2) * t05 - omega_B * slide_B_y) + slide_B_x * alpha_B + t06;
+    a(1, 1) = omega_B * (Scalar(2) * t05 - slide_B_y * omega_B) + slide_B_x * alpha_B + t06;
     a(1, 2) = alpha_B;
     a(2, 0) = u.phi_D.cos * a_s_D + a_x_D - omega_D * (t07 * omega_D
         + Scalar(2) * u.phi_D.sin * v_s_D) - t08 * alpha_D;
-    a(2, 1) = t07 * alpha_D + u.phi_D.sin * a_s_D + a_y_D - omega_D * (omega_D * t08
+    a(2, 1) = t07 * alpha_D + u.phi_D.sin * a_s_D + a_y_D - omega_D * (t08 * omega_D
         - Scalar(2) * u.phi_D.cos * v_s_D);
     a(2, 2) = alpha_D;
     a(3, 0) = u.phi_F.cos * a_s_F + a_x_F - omega_F * (t09 * omega_F
         + Scalar(2) * u.phi_F.sin * v_s_F) - t10 * alpha_F;
-    a(3, 1) = t09 * alpha_F + u.phi_F.sin * a_s_F + a_y_F - omega_F * (omega_F * t10
+    a(3, 1) = t09 * alpha_F + u.phi_F.sin * a_s_F + a_y_F - omega_F * (t10 * omega_F
         - Scalar(2) * u.phi_F.cos * v_s_F);
     a(3, 2) = alpha_F;
   }
@@ -830,39 +830,39 @@ struct Model18 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = u.phi_D.sin * d.h_D_DE;
-    const Scalar DE_y = -u.phi_D.cos * d.h_D_DE;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
+    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = sin_CEG * d.h_C_CEG;
-    const Scalar CE_y = -cos_CEG * d.h_C_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG;
+    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = u.phi_F.sin * d.h_F_FG;
-    const Scalar FG_y = -u.phi_F.cos * d.h_F_FG;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
+    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = slide_C_x - CE_x;
     const Scalar t02 = t01 * omega_C_BC;
     const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
     const Scalar t04 = u.phi_B.sin * v_s_B;
     const Scalar t05 = slide_C_y - CE_y;
-    const Scalar t06 = omega_C_BC * t05;
+    const Scalar t06 = t05 * omega_C_BC;
     const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
     const Scalar t08 = u.phi_B.cos * v_s_B;
     p(0, 0) = omega_C_BC * (t02 + Scalar(2) * t03) + omega_B * (Scalar(2) * t02 + Scalar(2) * t03
-        - Scalar(2) * t04 - omega_B * (slide_B_x - t01));
+        - Scalar(2) * t04 - (slide_B_x - t01) * omega_B);
     p(0, 1) = omega_C_BC * (t06 - Scalar(2) * t07) + omega_B * (Scalar(2) * t06 + Scalar(2) * t08
-        - Scalar(2) * t07 - omega_B * (slide_B_y - t05));
+        - Scalar(2) * t07 - (slide_B_y - t05) * omega_B);
     p(1, 0) = -omega_B * (Scalar(2) * t04 + slide_B_x * omega_B);
-    p(1, 1) = omega_B * (Scalar(2) * t08 - omega_B * slide_B_y);
+    p(1, 1) = omega_B * (Scalar(2) * t08 - slide_B_y * omega_B);
     p(2, 0) = -omega_D * ((slide_D_x + DE_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * u.phi_D.cos * v_h_D_DE);
-    p(2, 1) = -omega_D * (omega_D * (slide_D_y + DE_y) - Scalar(2) * u.phi_D.cos * v_s_D
+    p(2, 1) = -omega_D * ((slide_D_y + DE_y) * omega_D - Scalar(2) * u.phi_D.cos * v_s_D
         - Scalar(2) * u.phi_D.sin * v_h_D_DE);
     p(3, 0) = -omega_F * ((slide_F_x + FG_x) * omega_F + Scalar(2) * u.phi_F.sin * v_s_F
         - Scalar(2) * u.phi_F.cos * v_h_F_FG);
-    p(3, 1) = -omega_F * (omega_F * (slide_F_y + FG_y) - Scalar(2) * u.phi_F.cos * v_s_F
+    p(3, 1) = -omega_F * ((slide_F_y + FG_y) * omega_F - Scalar(2) * u.phi_F.cos * v_s_F
         - Scalar(2) * u.phi_F.sin * v_h_F_FG);
   }
 
@@ -959,13 +959,13 @@ struct Model18 {
         - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
     const Scalar phi_B_along_slide_D = t01 - q.s_B * cos_phi_B_minus_phi_D;
     const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
-        + cos_phi_B_plus_psi_C_BC_minus_phi_D * d.h_C_CEG - q.s_B * sin_phi_B_minus_phi_D;
+        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
     const Scalar t02 = q.s_C - d.x_G_CEG;
     const Scalar t03 = d.h_C_CEG - d.y_G_CEG;
     const Scalar t04 = t02 * cos_phi_B_plus_psi_C_BC_minus_phi_F
         - t03 * sin_phi_B_plus_psi_C_BC_minus_phi_F;
     const Scalar phi_B_along_slide_F = t04 - q.s_B * cos_phi_B_minus_phi_F;
-    const Scalar phi_B_across_slide_F = cos_phi_B_plus_psi_C_BC_minus_phi_F * t03
+    const Scalar phi_B_across_slide_F = t03 * cos_phi_B_plus_psi_C_BC_minus_phi_F
         + t02 * sin_phi_B_plus_psi_C_BC_minus_phi_F - q.s_B * sin_phi_B_minus_phi_F;
     const Scalar sin_phi_D_minus_phi_F = u.phi_D.sin * u.phi_F.cos - u.phi_D.cos * u.phi_F.sin;
     const Scalar pivot_product = d.psi_C_BC.sin * sin_phi_D_minus_phi_F;
@@ -986,38 +986,38 @@ struct Model18 {
     const Scalar s_F_per_across_slide_F = cos_phi_B_minus_phi_F * s_B_per_across_slide_F - t07;
     const Scalar s_D_per_across_slide_F = cos_phi_B_minus_phi_D * s_B_per_across_slide_F
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_across_slide_F;
+    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
+    const Scalar s_C_per_x_D = u.phi_D.sin * s_C_per_across_slide_D;
+    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
+    const Scalar s_F_per_x_D = u.phi_D.sin * s_F_per_across_slide_D;
+    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
+    const Scalar s_C_per_y_D = -u.phi_D.cos * s_C_per_across_slide_D;
+    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
+    const Scalar s_F_per_y_D = -u.phi_D.cos * s_F_per_across_slide_D;
+    const Scalar s_B_per_x_F = u.phi_F.sin * s_B_per_across_slide_F;
+    const Scalar s_C_per_x_F = u.phi_F.sin * s_C_per_across_slide_F;
+    const Scalar s_D_per_x_F = u.phi_F.sin * s_D_per_across_slide_F;
+    const Scalar s_F_per_x_F = u.phi_F.sin * s_F_per_across_slide_F - u.phi_F.cos;
+    const Scalar s_B_per_y_F = -u.phi_F.cos * s_B_per_across_slide_F;
+    const Scalar s_C_per_y_F = -u.phi_F.cos * s_C_per_across_slide_F;
+    const Scalar s_D_per_y_F = -u.phi_F.cos * s_D_per_across_slide_F;
+    const Scalar s_F_per_y_F = -u.phi_F.sin - u.phi_F.cos * s_F_per_across_slide_F;
     const Scalar t08 = cos_phi_B_plus_psi_C_BC_minus_phi_F * s_B_per_across_slide_F;
     const Scalar t09 = cos_phi_B_plus_psi_C_BC_minus_phi_F * s_D_per_across_slide_F;
     const Scalar t10 = sin_phi_B_plus_psi_C_BC_minus_phi_D
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D;
     const Scalar t11 = sin_phi_B_plus_psi_C_BC_minus_phi_F
         - cos_phi_B_plus_psi_C_BC_minus_phi_F * s_F_per_across_slide_F;
-    const Scalar t12 = u.phi_D.sin * s_B_per_across_slide_D;
-    const Scalar t13 = u.phi_F.sin * s_B_per_across_slide_F;
-    const Scalar t14 = u.phi_D.cos * s_B_per_across_slide_D;
-    const Scalar t15 = u.phi_F.cos * s_B_per_across_slide_F;
-    const Scalar t16 = u.phi_D.sin * s_C_per_across_slide_D;
-    const Scalar t17 = u.phi_F.sin * s_C_per_across_slide_F;
-    const Scalar t18 = u.phi_D.cos * s_C_per_across_slide_D;
-    const Scalar t19 = u.phi_F.cos * s_C_per_across_slide_F;
-    const Scalar t20 = u.phi_F.sin * s_D_per_across_slide_F;
-    const Scalar t21 = u.phi_D.cos - u.phi_D.sin * s_D_per_across_slide_D;
-    const Scalar t22 = u.phi_F.cos * s_D_per_across_slide_F;
-    const Scalar t23 = u.phi_D.sin + u.phi_D.cos * s_D_per_across_slide_D;
-    const Scalar t24 = u.phi_D.sin * s_F_per_across_slide_D;
-    const Scalar t25 = u.phi_F.cos - u.phi_F.sin * s_F_per_across_slide_F;
-    const Scalar t26 = u.phi_D.cos * s_F_per_across_slide_D;
-    const Scalar t27 = u.phi_F.sin + u.phi_F.cos * s_F_per_across_slide_F;
     S_d(0, 0) = -cos_phi_B_plus_psi_C_BC_minus_phi_D * s_B_per_across_slide_D - t08;
     S_d(0, 1) = sin_phi_B_plus_psi_C_BC_minus_phi_F * s_B_per_across_slide_F;
     S_d(0, 2) = t08;
-    S_d(0, 3) = -s_B_per_across_slide_F * t04 - s_B_per_across_slide_D * t01;
+    S_d(0, 3) = -t04 * s_B_per_across_slide_F - t01 * s_B_per_across_slide_D;
     S_d(0, 4) = s_B_per_across_slide_D;
     S_d(0, 5) = s_B_per_across_slide_F;
     S_d(1, 0) = -t06 - t07;
     S_d(1, 1) = sin_phi_B_plus_psi_C_BC_minus_phi_F * s_C_per_across_slide_F;
     S_d(1, 2) = t07;
-    S_d(1, 3) = -s_C_per_across_slide_F * t04 - s_C_per_across_slide_D * t01;
+    S_d(1, 3) = -t04 * s_C_per_across_slide_F - t01 * s_C_per_across_slide_D;
     S_d(1, 4) = s_C_per_across_slide_D;
     S_d(1, 5) = s_C_per_across_slide_F;
     S_d(2, 0) = t10 - t09;
@@ -1032,51 +1032,51 @@ struct Model18 {
     S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_phi_F
         + sin_phi_B_plus_psi_C_BC_minus_phi_F * s_F_per_across_slide_F;
     S_d(3, 2) = -t11;
-    S_d(3, 3) = sin_phi_B_plus_psi_C_BC_minus_phi_F * (t02 + t03 * s_F_per_across_slide_F)
-        + cos_phi_B_plus_psi_C_BC_minus_phi_F * (t03 - t02 * s_F_per_across_slide_F)
+    S_d(3, 3) = (t02 + t03 * s_F_per_across_slide_F) * sin_phi_B_plus_psi_C_BC_minus_phi_F + (t03
+        - t02 * s_F_per_across_slide_F) * cos_phi_B_plus_psi_C_BC_minus_phi_F
         - t01 * s_F_per_across_slide_D;
     S_d(3, 4) = s_F_per_across_slide_D;
     S_d(3, 5) = s_F_per_across_slide_F;
-    S_u(0, 0) = -t12 - t13;
-    S_u(0, 1) = t14 + t15;
-    S_u(0, 2) = -s_B_per_across_slide_D * phi_B_along_slide_D
-        - s_B_per_across_slide_F * phi_B_along_slide_F;
-    S_u(0, 3) = t12;
-    S_u(0, 4) = -t14;
-    S_u(0, 5) = -s_B_per_across_slide_D * q.s_D;
-    S_u(0, 6) = t13;
-    S_u(0, 7) = -t15;
-    S_u(0, 8) = -s_B_per_across_slide_F * q.s_F;
-    S_u(1, 0) = -t16 - t17;
-    S_u(1, 1) = t18 + t19;
-    S_u(1, 2) = -s_C_per_across_slide_D * phi_B_along_slide_D
-        - s_C_per_across_slide_F * phi_B_along_slide_F;
-    S_u(1, 3) = t16;
-    S_u(1, 4) = -t18;
-    S_u(1, 5) = -s_C_per_across_slide_D * q.s_D;
-    S_u(1, 6) = t17;
-    S_u(1, 7) = -t19;
-    S_u(1, 8) = -s_C_per_across_slide_F * q.s_F;
-    S_u(2, 0) = t21 - t20;
-    S_u(2, 1) = t22 + t23;
-    S_u(2, 2) = phi_B_across_slide_D - s_D_per_across_slide_D * phi_B_along_slide_D
-        - s_D_per_across_slide_F * phi_B_along_slide_F;
-    S_u(2, 3) = -t21;
-    S_u(2, 4) = -t23;
-    S_u(2, 5) = -s_D_per_across_slide_D * q.s_D - d.h_D_DE;
-    S_u(2, 6) = t20;
-    S_u(2, 7) = -t22;
-    S_u(2, 8) = -s_D_per_across_slide_F * q.s_F;
-    S_u(3, 0) = t25 - t24;
-    S_u(3, 1) = t26 + t27;
-    S_u(3, 2) = phi_B_across_slide_F - s_F_per_across_slide_D * phi_B_along_slide_D
-        - s_F_per_across_slide_F * phi_B_along_slide_F;
-    S_u(3, 3) = t24;
-    S_u(3, 4) = -t26;
-    S_u(3, 5) = -s_F_per_across_slide_D * q.s_D;
-    S_u(3, 6) = -t25;
-    S_u(3, 7) = -t27;
-    S_u(3, 8) = -s_F_per_across_slide_F * q.s_F - d.h_F_FG;
+    S_u(0, 0) = -s_B_per_x_D - s_B_per_x_F;
+    S_u(0, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_u(0, 2) = -phi_B_along_slide_D * s_B_per_across_slide_D
+        - phi_B_along_slide_F * s_B_per_across_slide_F;
+    S_u(0, 3) = s_B_per_x_D;
+    S_u(0, 4) = s_B_per_y_D;
+    S_u(0, 5) = -q.s_D * s_B_per_across_slide_D;
+    S_u(0, 6) = s_B_per_x_F;
+    S_u(0, 7) = s_B_per_y_F;
+    S_u(0, 8) = -q.s_F * s_B_per_across_slide_F;
+    S_u(1, 0) = -s_C_per_x_D - s_C_per_x_F;
+    S_u(1, 1) = -s_C_per_y_D - s_C_per_y_F;
+    S_u(1, 2) = -phi_B_along_slide_D * s_C_per_across_slide_D
+        - phi_B_along_slide_F * s_C_per_across_slide_F;
+    S_u(1, 3) = s_C_per_x_D;
+    S_u(1, 4) = s_C_per_y_D;
+    S_u(1, 5) = -q.s_D * s_C_per_across_slide_D;
+    S_u(1, 6) = s_C_per_x_F;
+    S_u(1, 7) = s_C_per_y_F;
+    S_u(1, 8) = -q.s_F * s_C_per_across_slide_F;
+    S_u(2, 0) = -s_D_per_x_D - s_D_per_x_F;
+    S_u(2, 1) = -s_D_per_y_D - s_D_per_y_F;
+    S_u(2, 2) = phi_B_across_slide_D - phi_B_along_slide_D * s_D_per_across_slide_D
+        - phi_B_along_slide_F * s_D_per_across_slide_F;
+    S_u(2, 3) = s_D_per_x_D;
+    S_u(2, 4) = s_D_per_y_D;
+    S_u(2, 5) = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
+    S_u(2, 6) = s_D_per_x_F;
+    S_u(2, 7) = s_D_per_y_F;
+    S_u(2, 8) = -q.s_F * s_D_per_across_slide_F;
+    S_u(3, 0) = -s_F_per_x_D - s_F_per_x_F;
+    S_u(3, 1) = -s_F_per_y_D - s_F_per_y_F;
+    S_u(3, 2) = phi_B_across_slide_F - phi_B_along_slide_D * s_F_per_across_slide_D
+        - phi_B_along_slide_F * s_F_per_across_slide_F;
+    S_u(3, 3) = s_F_per_x_D;
+    S_u(3, 4) = s_F_per_y_D;
+    S_u(3, 5) = -q.s_D * s_F_per_across_slide_D;
+    S_u(3, 6) = s_F_per_x_F;
+    S_u(3, 7) = s_F_per_y_F;
+    S_u(3, 8) = -q.s_F * s_F_per_across_slide_F - d.h_F_FG;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1110,12 +1110,12 @@ struct Model18 {
     const Scalar phi_B_along_slide_D = q.s_C * cos_phi_B_plus_psi_C_BC_minus_phi_D
         - q.s_B * cos_phi_B_minus_phi_D - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
     const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
-        + cos_phi_B_plus_psi_C_BC_minus_phi_D * d.h_C_CEG - q.s_B * sin_phi_B_minus_phi_D;
+        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
     const Scalar t01 = q.s_C - d.x_G_CEG;
     const Scalar t02 = d.h_C_CEG - d.y_G_CEG;
     const Scalar phi_B_along_slide_F = t01 * cos_phi_B_plus_psi_C_BC_minus_phi_F
         - t02 * sin_phi_B_plus_psi_C_BC_minus_phi_F - q.s_B * cos_phi_B_minus_phi_F;
-    const Scalar phi_B_across_slide_F = cos_phi_B_plus_psi_C_BC_minus_phi_F * t02
+    const Scalar phi_B_across_slide_F = t02 * cos_phi_B_plus_psi_C_BC_minus_phi_F
         + t01 * sin_phi_B_plus_psi_C_BC_minus_phi_F - q.s_B * sin_phi_B_minus_phi_F;
     const Scalar sin_phi_D_minus_phi_F = u.phi_D.sin * u.phi_F.cos - u.phi_D.cos * u.phi_F.sin;
     const Scalar pivot_product = d.psi_C_BC.sin * sin_phi_D_minus_phi_F;
@@ -1126,20 +1126,20 @@ struct Model18 {
     const Scalar t03 = v_x_B - v_x_D;
     const Scalar t04 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_D = u.phi_D.cos * t03 + u.phi_D.sin * t04
-        + omega_B * phi_B_across_slide_D - d.h_D_DE * omega_D;
-    const Scalar velocity_across_slide_D = u.phi_D.cos * t04 - u.phi_D.sin * t03 - omega_D * q.s_D
-        - omega_B * phi_B_along_slide_D;
+        + phi_B_across_slide_D * omega_B - d.h_D_DE * omega_D;
+    const Scalar velocity_across_slide_D = u.phi_D.cos * t04 - u.phi_D.sin * t03 - q.s_D * omega_D
+        - phi_B_along_slide_D * omega_B;
     const Scalar t05 = v_x_B - v_x_F;
     const Scalar t06 = v_y_B - v_y_F;
     const Scalar velocity_along_slide_F = u.phi_F.cos * t05 + u.phi_F.sin * t06
-        + omega_B * phi_B_across_slide_F - d.h_F_FG * omega_F;
-    const Scalar velocity_across_slide_F = u.phi_F.cos * t06 - u.phi_F.sin * t05 - omega_F * q.s_F
-        - omega_B * phi_B_along_slide_F;
+        + phi_B_across_slide_F * omega_B - d.h_F_FG * omega_F;
+    const Scalar velocity_across_slide_F = u.phi_F.cos * t06 - u.phi_F.sin * t05 - q.s_F * omega_F
+        - phi_B_along_slide_F * omega_B;
     const Scalar t07 = inverse_sin_psi_C_BC * inverse_sin_phi_D_minus_phi_F;
-    const Scalar v_s_B = -(sin_phi_B_plus_psi_C_BC_minus_phi_D * velocity_across_slide_F
-        - sin_phi_B_plus_psi_C_BC_minus_phi_F * velocity_across_slide_D) * t07;
-    const Scalar v_s_C = -(sin_phi_B_minus_phi_D * velocity_across_slide_F
-        - sin_phi_B_minus_phi_F * velocity_across_slide_D) * t07;
+    const Scalar v_s_B = -t07 * (sin_phi_B_plus_psi_C_BC_minus_phi_D * velocity_across_slide_F
+        - sin_phi_B_plus_psi_C_BC_minus_phi_F * velocity_across_slide_D);
+    const Scalar v_s_C = -t07 * (sin_phi_B_minus_phi_D * velocity_across_slide_F
+        - sin_phi_B_minus_phi_F * velocity_across_slide_D);
     const Scalar v_s_F = cos_phi_B_minus_phi_F * v_s_B + velocity_along_slide_F
         - cos_phi_B_plus_psi_C_BC_minus_phi_F * v_s_C;
     const Scalar v_s_D = cos_phi_B_minus_phi_D * v_s_B + velocity_along_slide_D
@@ -1191,12 +1191,12 @@ struct Model18 {
     const Scalar phi_B_along_slide_D = q.s_C * cos_phi_B_plus_psi_C_BC_minus_phi_D
         - q.s_B * cos_phi_B_minus_phi_D - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
     const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
-        + cos_phi_B_plus_psi_C_BC_minus_phi_D * d.h_C_CEG - q.s_B * sin_phi_B_minus_phi_D;
+        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
     const Scalar t01 = q.s_C - d.x_G_CEG;
     const Scalar t02 = d.h_C_CEG - d.y_G_CEG;
     const Scalar phi_B_along_slide_F = t01 * cos_phi_B_plus_psi_C_BC_minus_phi_F
         - t02 * sin_phi_B_plus_psi_C_BC_minus_phi_F - q.s_B * cos_phi_B_minus_phi_F;
-    const Scalar phi_B_across_slide_F = cos_phi_B_plus_psi_C_BC_minus_phi_F * t02
+    const Scalar phi_B_across_slide_F = t02 * cos_phi_B_plus_psi_C_BC_minus_phi_F
         + t01 * sin_phi_B_plus_psi_C_BC_minus_phi_F - q.s_B * sin_phi_B_minus_phi_F;
     const Scalar sin_phi_D_minus_phi_F = u.phi_D.sin * u.phi_F.cos - u.phi_D.cos * u.phi_F.sin;
     const Scalar pivot_product = d.psi_C_BC.sin * sin_phi_D_minus_phi_F;
@@ -1207,24 +1207,24 @@ struct Model18 {
     const Scalar t03 = v_x_B - v_x_D;
     const Scalar t04 = v_y_B - v_y_D;
     const Scalar t05 = d.h_D_DE * omega_D;
-    const Scalar t06 = omega_B * phi_B_across_slide_D;
+    const Scalar t06 = phi_B_across_slide_D * omega_B;
     const Scalar velocity_along_slide_D = u.phi_D.cos * t03 + u.phi_D.sin * t04 + t06 - t05;
-    const Scalar t07 = omega_D * q.s_D;
-    const Scalar t08 = omega_B * phi_B_along_slide_D;
+    const Scalar t07 = q.s_D * omega_D;
+    const Scalar t08 = phi_B_along_slide_D * omega_B;
     const Scalar velocity_across_slide_D = u.phi_D.cos * t04 - u.phi_D.sin * t03 - t07 - t08;
     const Scalar t09 = v_x_B - v_x_F;
     const Scalar t10 = v_y_B - v_y_F;
     const Scalar t11 = d.h_F_FG * omega_F;
-    const Scalar t12 = omega_B * phi_B_across_slide_F;
+    const Scalar t12 = phi_B_across_slide_F * omega_B;
     const Scalar velocity_along_slide_F = u.phi_F.cos * t09 + u.phi_F.sin * t10 + t12 - t11;
-    const Scalar t13 = omega_F * q.s_F;
-    const Scalar t14 = omega_B * phi_B_along_slide_F;
+    const Scalar t13 = q.s_F * omega_F;
+    const Scalar t14 = phi_B_along_slide_F * omega_B;
     const Scalar velocity_across_slide_F = u.phi_F.cos * t10 - u.phi_F.sin * t09 - t13 - t14;
     const Scalar t15 = inverse_sin_psi_C_BC * inverse_sin_phi_D_minus_phi_F;
-    const Scalar v_s_B = -(sin_phi_B_plus_psi_C_BC_minus_phi_D * velocity_across_slide_F
-        - sin_phi_B_plus_psi_C_BC_minus_phi_F * velocity_across_slide_D) * t15;
-    const Scalar v_s_C = -(sin_phi_B_minus_phi_D * velocity_across_slide_F
-        - sin_phi_B_minus_phi_F * velocity_across_slide_D) * t15;
+    const Scalar v_s_B = -t15 * (sin_phi_B_plus_psi_C_BC_minus_phi_D * velocity_across_slide_F
+        - sin_phi_B_plus_psi_C_BC_minus_phi_F * velocity_across_slide_D);
+    const Scalar v_s_C = -t15 * (sin_phi_B_minus_phi_D * velocity_across_slide_F
+        - sin_phi_B_minus_phi_F * velocity_across_slide_D);
     const Scalar t16 = cos_phi_B_minus_phi_F * v_s_B - cos_phi_B_plus_psi_C_BC_minus_phi_F * v_s_C;
     const Scalar v_s_F = velocity_along_slide_F + t16;
     const Scalar t17 = cos_phi_B_minus_phi_D * v_s_B - cos_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C;
@@ -1247,10 +1247,10 @@ struct Model18 {
     const Scalar acceleration_across_slide_F = u.phi_F.cos * t21 + omega_B * (t12 + Scalar(2) * t16)
         - u.phi_F.sin * t20 - omega_F * (t11 + Scalar(2) * v_s_F) - q.s_F * alpha_F
         - phi_B_along_slide_F * alpha_B;
-    const Scalar a_s_B = -(sin_phi_B_plus_psi_C_BC_minus_phi_D * acceleration_across_slide_F
-        - sin_phi_B_plus_psi_C_BC_minus_phi_F * acceleration_across_slide_D) * t15;
-    const Scalar a_s_C = -(sin_phi_B_minus_phi_D * acceleration_across_slide_F
-        - sin_phi_B_minus_phi_F * acceleration_across_slide_D) * t15;
+    const Scalar a_s_B = -t15 * (sin_phi_B_plus_psi_C_BC_minus_phi_D * acceleration_across_slide_F
+        - sin_phi_B_plus_psi_C_BC_minus_phi_F * acceleration_across_slide_D);
+    const Scalar a_s_C = -t15 * (sin_phi_B_minus_phi_D * acceleration_across_slide_F
+        - sin_phi_B_minus_phi_F * acceleration_across_slide_D);
     const Scalar a_s_F = cos_phi_B_minus_phi_F * a_s_B + acceleration_along_slide_F
         - cos_phi_B_plus_psi_C_BC_minus_phi_F * a_s_C;
     const Scalar a_s_D = cos_phi_B_minus_phi_D * a_s_B + acceleration_along_slide_D
@@ -1309,13 +1309,13 @@ struct Model18 {
         - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
     const Scalar phi_B_along_slide_D = t01 - q.s_B * cos_phi_B_minus_phi_D;
     const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
-        + cos_phi_B_plus_psi_C_BC_minus_phi_D * d.h_C_CEG - q.s_B * sin_phi_B_minus_phi_D;
+        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
     const Scalar t02 = q.s_C - d.x_G_CEG;
     const Scalar t03 = d.h_C_CEG - d.y_G_CEG;
     const Scalar t04 = t02 * cos_phi_B_plus_psi_C_BC_minus_phi_F
         - t03 * sin_phi_B_plus_psi_C_BC_minus_phi_F;
     const Scalar phi_B_along_slide_F = t04 - q.s_B * cos_phi_B_minus_phi_F;
-    const Scalar phi_B_across_slide_F = cos_phi_B_plus_psi_C_BC_minus_phi_F * t03
+    const Scalar phi_B_across_slide_F = t03 * cos_phi_B_plus_psi_C_BC_minus_phi_F
         + t02 * sin_phi_B_plus_psi_C_BC_minus_phi_F - q.s_B * sin_phi_B_minus_phi_F;
     const Scalar sin_phi_D_minus_phi_F = u.phi_D.sin * u.phi_F.cos - u.phi_D.cos * u.phi_F.sin;
     const Scalar pivot_product = d.psi_C_BC.sin * sin_phi_D_minus_phi_F;
@@ -1336,94 +1336,58 @@ struct Model18 {
     const Scalar s_F_per_across_slide_F = cos_phi_B_minus_phi_F * s_B_per_across_slide_F - t07;
     const Scalar s_D_per_across_slide_F = cos_phi_B_minus_phi_D * s_B_per_across_slide_F
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_across_slide_F;
-    const Scalar t08 = u.phi_D.sin * s_B_per_across_slide_D;
-    const Scalar t09 = u.phi_F.sin * s_B_per_across_slide_F;
-    const Scalar t10 = t08 + t09;
-    const Scalar s_B_per_x_B = -t10;
-    const Scalar t11 = u.phi_D.sin * s_C_per_across_slide_D;
-    const Scalar t12 = u.phi_F.sin * s_C_per_across_slide_F;
-    const Scalar t13 = t11 + t12;
-    const Scalar s_C_per_x_B = -t13;
-    const Scalar t14 = u.phi_F.sin * s_D_per_across_slide_F;
-    const Scalar t15 = u.phi_D.cos - u.phi_D.sin * s_D_per_across_slide_D;
-    const Scalar t16 = t14 - t15;
-    const Scalar s_D_per_x_B = -t16;
-    const Scalar t17 = u.phi_D.sin * s_F_per_across_slide_D;
-    const Scalar t18 = u.phi_F.cos - u.phi_F.sin * s_F_per_across_slide_F;
-    const Scalar t19 = t17 - t18;
-    const Scalar s_F_per_x_B = -t19;
-    const Scalar t20 = u.phi_D.cos * s_B_per_across_slide_D;
-    const Scalar t21 = u.phi_F.cos * s_B_per_across_slide_F;
-    const Scalar t22 = t20 + t21;
-    const Scalar s_B_per_y_B = t22;
-    const Scalar t23 = u.phi_D.cos * s_C_per_across_slide_D;
-    const Scalar t24 = u.phi_F.cos * s_C_per_across_slide_F;
-    const Scalar t25 = t23 + t24;
-    const Scalar s_C_per_y_B = t25;
-    const Scalar t26 = u.phi_F.cos * s_D_per_across_slide_F;
-    const Scalar t27 = u.phi_D.sin + u.phi_D.cos * s_D_per_across_slide_D;
-    const Scalar t28 = t26 + t27;
-    const Scalar s_D_per_y_B = t28;
-    const Scalar t29 = u.phi_D.cos * s_F_per_across_slide_D;
-    const Scalar t30 = u.phi_F.sin + u.phi_F.cos * s_F_per_across_slide_F;
-    const Scalar t31 = t29 + t30;
-    const Scalar s_F_per_y_B = t31;
-    const Scalar t32 = s_B_per_across_slide_D * phi_B_along_slide_D
-        + s_B_per_across_slide_F * phi_B_along_slide_F;
-    const Scalar s_B_per_phi_B = -t32;
-    const Scalar t33 = s_C_per_across_slide_D * phi_B_along_slide_D
-        + s_C_per_across_slide_F * phi_B_along_slide_F;
-    const Scalar s_C_per_phi_B = -t33;
-    const Scalar t34 = s_D_per_across_slide_D * phi_B_along_slide_D
-        + s_D_per_across_slide_F * phi_B_along_slide_F - phi_B_across_slide_D;
-    const Scalar s_D_per_phi_B = -t34;
-    const Scalar t35 = s_F_per_across_slide_D * phi_B_along_slide_D
-        + s_F_per_across_slide_F * phi_B_along_slide_F - phi_B_across_slide_F;
-    const Scalar s_F_per_phi_B = -t35;
-    const Scalar s_B_per_x_D = t08;
-    const Scalar s_C_per_x_D = t11;
-    const Scalar s_D_per_x_D = -t15;
-    const Scalar s_F_per_x_D = t17;
-    const Scalar s_B_per_y_D = -t20;
-    const Scalar s_C_per_y_D = -t23;
-    const Scalar s_D_per_y_D = -t27;
-    const Scalar s_F_per_y_D = -t29;
-    const Scalar t36 = s_B_per_across_slide_D * q.s_D;
-    const Scalar s_B_per_phi_D = -t36;
-    const Scalar t37 = s_C_per_across_slide_D * q.s_D;
-    const Scalar s_C_per_phi_D = -t37;
-    const Scalar t38 = s_D_per_across_slide_D * q.s_D + d.h_D_DE;
-    const Scalar s_D_per_phi_D = -t38;
-    const Scalar t39 = s_F_per_across_slide_D * q.s_D;
-    const Scalar s_F_per_phi_D = -t39;
-    const Scalar s_B_per_x_F = t09;
-    const Scalar s_C_per_x_F = t12;
-    const Scalar s_D_per_x_F = t14;
-    const Scalar s_F_per_x_F = -t18;
-    const Scalar s_B_per_y_F = -t21;
-    const Scalar s_C_per_y_F = -t24;
-    const Scalar s_D_per_y_F = -t26;
-    const Scalar s_F_per_y_F = -t30;
-    const Scalar t40 = s_B_per_across_slide_F * q.s_F;
-    const Scalar s_B_per_phi_F = -t40;
-    const Scalar t41 = s_C_per_across_slide_F * q.s_F;
-    const Scalar s_C_per_phi_F = -t41;
-    const Scalar t42 = s_D_per_across_slide_F * q.s_F;
-    const Scalar s_D_per_phi_F = -t42;
-    const Scalar t43 = s_F_per_across_slide_F * q.s_F + d.h_F_FG;
-    const Scalar s_F_per_phi_F = -t43;
-    const Scalar v_s_B = v_x_B * s_B_per_x_B + v_y_B * s_B_per_y_B + omega_B * s_B_per_phi_B
-        + v_x_D * s_B_per_x_D + v_y_D * s_B_per_y_D + omega_D * s_B_per_phi_D + v_x_F * s_B_per_x_F
-        + v_y_F * s_B_per_y_F + omega_F * s_B_per_phi_F;
-    const Scalar v_s_C = v_x_B * s_C_per_x_B + v_y_B * s_C_per_y_B + omega_B * s_C_per_phi_B
-        + v_x_D * s_C_per_x_D + v_y_D * s_C_per_y_D + omega_D * s_C_per_phi_D + v_x_F * s_C_per_x_F
-        + v_y_F * s_C_per_y_F + omega_F * s_C_per_phi_F;
-    const Scalar v_s_D = v_x_B * s_D_per_x_B + v_y_B * s_D_per_y_B + omega_B * s_D_per_phi_B
-        + v_x_D * s_D_per_x_D + v_y_D * s_D_per_y_D + omega_D * s_D_per_phi_D + v_x_F * s_D_per_x_F
-        + v_y_F * s_D_per_y_F + omega_F * s_D_per_phi_F;
-    const Scalar v_s_F = v_x_B * s_F_per_x_B + v_y_B * s_F_per_y_B + omega_B * s_F_per_phi_B
-        + v_x_D * s_F_per_x_D + v_y_D * s_F_per_y_D + omega_D * s_F_per_phi_D + v_x_F * s_F_per_x_F
-        + v_y_F * s_F_per_y_F + omega_F * s_F_per_phi_F;
+    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
+    const Scalar s_B_per_x_F = u.phi_F.sin * s_B_per_across_slide_F;
+    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
+    const Scalar s_C_per_x_D = u.phi_D.sin * s_C_per_across_slide_D;
+    const Scalar s_C_per_x_F = u.phi_F.sin * s_C_per_across_slide_F;
+    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
+    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
+    const Scalar s_D_per_x_F = u.phi_F.sin * s_D_per_across_slide_F;
+    const Scalar s_D_per_x_B = -s_D_per_x_D - s_D_per_x_F;
+    const Scalar s_F_per_x_D = u.phi_D.sin * s_F_per_across_slide_D;
+    const Scalar s_F_per_x_F = u.phi_F.sin * s_F_per_across_slide_F - u.phi_F.cos;
+    const Scalar s_F_per_x_B = -s_F_per_x_D - s_F_per_x_F;
+    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
+    const Scalar s_B_per_y_F = -u.phi_F.cos * s_B_per_across_slide_F;
+    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
+    const Scalar s_C_per_y_D = -u.phi_D.cos * s_C_per_across_slide_D;
+    const Scalar s_C_per_y_F = -u.phi_F.cos * s_C_per_across_slide_F;
+    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
+    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
+    const Scalar s_D_per_y_F = -u.phi_F.cos * s_D_per_across_slide_F;
+    const Scalar s_D_per_y_B = -s_D_per_y_D - s_D_per_y_F;
+    const Scalar s_F_per_y_D = -u.phi_D.cos * s_F_per_across_slide_D;
+    const Scalar s_F_per_y_F = -u.phi_F.sin - u.phi_F.cos * s_F_per_across_slide_F;
+    const Scalar s_F_per_y_B = -s_F_per_y_D - s_F_per_y_F;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_D * s_B_per_across_slide_D
+        - phi_B_along_slide_F * s_B_per_across_slide_F;
+    const Scalar s_C_per_phi_B = -phi_B_along_slide_D * s_C_per_across_slide_D
+        - phi_B_along_slide_F * s_C_per_across_slide_F;
+    const Scalar s_D_per_phi_B = phi_B_across_slide_D - phi_B_along_slide_D * s_D_per_across_slide_D
+        - phi_B_along_slide_F * s_D_per_across_slide_F;
+    const Scalar s_F_per_phi_B = phi_B_across_slide_F - phi_B_along_slide_D * s_F_per_across_slide_D
+        - phi_B_along_slide_F * s_F_per_across_slide_F;
+    const Scalar s_B_per_phi_D = -q.s_D * s_B_per_across_slide_D;
+    const Scalar s_C_per_phi_D = -q.s_D * s_C_per_across_slide_D;
+    const Scalar s_D_per_phi_D = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
+    const Scalar s_F_per_phi_D = -q.s_D * s_F_per_across_slide_D;
+    const Scalar s_B_per_phi_F = -q.s_F * s_B_per_across_slide_F;
+    const Scalar s_C_per_phi_F = -q.s_F * s_C_per_across_slide_F;
+    const Scalar s_D_per_phi_F = -q.s_F * s_D_per_across_slide_F;
+    const Scalar s_F_per_phi_F = -q.s_F * s_F_per_across_slide_F - d.h_F_FG;
+    const Scalar v_s_B = s_B_per_x_B * v_x_B + s_B_per_y_B * v_y_B + s_B_per_phi_B * omega_B
+        + s_B_per_x_D * v_x_D + s_B_per_y_D * v_y_D + s_B_per_phi_D * omega_D + s_B_per_x_F * v_x_F
+        + s_B_per_y_F * v_y_F + s_B_per_phi_F * omega_F;
+    const Scalar v_s_C = s_C_per_x_B * v_x_B + s_C_per_y_B * v_y_B + s_C_per_phi_B * omega_B
+        + s_C_per_x_D * v_x_D + s_C_per_y_D * v_y_D + s_C_per_phi_D * omega_D + s_C_per_x_F * v_x_F
+        + s_C_per_y_F * v_y_F + s_C_per_phi_F * omega_F;
+    const Scalar v_s_D = s_D_per_x_B * v_x_B + s_D_per_y_B * v_y_B + s_D_per_phi_B * omega_B
+        + s_D_per_x_D * v_x_D + s_D_per_y_D * v_y_D + s_D_per_phi_D * omega_D + s_D_per_x_F * v_x_F
+        + s_D_per_y_F * v_y_F + s_D_per_phi_F * omega_F;
+    const Scalar v_s_F = s_F_per_x_B * v_x_B + s_F_per_y_B * v_y_B + s_F_per_phi_B * omega_B
+        + s_F_per_x_D * v_x_D + s_F_per_y_D * v_y_D + s_F_per_phi_D * omega_D + s_F_per_x_F * v_x_F
+        + s_F_per_y_F * v_y_F + s_F_per_phi_F * omega_F;
     const Scalar centripetal_along_slide_D = q.s_D * omega_D * omega_D
         - omega_B * (Scalar(2) * sin_phi_B_minus_phi_D * v_s_B
         - Scalar(2) * sin_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C - phi_B_along_slide_D * omega_B);
@@ -1436,77 +1400,77 @@ struct Model18 {
     const Scalar centripetal_across_slide_F = omega_B * (Scalar(2) * cos_phi_B_minus_phi_F * v_s_B
         + phi_B_across_slide_F * omega_B - Scalar(2) * cos_phi_B_plus_psi_C_BC_minus_phi_F * v_s_C)
         - omega_F * (d.h_F_FG * omega_F + Scalar(2) * v_s_F);
-    const Scalar t44 = cos_phi_B_plus_psi_C_BC_minus_phi_F * s_B_per_across_slide_F;
-    const Scalar t45 = cos_phi_B_plus_psi_C_BC_minus_phi_F * s_D_per_across_slide_F;
-    const Scalar t46 = sin_phi_B_plus_psi_C_BC_minus_phi_D
+    const Scalar t08 = cos_phi_B_plus_psi_C_BC_minus_phi_F * s_B_per_across_slide_F;
+    const Scalar t09 = cos_phi_B_plus_psi_C_BC_minus_phi_F * s_D_per_across_slide_F;
+    const Scalar t10 = sin_phi_B_plus_psi_C_BC_minus_phi_D
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D;
-    const Scalar t47 = sin_phi_B_plus_psi_C_BC_minus_phi_F
+    const Scalar t11 = sin_phi_B_plus_psi_C_BC_minus_phi_F
         - cos_phi_B_plus_psi_C_BC_minus_phi_F * s_F_per_across_slide_F;
-    S_d(0, 0) = -cos_phi_B_plus_psi_C_BC_minus_phi_D * s_B_per_across_slide_D - t44;
+    S_d(0, 0) = -cos_phi_B_plus_psi_C_BC_minus_phi_D * s_B_per_across_slide_D - t08;
     S_d(0, 1) = sin_phi_B_plus_psi_C_BC_minus_phi_F * s_B_per_across_slide_F;
-    S_d(0, 2) = t44;
-    S_d(0, 3) = -s_B_per_across_slide_F * t04 - s_B_per_across_slide_D * t01;
+    S_d(0, 2) = t08;
+    S_d(0, 3) = -t04 * s_B_per_across_slide_F - t01 * s_B_per_across_slide_D;
     S_d(0, 4) = s_B_per_across_slide_D;
     S_d(0, 5) = s_B_per_across_slide_F;
     S_d(1, 0) = -t06 - t07;
     S_d(1, 1) = sin_phi_B_plus_psi_C_BC_minus_phi_F * s_C_per_across_slide_F;
     S_d(1, 2) = t07;
-    S_d(1, 3) = -s_C_per_across_slide_F * t04 - s_C_per_across_slide_D * t01;
+    S_d(1, 3) = -t04 * s_C_per_across_slide_F - t01 * s_C_per_across_slide_D;
     S_d(1, 4) = s_C_per_across_slide_D;
     S_d(1, 5) = s_C_per_across_slide_F;
-    S_d(2, 0) = t46 - t45;
+    S_d(2, 0) = t10 - t09;
     S_d(2, 1) = sin_phi_B_plus_psi_C_BC_minus_phi_F * s_D_per_across_slide_F;
-    S_d(2, 2) = t45;
-    S_d(2, 3) = q.s_C * t46 + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_phi_D
+    S_d(2, 2) = t09;
+    S_d(2, 3) = q.s_C * t10 + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_phi_D
         + sin_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D)
-        - s_D_per_across_slide_F * t04;
+        - t04 * s_D_per_across_slide_F;
     S_d(2, 4) = s_D_per_across_slide_D;
     S_d(2, 5) = s_D_per_across_slide_F;
-    S_d(3, 0) = t47 - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_F_per_across_slide_D;
+    S_d(3, 0) = t11 - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_F_per_across_slide_D;
     S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_phi_F
         + sin_phi_B_plus_psi_C_BC_minus_phi_F * s_F_per_across_slide_F;
-    S_d(3, 2) = -t47;
-    S_d(3, 3) = sin_phi_B_plus_psi_C_BC_minus_phi_F * (t02 + t03 * s_F_per_across_slide_F)
-        + cos_phi_B_plus_psi_C_BC_minus_phi_F * (t03 - t02 * s_F_per_across_slide_F)
-        - s_F_per_across_slide_D * t01;
+    S_d(3, 2) = -t11;
+    S_d(3, 3) = (t02 + t03 * s_F_per_across_slide_F) * sin_phi_B_plus_psi_C_BC_minus_phi_F + (t03
+        - t02 * s_F_per_across_slide_F) * cos_phi_B_plus_psi_C_BC_minus_phi_F
+        - t01 * s_F_per_across_slide_D;
     S_d(3, 4) = s_F_per_across_slide_D;
     S_d(3, 5) = s_F_per_across_slide_F;
-    S_u(0, 0) = -t10;
-    S_u(0, 1) = t22;
-    S_u(0, 2) = -t32;
-    S_u(0, 3) = t08;
-    S_u(0, 4) = -t20;
-    S_u(0, 5) = -t36;
-    S_u(0, 6) = t09;
-    S_u(0, 7) = -t21;
-    S_u(0, 8) = -t40;
-    S_u(1, 0) = -t13;
-    S_u(1, 1) = t25;
-    S_u(1, 2) = -t33;
-    S_u(1, 3) = t11;
-    S_u(1, 4) = -t23;
-    S_u(1, 5) = -t37;
-    S_u(1, 6) = t12;
-    S_u(1, 7) = -t24;
-    S_u(1, 8) = -t41;
-    S_u(2, 0) = -t16;
-    S_u(2, 1) = t28;
-    S_u(2, 2) = -t34;
-    S_u(2, 3) = -t15;
-    S_u(2, 4) = -t27;
-    S_u(2, 5) = -t38;
-    S_u(2, 6) = t14;
-    S_u(2, 7) = -t26;
-    S_u(2, 8) = -t42;
-    S_u(3, 0) = -t19;
-    S_u(3, 1) = t31;
-    S_u(3, 2) = -t35;
-    S_u(3, 3) = t17;
-    S_u(3, 4) = -t29;
-    S_u(3, 5) = -t39;
-    S_u(3, 6) = -t18;
-    S_u(3, 7) = -t30;
-    S_u(3, 8) = -t43;
+    S_u(0, 0) = s_B_per_x_B;
+    S_u(0, 1) = s_B_per_y_B;
+    S_u(0, 2) = s_B_per_phi_B;
+    S_u(0, 3) = s_B_per_x_D;
+    S_u(0, 4) = s_B_per_y_D;
+    S_u(0, 5) = s_B_per_phi_D;
+    S_u(0, 6) = s_B_per_x_F;
+    S_u(0, 7) = s_B_per_y_F;
+    S_u(0, 8) = s_B_per_phi_F;
+    S_u(1, 0) = s_C_per_x_B;
+    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 2) = s_C_per_phi_B;
+    S_u(1, 3) = s_C_per_x_D;
+    S_u(1, 4) = s_C_per_y_D;
+    S_u(1, 5) = s_C_per_phi_D;
+    S_u(1, 6) = s_C_per_x_F;
+    S_u(1, 7) = s_C_per_y_F;
+    S_u(1, 8) = s_C_per_phi_F;
+    S_u(2, 0) = s_D_per_x_B;
+    S_u(2, 1) = s_D_per_y_B;
+    S_u(2, 2) = s_D_per_phi_B;
+    S_u(2, 3) = s_D_per_x_D;
+    S_u(2, 4) = s_D_per_y_D;
+    S_u(2, 5) = s_D_per_phi_D;
+    S_u(2, 6) = s_D_per_x_F;
+    S_u(2, 7) = s_D_per_y_F;
+    S_u(2, 8) = s_D_per_phi_F;
+    S_u(3, 0) = s_F_per_x_B;
+    S_u(3, 1) = s_F_per_y_B;
+    S_u(3, 2) = s_F_per_phi_B;
+    S_u(3, 3) = s_F_per_x_D;
+    S_u(3, 4) = s_F_per_y_D;
+    S_u(3, 5) = s_F_per_phi_D;
+    S_u(3, 6) = s_F_per_x_F;
+    S_u(3, 7) = s_F_per_y_F;
+    S_u(3, 8) = s_F_per_phi_F;
     q_rate(0) = v_s_B;
     q_rate(1) = v_s_C;
     q_rate(2) = v_s_D;
@@ -1543,22 +1507,24 @@ struct Model18 {
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     const Scalar t01 = u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos;
-    const Scalar t02 = u.phi_B.cos * u.phi_D.cos + u.phi_D.sin * u.phi_B.sin;
-    const Scalar b_0_re = -Scalar(2) * (t01 * d.psi_C_BC.cos - t02 * d.psi_C_BC.sin);
-    const Scalar c_0_re = Scalar(2) * ((d.psi_C_BC.cos * t02 + t01 * d.psi_C_BC.sin) * d.h_C_CEG
-        + u.phi_D.sin * (FB_x - FD_x) - u.phi_D.cos * (FB_y - FD_y) - d.h_D_DE);
+    const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_D.sin * u.phi_B.sin;
+    const Scalar b_0_re = -Scalar(2) * (t01 * d.psi_C_BC.cos
+        - d.psi_C_BC.sin * cos_phi_B_minus_phi_D);
+    const Scalar c_0_re = -Scalar(2) * ((FB_y - FD_y) * u.phi_D.cos + d.h_D_DE - (FB_x
+        - FD_x) * u.phi_D.sin - d.h_C_CEG * (t01 * d.psi_C_BC.sin
+        + d.psi_C_BC.cos * cos_phi_B_minus_phi_D));
     const Scalar c_1_re = Scalar(2) * t01;
-    const Scalar t03 = u.phi_B.cos * u.phi_F.sin - u.phi_B.sin * u.phi_F.cos;
-    const Scalar e_0_re = -Scalar(2) * (d.psi_C_BC.cos * t03
+    const Scalar t02 = u.phi_B.cos * u.phi_F.sin - u.phi_B.sin * u.phi_F.cos;
+    const Scalar e_0_re = -Scalar(2) * (d.psi_C_BC.cos * t02
         - d.psi_C_BC.sin * (u.phi_B.cos * u.phi_F.cos + u.phi_B.sin * u.phi_F.sin));
-    const Scalar t04 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar t05 = u.phi_B.cos * t04 - u.phi_B.sin * d.x_G_CEG;
-    const Scalar t06 = u.phi_B.sin * t04 + u.phi_B.cos * d.x_G_CEG;
-    const Scalar f_0_re = -Scalar(2) * (u.phi_F.cos * (FB_y + d.psi_C_BC.sin * t06
-        - d.psi_C_BC.cos * t05) + d.h_F_FG - u.phi_F.sin * (FB_x + d.psi_C_BC.cos * t06
-        + d.psi_C_BC.sin * t05));
-    const Scalar f_1_re = Scalar(2) * t03;
-    T(0) = b_0_re * f_0_re - c_0_re * e_0_re;
+    const Scalar t03 = d.h_C_CEG - d.y_G_CEG;
+    const Scalar t04 = t03 * u.phi_B.cos - d.x_G_CEG * u.phi_B.sin;
+    const Scalar t05 = t03 * u.phi_B.sin + d.x_G_CEG * u.phi_B.cos;
+    const Scalar f_0_re = -Scalar(2) * ((FB_y + t05 * d.psi_C_BC.sin
+        - t04 * d.psi_C_BC.cos) * u.phi_F.cos + d.h_F_FG - (FB_x + t05 * d.psi_C_BC.cos
+        + t04 * d.psi_C_BC.sin) * u.phi_F.sin);
+    const Scalar f_1_re = Scalar(2) * t02;
+    T(0) = f_0_re * b_0_re - c_0_re * e_0_re;
     T(1) = b_0_re * f_1_re - e_0_re * c_1_re;
   }
 
@@ -1573,18 +1539,18 @@ struct Model18 {
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar t02 = q.s_B + d.psi_C_BC.sin * t01 + d.psi_C_BC.cos * d.x_G_CEG;
-    const Scalar t03 = d.psi_C_BC.cos * t01 - d.psi_C_BC.sin * d.x_G_CEG;
+    const Scalar t02 = q.s_B + t01 * d.psi_C_BC.sin + d.x_G_CEG * d.psi_C_BC.cos;
+    const Scalar t03 = t01 * d.psi_C_BC.cos - d.x_G_CEG * d.psi_C_BC.sin;
     e(0, 1) = -Scalar(2) * ((u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos) * d.psi_C_BC.cos
         - (u.phi_B.cos * u.phi_D.cos + u.phi_D.sin * u.phi_B.sin) * d.psi_C_BC.sin);
-    e(0, 2) = Scalar(2) * (u.phi_D.cos * ((u.phi_B.cos * d.psi_C_BC.cos
-        - u.phi_B.sin * d.psi_C_BC.sin) * d.h_C_CEG + FD_y - u.phi_B.sin * q.s_B - FB_y)
-        + u.phi_D.sin * (d.h_C_CEG * (u.phi_B.sin * d.psi_C_BC.cos + u.phi_B.cos * d.psi_C_BC.sin)
-        + u.phi_B.cos * q.s_B + FB_x - FD_x) - d.h_D_DE);
+    e(0, 2) = Scalar(2) * ((d.h_C_CEG * (u.phi_B.cos * d.psi_C_BC.cos
+        - u.phi_B.sin * d.psi_C_BC.sin) + FD_y - q.s_B * u.phi_B.sin - FB_y) * u.phi_D.cos
+        + (d.h_C_CEG * (u.phi_B.sin * d.psi_C_BC.cos + u.phi_B.cos * d.psi_C_BC.sin)
+        + q.s_B * u.phi_B.cos + FB_x - FD_x) * u.phi_D.sin - d.h_D_DE);
     e(1, 1) = -Scalar(2) * (d.psi_C_BC.cos * (u.phi_B.cos * u.phi_F.sin - u.phi_B.sin * u.phi_F.cos)
         - d.psi_C_BC.sin * (u.phi_B.cos * u.phi_F.cos + u.phi_B.sin * u.phi_F.sin));
-    e(1, 2) = -Scalar(2) * (u.phi_F.cos * (FB_y + u.phi_B.sin * t02 - u.phi_B.cos * t03) + d.h_F_FG
-        - u.phi_F.sin * (FB_x + u.phi_B.cos * t02 + u.phi_B.sin * t03));
+    e(1, 2) = -Scalar(2) * ((FB_y + t02 * u.phi_B.sin - t03 * u.phi_B.cos) * u.phi_F.cos + d.h_F_FG
+        - (FB_x + t02 * u.phi_B.cos + t03 * u.phi_B.sin) * u.phi_F.sin);
   }
 
   /// The other unknowns of a configuration in which those of the reduced
@@ -1597,15 +1563,15 @@ struct Model18 {
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     const Scalar t01 = q.s_B + d.h_C_CEG * d.psi_C_BC.sin - q.s_C * d.psi_C_BC.cos;
-    const Scalar t02 = q.s_C * d.psi_C_BC.sin + d.psi_C_BC.cos * d.h_C_CEG;
+    const Scalar t02 = q.s_C * d.psi_C_BC.sin + d.h_C_CEG * d.psi_C_BC.cos;
     const Scalar t03 = q.s_C - d.x_G_CEG;
     const Scalar t04 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar t05 = q.s_B + d.psi_C_BC.sin * t04 - d.psi_C_BC.cos * t03;
-    const Scalar t06 = d.psi_C_BC.cos * t04 + d.psi_C_BC.sin * t03;
+    const Scalar t05 = q.s_B + t04 * d.psi_C_BC.sin - t03 * d.psi_C_BC.cos;
+    const Scalar t06 = t04 * d.psi_C_BC.cos + t03 * d.psi_C_BC.sin;
     q.s_D = (t01 * u.phi_B.cos + t02 * u.phi_B.sin + FB_x - FD_x) * u.phi_D.cos + (t01 * u.phi_B.sin
-        + FB_y - u.phi_B.cos * t02 - FD_y) * u.phi_D.sin;
-    q.s_F = (FB_x + u.phi_B.cos * t05 + u.phi_B.sin * t06) * u.phi_F.cos + (FB_y + u.phi_B.sin * t05
-        - u.phi_B.cos * t06) * u.phi_F.sin;
+        + FB_y - t02 * u.phi_B.cos - FD_y) * u.phi_D.sin;
+    q.s_F = (FB_x + t05 * u.phi_B.cos + t06 * u.phi_B.sin) * u.phi_F.cos + (FB_y + t05 * u.phi_B.sin
+        - t06 * u.phi_B.cos) * u.phi_F.sin;
   }
 };
 

@@ -178,8 +178,8 @@ struct Model20 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
@@ -188,7 +188,7 @@ struct Model20 {
     const Scalar slide_E_y = q.s_E * sin_slide_E;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar CG_x = -(sin_CEG * d.psi_G_CEG.cos + cos_CEG * d.psi_G_CEG.sin) * d.h_G_CEG;
+    const Scalar CG_x = -d.h_G_CEG * (sin_CEG * d.psi_G_CEG.cos + cos_CEG * d.psi_G_CEG.sin);
     const Scalar CG_y = d.h_G_CEG * (cos_CEG * d.psi_G_CEG.cos - sin_CEG * d.psi_G_CEG.sin);
     const Scalar cos_slide_G = u.phi_F.cos * d.psi_G_FG.cos - u.phi_F.sin * d.psi_G_FG.sin;
     const Scalar sin_slide_G = u.phi_F.sin * d.psi_G_FG.cos + u.phi_F.cos * d.psi_G_FG.sin;
@@ -245,7 +245,7 @@ struct Model20 {
     const Scalar slide_E_x = q.s_E * cos_slide_E;
     const Scalar slide_E_y = q.s_E * sin_slide_E;
     const Scalar t01 = sin_CEG * d.psi_G_CEG.cos + cos_CEG * d.psi_G_CEG.sin;
-    const Scalar CG_x = -t01 * d.h_G_CEG;
+    const Scalar CG_x = -d.h_G_CEG * t01;
     const Scalar t02 = cos_CEG * d.psi_G_CEG.cos - sin_CEG * d.psi_G_CEG.sin;
     const Scalar CG_y = d.h_G_CEG * t02;
     const Scalar cos_slide_G = d.psi_G_FG.cos * u.phi_F.cos - d.psi_G_FG.sin * u.phi_F.sin;
@@ -275,8 +275,8 @@ struct Model20 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
@@ -285,7 +285,7 @@ struct Model20 {
     const Scalar slide_E_y = q.s_E * sin_slide_E;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar CG_x = -(sin_CEG * d.psi_G_CEG.cos + cos_CEG * d.psi_G_CEG.sin) * d.h_G_CEG;
+    const Scalar CG_x = -d.h_G_CEG * (sin_CEG * d.psi_G_CEG.cos + cos_CEG * d.psi_G_CEG.sin);
     const Scalar CG_y = d.h_G_CEG * (cos_CEG * d.psi_G_CEG.cos - sin_CEG * d.psi_G_CEG.sin);
     const Scalar cos_slide_G = u.phi_F.cos * d.psi_G_FG.cos - u.phi_F.sin * d.psi_G_FG.sin;
     const Scalar sin_slide_G = u.phi_F.sin * d.psi_G_FG.cos + u.phi_F.cos * d.psi_G_FG.sin;
@@ -329,8 +329,8 @@ struct Model20 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
@@ -339,7 +339,7 @@ struct Model20 {
     const Scalar slide_E_y = q.s_E * sin_slide_E;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar CG_x = -(sin_CEG * d.psi_G_CEG.cos + cos_CEG * d.psi_G_CEG.sin) * d.h_G_CEG;
+    const Scalar CG_x = -d.h_G_CEG * (sin_CEG * d.psi_G_CEG.cos + cos_CEG * d.psi_G_CEG.sin);
     const Scalar CG_y = d.h_G_CEG * (cos_CEG * d.psi_G_CEG.cos - sin_CEG * d.psi_G_CEG.sin);
     const Scalar cos_slide_G = u.phi_F.cos * d.psi_G_FG.cos - u.phi_F.sin * d.psi_G_FG.sin;
     const Scalar sin_slide_G = u.phi_F.sin * d.psi_G_FG.cos + u.phi_F.cos * d.psi_G_FG.sin;
@@ -348,9 +348,9 @@ struct Model20 {
     const Scalar t01 = slide_B_y - slide_C_y;
     const Scalar t02 = slide_B_x - slide_C_x;
     rhs(0) = (slide_D_y - slide_E_y) * omega_D + v_x_B - t01 * omega_B - v_x_D;
-    rhs(1) = omega_B * t02 + v_y_B - omega_D * (slide_D_x - slide_E_x) - v_y_D;
-    rhs(2) = v_x_B + (slide_F_y - slide_G_y) * omega_F - v_x_F - omega_B * (t01 + CG_y);
-    rhs(3) = v_y_B + omega_B * (t02 + CG_x) - omega_F * (slide_F_x - slide_G_x) - v_y_F;
+    rhs(1) = t02 * omega_B + v_y_B - (slide_D_x - slide_E_x) * omega_D - v_y_D;
+    rhs(2) = v_x_B + (slide_F_y - slide_G_y) * omega_F - v_x_F - (t01 + CG_y) * omega_B;
+    rhs(3) = v_y_B + (t02 + CG_x) * omega_B - (slide_F_x - slide_G_x) * omega_F - v_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -382,8 +382,8 @@ struct Model20 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
@@ -392,7 +392,7 @@ struct Model20 {
     const Scalar slide_E_y = q.s_E * sin_slide_E;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar CG_x = -(sin_CEG * d.psi_G_CEG.cos + cos_CEG * d.psi_G_CEG.sin) * d.h_G_CEG;
+    const Scalar CG_x = -d.h_G_CEG * (sin_CEG * d.psi_G_CEG.cos + cos_CEG * d.psi_G_CEG.sin);
     const Scalar CG_y = d.h_G_CEG * (cos_CEG * d.psi_G_CEG.cos - sin_CEG * d.psi_G_CEG.sin);
     const Scalar cos_slide_G = u.phi_F.cos * d.psi_G_FG.cos - u.phi_F.sin * d.psi_G_FG.sin;
     const Scalar sin_slide_G = u.phi_F.sin * d.psi_G_FG.cos + u.phi_F.cos * d.psi_G_FG.sin;
@@ -411,15 +411,15 @@ struct Model20 {
     rhs(0) = omega_D * (t01 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * sin_slide_E * v_s_E) + t03 * alpha_D + a_x_B - t02 * alpha_B - a_x_D
         - omega_B * (t04 * omega_B + Scalar(2) * t05);
-    rhs(1) = omega_D * (omega_D * t03 + Scalar(2) * cos_slide_E * v_s_E
+    rhs(1) = omega_D * (t03 * omega_D + Scalar(2) * cos_slide_E * v_s_E
         - Scalar(2) * u.phi_D.cos * v_s_D) + t04 * alpha_B + a_y_B - t01 * alpha_D - a_y_D
-        - omega_B * (omega_B * t02 - Scalar(2) * t06);
+        - omega_B * (t02 * omega_B - Scalar(2) * t06);
     rhs(2) = a_x_B + omega_F * (t07 * omega_F + Scalar(2) * u.phi_F.sin * v_s_F
         - Scalar(2) * sin_slide_G * v_s_G) + t08 * alpha_F - a_x_F - omega_B * (Scalar(2) * t05
-        + omega_B * t09) - alpha_B * t10;
-    rhs(3) = a_y_B + omega_F * (omega_F * t08 + Scalar(2) * cos_slide_G * v_s_G
-        - Scalar(2) * u.phi_F.cos * v_s_F) + alpha_B * t09 + omega_B * (Scalar(2) * t06
-        - omega_B * t10) - t07 * alpha_F - a_y_F;
+        + t09 * omega_B) - t10 * alpha_B;
+    rhs(3) = a_y_B + omega_F * (t08 * omega_F + Scalar(2) * cos_slide_G * v_s_G
+        - Scalar(2) * u.phi_F.cos * v_s_F) + t09 * alpha_B + omega_B * (Scalar(2) * t06
+        - t10 * omega_B) - t07 * alpha_F - a_y_F;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -461,8 +461,8 @@ struct Model20 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
@@ -471,7 +471,7 @@ struct Model20 {
     const Scalar slide_E_y = q.s_E * sin_slide_E;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar CG_x = -(sin_CEG * d.psi_G_CEG.cos + cos_CEG * d.psi_G_CEG.sin) * d.h_G_CEG;
+    const Scalar CG_x = -d.h_G_CEG * (sin_CEG * d.psi_G_CEG.cos + cos_CEG * d.psi_G_CEG.sin);
     const Scalar CG_y = d.h_G_CEG * (cos_CEG * d.psi_G_CEG.cos - sin_CEG * d.psi_G_CEG.sin);
     const Scalar cos_slide_G = u.phi_F.cos * d.psi_G_FG.cos - u.phi_F.sin * d.psi_G_FG.sin;
     const Scalar sin_slide_G = u.phi_F.sin * d.psi_G_FG.cos + u.phi_F.cos * d.psi_G_FG.sin;
@@ -501,19 +501,19 @@ struct Model20 {
         - omega_B * (Scalar(3) * t04 * alpha_B + Scalar(3) * t05 - omega_B * (t01 * omega_B
         - Scalar(3) * t06)) - Scalar(3) * t10;
     rhs(1) = t04 * jerk_B + omega_D * (Scalar(3) * t03 * alpha_D + Scalar(3) * cos_slide_E * a_s_E
-        + omega_D * (Scalar(3) * t02 + omega_D * t07) - Scalar(3) * u.phi_D.cos * a_s_D)
+        + omega_D * (Scalar(3) * t02 + t07 * omega_D) - Scalar(3) * u.phi_D.cos * a_s_D)
         + Scalar(3) * t12 - Scalar(3) * t08 * alpha_D - t07 * jerk_D - j_y_D
-        - omega_B * (Scalar(3) * t01 * alpha_B + omega_B * (Scalar(3) * t09 + omega_B * t04)
+        - omega_B * (Scalar(3) * t01 * alpha_B + omega_B * (Scalar(3) * t09 + t04 * omega_B)
         - Scalar(3) * t11);
     rhs(2) = Scalar(3) * alpha_F * t13 + t14 * jerk_F + omega_F * (Scalar(3) * t17 * alpha_F
         + Scalar(3) * u.phi_F.sin * a_s_F - Scalar(3) * sin_slide_G * a_s_G
-        - omega_F * (t14 * omega_F - Scalar(3) * t18)) - j_x_F - jerk_B * t15
-        - omega_B * (Scalar(3) * t05 + omega_B * (Scalar(3) * t06 - omega_B * t15)
-        + Scalar(3) * alpha_B * t16) - Scalar(3) * t10;
-    rhs(3) = jerk_B * t16 + omega_B * (Scalar(3) * t11 - Scalar(3) * alpha_B * t15
-        - omega_B * (Scalar(3) * t09 + omega_B * t16)) + Scalar(3) * t12
+        - omega_F * (t14 * omega_F - Scalar(3) * t18)) - j_x_F - t15 * jerk_B
+        - omega_B * (Scalar(3) * t05 + omega_B * (Scalar(3) * t06 - t15 * omega_B)
+        + Scalar(3) * t16 * alpha_B) - Scalar(3) * t10;
+    rhs(3) = t16 * jerk_B + omega_B * (Scalar(3) * t11 - Scalar(3) * t15 * alpha_B
+        - omega_B * (Scalar(3) * t09 + t16 * omega_B)) + Scalar(3) * t12
         + omega_F * (Scalar(3) * t14 * alpha_F + Scalar(3) * cos_slide_G * a_s_G
-        + omega_F * (Scalar(3) * t13 + omega_F * t17) - Scalar(3) * u.phi_F.cos * a_s_F)
+        + omega_F * (Scalar(3) * t13 + t17 * omega_F) - Scalar(3) * u.phi_F.cos * a_s_F)
         - Scalar(3) * t18 * alpha_F - t17 * jerk_F - j_y_F;
   }
 
@@ -542,8 +542,8 @@ struct Model20 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
@@ -553,7 +553,7 @@ struct Model20 {
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
     const Scalar t01 = sin_CEG * d.psi_G_CEG.cos + cos_CEG * d.psi_G_CEG.sin;
-    const Scalar CG_x = -t01 * d.h_G_CEG;
+    const Scalar CG_x = -d.h_G_CEG * t01;
     const Scalar t02 = cos_CEG * d.psi_G_CEG.cos - sin_CEG * d.psi_G_CEG.sin;
     const Scalar CG_y = d.h_G_CEG * t02;
     const Scalar cos_slide_G = u.phi_F.cos * d.psi_G_FG.cos - u.phi_F.sin * d.psi_G_FG.sin;
@@ -567,39 +567,39 @@ struct Model20 {
     const Scalar t07 = slide_B_x - slide_C_x;
     const Scalar t08 = u.phi_B.sin * v_s_B - t05;
     const Scalar t09 = cos_slide_E * v_s_E;
-    const Scalar t10 = omega_E_DE * slide_E_y;
+    const Scalar t10 = slide_E_y * omega_E_DE;
     const Scalar t11 = cos_CEG * v_s_C;
-    const Scalar t12 = omega_C_BC * slide_C_y;
+    const Scalar t12 = slide_C_y * omega_C_BC;
     const Scalar t13 = slide_B_y - slide_C_y;
     const Scalar t14 = u.phi_B.cos * v_s_B - t11;
     const Scalar t15 = sin_slide_G * v_s_G;
     const Scalar t16 = slide_G_x * omega_G_FG;
     const Scalar t17 = t02 * v_h_G_CEG;
     const Scalar t18 = CG_x * omega_G_CEG;
-    const Scalar t19 = omega_C_BC * (slide_C_x - CG_x);
+    const Scalar t19 = (slide_C_x - CG_x) * omega_C_BC;
     const Scalar t20 = t17 + t18;
     const Scalar t21 = cos_slide_G * v_s_G;
-    const Scalar t22 = omega_G_FG * slide_G_y;
+    const Scalar t22 = slide_G_y * omega_G_FG;
     const Scalar t23 = t01 * v_h_G_CEG;
-    const Scalar t24 = omega_G_CEG * CG_y;
-    const Scalar t25 = omega_C_BC * (slide_C_y - CG_y);
+    const Scalar t24 = CG_y * omega_G_CEG;
+    const Scalar t25 = (slide_C_y - CG_y) * omega_C_BC;
     const Scalar t26 = t23 + t24;
     rhs(0) = omega_D * ((slide_D_x - slide_E_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * t03 - Scalar(2) * t04) + omega_C_BC * (Scalar(2) * t05 + t06)
         - omega_E_DE * (Scalar(2) * t03 + t04) - omega_B * (t07 * omega_B + Scalar(2) * t08
         - Scalar(2) * t06);
-    rhs(1) = omega_D * (omega_D * (slide_D_y - slide_E_y) + Scalar(2) * t09
+    rhs(1) = omega_D * ((slide_D_y - slide_E_y) * omega_D + Scalar(2) * t09
         - Scalar(2) * u.phi_D.cos * v_s_D - Scalar(2) * t10) + omega_E_DE * (Scalar(2) * t09 - t10)
-        - omega_C_BC * (Scalar(2) * t11 - t12) - omega_B * (omega_B * t13 - Scalar(2) * t12
+        - omega_C_BC * (Scalar(2) * t11 - t12) - omega_B * (t13 * omega_B - Scalar(2) * t12
         - Scalar(2) * t14);
     rhs(2) = omega_F * ((slide_F_x - slide_G_x) * omega_F + Scalar(2) * u.phi_F.sin * v_s_F
         - Scalar(2) * t15 - Scalar(2) * t16) + omega_C_BC * (Scalar(2) * t05 + t19
-        - Scalar(2) * t20) + omega_B * (Scalar(2) * t19 - omega_B * (t07 + CG_x) - Scalar(2) * t08
+        - Scalar(2) * t20) + omega_B * (Scalar(2) * t19 - (t07 + CG_x) * omega_B - Scalar(2) * t08
         - Scalar(2) * t20) - omega_G_CEG * (Scalar(2) * t17 + t18) - omega_G_FG * (Scalar(2) * t15
         + t16);
-    rhs(3) = omega_F * (omega_F * (slide_F_y - slide_G_y) + Scalar(2) * t21
+    rhs(3) = omega_F * ((slide_F_y - slide_G_y) * omega_F + Scalar(2) * t21
         - Scalar(2) * u.phi_F.cos * v_s_F - Scalar(2) * t22) + omega_G_FG * (Scalar(2) * t21 - t22)
-        + omega_B * (Scalar(2) * t25 + Scalar(2) * t14 - omega_B * (t13 + CG_y) - Scalar(2) * t26)
+        + omega_B * (Scalar(2) * t25 + Scalar(2) * t14 - (t13 + CG_y) * omega_B - Scalar(2) * t26)
         - omega_G_CEG * (Scalar(2) * t23 + t24) - omega_C_BC * (Scalar(2) * t11 + Scalar(2) * t26
         - t25);
   }
@@ -612,8 +612,8 @@ struct Model20 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
@@ -652,8 +652,8 @@ struct Model20 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
@@ -715,8 +715,8 @@ struct Model20 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
@@ -724,16 +724,16 @@ struct Model20 {
     const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
     const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = t01 - (slide_B_y - slide_C_y) * omega_B - cos_CEG * v_s_C;
-    v(0, 1) = omega_B * (slide_B_x - slide_C_x) + t02 - sin_CEG * v_s_C;
+    v(0, 1) = (slide_B_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;
     v(0, 2) = omega_B;
     v(1, 0) = t01 - slide_B_y * omega_B;
-    v(1, 1) = omega_B * slide_B_x + t02;
+    v(1, 1) = slide_B_x * omega_B + t02;
     v(1, 2) = omega_B;
-    v(2, 0) = u.phi_D.cos * v_s_D + v_x_D - omega_D * slide_D_y;
-    v(2, 1) = u.phi_D.sin * v_s_D + v_y_D + omega_D * slide_D_x;
+    v(2, 0) = u.phi_D.cos * v_s_D + v_x_D - slide_D_y * omega_D;
+    v(2, 1) = u.phi_D.sin * v_s_D + v_y_D + slide_D_x * omega_D;
     v(2, 2) = omega_D;
-    v(3, 0) = u.phi_F.cos * v_s_F + v_x_F - omega_F * slide_F_y;
-    v(3, 1) = u.phi_F.sin * v_s_F + v_y_F + omega_F * slide_F_x;
+    v(3, 0) = u.phi_F.cos * v_s_F + v_x_F - slide_F_y * omega_F;
+    v(3, 1) = u.phi_F.sin * v_s_F + v_y_F + slide_F_x * omega_F;
     v(3, 2) = omega_F;
   }
 
@@ -767,8 +767,8 @@ struct Model20 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
@@ -781,20 +781,20 @@ struct Model20 {
     const Scalar t06 = u.phi_B.sin * a_s_B + a_y_B;
     a(0, 0) = t04 - omega_B * (t01 * omega_B + Scalar(2) * t02 - Scalar(2) * sin_CEG * v_s_C)
         - t03 * alpha_B - cos_CEG * a_s_C;
-    a(0, 1) = t01 * alpha_B + t06 - omega_B * (omega_B * t03 + Scalar(2) * cos_CEG * v_s_C
+    a(0, 1) = t01 * alpha_B + t06 - omega_B * (t03 * omega_B + Scalar(2) * cos_CEG * v_s_C
         - Scalar(2) * t05) - sin_CEG * a_s_C;
     a(0, 2) = alpha_B;
     a(1, 0) = t04 - omega_B * (Scalar(2) * t02 + slide_B_x * omega_B) - slide_B_y * alpha_B;
-    a(1, 1) = omega_B * (Scalar(2) * t05 - omega_B * slide_B_y) + slide_B_x * alpha_B + t06;
+    a(1, 1) = omega_B * (Scalar(2) * t05 - slide_B_y * omega_B) + slide_B_x * alpha_B + t06;
     a(1, 2) = alpha_B;
     a(2, 0) = u.phi_D.cos * a_s_D + a_x_D - omega_D * (Scalar(2) * u.phi_D.sin * v_s_D
-        + omega_D * slide_D_x) - alpha_D * slide_D_y;
-    a(2, 1) = omega_D * (Scalar(2) * u.phi_D.cos * v_s_D - omega_D * slide_D_y)
+        + slide_D_x * omega_D) - slide_D_y * alpha_D;
+    a(2, 1) = omega_D * (Scalar(2) * u.phi_D.cos * v_s_D - slide_D_y * omega_D)
         + u.phi_D.sin * a_s_D + a_y_D + slide_D_x * alpha_D;
     a(2, 2) = alpha_D;
     a(3, 0) = u.phi_F.cos * a_s_F + a_x_F - omega_F * (Scalar(2) * u.phi_F.sin * v_s_F
-        + omega_F * slide_F_x) - alpha_F * slide_F_y;
-    a(3, 1) = omega_F * (Scalar(2) * u.phi_F.cos * v_s_F - omega_F * slide_F_y)
+        + slide_F_x * omega_F) - slide_F_y * alpha_F;
+    a(3, 1) = omega_F * (Scalar(2) * u.phi_F.cos * v_s_F - slide_F_y * omega_F)
         + u.phi_F.sin * a_s_F + a_y_F + slide_F_x * alpha_F;
     a(3, 2) = alpha_F;
   }
@@ -819,8 +819,8 @@ struct Model20 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar slide_D_x = q.s_D * u.phi_D.cos;
     const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = u.phi_B.cos * q.s_B;
-    const Scalar slide_B_y = u.phi_B.sin * q.s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
     const Scalar slide_C_x = q.s_C * cos_CEG;
     const Scalar slide_C_y = q.s_C * sin_CEG;
     const Scalar slide_F_x = q.s_F * u.phi_F.cos;
@@ -830,17 +830,17 @@ struct Model20 {
     const Scalar t03 = slide_C_x * omega_C_BC;
     const Scalar t04 = u.phi_B.cos * v_s_B;
     const Scalar t05 = cos_CEG * v_s_C;
-    const Scalar t06 = omega_C_BC * slide_C_y;
+    const Scalar t06 = slide_C_y * omega_C_BC;
     p(0, 0) = omega_C_BC * (Scalar(2) * t02 + t03) - omega_B * ((slide_B_x - slide_C_x) * omega_B
         + Scalar(2) * t01 - Scalar(2) * t02 - Scalar(2) * t03);
-    p(0, 1) = -omega_B * (omega_B * (slide_B_y - slide_C_y) + Scalar(2) * t05 - Scalar(2) * t04
+    p(0, 1) = -omega_B * ((slide_B_y - slide_C_y) * omega_B + Scalar(2) * t05 - Scalar(2) * t04
         - Scalar(2) * t06) - omega_C_BC * (Scalar(2) * t05 - t06);
     p(1, 0) = -omega_B * (Scalar(2) * t01 + slide_B_x * omega_B);
-    p(1, 1) = omega_B * (Scalar(2) * t04 - omega_B * slide_B_y);
-    p(2, 0) = -omega_D * (Scalar(2) * u.phi_D.sin * v_s_D + omega_D * slide_D_x);
-    p(2, 1) = omega_D * (Scalar(2) * u.phi_D.cos * v_s_D - omega_D * slide_D_y);
-    p(3, 0) = -omega_F * (Scalar(2) * u.phi_F.sin * v_s_F + omega_F * slide_F_x);
-    p(3, 1) = omega_F * (Scalar(2) * u.phi_F.cos * v_s_F - omega_F * slide_F_y);
+    p(1, 1) = omega_B * (Scalar(2) * t04 - slide_B_y * omega_B);
+    p(2, 0) = -omega_D * (Scalar(2) * u.phi_D.sin * v_s_D + slide_D_x * omega_D);
+    p(2, 1) = omega_D * (Scalar(2) * u.phi_D.cos * v_s_D - slide_D_y * omega_D);
+    p(3, 0) = -omega_F * (Scalar(2) * u.phi_F.sin * v_s_F + slide_F_x * omega_F);
+    p(3, 1) = omega_F * (Scalar(2) * u.phi_F.cos * v_s_F - slide_F_y * omega_F);
   }
 
   /// (cos, sin) of each sum of angles that must vanish: assembled only at (1, 0).

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <assur/text/names.hpp>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 namespace assur::generator::emission::cpp {
@@ -16,26 +18,74 @@ using Operation = program::ExpressionGraph::Operation;
 constexpr std::size_t line_width = 100;
 constexpr int small = 1000000;  ///< whole numbers below this are printed as such
 
+bool is_double(const GiNaC::numeric& number) { return number == exact(number.to_double()); }
+
+/// A number that is a product of named constants.
+struct ConstantProduct {
+  GiNaC::numeric factor;
+  std::vector<std::string> names;
+};
+
+/// The product of named constants that a coefficient is; none if it is no product of them, or if
+/// doubles would round it.
+std::optional<ConstantProduct> constant_product(const program::Coefficient& coefficient,
+                                                const program::SymbolOrder& order) {
+  ConstantProduct product{1, {}};
+  bool is_product = true;
+  std::vector<program::SymbolRank> ranks;
+  const auto multiply = [&](const GiNaC::ex& factor) {
+    const bool power =
+        GiNaC::is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::posint);
+    const GiNaC::ex base = power ? factor.op(0) : factor;
+    if (GiNaC::is_a<GiNaC::numeric>(factor)) {
+      product.factor *= GiNaC::ex_to<GiNaC::numeric>(factor);
+    } else if (GiNaC::is_a<GiNaC::symbol>(base)) {
+      ranks.insert(ranks.end(), power ? GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int() : 1,
+                   order.rank(GiNaC::ex_to<GiNaC::symbol>(base)));
+    } else {
+      is_product = false;
+    }
+  };
+  const GiNaC::ex& origin = coefficient.origin();
+  if (GiNaC::is_a<GiNaC::mul>(origin)) {
+    std::for_each(origin.begin(), origin.end(), multiply);
+  } else {
+    multiply(origin);
+  }
+  if (!is_product || ranks.empty()) {
+    return std::nullopt;
+  }
+  std::sort(ranks.begin(), ranks.end());
+  GiNaC::numeric partial = product.factor;
+  bool rounded = !is_double(partial);
+  for (const program::SymbolRank rank : ranks) {
+    product.names.push_back(order.name(rank));
+    partial *= *order.constant(product.names.back());
+    rounded = rounded || !is_double(partial);
+  }
+  return rounded ? std::nullopt : std::optional(product);
+}
+
 class CppText {
  public:
   CppText(const program::Program& program, const Spelling& spelling)
       : program_(program), spelling_(spelling) {}
 
   [[nodiscard]] std::string scaled(const program::ScaledNode& value) const {
-    const bool negative = value.coefficient.is_negative();
-    const GiNaC::numeric size = GiNaC::abs(value.coefficient);
-    if (size == 1 && program_.name_of(value.node).empty() &&
+    const Number number = number_of(value.coefficient);
+    const bool scales = value.coefficient.scales();
+    if (!scales && program_.name_of(value.node).empty() &&
         content(value.node).operation == Operation::sum) {
-      return sum(value.node, negative);
+      return sum(value.node, number.negative);
     }
-    std::string text = negative ? "-" : "";
+    std::string text = number.negative ? "-" : "";
     if (content(value.node).operation == Operation::constant) {
-      return text.append(literal(size));
+      return text.append(number.text);
     }
-    if (size != 1) {
-      text.append(literal(size)).append(" * ");
+    if (scales) {
+      text.append(number.text).append(" * ");
     }
-    return text.append(operand(value.node, size != 1 || negative));
+    return text.append(operand(value.node, scales || number.negative));
   }
 
   /// The right-hand side of the step that computes a node itself.
@@ -58,23 +108,44 @@ class CppText {
     return program_.graph().nodes()[node];
   }
 
-  /// A small whole number or its half, third ... as it is, any other by the double nearest to it
-  /// and, where that is not all of it, the double nearest to what is left: so that the number is as
-  /// exact in double-double arithmetic as the operations are.
-  static std::string literal(const GiNaC::numeric& number) {
-    if (number.numer() < small && number.denom() < 10) {
-      std::ostringstream text;
-      text << "Scalar(" << number.numer() << ")";
-      if (!number.is_integer()) {
-        text << " / Scalar(" << number.denom() << ")";
+  /// A number as it is written, and whether a minus sign goes before it.
+  struct Number {
+    bool negative;
+    std::string text;
+  };
+
+  /// A product of named constants by their names, any other number by its digits.
+  [[nodiscard]] Number number_of(const program::Coefficient& coefficient) const {
+    if (const auto product = constant_product(coefficient, program_.graph().order())) {
+      std::vector<std::string> factors = product->names;
+      const GiNaC::numeric size = GiNaC::abs(product->factor);
+      if (size != 1) {
+        factors.insert(factors.begin(), digits(size));
       }
-      return text.str();
+      return {product->factor.is_negative(), "Scalar(" + text::joined(factors, " * ") + ")"};
     }
-    const double high = number.to_double();
-    const GiNaC::numeric rest = number - exact(high);
-    return rest.is_zero()
-               ? "Scalar(" + round_trip(high) + ")"
-               : "constant<Scalar>(" + round_trip(high) + ", " + round_trip(rest.to_double()) + ")";
+    return {coefficient.is_negative(), literal(coefficient.size().value())};
+  }
+
+  /// A small whole number and what a double holds as they are, a third and the like as a quotient;
+  /// any other by the double nearest to it and the double nearest to what is left: so that the
+  /// number is as exact in double-double arithmetic as the operations are.
+  static std::string literal(const GiNaC::numeric& number) {
+    if (is_double(number)) {
+      return "Scalar(" + digits(number) + ")";
+    }
+    if (number.numer() < small && number.denom() < 10) {
+      return "Scalar(" + digits(number.numer()) + ") / Scalar(" + digits(number.denom()) + ")";
+    }
+    const GiNaC::numeric rest = number - exact(number.to_double());
+    return "constant<Scalar>(" + round_trip(number.to_double()) + ", " +
+           round_trip(rest.to_double()) + ")";
+  }
+
+  /// A number that a double holds.
+  static std::string digits(const GiNaC::numeric& number) {
+    return number.is_integer() && number < small ? std::to_string(number.to_int())
+                                                 : round_trip(number.to_double());
   }
 
   [[nodiscard]] std::string operand(program::NodeIndex node, bool inside_product) const {
@@ -93,8 +164,13 @@ class CppText {
       return literal(1);
     }
     if (at.operation == Operation::product) {
+      std::vector<program::NodeIndex> factors = at.factors;
+      std::stable_sort(
+          factors.begin(), factors.end(), [&](program::NodeIndex left, program::NodeIndex right) {
+            return program_.graph().measure(left).place() < program_.graph().measure(right).place();
+          });
       std::string text;
-      for (const program::NodeIndex factor : at.factors) {
+      for (const program::NodeIndex factor : factors) {
         text.append(text.empty() ? "" : " * ").append(operand(factor, true));
       }
       return text;
@@ -160,7 +236,8 @@ GiNaC::numeric exact(double value) {
 
 std::string round_trip(double value) {
   std::array<char, 32> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+  const double unsigned_zero = value + 0.0;  // -0.0 + 0.0 is 0.0, any other number stays itself
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), unsigned_zero);
   std::string digits(text.data(), end);
   return digits.find_first_of(".e") == std::string::npos ? digits + ".0" : digits;
 }
@@ -179,6 +256,23 @@ std::vector<std::string> cpp_lines(const program::Program& program, const Spelli
     lines.push_back(assignment.target + " = " + text.scaled(assignment.value) + ";");
   }
   return lines;
+}
+
+std::set<std::string> constants_of(const program::Program& program) {
+  std::set<std::string> names;
+  const auto add = [&](const program::ScaledNode& value) {
+    const auto product = constant_product(value.coefficient, program.graph().order());
+    if (product) {
+      names.insert(product->names.begin(), product->names.end());
+    }
+  };
+  for (const program::NodeIndex node : program.computed()) {
+    const auto& terms = program.graph().nodes()[node].terms;
+    std::for_each(terms.begin(), terms.end(), add);
+  }
+  const std::vector<program::ScaledNode> values = program.values();
+  std::for_each(values.begin(), values.end(), add);
+  return names;
 }
 
 std::string fitted_to_width(const std::string& text) {

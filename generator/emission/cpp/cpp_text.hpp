@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace assur::generator::emission::cpp {
 /// How a symbol that a program reads is spelled in C++: `q.theta_BCG.cos`.
 using Spelling = std::function<std::string(const std::string& symbol)>;
 
-/// The shortest decimal number that reads back as the same double.
+/// The shortest decimal number that reads back as the same double; zero has no sign.
 [[nodiscard]] std::string round_trip(double value);
 
 /// The rational number that a double is.
@@ -21,6 +22,9 @@ using Spelling = std::function<std::string(const std::string& symbol)>;
 /// The program's statements, one a line.
 [[nodiscard]] std::vector<std::string> cpp_lines(const program::Program& program,
                                                  const Spelling& spelling);
+
+/// The named constants that these statements read.
+[[nodiscard]] std::set<std::string> constants_of(const program::Program& program);
 
 /// The text with every line over 100 columns broken, code after commas and before operators.
 [[nodiscard]] std::string fitted_to_width(const std::string& text);

@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <assur/text/names.hpp>
 #include <cctype>
+#include <iterator>
+#include <optional>
 
 #include "derivatives/mobility.hpp"
 #include "emission/model/emit.hpp"
@@ -87,15 +90,31 @@ cpp::EmittedFile emit_model(const structure::Model& model) {
     }
   }
 
+  std::vector<NamingFunction> naming;
+  std::optional<pivoting::StructuredJacobian> structured;
+  std::optional<elimination::Elimination> elimination;
+  std::vector<ModelFunction> positions;
+  std::vector<const equations::Vocabulary*> vocabularies = {&equations.vocabulary};
+  if (mobility.rigid) {
+    structured.emplace(equations);
+    naming = solution_functions(*structured);
+    elimination.emplace(elimination::eliminate(equations));
+    positions = position_functions(equations, *elimination);
+    vocabularies.push_back(&elimination->vocabulary);
+    std::transform(naming.begin(), naming.end(), std::back_inserter(vocabularies),
+                   [](const NamingFunction& function) { return &function.vocabulary; });
+  }
+  const std::vector<equations::NamedQuantity> known = known_quantities(equations, vocabularies);
+
   cpp::View::List functions;
   const auto add_functions = [&](const std::vector<ModelFunction>& list,
                                  const equations::Vocabulary& vocabulary) {
-    program::SymbolOrder order = program::symbol_order(equations, vocabulary);
+    program::SymbolOrder order = program::symbol_order(equations, vocabulary, known);
     for (const auto& [symbol, entry] : special_functions.symbols) {
       order.declare(symbol);
     }
     for (const ModelFunction& function : list) {
-      const program::Program program(order, vocabulary.quantities(), function.results);
+      const program::Program program(order, vocabulary.quantities(), function.results, known);
       functions.push_back(function_view(function, program, spelling));
     }
   };
@@ -128,15 +147,12 @@ cpp::EmittedFile emit_model(const structure::Model& model) {
   view.set("has_special_points", cpp::boolean(special.defined));
   view.set("has_positions", mobility.rigid);
   if (mobility.rigid) {
-    const pivoting::StructuredJacobian structured(equations);
-    for (const NamingFunction& naming : solution_functions(structured)) {
-      add_functions({naming.function}, naming.vocabulary);
+    for (const NamingFunction& function : naming) {
+      add_functions({function.function}, function.vocabulary);
     }
-    elimination::Elimination elimination = elimination::eliminate(equations);
-    const std::vector<ModelFunction> list = position_functions(equations, elimination);
-    add_functions(list, elimination.vocabulary);
-    show_solution(structured, equations, elimination, view);
-    const std::vector<std::string> steps = elimination_steps(elimination);
+    add_functions(positions, elimination->vocabulary);
+    show_solution(*structured, equations, *elimination, view);
+    const std::vector<std::string> steps = elimination_steps(*elimination);
     closure.insert(closure.end(), steps.begin(), steps.end());
   }
   view.set("closure", cpp::line_list(closure, ""));

@@ -1,5 +1,6 @@
 #include "emission/model/model_functions.hpp"
 
+#include <set>
 #include <utility>
 
 namespace assur::generator::emission::model {
@@ -53,6 +54,26 @@ struct FunctionParameters {
 
 std::string entry(const std::string& matrix, std::size_t row, std::size_t column) {
   return matrix + "(" + std::to_string(row) + ", " + std::to_string(column) + ")";
+}
+
+std::vector<equations::NamedQuantity> known_quantities(
+    const equations::ImplicitEquations& equations,
+    const std::vector<const equations::Vocabulary*>& vocabularies) {
+  std::set<std::string> taken;
+  for (const equations::Variable& unknown : equations.unknowns) {
+    for (const GiNaC::symbol& rate : {unknown.rate, unknown.second_rate, unknown.third_rate}) {
+      taken.insert(rate.get_name());
+    }
+  }
+  std::vector<equations::NamedQuantity> known;
+  for (const equations::Vocabulary* vocabulary : vocabularies) {
+    for (const equations::NamedQuantity& quantity : vocabulary->quantities()) {
+      if (taken.insert(quantity.symbol.get_name()).second) {
+        known.push_back(quantity);
+      }
+    }
+  }
+  return known;
 }
 
 std::vector<ModelFunction> residual_functions(const equations::ImplicitEquations& equations,

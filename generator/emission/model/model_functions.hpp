@@ -30,6 +30,12 @@ struct ModelFunction {
 /// `J(1, 2)`: an entry of a matrix, as C++ writes it.
 [[nodiscard]] std::string entry(const std::string& matrix, std::size_t row, std::size_t column);
 
+/// What the functions of one model name, each name once; but for rates, which some functions
+/// compute and others are given.
+[[nodiscard]] std::vector<equations::NamedQuantity> known_quantities(
+    const equations::ImplicitEquations& equations,
+    const std::vector<const equations::Vocabulary*>& vocabularies);
+
 /// Residual, Jacobians and right-hand sides.
 [[nodiscard]] std::vector<ModelFunction> residual_functions(
     const equations::ImplicitEquations& equations,

@@ -8,19 +8,18 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-bool is_number(const GiNaC::ex& expression) { return GiNaC::is_a<GiNaC::numeric>(expression); }
-
-bool needs_no_name(const GiNaC::ex& expression) {
-  return is_number(expression) || GiNaC::is_a<GiNaC::symbol>(expression) ||
-         GiNaC::is_a<GiNaC::symbol>(-expression);
+bool is_symbol(const GiNaC::ex& expression) {
+  return GiNaC::is_a<GiNaC::symbol>(expression) || GiNaC::is_a<GiNaC::symbol>(-expression);
 }
 
 }  // namespace
 
 NamedResults specialised(const std::vector<equations::NamedQuantity>& quantities,
-                         const std::vector<program::Result>& results, GiNaC::exmap values) {
-  const auto folded = [&values](const GiNaC::ex& expression) {
-    return expression.subs(values, GiNaC::subs_options::no_pattern).expand();
+                         const std::vector<program::Result>& results,
+                         const program::SymbolOrder& order, GiNaC::exmap values) {
+  const auto folded = [&](const GiNaC::ex& expression) {
+    const GiNaC::ex numbers = expression.subs(values, GiNaC::subs_options::no_pattern);
+    return program::expression(program::polynomial(numbers, order), order);
   };
   NamedResults special;
   for (const equations::NamedQuantity& quantity : quantities) {
@@ -31,7 +30,8 @@ NamedResults specialised(const std::vector<equations::NamedQuantity>& quantities
       throw text::InputError("the group has no closed form with these dimensions (" +
                              quantity.meaning + ")");
     }
-    if (itself ? needs_no_name(definition) : reciprocal && is_number(definition)) {
+    const bool number = order.number(definition).has_value();
+    if (itself ? number || is_symbol(definition) : reciprocal && number) {
       values[quantity.symbol] = reciprocal ? GiNaC::ex(1 / definition) : definition;
     } else {
       special.quantities.push_back(quantity);

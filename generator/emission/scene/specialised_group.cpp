@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <assur/text/error.hpp>
 #include <cmath>
+#include <iterator>
+#include <set>
 
 #include "emission/cpp/cpp_text.hpp"
 #include "emission/model/model_view.hpp"
@@ -28,17 +30,33 @@ class GroupSpecialiser {
     const model::ModelSpelling spelling(equations_.unknowns, equations_.dimensions, moving_inputs_);
     SpecialisedGroup result;
     cpp::View::List functions;
+    std::set<std::string> named;
+    const std::vector<model::NamingFunction> naming = model::solution_functions(structured_);
+    const std::vector<model::ModelFunction> positions =
+        model::position_functions(equations_, elimination_);
+    std::vector<const equations::Vocabulary*> vocabularies = {&equations_.vocabulary,
+                                                              &elimination_.vocabulary};
+    std::transform(naming.begin(), naming.end(), std::back_inserter(vocabularies),
+                   [](const model::NamingFunction& entry) { return &entry.vocabulary; });
+    const std::vector<equations::NamedQuantity> known =
+        model::known_quantities(equations_, vocabularies);
     const auto add = [&](const model::ModelFunction& function,
                          const equations::Vocabulary& vocabulary) {
-      const NamedResults special = specialised(vocabulary.quantities(), function.results, values_);
+      program::SymbolOrder order = program::symbol_order(equations_, vocabulary, known);
+      for (const NamedConstant& constant : constants_) {
+        order.set_constant(constant.symbol, constant.value);
+      }
+      const NamedResults special =
+          specialised(vocabulary.quantities(), function.results, order, values_);
       model::ModelFunction folded = function;
       folded.results = special.results;
       expect_positions(folded);
-      const program::SymbolOrder order = program::symbol_order(equations_, vocabulary);
-      const program::Program program(order, special.quantities, special.results);
+      const program::Program program(order, special.quantities, special.results,
+                                     specialised(known, {}, order, values_).quantities);
       functions.push_back(
           model::function_view(folded, program, spelling, model::ZeroResults::assigned));
       result.operations += program.count();
+      named.merge(cpp::constants_of(program));
     };
     for (const model::ModelFunction& function : model::model_functions(equations_, derivatives_)) {
       if (is_wanted(function.name)) {
@@ -50,24 +68,31 @@ class GroupSpecialiser {
         add(function, equations_.vocabulary);
       }
     }
-    for (const model::NamingFunction& naming : model::solution_functions(structured_)) {
-      if (is_wanted(naming.function.name)) {
-        add(naming.function, naming.vocabulary);
+    for (const model::NamingFunction& entry : naming) {
+      if (is_wanted(entry.function.name)) {
+        add(entry.function, entry.vocabulary);
       }
     }
-    const std::vector<model::ModelFunction> positions =
-        model::position_functions(equations_, elimination_);
     for (const model::ModelFunction& function : positions) {
       add(function, elimination_.vocabulary);
     }
     result.view = view(struct_name, title);
     result.view.set("functions", functions);
+    result.view.set("constants", constant_list(named));
     result.max_configurations = elimination_.max_configurations;
     return result;
   }
 
  private:
   [[nodiscard]] Eigen::Index parameter_count() const { return numbers_.dimension_gradient.cols(); }
+
+  /// A dimension, or the cosine or sine of one, that the functions know by its name.
+  struct NamedConstant {
+    GiNaC::symbol symbol;
+    GiNaC::numeric value;
+    std::string text;  ///< `100.0 / unit`
+    std::string meaning;
+  };
 
   void put(const equations::Variable& variable, const DimensionValue<double>& value) {
     values_[variable.cosine] = cpp::exact(value.angle.cos);
@@ -78,9 +103,49 @@ class GroupSpecialiser {
     values_[variable.second_rate] = 0;
   }
 
+  /// Names a number, unless it is one that is folded wherever it occurs.
+  void put_constant(const GiNaC::symbol& symbol, double value, const std::string& text,
+                    const std::string& meaning) {
+    if (value != 0 && std::abs(value) != 1) {
+      values_.erase(symbol);
+      constants_.push_back({symbol, cpp::exact(value), text, meaning});
+    }
+  }
+
+  void put_dimension(const equations::Variable& variable, const DimensionValue<double>& value) {
+    put(variable, value);
+    if (variable.is_angle()) {
+      put_constant(variable.cosine, value.angle.cos, cpp::round_trip(value.angle.cos),
+                   "cosine of the " + variable.meaning);
+      put_constant(variable.sine, value.angle.sin, cpp::round_trip(value.angle.sin),
+                   "sine of the " + variable.meaning);
+    } else {
+      put_constant(variable.value, value.length,
+                   cpp::round_trip(value.length * numbers_.unit) + " / unit", variable.meaning);
+      if (!values_.contains(variable.value)) {
+        values_[variable.size] = value.length < 0 ? GiNaC::ex(-variable.value) : variable.value;
+      }
+    }
+  }
+
+  /// The constants that the functions read.
+  [[nodiscard]] cpp::View::List constant_list(const std::set<std::string>& named) const {
+    cpp::View::List list;
+    for (const NamedConstant& constant : constants_) {
+      if (named.contains(constant.symbol.get_name())) {
+        cpp::View entry;
+        entry.set("name", constant.symbol.get_name());
+        entry.set("value", constant.text);
+        entry.set("meaning", cpp::comment_text(constant.meaning));
+        list.push_back(entry);
+      }
+    }
+    return list;
+  }
+
   void collect_values() {
     for (std::size_t index = 0; index < equations_.dimensions.size(); ++index) {
-      put(equations_.dimensions[index], numbers_.dimensions[index]);
+      put_dimension(equations_.dimensions[index], numbers_.dimensions[index]);
     }
     for (std::size_t index = 0; index < equations_.inputs.size(); ++index) {
       if (numbers_.inputs[index]) {
@@ -223,6 +288,7 @@ class GroupSpecialiser {
   pivoting::StructuredJacobian structured_;
   elimination::Elimination elimination_;
   GiNaC::exmap values_;
+  std::vector<NamedConstant> constants_;
   std::deque<equations::Variable> moving_inputs_;
 };
 

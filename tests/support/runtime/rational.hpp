@@ -17,10 +17,9 @@ class Rational {
   Rational() = default;
   Rational(int value) noexcept : value_(value) {}  // NOLINT(google-explicit-constructor): a number
   explicit Rational(const cln::cl_RA& value) noexcept : value_(value) {}
-  /// The rational number that a double is.
-  static Rational exactly(double value) noexcept {
-    return Rational(cln::rational(cln::cl_F(value)));
-  }
+  /// The rational number that a double is: generated code has 0.5 for a half.
+  explicit Rational(double value) noexcept : value_(cln::rational(cln::cl_F(value))) {}
+  static Rational exactly(double value) noexcept { return Rational(value); }
 
   [[nodiscard]] double rounded() const noexcept { return cln::double_approx(value_); }
   [[nodiscard]] bool is_zero() const noexcept { return cln::zerop(value_); }

@@ -1,0 +1,25 @@
+#include "program/coefficient.hpp"
+
+namespace assur::generator::program {
+
+Coefficient::Coefficient(const GiNaC::numeric& value, const GiNaC::ex& origin)
+    : value_(value), origin_(origin) {
+  // What vanishes or changes nothing but a sign is no matter of names.
+  if (is_zero() || !scales()) {
+    origin_ = value_;
+  }
+}
+
+Coefficient& Coefficient::operator+=(const Coefficient& other) {
+  return *this = {value_ + other.value_, origin_ + other.origin_};
+}
+
+Coefficient& Coefficient::operator*=(const Coefficient& other) {
+  return *this = {value_ * other.value_, origin_ * other.origin_};
+}
+
+Coefficient& Coefficient::operator/=(const Coefficient& other) {
+  return *this = {value_ / other.value_, origin_ / other.origin_};
+}
+
+}  // namespace assur::generator::program

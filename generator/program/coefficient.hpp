@@ -1,0 +1,37 @@
+// Turns a number into one that knows the named constants it was made of.
+#pragma once
+
+#include <ginac/ginac.h>
+
+namespace assur::generator::program {
+
+/// A rational number, and the expression in named constants that it is: 25/16, which is `BC`.
+/// Coefficients are compared by their values alone, and the first of equal ones gives its origin.
+class Coefficient {
+ public:
+  Coefficient() = default;
+  Coefficient(const GiNaC::numeric& number) : value_(number), origin_(number) {}  // NOLINT
+  Coefficient(int number) : Coefficient(GiNaC::numeric(number)) {}                // NOLINT
+  Coefficient(const GiNaC::numeric& value, const GiNaC::ex& origin);
+
+  [[nodiscard]] const GiNaC::numeric& value() const { return value_; }
+  [[nodiscard]] const GiNaC::ex& origin() const { return origin_; }
+  [[nodiscard]] bool is_zero() const { return value_.is_zero(); }
+  [[nodiscard]] bool is_negative() const { return value_.is_negative(); }
+  /// Neither of 1 and -1.
+  [[nodiscard]] bool scales() const { return GiNaC::abs(value_) != 1; }
+  [[nodiscard]] Coefficient size() const { return is_negative() ? -*this : *this; }
+
+  Coefficient& operator+=(const Coefficient& other);
+  Coefficient& operator*=(const Coefficient& other);
+  Coefficient& operator/=(const Coefficient& other);
+  Coefficient operator-() const { return {-value_, -origin_}; }
+  friend Coefficient operator*(Coefficient a, const Coefficient& b) { return a *= b; }
+  friend Coefficient operator/(Coefficient a, const Coefficient& b) { return a /= b; }
+
+ private:
+  GiNaC::numeric value_ = 0;
+  GiNaC::ex origin_ = 0;
+};
+
+}  // namespace assur::generator::program
