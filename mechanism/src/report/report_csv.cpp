@@ -110,7 +110,7 @@ std::string csv_header(const Plan& plan) {
     }
   };
   const Want& want = request.want;
-  for (const LinkIndex link : reported_links(plan, false)) {
+  for (const LinkIndex link : report::reported_links(plan, false)) {
     const std::string& name = mechanism.links()[link].name;
     add(want.position, name, {"x", "y", "theta"});
     add(want.velocity, name, {"vx", "vy", "omega"});

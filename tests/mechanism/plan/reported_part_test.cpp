@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "command.hpp"
+#include "command/command.hpp"
 #include "largest.hpp"
-#include "solved.hpp"
+#include "mechanism/solved.hpp"
 
 namespace assur::test::reported_part_test {
 namespace {
