@@ -122,7 +122,6 @@ cpp::EmittedFile emit_model(const structure::Model& model) {
   add_functions(special_functions.functions, equations.vocabulary);
 
   cpp::View view;
-  view.set("general", true);
   view.set("dimensions_doc", "Link dimensions d.");
   view.set("inputs_doc", "Inputs u: where the base holds the external joints.");
   view.set("group", model.group->name());

@@ -23,6 +23,13 @@ cpp::View::List member_list(const std::vector<std::string>& members) {
   return list;
 }
 
+/// Whether one of the lines names something.
+bool mention(const std::vector<std::string>& lines, const std::string& name) {
+  return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+    return line.find(name) != std::string::npos;
+  });
+}
+
 /// Fills the view that templates/scene.hpp.mustache shows.
 class SceneEmitter {
  public:
@@ -34,16 +41,25 @@ class SceneEmitter {
       show_group(group);
     }
     show_results();
+    show_order();
     show_scene();
     show_parameters();
+    show_aliases();
     const std::string stem = std::filesystem::path(solver_.file).stem().string();
     return {std::filesystem::path("assur") / "scenes" / (text::c_identifier(stem) + ".hpp"),
             cpp::page("scene.hpp", view_)};
   }
 
  private:
+  /// Statements of a function; they are kept to see what they use.
+  [[nodiscard]] cpp::View::List shown(const std::vector<std::string>& lines) {
+    statements_.insert(statements_.end(), lines.begin(), lines.end());
+    return cpp::line_list(lines, "");
+  }
+
   void show_drivers() {
     cpp::View::List drivers;
+    std::vector<std::string> names;
     for (const mechanism::DrivenLink& link : solver_.plan.structure().driven) {
       const mechanism::ElementaryJoint& at = solver_.joint(link.joint);
       const mechanism::Driver& driver = solver_.mechanism().drivers()[link.driver];
@@ -52,7 +68,8 @@ class SceneEmitter {
                                  solver_.values.number(driver.acceleration).value()};
       law.erase(law.begin() + 1 + solver_.derivative_order, law.end());
       cpp::View entry;
-      entry.set("member", solver_.members.drivers[link.driver]);
+      names.push_back(solver_.members.drivers[link.driver]);
+      entry.set("member", names.back());
       entry.set("law", text::joined(law, ", ", [](double value) {
                   return "Scalar(" + cpp::round_trip(value) + ")";
                 }));
@@ -64,47 +81,74 @@ class SceneEmitter {
     }
     const PlacingStatements driving = driving_statements(solver_);
     slides_ = driving.slides;
-    view_.set("driving", cpp::line_list(driving.lines, ""));
+    view_.set("driving", shown(driving.lines));
     view_.set("drivers", drivers);
-    view_.set("has_drivers", !solver_.mechanism().drivers().empty());
-    view_.set("drivers_name", solver_.mechanism().drivers().empty() ? "" : " drivers");
-    view_.set("rates_name", solver_.derivative_order == 0 ? "" : " driver");
+    view_.set("driver_names", text::joined(names, ", "));
+    view_.set("has_drivers", !names.empty());
+    view_.set("drivers_name", names.empty() ? "" : " drivers");
+    view_.set("driven_name", names.empty() ? "" : " placed");
   }
 
   void show_group(mechanism::GroupIndex group) {
     const structure::Model& model = derived_model(solver_.group(group));
     SpecialisedGroup special = specialised_group_of(solver_, group);
-    const std::size_t number = group.place() + 1;
-    const bool last = number == solver_.plan.structure().groups.size();
-    special.view.set("call", "solve_group_" + std::to_string(number));
-    special.view.set("next_call",
-                     last ? "list(next, search)"
-                          : "solve_group_" + std::to_string(number + 1) + "(next, search)");
     const PlacingStatements placing = placing_statements(solver_, group);
     slides_.insert(slides_.end(), placing.slides.begin(), placing.slides.end());
-    special.view.set("held", cpp::line_list(holding_statements(solver_, group), ""));
-    special.view.set("placing", cpp::line_list(placing.lines, ""));
-    special.view.set("operations", std::to_string(special.operations.multiplications) + ", " +
-                                       std::to_string(special.operations.additions) + ", " +
-                                       std::to_string(special.operations.divisions));
+    const std::vector<std::string> held = holding_statements(solver_, group);
+    special.view.set("held", shown(held));
+    special.view.set("base_name", mention(held, "placed.") ? " placed" : "");
+    special.view.set("held_name", held.empty() ? "" : " held");
+    special.view.set("placing", shown(placing.lines));
     groups_.push_back(special.view);
+    structs_.push_back(solver_.group_struct(group));
     max_configurations_ *= special.max_configurations;
     steps_.push_back(text::listed(solver_.plan.structure().names_of(solver_.group(group).links)) +
                      ": " + model.group->name() + " " + solver_.group(group).kind + ", at most " +
                      std::to_string(special.max_configurations) + " configurations");
   }
 
+  /// What a state holds, and what the search places.
   void show_results() {
     std::vector<std::string> links;
+    std::vector<std::string> placed;
     for (const mechanism::LinkIndex link : solver_.mechanism().links().keys()) {
-      if (!solver_.is_ground(link)) {
-        links.push_back(solver_.members.links[link]);
+      const std::string& member = solver_.members.links[link];
+      if (solver_.reports(link)) {
+        links.push_back(member);
+      }
+      if (!solver_.is_ground(link) && solver_.needs[link] != FrameNeed::nothing) {
+        const bool whole = solver_.needs[link] == FrameNeed::everything;
+        placed.push_back((whole ? "LinkFrame " : "Direction<double> ") + member + ";");
       }
     }
+    std::vector<std::string> reported;
+    for (const mechanism::JointIndex joint : solver_.mechanism().joints().keys()) {
+      const std::string& member = solver_.members.joints[joint];
+      if (std::find(slides_.begin(), slides_.end(), member) != slides_.end() &&
+          solver_.reports(joint)) {
+        reported.push_back(member);
+      }
+    }
+    for (const std::string& slide : slides_) {
+      placed.push_back("LinkSlide slide_" + slide + ";");
+    }
+    view_.set("placed", shown(placed));
+    view_.set("links", member_list(links));
+    view_.set("has_links", !links.empty());
+    view_.set("slides", member_list(reported));
+    view_.set("has_slides", !reported.empty());
+    view_.set("outputs", member_list(solver_.members.outputs.items()));
+    view_.set("has_outputs", !solver_.mechanism().outputs().empty());
+    view_.set("listing", shown(listing_statements(solver_, reported)));
+  }
+
+  /// How configurations are told apart.
+  void show_order() {
     const mechanism::NamedParts parts = solver_.plan.structure().named_parts(solver_.mechanism());
     std::vector<std::string> moving;
     for (const mechanism::LinkIndex link : parts.links) {
-      moving.push_back(solver_.members.links[link]);
+      const bool whole = solver_.needs[link] == FrameNeed::everything;
+      moving.push_back(solver_.members.links[link] + (whole ? ".pose.direction" : ""));
     }
     const std::size_t turning_key_size = support::turning_key_size(moving.size());
     cpp::View::List keys;
@@ -115,17 +159,12 @@ class SceneEmitter {
       key.set("member", solver_.members.joints[slide.joint]);
       keys.push_back(key);
     }
-    view_.set("links", member_list(links));
     view_.set("moving", member_list(moving));
     view_.set("moving_count", std::to_string(moving.size()));
-    view_.set("slides", member_list(slides_));
-    view_.set("has_slides", !slides_.empty());
+    view_.set("keyed_name", moving.empty() && keys.empty() ? "" : " placed");
     view_.set("slide_keys", keys);
     view_.set("turning_key_size", std::to_string(turning_key_size));
     view_.set("key_size", std::to_string(turning_key_size + parts.slides.size()));
-    view_.set("outputs", member_list(solver_.members.outputs.items()));
-    view_.set("has_outputs", !solver_.mechanism().outputs().empty());
-    view_.set("listing", cpp::line_list(listing_statements(solver_, slides_), ""));
   }
 
   void show_scene() {
@@ -134,9 +173,7 @@ class SceneEmitter {
     std::vector<std::string> steps;
     std::transform(steps_.begin(), steps_.end(), std::back_inserter(steps), cpp::comment_text);
     view_.set("groups", groups_);
-    view_.set("first_call", solver_.plan.structure().groups.empty()
-                                ? "list(placed, search)"
-                                : "solve_group_1(placed, search)");
+    view_.set("group_list", text::joined(structs_, ", "));
     view_.set("steps", cpp::line_list(steps, ""));
     view_.set("max_configurations", std::to_string(max_configurations_));
     view_.set("file", cpp::comment_text(solver_.file));
@@ -148,6 +185,23 @@ class SceneEmitter {
     view_.set("position", want.position);
     view_.set("velocity", want.velocity);
     view_.set("acceleration", want.acceleration);
+  }
+
+  /// Short names of the types that the statements use.
+  void show_aliases() {
+    const std::vector<std::pair<std::string, std::string>> aliases = {
+        {"LinkFrame", "support::Frame<double, order, parameter_count>"},
+        {"LinkPoint", "support::Point<double, order, parameter_count>"},
+        {"LinkSlide", "support::Slide<order>"},
+        {"ParameterRow", "Matrix<double, 1, parameter_count>"},
+        {"Rates", "Matrix<double, 1, order>"}};
+    std::vector<std::string> lines;
+    for (const auto& [name, type] : aliases) {
+      if (mention(statements_, name)) {
+        lines.push_back("using " + name + " = " + type + ";");
+      }
+    }
+    view_.set("aliases", cpp::line_list(lines, ""));
   }
 
   void show_parameters() {
@@ -165,12 +219,14 @@ class SceneEmitter {
     view_.set("parameter_strings",
               text::joined(parameters.names(), ", ",
                            [](const std::string& name) { return "\"" + name + "\""; }));
-    view_.set("tolerances", parameters.count() > 0 && !all_tolerances.isZero(0.0));
+    view_.set("tolerances", solver_.has_tolerances());
     view_.set("tolerance_list", text::joined(tolerances, ", ", cpp::round_trip));
   }
 
   SolverScene solver_;
-  std::vector<std::string> slides_;  ///< members, in the order of `assur solve`
+  std::vector<std::string> slides_;      ///< members, in the order in which they are placed
+  std::vector<std::string> statements_;  ///< of all functions
+  std::vector<std::string> structs_;     ///< of the groups
   std::vector<std::string> steps_;
   std::size_t max_configurations_ = 1;
   cpp::View view_;

@@ -108,6 +108,14 @@ std::vector<ExternalJoint> external_joints(const SolverScene& solver, mechanism:
   return list;
 }
 
+std::vector<FrameNeed> frame_needs(const SolverScene& solver, mechanism::GroupIndex group) {
+  std::vector<FrameNeed> needs;
+  for (const mechanism::LinkIndex link : normal_group(solver, group).roles->links) {
+    needs.push_back(solver.needs[link]);
+  }
+  return needs;
+}
+
 GroupNumbers group_numbers(const SolverScene& solver, mechanism::GroupIndex group) {
   const double unit = unit_of(solver, group);
   std::vector<DimensionValue<double>> dimensions;
@@ -138,7 +146,9 @@ GroupNumbers group_numbers(const SolverScene& solver, mechanism::GroupIndex grou
           dimensions,
           of_dimensions.gradient(),
           of_inputs.values(),
-          of_inputs.gradient()};
+          of_inputs.gradient(),
+          frame_needs(solver, group),
+          solver.holds_groups(group)};
 }
 
 SpecialisedGroup specialised_group_of(const SolverScene& solver, mechanism::GroupIndex group) {
@@ -148,7 +158,7 @@ SpecialisedGroup specialised_group_of(const SolverScene& solver, mechanism::Grou
                             derived_model(solver.group(group)).title();
   const GroupNumbers numbers = group_numbers(solver, group);
   try {
-    return specialised_group(numbers, solver.structure + "Group" + number, title);
+    return specialised_group(numbers, solver.group_struct(group), title);
   } catch (const text::InputError& error) {
     throw mechanism::MechanismError("links: " + names_of(solver, group), error.what());
   }

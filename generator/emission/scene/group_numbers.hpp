@@ -26,6 +26,10 @@ struct ExternalJoint {
 [[nodiscard]] std::vector<ExternalJoint> external_joints(const SolverScene& solver,
                                                          mechanism::GroupIndex group);
 
+/// What is needed of the frames of the group's links, in the order of its model.
+[[nodiscard]] std::vector<FrameNeed> frame_needs(const SolverScene& solver,
+                                                 mechanism::GroupIndex group);
+
 /// The group's dimensions, and its inputs as far as the ground holds them.
 [[nodiscard]] GroupNumbers group_numbers(const SolverScene& solver, mechanism::GroupIndex group);
 

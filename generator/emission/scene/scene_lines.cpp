@@ -55,7 +55,7 @@ std::string SceneLines::frame(const std::string& name, const Pose<mechanism::Dua
 
 std::string SceneLines::gradient(const std::string& name, const mechanism::Dual& number) {
   if (!varies({number})) {
-    return "ParameterRow::Zero()";
+    return "";
   }
   std::string row = declared(name);
   add("ParameterRow " + row + " = ParameterRow::Zero();");

@@ -41,11 +41,12 @@ class SceneLines {
                                   const mechanism::Dual& y);
   /// A frame of a link, likewise; empty for the link's own.
   [[nodiscard]] std::string frame(const std::string& name, const Pose<mechanism::Dual>& pose);
-  /// The derivatives of a number, likewise.
+  /// The derivatives of a number, likewise; empty where there are none.
   [[nodiscard]] std::string gradient(const std::string& name, const mechanism::Dual& number);
+  /// A name of the function's own, like `name`.
+  [[nodiscard]] std::string declared(const std::string& name);
 
  private:
-  [[nodiscard]] std::string declared(const std::string& name);
   /// Assigns the derivatives that are not zero to an entry each; `target` is `row(` of `row(0)`.
   void add_gradient(const std::string& target, const mechanism::Dual& quantity);
   void add_gradients(const std::string& target, const std::vector<mechanism::Dual>& rows);

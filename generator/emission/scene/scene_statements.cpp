@@ -1,5 +1,8 @@
 #include "emission/scene/scene_statements.hpp"
 
+#include <algorithm>
+#include <assur/text/names.hpp>
+
 #include "emission/cpp/cpp_text.hpp"
 #include "emission/scene/group_numbers.hpp"
 
@@ -18,6 +21,48 @@ Pose<mechanism::Dual> feature_frame(const SolverScene& solver, const mechanism::
   return {feature.x, feature.y, feature.along};
 }
 
+/// The rates of a driver, a row; nothing where none are wanted.
+std::string rates_of(const SolverScene& solver, const std::string& state) {
+  switch (solver.derivative_order) {
+    case 0:
+      return "";
+    case 1:
+      return "Rates(" + state + ".velocity)";
+    default:
+      return "Rates(" + state + ".velocity, " + state + ".acceleration)";
+  }
+}
+
+/// A direction that is turned by a number.
+std::string turned_direction(const std::string& direction, const Direction<mechanism::Dual>& by) {
+  const double cos = by.cos.value();
+  const double sin = by.sin.value();
+  return cos == 1 && sin == 0 ? direction
+                              : "turned(" + direction + ", {" + cpp::round_trip(cos) + ", " +
+                                    cpp::round_trip(sin) + "})";
+}
+
+/// The values of a state's members, those of a part that is wanted: `{pose, velocity}`.
+std::string state_of(const mechanism::Want& want, const std::string& position,
+                     const std::string& rates, bool columns,
+                     const std::vector<std::string>& more = {}) {
+  std::vector<std::string> values;
+  const auto rate = [&](int order) {
+    return rates + (columns ? ".col(" : "(") + std::to_string(order) + ")";
+  };
+  if (want.position) {
+    values.push_back(position);
+  }
+  if (want.velocity) {
+    values.push_back(rate(0));
+  }
+  if (want.acceleration) {
+    values.push_back(rate(1));
+  }
+  values.insert(values.end(), more.begin(), more.end());
+  return "{" + text::joined(values, ", ", [](const std::string& value) { return value; }) + "}";
+}
+
 }  // namespace
 
 PlacingStatements driving_statements(const SolverScene& solver) {
@@ -31,9 +76,16 @@ PlacingStatements driving_statements(const SolverScene& solver) {
         solver.values.number(solver.mechanism().drivers()[link.driver].position);
     const std::string state = "drivers." + solver.members.drivers[link.driver];
     const std::string gradient = lines.gradient(at.name + "_gradient", sense * position);
+    const std::string rates = rates_of(solver, state);
+    std::string law = sign + state + ".position";
+    if (!rates.empty() || !gradient.empty()) {
+      law += ", " + (rates.empty() ? "{}" : sign + rates);
+    }
+    if (!gradient.empty()) {
+      law += ", " + gradient;
+    }
     const std::string moved = (at.prismatic ? "support::sliding" : "support::turning") +
-                              std::string("<double, order, parameter_count>(") + sign + state +
-                              ".position, " + sign + "rates_of(" + state + "), " + gradient + ")";
+                              std::string("<double, order, parameter_count>(") + law + ")";
     const std::string near =
         lines.frame(on(solver, at.name, link.from), feature_frame(solver, at, link.from));
     const std::string far = lines.frame(solver.link_name(link.to) + "_on_" + at.name,
@@ -42,7 +94,8 @@ PlacingStatements driving_statements(const SolverScene& solver) {
               nested_frames({solver.placed(link.from), near, moved, far}) + ";");
     if (at.prismatic) {
       const std::string& slide = solver.slide_member(at);
-      lines.add("placed.slide_" + slide + " = {" + state + ".position, rates_of(" + state + ")};");
+      lines.add("placed.slide_" + slide + " = {" + state + ".position" +
+                (rates.empty() ? "" : ", " + rates) + "};");
       slides.push_back(slide);
     }
   }
@@ -79,13 +132,22 @@ PlacingStatements placing_statements(const SolverScene& solver, mechanism::Group
   SceneLines lines(solver.parameters);
   std::vector<std::string> slides;
   const mechanism::GroupGeometry& geometry = solver.values.group(group);
-  for (std::size_t link = 0; link < geometry.links.size(); ++link) {
+  const std::vector<FrameNeed> needs = frame_needs(solver, group);
+  std::size_t place = 0;
+  for (const std::size_t link : framed_links(needs)) {
     const mechanism::LinkIndex played = geometry.roles->links[link];
-    if (solver.lists(played)) {
-      const std::string own = lines.frame(solver.link_name(played) + "_in_its_normal_frame",
-                                          mechanism::inverse(geometry.links[link].frame));
-      lines.add("next." + solver.members.links[played] + " = " +
-                nested_frames({"group.frames[" + std::to_string(link) + "]", own}) + ";");
+    const std::string frame = "group.frames[" + std::to_string(place++) + "]";
+    if (!solver.lists(played)) {
+      continue;
+    }
+    const Pose<mechanism::Dual> own = mechanism::inverse(geometry.links[link].frame);
+    const std::string& member = "placed." + solver.members.links[played];
+    if (needs[link] == FrameNeed::everything) {
+      lines.add(member + " = " +
+                nested_frames({frame, lines.frame(solver.link_name(played) +
+                                                      "_in_its_normal_frame", own)}) + ";");
+    } else {
+      lines.add(member + " = " + turned_direction(frame + ".pose.direction", own.direction) + ";");
     }
   }
   const std::vector<ModelUnknown>& unknowns = solver.group(group).model->unknowns;
@@ -96,39 +158,58 @@ PlacingStatements placing_statements(const SolverScene& solver, mechanism::Group
     const mechanism::ElementaryJoint& at = solver.played_joint(group, unknowns[index].owner);
     const auto [sense, shift] = solver.values.slide_measure(group, unknowns[index].owner);
     const std::string sign = sense < 0 ? "-" : "";
-    const std::string& slide = solver.slide_member(at);
-    const std::string unknown = std::string("Group::unit * q.") + unknowns[index].name;
+    const std::string slide = "placed.slide_" + solver.slide_member(at);
+    const std::string unknown = solver.group_struct(group) + "::unit * group.q." + unknowns[index].name;
     const std::string shifted =
         shift.value() == 0 ? unknown
-                           : "(" + unknown + " + " + emission::cpp::round_trip(shift.value()) + ")";
-    lines.add("next.slide_" + slide + ".displacement = " + sign + shifted + ";");
-    lines.add("next.slide_" + slide + ".rates = " + sign + "Group::unit * group.rates.row(" +
-              std::to_string(index) + ");");
-    slides.push_back(slide);
+                           : "(" + unknown + " + " + cpp::round_trip(shift.value()) + ")";
+    lines.add(slide + ".displacement = " + sign + shifted + ";");
+    if (solver.derivative_order > 0 && solver.reports(at.joint)) {
+      lines.add(slide + ".rates = " + sign + solver.group_struct(group) + "::unit * group.rates.row(" +
+                std::to_string(index) + ");");
+    }
+    slides.push_back(solver.slide_member(at));
   }
   return {lines.lines(), slides};
 }
 
 std::vector<std::string> listing_statements(const SolverScene& solver,
                                             const std::vector<std::string>& slides) {
+  const mechanism::Want& want = solver.plan.request().want;
   SceneLines lines(solver.parameters);
   for (const mechanism::LinkIndex link : solver.mechanism().links().keys()) {
-    const std::string& member = solver.members.links[link];
-    if (!solver.is_ground(link)) {
-      lines.add("state.links." + member + " = state_of(placed." + member + ");");
+    if (solver.reports(link)) {
+      const std::string& member = solver.members.links[link];
+      const std::string frame = "placed." + member;
+      lines.add("state.links." + member + " = " +
+                state_of(want, frame + ".pose", frame + ".rates", true) + ";");
     }
   }
   for (const std::string& slide : slides) {
-    lines.add("state.slides." + slide + " = state_of(placed.slide_" + slide + ");");
+    const std::string placed = "placed.slide_" + slide;
+    lines.add("state.slides." + slide + " = " +
+              state_of(want, placed + ".displacement", placed + ".rates", false) + ";");
   }
   for (const mechanism::OutputIndex index : solver.mechanism().outputs().keys()) {
     const mechanism::FeatureIndex output = solver.mechanism().outputs()[index].point;
     const mechanism::Feature& feature = solver.mechanism().features()[output];
     const LinkFeature<mechanism::Dual> place = solver.values.feature(output, false);
     const std::string point = lines.point(on(solver, feature.name, feature.link), place.x, place.y);
-    const std::string& base = solver.placed(feature.link);
-    lines.add("state.outputs." + solver.members.outputs[index] + " = state_of(" +
-              (base.empty() ? point : "point_in(" + base + ", " + point + ")") + ");");
+    const std::string base = solver.placed(feature.link);
+    const std::string name = lines.declared("point_" + solver.members.outputs[index]);
+    lines.add("const LinkPoint " + name + " = " +
+              (base.empty() ? point : "point_in(" + base + ", " + point + ")") + ";");
+    std::vector<std::string> sensitive;
+    if (solver.parameters.count() > 0) {
+      sensitive.push_back(name + ".gradient");
+    }
+    if (solver.has_tolerances()) {
+      sensitive.push_back("support::worst_case(" + name + ".gradient, tolerances)");
+      sensitive.push_back("support::root_sum_square(" + name + ".gradient, tolerances)");
+    }
+    lines.add("state.outputs." + solver.members.outputs[index] + " = " +
+              state_of(want, "{" + name + ".x, " + name + ".y}", name + ".rates", true, sensitive) +
+              ";");
   }
   return lines.lines();
 }

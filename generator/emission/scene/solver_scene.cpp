@@ -44,7 +44,7 @@ SceneMembers scene_members(const mechanism::Mechanism& described) {
   SceneMembers members;
   members.joints = members_of<mechanism::JointIndex>(names_of(described.joints()), {});
   // In what is placed so far, slides and other things stand among the links.
-  std::vector<std::string> taken = {"order", "regularity", "residual"};
+  std::vector<std::string> taken = {"order", "regularity"};
   for (const std::string& member : members.joints) {
     taken.push_back("slide_" + member);
   }
@@ -58,6 +58,49 @@ SceneMembers scene_members(const mechanism::Mechanism& described) {
   return members;
 }
 
+/// The links that hold a group's external joints.
+std::vector<mechanism::LinkIndex> bases_of(const mechanism::Structure& structure,
+                                           const mechanism::FoundGroup& group) {
+  std::vector<mechanism::LinkIndex> bases;
+  for (const mechanism::ElementaryJointIndex index : group.assignments.front().joints) {
+    const mechanism::ElementaryJoint& joint = structure.linkage.joints[index];
+    for (const mechanism::LinkIndex link : {joint.first, joint.second}) {
+      if (std::find(group.links.begin(), group.links.end(), link) == group.links.end()) {
+        bases.push_back(link);
+      }
+    }
+  }
+  return bases;
+}
+
+mechanism::Table<mechanism::LinkIndex, FrameNeed> frame_needs(const mechanism::Plan& plan) {
+  const mechanism::Mechanism& described = plan.mechanism();
+  const mechanism::Structure& structure = plan.structure();
+  mechanism::Table<mechanism::LinkIndex, FrameNeed> needs(structure.linkage.links.size(),
+                                                          FrameNeed::nothing);
+  for (const mechanism::LinkIndex link : structure.named_parts(described).links) {
+    needs[link] = FrameNeed::direction;
+  }
+  for (const mechanism::LinkIndex link : described.links().keys()) {
+    if (plan.request().reported.has(link)) {
+      needs[link] = FrameNeed::everything;
+    }
+  }
+  for (const mechanism::Output& output : described.outputs()) {
+    needs[described.features()[output.point].link] = FrameNeed::everything;
+  }
+  for (const mechanism::DrivenLink& link : structure.driven) {
+    needs[link.to] = FrameNeed::everything;
+    needs[link.from] = FrameNeed::everything;
+  }
+  for (const mechanism::FoundGroup& group : structure.groups) {
+    for (const mechanism::LinkIndex base : bases_of(structure, group)) {
+      needs[base] = FrameNeed::everything;
+    }
+  }
+  return needs;
+}
+
 int order_of(const mechanism::Want& want) { return want.acceleration ? 2 : want.velocity ? 1 : 0; }
 
 }  // namespace
@@ -66,7 +109,8 @@ SolverScene::SolverScene(const mechanism::Scene& described)
     : plan(described),
       values(plan.values()),
       parameters(modelled_parameters(plan, values)),
-      members(scene_members(described.mechanism)),
+      members(scene_members(plan.mechanism())),
+      needs(frame_needs(plan)),
       derivative_order(order_of(described.request.want)),
       file(std::filesystem::path(described.file).filename().string()),
       structure(text::struct_name(std::filesystem::path(described.file).stem().string())) {}
@@ -75,6 +119,17 @@ const mechanism::ElementaryJoint& SolverScene::played_joint(mechanism::GroupInde
                                                             int joint) const {
   const mechanism::RoleAssignment& roles = *values.group(group).roles;
   return this->joint(roles.joints[static_cast<std::size_t>(joint)]);
+}
+
+bool SolverScene::holds_groups(mechanism::GroupIndex group) const {
+  const std::vector<mechanism::LinkIndex>& links = this->group(group).links;
+  const auto& groups = plan.structure().groups;
+  return std::any_of(groups.begin(), groups.end(), [&](const mechanism::FoundGroup& other) {
+    const std::vector<mechanism::LinkIndex> bases = bases_of(plan.structure(), other);
+    return std::any_of(bases.begin(), bases.end(), [&](mechanism::LinkIndex base) {
+      return std::find(links.begin(), links.end(), base) != links.end();
+    });
+  });
 }
 
 const structure::Model& derived_model(const mechanism::FoundGroup& group) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "emission/scene/scene_lines.hpp"
+#include "emission/scene/specialised_group.hpp"
 #include "structure/kind.hpp"
 
 namespace assur::generator::emission::scene {
@@ -27,6 +28,8 @@ struct SolverScene {
   mechanism::Values values;
   ModelledParameters parameters;
   SceneMembers members;
+  /// What is needed of the links' frames, blocks of pins in slots among them.
+  mechanism::Table<mechanism::LinkIndex, FrameNeed> needs;
   int derivative_order;   ///< of the time derivatives that are wanted: 0, 1 or 2
   std::string file;       ///< without directories
   std::string structure;  ///< the name of the solver's struct
@@ -50,6 +53,22 @@ struct SolverScene {
   /// Whether the scene lists the link; the block of a pin in a slot it does not.
   [[nodiscard]] bool lists(mechanism::LinkIndex link) const {
     return link.place() < mechanism().links().size();
+  }
+  /// Whether other groups are held by a group's links.
+  [[nodiscard]] bool holds_groups(mechanism::GroupIndex group) const;
+  /// The struct of a group.
+  [[nodiscard]] std::string group_struct(mechanism::GroupIndex group) const {
+    return structure + "Group" + std::to_string(group.place() + 1);
+  }
+  /// Whether tolerances are modelled.
+  [[nodiscard]] bool has_tolerances() const {
+    return parameters.count() > 0 && !values.spread().tolerances.isZero(0.0);
+  }
+  [[nodiscard]] bool reports(mechanism::LinkIndex link) const {
+    return !is_ground(link) && plan.request().reported.has(link);
+  }
+  [[nodiscard]] bool reports(mechanism::JointIndex slide) const {
+    return plan.request().reported.has(slide);
   }
   /// `placed.crank`, or nothing for the ground, which is the frame of all.
   [[nodiscard]] std::string placed(mechanism::LinkIndex link) const {

@@ -24,6 +24,7 @@ class GroupSpecialiser {
         structured_(equations_),
         elimination_(elimination::eliminate(equations_)) {
     collect_values();
+    leave_out_frames();
   }
 
   SpecialisedGroup run(const std::string& struct_name, const std::string& title) {
@@ -48,7 +49,7 @@ class GroupSpecialiser {
       }
       const NamedResults special =
           specialised(vocabulary.quantities(), function.results, order, values_);
-      model::ModelFunction folded = function;
+      model::ModelFunction folded = without_dimensions(function);
       folded.results = special.results;
       expect_positions(folded);
       const program::Program program(order, special.quantities, special.results,
@@ -63,6 +64,7 @@ class GroupSpecialiser {
         add(function, equations_.vocabulary);
       }
     }
+    add(link_poses(), equations_.vocabulary);
     if (parameter_count() > 0) {
       for (const model::ModelFunction& function : sensitivity_functions()) {
         add(function, equations_.vocabulary);
@@ -156,12 +158,60 @@ class GroupSpecialiser {
     }
   }
 
-  /// What `assemblies` and `place_group` call; what only the wanted derivatives need.
+  /// Of the derivatives of frames, leaves those of which everything is needed.
+  void leave_out_frames() {
+    const auto keep = [this](derivatives::ExpressionMatrix& matrix, std::size_t rows_of_link) {
+      derivatives::ExpressionMatrix kept;
+      for (const std::size_t link : framed_links(numbers_.frames)) {
+        for (std::size_t row = 0; row < rows_of_link; ++row) {
+          if (numbers_.frames[link] == FrameNeed::everything) {
+            kept.push_back(matrix[rows_of_link * link + row]);
+          }
+        }
+      }
+      matrix = std::move(kept);
+    };
+    keep(derivatives_.pose_velocity, 1);
+    keep(derivatives_.pose_acceleration, 1);
+    keep(derivatives_.pose_unknown_jacobian, 3);
+    keep(derivatives_.pose_dimension_jacobian, 3);
+    keep(derivatives_.pose_input_jacobian, 3);
+  }
+
+  [[nodiscard]] model::ModelFunction link_poses() const {
+    model::ModelFunction poses{"link_poses",
+                               {"Frames of links in the fixed frame."},
+                               {{"const Inputs<Scalar>&", "u"}, {"const Configuration<Scalar>&", "q"}},
+                               {{"Poses<Scalar, link_count>&", "poses"}},
+                               {}};
+    std::size_t place = 0;
+    for (const std::size_t link : framed_links(numbers_.frames)) {
+      const equations::LinkPose& pose = equations_.poses[structure::LinkIndex(link)];
+      const std::string target = "poses[" + std::to_string(place++) + "]";
+      if (numbers_.frames[link] == FrameNeed::everything) {
+        poses.results.push_back({target + ".x", pose.origin.x});
+        poses.results.push_back({target + ".y", pose.origin.y});
+      }
+      poses.results.push_back({target + ".direction.cos", pose.direction.x});
+      poses.results.push_back({target + ".direction.sin", pose.direction.y});
+    }
+    return poses;
+  }
+
+  /// The dimensions are numbers: no function takes them.
+  static model::ModelFunction without_dimensions(model::ModelFunction function) {
+    std::erase_if(function.inputs,
+                  [](const model::Parameter& parameter) { return parameter.name == "d"; });
+    return function;
+  }
+
+  /// What the runtime calls; what only the wanted derivatives need.
   [[nodiscard]] bool is_wanted(const std::string& function) const {
     const auto any_of = [&](const std::vector<std::string>& names) {
       return std::find(names.begin(), names.end(), function) != names.end();
     };
-    return any_of({"residual", "jacobian", "link_poses", "degeneracies", "inverse_jacobian"}) ||
+    return any_of({"residual", "jacobian", "degeneracies"}) ||
+           ((parameter_count() > 0 || numbers_.holds_groups) && function == "inverse_jacobian") ||
            (numbers_.order == 1 && function == "velocity") ||
            (numbers_.order == 2 && any_of({"motion", "link_accelerations"})) ||
            (numbers_.order > 0 && function == "link_velocities");
@@ -219,8 +269,7 @@ class GroupSpecialiser {
   }
 
   [[nodiscard]] std::vector<model::ModelFunction> sensitivity_functions() const {
-    const std::vector<model::Parameter> place = {{"const Dimensions<Scalar>&", "d"},
-                                                 {"const Inputs<Scalar>&", "u"},
+    const std::vector<model::Parameter> place = {{"const Inputs<Scalar>&", "u"},
                                                  {"const Configuration<Scalar>&", "q"}};
     const std::string columns = std::to_string(parameter_count());
     std::vector<model::ModelFunction> functions = {
@@ -258,26 +307,19 @@ class GroupSpecialiser {
 
   [[nodiscard]] cpp::View view(const std::string& struct_name, const std::string& title) const {
     cpp::View view;
-    view.set("general", false);
-    view.set("has_positions", true);
     view.set("struct", struct_name);
     view.set("title", title);
-    view.set("verdict", "with the numbers of one mechanism");
-    view.set("reason", "lengths are given in units of " + cpp::round_trip(numbers_.unit));
-    view.set("rigid", cpp::boolean(true));
     view.set("unit", cpp::round_trip(numbers_.unit));
-    view.set("dimensions_doc", "Link dimensions d: numbers in the functions below.");
-    view.set("inputs_doc", "Inputs u: where moving links hold the external joints.");
     std::vector<std::string> closure = model::closure_lines(equations_);
     const std::vector<std::string> steps = model::elimination_steps(elimination_);
     closure.insert(closure.end(), steps.begin(), steps.end());
     view.set("closure", cpp::line_list(closure, ""));
     view.set("frames", model::link_list(equations_));
     model::show_solution(structured_, equations_, elimination_, view);
-    view.set("link_count", std::to_string(equations_.poses.size()));
+    view.set("link_count", std::to_string(framed_links(numbers_.frames).size()));
+    view.set("holds_groups", cpp::boolean(numbers_.holds_groups));
     view.set("equation_count", std::to_string(2 * equations_.loops.size()));
     model::show_variables(equations_.unknowns, "unknown", view, equations_.owners);
-    model::show_variables({}, "dimension", view);
     model::show_variables(moving_inputs_, "input", view);
     return view;
   }
@@ -293,6 +335,18 @@ class GroupSpecialiser {
 };
 
 }  // namespace
+
+std::vector<std::size_t> framed_links(const std::vector<FrameNeed>& frames) {
+  std::vector<std::size_t> links;
+  for (const FrameNeed need : {FrameNeed::everything, FrameNeed::direction}) {
+    for (std::size_t link = 0; link < frames.size(); ++link) {
+      if (frames[link] == need) {
+        links.push_back(link);
+      }
+    }
+  }
+  return links;
+}
 
 SpecialisedGroup specialised_group(const GroupNumbers& numbers, const std::string& struct_name,
                                    const std::string& title) {

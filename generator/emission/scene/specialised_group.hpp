@@ -13,6 +13,13 @@
 
 namespace assur::generator::emission::scene {
 
+/// What a solver needs of a link's frame.
+enum class FrameNeed : unsigned char {
+  nothing,
+  direction,  ///< only to tell configurations apart
+  everything
+};
+
 /// The numbers of a group. Lengths and the gradients of lengths are in `unit`, a power of two.
 struct GroupNumbers {
   const structure::Model* model;
@@ -22,14 +29,20 @@ struct GroupNumbers {
   Eigen::MatrixXd dimension_gradient;  ///< one column a parameter; none: no sensitivity is wanted
   std::vector<std::optional<DimensionValue<double>>> inputs;  ///< those that the ground holds
   Eigen::MatrixXd input_gradient;                             ///< of these; zero for the others
+  std::vector<FrameNeed> frames;  ///< of the links, in the group's order
+  bool holds_groups;              ///< whether other groups are held by its links
 };
 
-/// The view that templates/model_struct.hpp.mustache shows, and what all its functions cost.
+/// The view that templates/specialised_group.hpp.mustache shows, and what all its functions cost.
 struct SpecialisedGroup {
   cpp::View view;
   program::OperationCount operations;
   std::size_t max_configurations;
 };
+
+/// The group's links with frames, in the order of the solver's: those of which everything is needed
+/// come first.
+[[nodiscard]] std::vector<std::size_t> framed_links(const std::vector<FrameNeed>& frames);
 
 /// The functions of a rigid model that the runtime needs and the scene wants, with the dimensions
 /// and the held inputs as numbers. Throws InputError if the numbers leave no closed form.

@@ -38,8 +38,11 @@ void put_in_order(std::vector<Configuration>& configurations, const NamedParts& 
   for (const Configuration& configuration : configurations) {
     keys.push_back(order_key(configuration, parts, directions));
   }
-  support::put_in_order(configurations, keys, static_cast<int>(configurations.size()),
-                        support::turning_key_size(parts.links.size()));
+  support::put_in_order(keys, static_cast<int>(configurations.size()),
+                        support::turning_key_size(parts.links.size()),
+                        [&configurations](std::size_t one, std::size_t other) {
+                          std::swap(configurations[one], configurations[other]);
+                        });
 }
 
 }  // namespace assur::mechanism::solve

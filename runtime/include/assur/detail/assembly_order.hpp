@@ -14,6 +14,14 @@
 
 namespace assur::detail {
 
+/// Whether whoever asks for a model's configurations puts them in an order of his own, as solvers of
+/// whole mechanisms do.
+template <typename Model, typename = void>
+inline constexpr bool comes_in_any_order = false;
+template <typename Model>
+inline constexpr bool comes_in_any_order<Model, std::void_t<decltype(Model::in_any_order)>> =
+    Model::in_any_order;
+
 /// Cosines, then sines, of the angles between each two links; then the lengths among the unknowns.
 /// The cosines do not change under rigid motion and reflection.
 template <typename Model>
@@ -79,7 +87,9 @@ template <typename Model>
 void list_in(const typename Model::template Dimensions<double>& d,
              const typename Model::template Inputs<double>& u, double unit,
              Assemblies<Model>& result) {
-  if (result.count == 2) {
+  if constexpr (comes_in_any_order<Model>) {
+    // Their keys need frames of all links, which such a model does not have.
+  } else if (result.count == 2) {
     if (numeric::comes_before(AssemblyOrder<Model>::key(d, u, result.configurations[1]),
                               AssemblyOrder<Model>::key(d, u, result.configurations[0]))) {
       std::swap(result.configurations[0], result.configurations[1]);

@@ -37,11 +37,12 @@ void turning_key(const Directions& directions, Key& key) {
   }
 }
 
-/// Puts the first `count` configurations in the order of their keys; equal keys keep their places.
-/// A key is the turning key, then from the place `lengths_from` on the displacements of the slides,
-/// which count in parts of the longest of all.
-template <typename Configurations, typename Keys>
-void put_in_order(Configurations& configurations, Keys& keys, int count, std::size_t lengths_from) {
+/// Puts the first `count` configurations in the order of their keys, which are exchanged with what
+/// `exchange` exchanges at two places; equal keys keep their places. A key is the turning key, then
+/// from the place `lengths_from` on the displacements of the slides, which count in parts of the
+/// longest of all.
+template <typename Keys, typename Exchange>
+void put_in_order(Keys& keys, int count, std::size_t lengths_from, const Exchange& exchange) {
   const auto size = static_cast<std::size_t>(count);
   double longest = 0;
   for (std::size_t index = 0; index < size; ++index) {
@@ -59,9 +60,9 @@ void put_in_order(Configurations& configurations, Keys& keys, int count, std::si
       [&keys](std::size_t one, std::size_t other) {
         return numeric::comes_before(keys[one], keys[other]);
       },
-      [&keys, &configurations](std::size_t one, std::size_t other) {
+      [&keys, &exchange](std::size_t one, std::size_t other) {
         std::swap(keys[one], keys[other]);
-        std::swap(configurations[one], configurations[other]);
+        exchange(one, other);
       });
 }
 

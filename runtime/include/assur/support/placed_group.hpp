@@ -6,6 +6,7 @@
 #include <assur/detail/index.hpp>
 #include <assur/support/displacement.hpp>
 #include <assur/support/placed_link.hpp>
+#include <assur/support/specialised.hpp>
 #include <limits>
 
 namespace assur::support {
@@ -46,91 +47,106 @@ struct HeldJoints {
   }
 };
 
-/// One configuration of a specialised group: the normal frames of its links and the rates of its
-/// unknowns.
+/// One configuration of a specialised group: the normal frames of the links that it places, and the
+/// rates of its unknowns.
 template <typename Group, int Order, int Parameters>
 struct PlacedGroup {
+  typename Group::template Configuration<double> q;
   std::array<Frame<double, Order, Parameters>, detail::size(Group::link_count)> frames;
   Matrix<double, Group::unknown_count, Order> rates;  ///< lengths in the group's unit
   Status regularity = Status::ok;
-  double residual = 0;  ///< largest of the closures
 };
 
-/// Places a group's links where its configuration is known. Where the Jacobian has no inverse,
-/// rates and gradients are NaN.
+/// Places a group's links in a configuration of known regularity. Where the Jacobian has no
+/// inverse, rates and gradients are NaN.
 template <typename Group, int Order, int Parameters>
 [[nodiscard]] PlacedGroup<Group, Order, Parameters> place_group(
     const HeldJoints<Group, Order, Parameters>& held,
-    const typename Group::template Configuration<double>& q) {
+    const typename Group::template Configuration<double>& q, Status regularity) {
+  using Model = Specialised<Group>;
   constexpr int links = Group::link_count;
-  const typename Group::template Dimensions<double> d;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const typename Model::template Dimensions<double> d;
   PlacedGroup<Group, Order, Parameters> placed;
-  Vector<double, Group::equation_count> f;
-  Group::residual(d, held.u, q, f);
-  placed.residual = f.cwiseAbs().maxCoeff() * Group::unit;
-  const DisplacedGroup<Group> among(d, held.u, held.displaced);
-  placed.regularity = among.regularity(d, held.u, q).status;
+  placed.q = q;
+  placed.regularity = regularity;
+  if (held.displaced > 0) {
+    const Status among =
+        DisplacedGroup<Model>(d, held.u, held.displaced).regularity(d, held.u, q).status;
+    placed.regularity = among == Status::ok ? regularity : among;
+  }
   const bool solvable = is_solvable(placed.regularity);
-  Matrix<double, Group::unknown_count, Group::equation_count> J_inverse;
-  J_inverse.setConstant(std::numeric_limits<double>::quiet_NaN());
-  if (solvable) {
-    Group::inverse_jacobian(d, held.u, q, J_inverse);
-  }
   Poses<double, links> poses;
-  Group::link_poses(d, held.u, q, poses);
-
-  placed.rates.setConstant(std::numeric_limits<double>::quiet_NaN());
-  Matrix<double, links, 3> velocity;
-  Matrix<double, links, 3> acceleration;
-  if constexpr (Order > 0) {
-    const Vector<double, Group::input_count> u_rate = held.rates.col(0);
-    Vector<double, Group::unknown_count> q_rate = placed.rates.col(0);
-    if constexpr (Order > 1) {
-      const Vector<double, Group::input_count> u_second_rate = held.rates.col(1);
-      Vector<double, Group::unknown_count> q_second_rate = placed.rates.col(1);
-      if (solvable) {
-        Group::motion(d, held.u, q, u_rate, u_second_rate, q_rate, q_second_rate);
-      }
-      Group::link_accelerations(d, held.u, q, q_rate, q_second_rate, u_rate, u_second_rate,
-                                acceleration);
-      placed.rates.col(1) = q_second_rate;
-    } else if (solvable) {
-      Group::velocity(d, held.u, q, u_rate, q_rate);
-    }
-    Group::link_velocities(d, held.u, q, q_rate, u_rate, velocity);
-    placed.rates.col(0) = q_rate;
-  }
-
-  Matrix<double, 3 * links, Parameters> pose_gradient;
-  if constexpr (Parameters > 0) {
-    // J q_a = -(F_a + F_u u_a), and p_a = P_a + P_u u_a + P_q q_a.
-    Matrix<double, Group::equation_count, Parameters> F_a;
-    Matrix<double, Group::equation_count, Group::input_count> F_u;
-    Matrix<double, 3 * links, Group::unknown_count> P_q;
-    Matrix<double, 3 * links, Parameters> P_a;
-    Matrix<double, 3 * links, Group::input_count> P_u;
-    Group::parameter_jacobian(d, held.u, q, F_a);
-    Group::input_jacobian(d, held.u, q, F_u);
-    Group::pose_jacobians(d, held.u, q, P_q, P_a, P_u);
-    pose_gradient = P_a + P_u * held.gradient - P_q * (J_inverse * (F_a + F_u * held.gradient));
-  }
-
+  Group::link_poses(held.u, q, poses);
   for (int link = 0; link < links; ++link) {
     Frame<double, Order, Parameters>& frame = detail::entry(placed.frames, link);
     frame.pose = detail::entry(poses, link);
-    frame.displaced = among.displaced(J_inverse) * Group::unit;
     frame.pose.x *= Group::unit;
     frame.pose.y *= Group::unit;
-    if constexpr (Order > 0) {
-      frame.rates.col(0) = velocity.row(link).transpose();
-    }
+  }
+
+  if constexpr (Order > 0) {
+    Matrix<double, links, 3> velocity;
+    Vector<double, Group::unknown_count> q_rate;
+    q_rate.setConstant(none);
+    const Vector<double, Group::input_count> u_rate = held.rates.col(0);
     if constexpr (Order > 1) {
-      frame.rates.col(1) = acceleration.row(link).transpose();
+      const Vector<double, Group::input_count> u_second_rate = held.rates.col(1);
+      Matrix<double, links, 3> acceleration;
+      Vector<double, Group::unknown_count> q_second_rate;
+      q_second_rate.setConstant(none);
+      if (solvable) {
+        Group::motion(held.u, q, u_rate, u_second_rate, q_rate, q_second_rate);
+      }
+      Group::link_accelerations(held.u, q, q_rate, q_second_rate, u_rate, u_second_rate,
+                                acceleration);
+      placed.rates.col(1) = q_second_rate;
+      for (int link = 0; link < links; ++link) {
+        detail::entry(placed.frames, link).rates.col(1) = acceleration.row(link).transpose();
+      }
+    } else if (solvable) {
+      Group::velocity(held.u, q, u_rate, q_rate);
     }
-    frame.rates.template topRows<2>() *= Group::unit;
+    Group::link_velocities(held.u, q, q_rate, u_rate, velocity);
+    placed.rates.col(0) = q_rate;
+    for (int link = 0; link < links; ++link) {
+      Frame<double, Order, Parameters>& frame = detail::entry(placed.frames, link);
+      frame.rates.col(0) = velocity.row(link).transpose();
+      frame.rates.template topRows<2>() *= Group::unit;
+    }
+  }
+
+  if constexpr (Parameters > 0 || Group::holds_groups) {
+    Matrix<double, Group::unknown_count, Group::equation_count> J_inverse;
+    if (solvable) {
+      Model::inverse_jacobian(d, held.u, q, J_inverse);
+    } else {
+      J_inverse.setConstant(none);
+    }
+    if constexpr (Group::holds_groups) {
+      const double displaced =
+          DisplacedGroup<Model>(d, held.u, held.displaced).displaced(J_inverse) * Group::unit;
+      for (auto& frame : placed.frames) {
+        frame.displaced = displaced;
+      }
+    }
     if constexpr (Parameters > 0) {
-      frame.gradient = pose_gradient.template middleRows<3>(3 * link);
-      frame.gradient.template topRows<2>() *= Group::unit;
+      // J q_a = -(F_a + F_u u_a), and p_a = P_a + P_u u_a + P_q q_a.
+      Matrix<double, Group::equation_count, Parameters> F_a;
+      Matrix<double, Group::equation_count, Group::input_count> F_u;
+      Matrix<double, 3 * links, Group::unknown_count> P_q;
+      Matrix<double, 3 * links, Parameters> P_a;
+      Matrix<double, 3 * links, Group::input_count> P_u;
+      Group::parameter_jacobian(held.u, q, F_a);
+      Group::input_jacobian(held.u, q, F_u);
+      Group::pose_jacobians(held.u, q, P_q, P_a, P_u);
+      const Matrix<double, 3 * links, Parameters> gradient =
+          P_a + P_u * held.gradient - P_q * (J_inverse * (F_a + F_u * held.gradient));
+      for (int link = 0; link < links; ++link) {
+        Frame<double, Order, Parameters>& frame = detail::entry(placed.frames, link);
+        frame.gradient = gradient.template middleRows<3>(3 * link);
+        frame.gradient.template topRows<2>() *= Group::unit;
+      }
     }
   }
   return placed;

@@ -1,9 +1,11 @@
 // Turns links of known motion into the motion of their points and of the links that they carry.
 #pragma once
 
+#include <array>
 #include <assur/directions.hpp>
 #include <assur/model.hpp>
 #include <assur/support/rigid_motion.hpp>
+#include <cstddef>
 
 namespace assur::support {
 
@@ -81,8 +83,8 @@ template <typename Scalar, int Order, int Parameters>
 /// its rates and its derivatives to the parameters.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Frame<Scalar, Order, Parameters> turning(
-    Scalar angle, const Matrix<Scalar, 1, Order>& rates,
-    const Matrix<Scalar, 1, Parameters>& gradient) {
+    Scalar angle, const Matrix<Scalar, 1, Order>& rates = Matrix<Scalar, 1, Order>::Zero(),
+    const Matrix<Scalar, 1, Parameters>& gradient = Matrix<Scalar, 1, Parameters>::Zero()) {
   Frame<Scalar, Order, Parameters> frame;
   frame.pose.direction = direction_of(angle);
   frame.rates.row(2) = rates;
@@ -93,13 +95,30 @@ template <typename Scalar, int Order, int Parameters>
 /// The same of a prismatic joint along the x-axis, for its displacement.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Frame<Scalar, Order, Parameters> sliding(
-    Scalar displacement, const Matrix<Scalar, 1, Order>& rates,
-    const Matrix<Scalar, 1, Parameters>& gradient) {
+    Scalar displacement, const Matrix<Scalar, 1, Order>& rates = Matrix<Scalar, 1, Order>::Zero(),
+    const Matrix<Scalar, 1, Parameters>& gradient = Matrix<Scalar, 1, Parameters>::Zero()) {
   Frame<Scalar, Order, Parameters> frame;
   frame.pose.x = displacement;
   frame.rates.row(0) = rates;
   frame.gradient.row(0) = gradient;
   return frame;
+}
+
+/// The sum of |derivative| x tolerance over the parameters, of each coordinate.
+template <int Parameters>
+[[nodiscard]] Vector<double, 2> worst_case(
+    const Matrix<double, 2, Parameters>& gradient,
+    const std::array<double, static_cast<std::size_t>(Parameters)>& tolerances) {
+  return gradient.cwiseAbs() * Eigen::Map<const Vector<double, Parameters>>(tolerances.data());
+}
+
+/// The root of the sum of the squares of derivative x tolerance, likewise.
+template <int Parameters>
+[[nodiscard]] Vector<double, 2> root_sum_square(
+    const Matrix<double, 2, Parameters>& gradient,
+    const std::array<double, static_cast<std::size_t>(Parameters)>& tolerances) {
+  const Eigen::Map<const Vector<double, Parameters>> half_widths(tolerances.data());
+  return (gradient * half_widths.asDiagonal()).rowwise().norm();
 }
 
 }  // namespace assur::support

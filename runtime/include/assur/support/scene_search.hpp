@@ -1,0 +1,127 @@
+// Turns the groups of an emitted solver, one behind the other, into every configuration of the
+// mechanism.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <assur/assembly.hpp>
+#include <assur/support/configuration_order.hpp>
+#include <assur/support/placed_group.hpp>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+
+namespace assur::support {
+
+/// What an emitted solver says beside the configurations.
+struct SceneSolution {
+  /// ok, also where the links cannot reach; degenerate where there is no configuration, but a group
+  /// that moves freely or is inconsistent; not_finite.
+  AssemblyStatus status = AssemblyStatus::ok;
+  int count = 0;     ///< of the configurations
+  int families = 0;  ///< choices of earlier groups for which a group moves freely or is inconsistent
+  int mobility = 0;  ///< of the freest of them
+};
+
+/// One configuration of every group of a solver.
+template <typename Groups>
+struct GroupConfigurations;
+template <typename... Group>
+struct GroupConfigurations<std::tuple<Group...>> {
+  using Type = std::tuple<typename Group::template Configuration<double>...>;
+};
+
+/// The search of an emitted solver, depth first: where the groups before one are placed, each of its
+/// configurations places its links. A solver says how: `drive` places what drivers move, `hold` a
+/// group's external joints, `place` its links, `list` fills a state, and `key` tells states apart.
+/// `Keeps`: it remembers the configurations of the groups.
+template <typename Solver, bool Keeps = false>
+class SceneSearch {
+  using State = typename Solver::template State<double>;
+  using Groups = typename Solver::Groups;
+  using Placed = typename Solver::Placed;
+  static constexpr auto capacity = static_cast<std::size_t>(Solver::max_configurations);
+
+ public:
+  using States = std::array<State, capacity>;
+  using Configurations = typename GroupConfigurations<Groups>::Type;
+
+  explicit SceneSearch(States& states) : states_(states) {}
+
+  /// Every configuration, in the order of `assur solve`.
+  [[nodiscard]] SceneSolution run(const typename Solver::template Drivers<double>& drivers) {
+    Placed placed;
+    Solver::drive(drivers, placed);
+    descend<0>(placed);
+    if (solution_.status != AssemblyStatus::ok) {
+      solution_.count = 0;
+    } else if (solution_.count == 0 && solution_.families > 0) {
+      solution_.status = AssemblyStatus::degenerate;
+    }
+    if (solution_.count > 1) {
+      put_in_order(keys_, solution_.count, Solver::turning_key_size,
+                   [this](std::size_t one, std::size_t other) {
+                     std::swap(states_[one], states_[other]);
+                     if constexpr (Keeps) {
+                       std::swap(kept_[one], kept_[other]);
+                     }
+                   });
+    }
+    return solution_;
+  }
+
+  /// Of the groups in a configuration of the mechanism, by its number from 0.
+  [[nodiscard]] const Configurations& kept(int configuration) const {
+    return detail::entry(kept_, configuration);
+  }
+
+ private:
+  template <std::size_t Place>
+  void descend(const Placed& placed) {
+    if constexpr (Place == std::tuple_size_v<Groups>) {
+      const auto slot = static_cast<std::size_t>(solution_.count++);
+      Solver::list(placed, states_[slot]);
+      Solver::key(placed, keys_[slot]);
+      if constexpr (Keeps) {
+        kept_[slot] = current_;
+      }
+    } else {
+      using Group = std::tuple_element_t<Place, Groups>;
+      HeldJoints<Group, Solver::order, Solver::parameter_count> held;
+      Solver::hold(placed, held);
+      const auto found = assemblies<Specialised<Group>>({}, held.u, held.displaced);
+      if (found.status == AssemblyStatus::not_finite) {
+        solution_.status = found.status;
+        return;
+      }
+      if (found.mobility > 0 || found.status == AssemblyStatus::degenerate) {
+        ++solution_.families;
+        solution_.mobility = std::max(solution_.mobility, found.mobility);
+      }
+      for (int index = 0; index < found.count; ++index) {
+        const auto group = place_group(held, detail::entry(found.configurations, index),
+                                       detail::entry(found.regularity, index));
+        Placed next = placed;
+        if (group.regularity != Status::ok) {
+          next.regularity = Status::near_singular;
+        }
+        Solver::place(group, next);
+        if constexpr (Keeps) {
+          std::get<Place>(current_) = group.q;
+        }
+        descend<Place + 1>(next);
+        if (solution_.status != AssemblyStatus::ok) {
+          return;
+        }
+      }
+    }
+  }
+
+  States& states_;
+  std::array<std::array<double, Solver::key_size>, capacity> keys_;
+  SceneSolution solution_;
+  Configurations current_;
+  std::array<Configurations, Keeps ? capacity : 0> kept_;
+};
+
+}  // namespace assur::support

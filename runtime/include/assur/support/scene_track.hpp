@@ -1,0 +1,243 @@
+// Turns one configuration of an emitted solver into that of the same branch where the drivers stand
+// elsewhere.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <assur/detail/branch_step.hpp>
+#include <assur/support/scene_search.hpp>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+
+namespace assur::support {
+
+/// A group on a branch: where it is held and stands, and J^-1 there.
+template <typename Group>
+struct GroupPoint {
+  typename Group::template Inputs<double> u;
+  typename Group::template Configuration<double> q;
+  Matrix<double, Group::unknown_count, Group::equation_count> inverse;
+  int orientation = 0;  ///< the sign of det J, which a branch keeps and those it may meet have not
+};
+
+template <typename Groups>
+struct GroupPoints;
+template <typename... Group>
+struct GroupPoints<std::tuple<Group...>> {
+  using Type = std::tuple<GroupPoint<Group>...>;
+};
+
+/// Where a branch of an emitted solver has been followed to.
+template <typename Solver>
+struct SceneBranch {
+  typename Solver::template Drivers<double> drivers;
+  typename GroupPoints<typename Solver::Groups>::Type groups;
+  /// ok or near_singular; with any other status nothing can be followed from here.
+  Status status = Status::singular;
+};
+
+/// How far a branch was followed.
+struct SceneTrack {
+  /// ok, or near_singular: at the end of the way. no_convergence: within 0.2% of the way from
+  /// `reached` the branch ends or comes too close to another. not_finite. Or the status of a branch
+  /// that cannot be followed.
+  Status status = Status::singular;
+  double reached = 0;  ///< the part of the way to the last point that is certainly of the branch
+};
+
+/// Follows branches of an emitted solver without rates. A step is taken for one of the same branch
+/// where Newton's steps contract, det J keeps its sign, and the linear predictions from both ends
+/// agree with the way; otherwise it is halved.
+template <typename Solver>
+class SceneTracker {
+  using Branch = SceneBranch<Solver>;
+  using Drivers = typename Solver::template Drivers<double>;
+  using State = typename Solver::template State<double>;
+  using Groups = typename Solver::Groups;
+  using Placed = typename Solver::Placed;
+
+ public:
+  /// The branch of a configuration, by its number in the solver's list, from 0; no_convergence where
+  /// there is none of that number.
+  static Branch begin(const Drivers& drivers, int configuration) {
+    Branch branch;
+    branch.drivers = drivers;
+    typename SceneSearch<Solver>::States states;
+    SceneSearch<Solver, true> search(states);
+    const SceneSolution solution = search.run(drivers);
+    if (solution.status == AssemblyStatus::not_finite) {
+      branch.status = Status::not_finite;
+    } else if (configuration < 0 || configuration >= solution.count) {
+      branch.status = Status::no_convergence;
+    } else {
+      Placed placed;
+      Solver::drive(drivers, placed);
+      branch.status = Status::ok;
+      settle<0>(search.kept(configuration), branch, placed);
+    }
+    return branch;
+  }
+
+  /// Follows a branch to where the drivers stand at `to`, and fills the state there; it is not
+  /// changed where the branch is not followed to the end.
+  [[nodiscard]] static SceneTrack run(const Drivers& to, Branch& branch, State& state) {
+    SceneTrack way{branch.status, 0};
+    const Drivers from = branch.drivers;
+    double width = 1;
+    while (is_solvable(branch.status) && way.reached < 1) {
+      const double next = std::min(way.reached + width, 1.0);
+      Branch end;
+      end.drivers = next < 1 ? between(from, to, next) : to;
+      Placed placed;
+      Solver::drive(end.drivers, placed);
+      end.status = Status::ok;
+      if (step<0>(branch, end, placed)) {
+        branch = end;
+        width = 2 * (next - way.reached);
+        way.reached = next;
+        if (next == 1) {
+          placed.regularity = end.status;
+          Solver::list(placed, state);
+        }
+        continue;
+      }
+      width = (next - way.reached) / 2;
+      if (!(width > detail::StepLimits().shortest)) {
+        way.status = is_given(to) ? Status::no_convergence : Status::not_finite;
+        return way;
+      }
+    }
+    way.status = branch.status;
+    return way;
+  }
+
+ private:
+  static Drivers between(const Drivers& from, const Drivers& to, double part) {
+    Drivers result = to;
+    for_each_pair(result, from, [part](auto& driver, const auto& start) {
+      driver.position = start.position + part * (driver.position - start.position);
+    });
+    return result;
+  }
+  static bool is_given(const Drivers& drivers) {
+    bool finite = true;
+    for_each_member(drivers, [&finite](const auto& driver, std::size_t) {
+      finite = finite && std::isfinite(driver.position);
+    });
+    return finite;
+  }
+
+  template <typename Group>
+  using Held = HeldJoints<Group, Solver::order, Solver::parameter_count>;
+
+  /// J^-1 and its verdict where a group stands.
+  template <typename Group>
+  [[nodiscard]] static Status look(GroupPoint<Group>& point) {
+    using Model = Specialised<Group>;
+    const typename Model::template Dimensions<double> d;
+    const auto pivots = detail::pivots_at<Model, double>(d, point.u, point.q);
+    point.orientation = detail::orientation_of(pivots);
+    return detail::regularity_of(pivots, detail::derivative_rounding<double>()).status;
+  }
+
+  /// Places a group on the way, and counts its regularity.
+  template <typename Group>
+  static void place(const Held<Group>& held, const GroupPoint<Group>& point, Status status,
+                    Branch& branch, Placed& placed) {
+    const auto group = place_group(held, point.q, status);
+    if (group.regularity != Status::ok) {
+      branch.status = group.regularity;
+    }
+    Solver::place(group, placed);
+  }
+
+  template <std::size_t Place, typename Configurations>
+  static void settle(const Configurations& found, Branch& branch, Placed& placed) {
+    if constexpr (Place < std::tuple_size_v<Groups>) {
+      using Group = std::tuple_element_t<Place, Groups>;
+      using Model = Specialised<Group>;
+      GroupPoint<Group>& point = std::get<Place>(branch.groups);
+      Held<Group> held;
+      Solver::hold(placed, held);
+      point.u = held.u;
+      point.q = std::get<Place>(found);
+      const Status status = look(point);
+      if (!is_solvable(status)) {
+        branch.status = status;
+        return;
+      }
+      Model::inverse_jacobian(typename Model::template Dimensions<double>(), point.u, point.q,
+                              point.inverse);
+      place(held, point, status, branch, placed);
+      settle<Place + 1>(found, branch, placed);
+    }
+  }
+
+  /// The groups from one on; false where one refuses the step.
+  template <std::size_t Place>
+  [[nodiscard]] static bool step(const Branch& start, Branch& end, Placed& placed) {
+    if constexpr (Place == std::tuple_size_v<Groups>) {
+      return true;
+    } else {
+      using Group = std::tuple_element_t<Place, Groups>;
+      GroupPoint<Group>& point = std::get<Place>(end.groups);
+      Held<Group> held;
+      Solver::hold(placed, held);
+      point.u = held.u;
+      if (!advance(std::get<Place>(start.groups), point)) {
+        return false;
+      }
+      const Status status = look(point);
+      if (!is_solvable(status) ||
+          point.orientation != std::get<Place>(start.groups).orientation) {
+        return false;
+      }
+      place(held, point, status, end, placed);
+      return step<Place + 1>(start, end, placed);
+    }
+  }
+
+  /// Newton's steps from the linear prediction of the start.
+  template <typename Group>
+  [[nodiscard]] static bool advance(const GroupPoint<Group>& start, GroupPoint<Group>& end) {
+    using Model = Specialised<Group>;
+    using Unknowns = Vector<double, Group::unknown_count>;
+    constexpr detail::StepLimits limits;
+    const auto turn_of = [](const Unknowns& step) {
+      return detail::turn_of<Model>(step, 1);  // the group's lengths are near one
+    };
+    const typename Model::template Dimensions<double> d;
+    Vector<double, Group::equation_count> f;
+    Group::residual(end.u, start.q, f);
+    const Unknowns predicted = -(start.inverse * f);
+    if (!(turn_of(predicted) < limits.prediction)) {
+      return false;
+    }
+    end.q = start.q;
+    detail::move_slightly<Model>(end.q, predicted);
+    Unknowns way = predicted;
+    double previous = 0;
+    for (bool first = true;; first = false) {
+      Group::residual(end.u, end.q, f);
+      Model::inverse_jacobian(d, end.u, end.q, end.inverse);
+      const Unknowns step = -(end.inverse * f);
+      const double turn = turn_of(step);
+      const double limit = first ? limits.correction : limits.contraction * previous;
+      if (!(turn <= std::max(limit, limits.settled))) {
+        return false;
+      }
+      detail::move_slightly<Model>(end.q, step);
+      way += step;
+      if (turn <= limits.settled) {
+        break;
+      }
+      previous = turn;
+    }
+    Group::residual(start.u, end.q, f);
+    const Unknowns back = -(end.inverse * f);
+    return turn_of(way - (predicted - back) / 2) <= limits.defect;
+  }
+};
+
+}  // namespace assur::support
