@@ -9,7 +9,7 @@
 #include "audit/code_matrix.hpp"
 #include "audit/code_text.hpp"
 #include "audit/kind_audit.hpp"
-#include "closures/formula.hpp"
+#include "closures/read_formula.hpp"
 
 namespace assur::generator::audit {
 

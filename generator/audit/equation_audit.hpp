@@ -2,7 +2,7 @@
 #pragma once
 
 #include "audit/finding.hpp"
-#include "closures/formula.hpp"
+#include "closures/read_formula.hpp"
 
 namespace assur::generator::audit {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "closures/formula.hpp"
+#include "closures/read_formula.hpp"
 
 namespace assur::generator::audit {
 

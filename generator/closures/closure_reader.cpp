@@ -4,8 +4,8 @@
 #include <assur/text/expression.hpp>
 #include <assur/text/suggestion.hpp>
 
-#include "closures/formula.hpp"
 #include "closures/model_symbols.hpp"
+#include "closures/read_formula.hpp"
 
 namespace assur::generator::closures {
 

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "derivatives/mobility.hpp"
-#include "document/formula.hpp"
+#include "document/formula_writer.hpp"
 #include "elimination/eliminate.hpp"
 #include "pivoting/structured_jacobian.hpp"
 

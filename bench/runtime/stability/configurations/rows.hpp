@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "speed/position_methods.hpp"
+#include "positions/position_methods.hpp"
 #include "truth.hpp"
 
 namespace assur::stability {

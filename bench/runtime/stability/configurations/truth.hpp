@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "families.hpp"
+#include "positions/position_samples.hpp"
 #include "runtime/sturm.hpp"
-#include "speed/position_samples.hpp"
 #include "stability/measure.hpp"
 
 namespace assur::stability {

@@ -1,4 +1,4 @@
-#include "closures/formula.hpp"
+#include "closures/read_formula.hpp"
 
 #include <array>
 #include <assur/text/expression.hpp>

@@ -1,4 +1,4 @@
-#include "document/formula.hpp"
+#include "document/formula_writer.hpp"
 
 #include <algorithm>
 #include <sstream>
