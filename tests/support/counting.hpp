@@ -76,13 +76,20 @@ void set_variables(Variables<Counting>& variables) {
   std::apply([&](auto&... member) { (set(member), ...); }, variables.members());
 }
 
+/// One argument for each type of parameter, because tuples of them cost much to compile; what a
+/// function reads is const and is no argument that it writes.
+template <typename Parameter>
+Parameter argument() {
+  static std::decay_t<Parameter> value;
+  set_variables(value);
+  return value;
+}
+
 /// What a function does with arguments none of which is a constant of the text.
-template <typename... Arguments>
-Count operations_of(void (*function)(Arguments...)) {
-  std::tuple<std::decay_t<Arguments>...> arguments;
-  std::apply([](auto&... argument) { (set_variables(argument), ...); }, arguments);
+template <typename... Parameters>
+Count operations_of(void (*function)(Parameters...)) {
   counted = {};
-  std::apply(function, arguments);
+  function(argument<Parameters>()...);
   return counted;
 }
 
