@@ -1505,22 +1505,23 @@ struct Model16 {
     const Scalar t01 = EB_x * u.phi_E.cos + EB_y * u.phi_E.sin;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar b_0_re = Scalar(2) * (d.x_F_EDF - t01 - d.h_B_BCG * sin_phi_B_minus_phi_E);
-    const Scalar t02 = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
-    const Scalar b_1_re = -Scalar(2) * t02;
-    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar t04 = EB_y + t03 * u.phi_E.cos - d.x_F_EDF * u.phi_E.sin;
-    const Scalar t05 = EB_x - t03 * u.phi_E.sin - d.x_F_EDF * u.phi_E.cos;
-    const Scalar t06 = EB_y * u.phi_E.cos - EB_x * u.phi_E.sin;
-    const Scalar c_0_re = d.h_B_BCG * (d.h_B_BCG + Scalar(2) * t05 * u.phi_B.sin
-        - Scalar(2) * t04 * u.phi_B.cos) + EB_x * EB_x + EB_y * EB_y + d.x_F_EDF * (d.x_F_EDF
-        - Scalar(2) * t01) + d.h_E_EDF * (d.h_E_EDF + Scalar(2) * t06 - Scalar(2) * d.y_F_EDF)
-        + d.y_F_EDF * (d.y_F_EDF - Scalar(2) * t06) - d.GF * d.GF;
-    const Scalar c_1_re = Scalar(2) * (t05 * u.phi_B.cos + t04 * u.phi_B.sin);
-    const Scalar e_0_re = Scalar(2) * (t02 * d.psi_C_BCG.sin
-        + d.psi_C_BCG.cos * sin_phi_B_minus_phi_E);
-    const Scalar f_0_re = -Scalar(2) * ((d.h_B_BCG + EB_x * u.phi_B.sin - d.h_E_EDF * t02
-        - EB_y * u.phi_B.cos) * d.psi_C_BCG.cos + d.h_C_CD + (EB_x * u.phi_B.cos
-        + EB_y * u.phi_B.sin + d.h_E_EDF * sin_phi_B_minus_phi_E) * d.psi_C_BCG.sin - d.h_C_BCG);
+    const Scalar cos_phi_B_minus_phi_E = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
+    const Scalar b_1_re = -Scalar(2) * cos_phi_B_minus_phi_E;
+    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t03 = EB_y + t02 * u.phi_E.cos - d.x_F_EDF * u.phi_E.sin;
+    const Scalar t04 = EB_x - t02 * u.phi_E.sin - d.x_F_EDF * u.phi_E.cos;
+    const Scalar t05 = EB_y * u.phi_E.cos - EB_x * u.phi_E.sin;
+    const Scalar c_0_re = d.h_B_BCG * (d.h_B_BCG + Scalar(2) * t04 * u.phi_B.sin
+        - Scalar(2) * t03 * u.phi_B.cos) + EB_x * EB_x + EB_y * EB_y + d.x_F_EDF * (d.x_F_EDF
+        - Scalar(2) * t01) + d.h_E_EDF * (d.h_E_EDF + Scalar(2) * t05 - Scalar(2) * d.y_F_EDF)
+        + d.y_F_EDF * (d.y_F_EDF - Scalar(2) * t05) - d.GF * d.GF;
+    const Scalar c_1_re = Scalar(2) * (t04 * u.phi_B.cos + t03 * u.phi_B.sin);
+    const Scalar e_0_re = Scalar(2) * (d.psi_C_BCG.cos * sin_phi_B_minus_phi_E
+        + d.psi_C_BCG.sin * cos_phi_B_minus_phi_E);
+    const Scalar f_0_re = Scalar(2) * (d.h_C_BCG - d.h_C_CD - (d.h_B_BCG + EB_x * u.phi_B.sin
+        - EB_y * u.phi_B.cos - d.h_E_EDF * cos_phi_B_minus_phi_E) * d.psi_C_BCG.cos
+        - (EB_x * u.phi_B.cos + EB_y * u.phi_B.sin
+        + d.h_E_EDF * sin_phi_B_minus_phi_E) * d.psi_C_BCG.sin);
     const Scalar f_1_re = -Scalar(2) * d.psi_C_BCG.sin;
     T(0) = f_0_re * f_0_re - (b_0_re * f_0_re - c_0_re * e_0_re) * e_0_re;
     T(1) = Scalar(2) * f_0_re * f_1_re - (b_0_re * f_1_re + f_0_re * b_1_re

@@ -1443,14 +1443,14 @@ struct Model09 {
         - Scalar(2) * t04 * d.psi_C_BC.cos) + d.h_C_CEG * (d.h_C_CEG - Scalar(2) * d.y_G_CEG)
         + d.x_G_CEG * d.x_G_CEG + d.y_G_CEG * d.y_G_CEG - d.FG * d.FG;
     const Scalar c_1_re = Scalar(2) * (t01 + t02 * d.psi_C_BC.sin + d.x_G_CEG * d.psi_C_BC.cos);
-    const Scalar t05 = u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos;
+    const Scalar sin_phi_B_minus_phi_D = u.phi_B.sin * u.phi_D.cos - u.phi_B.cos * u.phi_D.sin;
     const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
-    const Scalar e_0_re = -Scalar(2) * (d.psi_C_BC.cos * t05
-        - d.psi_C_BC.sin * cos_phi_B_minus_phi_D);
+    const Scalar e_0_re = Scalar(2) * (d.psi_C_BC.cos * sin_phi_B_minus_phi_D
+        + d.psi_C_BC.sin * cos_phi_B_minus_phi_D);
     const Scalar f_0_re = -Scalar(2) * ((FB_y - FD_y) * u.phi_D.cos + d.h_D_DE - (FB_x
-        - FD_x) * u.phi_D.sin - d.h_C_CEG * (d.psi_C_BC.sin * t05
-        + d.psi_C_BC.cos * cos_phi_B_minus_phi_D));
-    const Scalar f_1_re = Scalar(2) * t05;
+        - FD_x) * u.phi_D.sin - d.h_C_CEG * (d.psi_C_BC.cos * cos_phi_B_minus_phi_D
+        - d.psi_C_BC.sin * sin_phi_B_minus_phi_D));
+    const Scalar f_1_re = -Scalar(2) * sin_phi_B_minus_phi_D;
     T(0) = f_0_re * f_0_re - (b_0_re * f_0_re - c_0_re * e_0_re) * e_0_re;
     T(1) = Scalar(2) * f_0_re * f_1_re - (b_0_re * f_1_re + f_0_re * b_1_re
         - c_1_re * e_0_re) * e_0_re;

@@ -1506,24 +1506,24 @@ struct Model18 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos;
+    const Scalar sin_phi_B_minus_phi_D = u.phi_B.sin * u.phi_D.cos - u.phi_B.cos * u.phi_D.sin;
     const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_D.sin * u.phi_B.sin;
-    const Scalar b_0_re = -Scalar(2) * (t01 * d.psi_C_BC.cos
-        - d.psi_C_BC.sin * cos_phi_B_minus_phi_D);
+    const Scalar b_0_re = Scalar(2) * (d.psi_C_BC.cos * sin_phi_B_minus_phi_D
+        + d.psi_C_BC.sin * cos_phi_B_minus_phi_D);
     const Scalar c_0_re = -Scalar(2) * ((FB_y - FD_y) * u.phi_D.cos + d.h_D_DE - (FB_x
-        - FD_x) * u.phi_D.sin - d.h_C_CEG * (t01 * d.psi_C_BC.sin
-        + d.psi_C_BC.cos * cos_phi_B_minus_phi_D));
-    const Scalar c_1_re = Scalar(2) * t01;
-    const Scalar t02 = u.phi_B.cos * u.phi_F.sin - u.phi_B.sin * u.phi_F.cos;
-    const Scalar e_0_re = -Scalar(2) * (d.psi_C_BC.cos * t02
-        - d.psi_C_BC.sin * (u.phi_B.cos * u.phi_F.cos + u.phi_B.sin * u.phi_F.sin));
-    const Scalar t03 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar t04 = t03 * u.phi_B.cos - d.x_G_CEG * u.phi_B.sin;
-    const Scalar t05 = t03 * u.phi_B.sin + d.x_G_CEG * u.phi_B.cos;
-    const Scalar f_0_re = -Scalar(2) * ((FB_y + t05 * d.psi_C_BC.sin
-        - t04 * d.psi_C_BC.cos) * u.phi_F.cos + d.h_F_FG - (FB_x + t05 * d.psi_C_BC.cos
-        + t04 * d.psi_C_BC.sin) * u.phi_F.sin);
-    const Scalar f_1_re = Scalar(2) * t02;
+        - FD_x) * u.phi_D.sin - d.h_C_CEG * (d.psi_C_BC.cos * cos_phi_B_minus_phi_D
+        - d.psi_C_BC.sin * sin_phi_B_minus_phi_D));
+    const Scalar c_1_re = -Scalar(2) * sin_phi_B_minus_phi_D;
+    const Scalar sin_phi_B_minus_phi_F = u.phi_B.sin * u.phi_F.cos - u.phi_B.cos * u.phi_F.sin;
+    const Scalar e_0_re = Scalar(2) * (d.psi_C_BC.sin * (u.phi_B.cos * u.phi_F.cos
+        + u.phi_B.sin * u.phi_F.sin) + d.psi_C_BC.cos * sin_phi_B_minus_phi_F);
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
+    const Scalar t02 = t01 * u.phi_B.cos - d.x_G_CEG * u.phi_B.sin;
+    const Scalar t03 = t01 * u.phi_B.sin + d.x_G_CEG * u.phi_B.cos;
+    const Scalar f_0_re = -Scalar(2) * ((FB_y + t03 * d.psi_C_BC.sin
+        - t02 * d.psi_C_BC.cos) * u.phi_F.cos + d.h_F_FG - (FB_x + t03 * d.psi_C_BC.cos
+        + t02 * d.psi_C_BC.sin) * u.phi_F.sin);
+    const Scalar f_1_re = -Scalar(2) * sin_phi_B_minus_phi_F;
     T(0) = f_0_re * b_0_re - c_0_re * e_0_re;
     T(1) = b_0_re * f_1_re - e_0_re * c_1_re;
   }

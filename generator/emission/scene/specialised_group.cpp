@@ -271,7 +271,7 @@ class GroupSpecialiser {
   [[nodiscard]] std::vector<model::ModelFunction> sensitivity_functions() const {
     const std::vector<model::Parameter> place = {{"const Inputs<Scalar>&", "u"},
                                                  {"const Configuration<Scalar>&", "q"}};
-    const std::string columns = std::to_string(parameter_count());
+    const std::string columns = "parameter_count";
     std::vector<model::ModelFunction> functions = {
         {"parameter_jacobian",
          {"F_a = df/da: what the scene's parameters a change at the dimensions and at the ground."},
@@ -310,6 +310,8 @@ class GroupSpecialiser {
     view.set("struct", struct_name);
     view.set("title", title);
     view.set("unit", cpp::round_trip(numbers_.unit));
+    view.set("has_parameters", parameter_count() > 0);
+    view.set("parameter_count", std::to_string(parameter_count()));
     std::vector<std::string> closure = model::closure_lines(equations_);
     const std::vector<std::string> steps = model::elimination_steps(elimination_);
     closure.insert(closure.end(), steps.begin(), steps.end());
