@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <sstream>
 
@@ -66,6 +67,30 @@ std::optional<ConstantProduct> constant_product(const program::Coefficient& coef
   return rounded ? std::nullopt : std::optional(product);
 }
 
+/// The constant that a coefficient is up to its sign, if no double holds it.
+std::optional<GiNaC::symbol> quotient(const program::Coefficient& coefficient,
+                                      const program::SymbolOrder& order) {
+  for (const GiNaC::ex& origin : {coefficient.origin(), GiNaC::ex(-coefficient.origin())}) {
+    if (GiNaC::is_a<GiNaC::symbol>(origin) && !is_double(*order.number(origin))) {
+      return GiNaC::ex_to<GiNaC::symbol>(origin);
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<program::Coefficient> coefficients_of(const program::Program& program) {
+  std::vector<program::Coefficient> list;
+  for (const program::ScaledNode& value : program.values()) {
+    list.push_back(value.coefficient);
+  }
+  for (const program::NodeIndex node : program.computed()) {
+    for (const program::ScaledNode& term : program.graph().nodes()[node].terms) {
+      list.push_back(term.coefficient);
+    }
+  }
+  return list;
+}
+
 class CppText {
  public:
   CppText(const program::Program& program, const Spelling& spelling)
@@ -124,9 +149,31 @@ class CppText {
       }
       return {product->factor.is_negative(), "Scalar(" + text::joined(factors, " * ") + ")"};
     }
+    if (const auto name = quotient(coefficient, program_.graph().order())) {
+      return {!coefficient.origin().is_equal(*name), name->get_name()};
+    }
     return {coefficient.is_negative(), literal(coefficient.size().value())};
   }
 
+ public:
+  /// The numbers that no double holds and that have names, a statement each.
+  [[nodiscard]] std::vector<std::string> quotients() const {
+    std::map<std::string, GiNaC::numeric> values;
+    const program::SymbolOrder& order = program_.graph().order();
+    for (const program::Coefficient& coefficient : coefficients_of(program_)) {
+      if (const auto name = quotient(coefficient, order)) {
+        values[name->get_name()] = *order.number(*name);
+      }
+    }
+    std::vector<std::string> lines;
+    for (const auto& [name, value] : values) {
+      lines.push_back("const Scalar " + name + " = " + (value.is_negative() ? "-" : "") +
+                      literal(GiNaC::abs(value)) + ";");
+    }
+    return lines;
+  }
+
+ private:
   /// A small whole number and what a double holds as they are, a third and the like as a quotient;
   /// any other by the double nearest to it and the double nearest to what is left: so that the
   /// number is as exact in double-double arithmetic as the operations are.
@@ -244,7 +291,7 @@ std::string round_trip(double value) {
 
 std::vector<std::string> cpp_lines(const program::Program& program, const Spelling& spelling) {
   const CppText text(program, spelling);
-  std::vector<std::string> lines;
+  std::vector<std::string> lines = text.quotients();
   for (const program::Program::Step& step : program.steps()) {
     const bool root = step.form == equations::NamedQuantity::Form::square_root;
     const std::string comment =
@@ -260,18 +307,11 @@ std::vector<std::string> cpp_lines(const program::Program& program, const Spelli
 
 std::set<std::string> constants_of(const program::Program& program) {
   std::set<std::string> names;
-  const auto add = [&](const program::ScaledNode& value) {
-    const auto product = constant_product(value.coefficient, program.graph().order());
-    if (product) {
+  for (const program::Coefficient& coefficient : coefficients_of(program)) {
+    if (const auto product = constant_product(coefficient, program.graph().order())) {
       names.insert(product->names.begin(), product->names.end());
     }
-  };
-  for (const program::NodeIndex node : program.computed()) {
-    const auto& terms = program.graph().nodes()[node].terms;
-    std::for_each(terms.begin(), terms.end(), add);
   }
-  const std::vector<program::ScaledNode> values = program.values();
-  std::for_each(values.begin(), values.end(), add);
   return names;
 }
 
