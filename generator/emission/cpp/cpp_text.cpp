@@ -19,8 +19,6 @@ using Operation = program::ExpressionGraph::Operation;
 constexpr std::size_t line_width = 100;
 constexpr int small = 1000000;  ///< whole numbers below this are printed as such
 
-bool is_double(const GiNaC::numeric& number) { return number == exact(number.to_double()); }
-
 /// A number that is a product of named constants.
 struct ConstantProduct {
   GiNaC::numeric factor;
@@ -61,8 +59,9 @@ std::optional<ConstantProduct> constant_product(const program::Coefficient& coef
   bool rounded = !is_double(partial);
   for (const program::SymbolRank rank : ranks) {
     product.names.push_back(order.name(rank));
-    partial *= *order.constant(product.names.back());
-    rounded = rounded || !is_double(partial);
+    const GiNaC::numeric value = *order.constant(product.names.back());
+    partial *= value;
+    rounded = rounded || !is_double(value) || !is_double(partial);
   }
   return rounded ? std::nullopt : std::optional(product);
 }
@@ -280,6 +279,8 @@ GiNaC::numeric exact(double value) {
   const auto whole = static_cast<long>(std::ldexp(mantissa, digits));
   return GiNaC::numeric(whole) * GiNaC::pow(GiNaC::numeric(2), GiNaC::numeric(exponent - digits));
 }
+
+bool is_double(const GiNaC::numeric& number) { return number == exact(number.to_double()); }
 
 std::string round_trip(double value) {
   std::array<char, 32> text{};

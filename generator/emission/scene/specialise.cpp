@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <assur/text/error.hpp>
 #include <iterator>
+#include <optional>
+
+#include "emission/cpp/cpp_text.hpp"
 
 namespace assur::generator::emission::scene {
 
@@ -14,8 +17,10 @@ bool is_symbol(const GiNaC::ex& expression) {
   return GiNaC::is_a<GiNaC::symbol>(expression) || GiNaC::is_a<GiNaC::symbol>(-expression);
 }
 
-/// Whether named constants are divided by: few such numbers are doubles, and they read by names.
-bool is_quotient(const GiNaC::ex& number) { return !GiNaC::is_a<GiNaC::numeric>(number.denom()); }
+/// Whether a number comes of dividing by named constants and is no double: it reads by its name.
+bool is_quotient(const GiNaC::ex& definition, const GiNaC::numeric& number) {
+  return !GiNaC::is_a<GiNaC::numeric>(definition.denom()) && !cpp::is_double(number);
+}
 
 class Specialiser {
  public:
@@ -30,11 +35,12 @@ class Specialiser {
       if (quantity.form == Form::reciprocal) {
         invert(quantity);
       }
-      const bool number = order_.number(quantity.definition).has_value();
+      const std::optional<GiNaC::numeric> number = order_.number(quantity.definition);
       if (number && quantity.form == Form::reciprocal) {
         values_[quantity.symbol] = 1 / quantity.definition;
-      } else if (number && quantity.form == Form::itself && is_quotient(quantity.definition)) {
-        order_.set_constant(quantity.symbol, *order_.number(quantity.definition));
+      } else if (number && quantity.form == Form::itself &&
+                 is_quotient(quantity.definition, *number)) {
+        order_.set_constant(quantity.symbol, *number);
       } else if (quantity.form == Form::itself && (number || is_symbol(quantity.definition))) {
         values_[quantity.symbol] = quantity.definition;
       }
