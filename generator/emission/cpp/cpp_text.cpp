@@ -77,6 +77,7 @@ std::optional<GiNaC::symbol> quotient(const program::Coefficient& coefficient,
   return std::nullopt;
 }
 
+/// The coefficients of all that a program computes.
 std::vector<program::Coefficient> coefficients_of(const program::Program& program) {
   std::vector<program::Coefficient> list;
   for (const program::ScaledNode& value : program.values()) {
