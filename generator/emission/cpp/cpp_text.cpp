@@ -128,6 +128,23 @@ class CppText {
     return scaled(step.value);
   }
 
+  /// The numbers that no double holds and that have names, a statement each.
+  [[nodiscard]] std::vector<std::string> quotients() const {
+    std::map<std::string, GiNaC::numeric> values;
+    const program::SymbolOrder& order = program_.graph().order();
+    for (const program::Coefficient& coefficient : coefficients_of(program_)) {
+      if (const auto name = quotient(coefficient, order)) {
+        values[name->get_name()] = *order.number(*name);
+      }
+    }
+    std::vector<std::string> lines;
+    for (const auto& [name, value] : values) {
+      lines.push_back("const Scalar " + name + " = " + (value.is_negative() ? "-" : "") +
+                      literal(GiNaC::abs(value)) + ";");
+    }
+    return lines;
+  }
+
  private:
   [[nodiscard]] const program::ExpressionGraph::Node& content(program::NodeIndex node) const {
     return program_.graph().nodes()[node];
@@ -155,25 +172,6 @@ class CppText {
     return {coefficient.is_negative(), literal(coefficient.size().value())};
   }
 
- public:
-  /// The numbers that no double holds and that have names, a statement each.
-  [[nodiscard]] std::vector<std::string> quotients() const {
-    std::map<std::string, GiNaC::numeric> values;
-    const program::SymbolOrder& order = program_.graph().order();
-    for (const program::Coefficient& coefficient : coefficients_of(program_)) {
-      if (const auto name = quotient(coefficient, order)) {
-        values[name->get_name()] = *order.number(*name);
-      }
-    }
-    std::vector<std::string> lines;
-    for (const auto& [name, value] : values) {
-      lines.push_back("const Scalar " + name + " = " + (value.is_negative() ? "-" : "") +
-                      literal(GiNaC::abs(value)) + ";");
-    }
-    return lines;
-  }
-
- private:
   /// A small whole number and what a double holds as they are, a third and the like as a quotient;
   /// any other by the double nearest to it and the double nearest to what is left: so that the
   /// number is as exact in double-double arithmetic as the operations are.
