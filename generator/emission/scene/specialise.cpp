@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <assur/text/error.hpp>
 #include <iterator>
+#include <optional>
+
+#include "emission/cpp/cpp_text.hpp"
 
 namespace assur::generator::emission::scene {
 
@@ -14,9 +17,14 @@ bool is_symbol(const GiNaC::ex& expression) {
   return GiNaC::is_a<GiNaC::symbol>(expression) || GiNaC::is_a<GiNaC::symbol>(-expression);
 }
 
+/// Whether a number comes of dividing by named constants and is no double: it reads by its name.
+bool is_quotient(const GiNaC::ex& definition, const GiNaC::numeric& number) {
+  return !GiNaC::is_a<GiNaC::numeric>(definition.denom()) && !cpp::is_double(number);
+}
+
 class Specialiser {
  public:
-  Specialiser(const program::SymbolOrder& order, GiNaC::exmap values)
+  Specialiser(program::SymbolOrder& order, GiNaC::exmap values)
       : order_(order), values_(std::move(values)) {}
 
   NamedResults run(const std::vector<equations::NamedQuantity>& quantities,
@@ -27,16 +35,20 @@ class Specialiser {
       if (quantity.form == Form::reciprocal) {
         invert(quantity);
       }
-      const bool number = order_.number(quantity.definition).has_value();
+      const std::optional<GiNaC::numeric> number = order_.number(quantity.definition);
       if (number && quantity.form == Form::reciprocal) {
         values_[quantity.symbol] = 1 / quantity.definition;
+      } else if (number && quantity.form == Form::itself &&
+                 is_quotient(quantity.definition, *number)) {
+        order_.set_constant(quantity.symbol, *number);
       } else if (quantity.form == Form::itself && (number || is_symbol(quantity.definition))) {
         values_[quantity.symbol] = quantity.definition;
       }
     }
     std::erase_if(special_.quantities, [&](const equations::NamedQuantity& quantity) {
       const auto value = values_.find(quantity.symbol);
-      return value != values_.end() && !value->second.has(quantity.symbol);
+      return (value != values_.end() && !value->second.has(quantity.symbol)) ||
+             order_.constant(quantity.symbol.get_name());
     });
     for (program::Result& result : special_.results) {
       result.value = folded(result.value);
@@ -131,7 +143,7 @@ class Specialiser {
     }
   }
 
-  const program::SymbolOrder& order_;
+  program::SymbolOrder& order_;
   GiNaC::exmap values_;
   std::vector<program::Monomial> ones_;  ///< products of symbols and their reciprocals
   NamedResults special_;
@@ -140,8 +152,8 @@ class Specialiser {
 }  // namespace
 
 NamedResults specialised(const std::vector<equations::NamedQuantity>& quantities,
-                         const std::vector<program::Result>& results,
-                         const program::SymbolOrder& order, GiNaC::exmap values) {
+                         const std::vector<program::Result>& results, program::SymbolOrder& order,
+                         GiNaC::exmap values) {
   return Specialiser(order, std::move(values)).run(quantities, results);
 }
 

@@ -74,13 +74,15 @@ TEST(EmitSceneCounts, AreWhatTheFunctionsOfAllExamplesDo) {
   const TemporaryDirectory directory;
   std::map<std::string, Count> stated;
   std::string structs;
-  for (const auto& entry : fs::directory_iterator(ASSUR_EXAMPLES)) {
-    if (entry.path().extension() == ".json") {
-      const std::string stem = entry.path().stem().string();
-      emit_solver({entry.path(), stem, "", {}}, directory);
-      const std::string header = read_file(directory.path() / "assur/scenes" / (stem + ".hpp"));
-      structs += groups_of(header);
-      stated.merge(stated_counts(header));
+  for (const char* scenes : {ASSUR_EXAMPLES, ASSUR_SCENES}) {
+    for (const auto& entry : fs::directory_iterator(scenes)) {
+      if (entry.path().extension() == ".json") {
+        const std::string stem = entry.path().stem().string();
+        emit_solver({entry.path(), stem, "", {}}, directory);
+        const std::string header = read_file(directory.path() / "assur/scenes" / (stem + ".hpp"));
+        structs += groups_of(header);
+        stated.merge(stated_counts(header));
+      }
     }
   }
   std::string calls;
