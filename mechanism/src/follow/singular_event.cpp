@@ -50,6 +50,9 @@ class Explanation {
       return std::nullopt;
     }
     put_in_order(right->parameter < left->parameter ? -1 : 1);
+    if (!are_all(left, right)) {
+      return std::nullopt;
+    }
     return std::move(events_);
   }
 
@@ -277,6 +280,28 @@ class Explanation {
         events_.size(),
         [&](std::size_t one, std::size_t other) { return before(events_[one], events_[other]); },
         [&](std::size_t one, std::size_t other) { std::swap(events_[one], events_[other]); });
+  }
+
+  /// Whether there are as many configurations between the events as they leave: others may be born
+  /// and end again within the interval. Events that are close to one another are not told apart.
+  [[nodiscard]] bool are_all(const SnapshotPointer& left, const SnapshotPointer& right) {
+    constexpr double close = 1e-2;
+    std::size_t count = left->count();
+    for (std::size_t index = 0; index + 1 < events_.size(); ++index) {
+      const SingularEvent& event = events_[index];
+      if (event.kind != EventKind::crossing) {
+        count = count - event.left.size() + event.right.size();
+      }
+      const double step = events_[index + 1].parameter - event.parameter;
+      if (std::abs(step) < close * std::abs(right->parameter - left->parameter)) {
+        continue;
+      }
+      const SnapshotPointer middle = solver_.at(event.parameter + step / 2);
+      if (middle->separable && middle->count() != count) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /// The branches that touch one another, directly or through others; two or more each.

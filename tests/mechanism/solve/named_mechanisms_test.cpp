@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <assur/mechanism/report.hpp>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -118,6 +119,48 @@ TEST(NamedMechanisms, ChangePointsAreCrossingsOfShortSweepsToo) {
       }
     }
   }
+}
+
+/// A rocker that is too short by a little opens the change point at phi = pi into two folds, where
+/// coupler and rocker lie in one line: cos^2 (phi / 2) = (a + d - b - c) (a + b + c + d) / (4 a d).
+TEST(NamedMechanisms, FoldsBesideAChangePointAreLocated) {
+  struct Case {
+    double crank, coupler, rocker, ground;
+  };
+  double worst = 0;
+  for (const Case& bars : {Case{1.3, 0.79, 1.3, 0.79}, Case{0.9, 0.9, 0.9, 0.9},
+                           Case{0.6, 0.6, 1.25, 1.25}, Case{0.5, 1.2, 0.5, 1.2}}) {
+    for (const double opened : {1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10}) {
+      const double rocker = bars.rocker - opened;
+      const long double reach = static_cast<long double>(bars.crank) + bars.ground;
+      const long double length = static_cast<long double>(bars.coupler) + rocker;
+      const long double square = (reach - length) * (reach + length) /
+                                 (4 * static_cast<long double>(bars.crank) * bars.ground);
+      const double gap = static_cast<double>(2 * std::asin(std::sqrt(square)));
+      for (const double half : {3.0, 0.3, 0.01}) {
+        for (const int count : {2, 61}) {
+          SCOPED_TRACE(testing::Message()
+                       << bars.crank << " " << opened << " " << half << " " << count);
+          const double half_turn = 3.141592653589793;
+          Json scene = four_bar(bars.crank, bars.coupler, rocker, bars.ground, "0");
+          scene["sweep"] = {{"parameter", "phi"},
+                            {"from", half_turn - half},
+                            {"to", half_turn + 0.8 * half},
+                            {"count", count}};
+          const SweepKept kept = run_sweep(mechanism::parse_scene(scene.dump(), "scene"));
+          ASSERT_EQ(kept.events.size(), 2U);
+          EXPECT_EQ(kept.events[0].text, "fold 1 2");
+          EXPECT_EQ(kept.events[1].text, "birth 3 4");
+          for (const SweepEventKept& event : kept.events) {
+            const double error = std::abs(std::abs(event.parameter - half_turn) - gap) / gap;
+            worst = std::max(worst, error);
+            EXPECT_LT(error, 1e-4);
+          }
+        }
+      }
+    }
+  }
+  std::cout << "folds beside change points within " << worst << " of their gap\n";
 }
 
 /// Each of several parallelograms in a row may fold over at their common change point. Each loses
