@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace assur::mechanism::follow {
 
@@ -225,18 +226,20 @@ Configuration unknown_configuration(const Plan& plan) {
 std::optional<EventLocation> locate_fold(SnapshotSolver& solver, const ConfigurationPair& near,
                                          bool through) {
   // Narrower where the branches bend sharply, as they do beside another fold, at the cost of some
-  // rounding.
-  constexpr int widths = 7;
+  // rounding; wider where rounding leaves nothing else.
+  constexpr std::array usual{1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 1e-2, 6e-2};
+  constexpr std::array wide{6e-2, 2e-2, 6e-3, 2e-3, 6e-4, 2e-4, 6e-5};
   constexpr double settled = 1e-10;
   constexpr double lessened = 0.1;  // What lessens by chance is rounding.
   std::optional<FoldEstimate> best;
-  double target = through ? 6e-2 : 1e-3;
-  for (int index = 0; index < widths && !(best && best->change < settled); ++index) {
+  for (const double target : through ? std::span<const double>(wide) : usual) {
     const auto found = fold_at_separation(solver, near, target);
     if (found && !(best && best->change * lessened <= found->change)) {
       best = found;
     }
-    target *= 0.3;
+    if (best && best->change < settled) {
+      break;
+    }
   }
   return best ? std::optional(best->location) : std::nullopt;
 }

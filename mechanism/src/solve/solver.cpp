@@ -33,6 +33,9 @@ class MechanismSolver {
     placed_.links.resize(structure_.linkage.links.size());
     placed_.displaced.assign(structure_.linkage.links.size(), 0);
     placed_.groups.resize(structure_.groups.size());
+    if (plan_->request.sweep) {
+      placed_.determinants.resize(structure_.groups.size());
+    }
     solvers_.reserve(structure_.groups.size());
     for (const GroupIndex group : structure_.groups.keys()) {
       if (values.group(group).roles == nullptr) {
@@ -137,6 +140,9 @@ class MechanismSolver {
       placed_.rates_known = rates_known;
       placed_.groups[group] = {found.configurations[index], solver->displaced()};
       solver->place(index, first_slide_[group], placed_);
+      if (plan_->request.sweep) {
+        placed_.determinants[group] = solver->determinant();
+      }
       descend(depth + 1);
     }
   }
@@ -264,6 +270,7 @@ class MechanismSolver {
     result.rates_known = placed_.rates_known;
     result.residual = placed_.residual;
     result.branches.clear();
+    result.determinants = placed_.determinants;
     result.plan = plan_;
     const Want& want = plan_->request.want;
     if (!result.rates_known && (want.velocity || want.acceleration)) {

@@ -4,7 +4,9 @@
 
 #include <assur/mechanism/report.hpp>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 #include "mechanism/solved.hpp"
@@ -161,6 +163,55 @@ TEST(NamedMechanisms, FoldsBesideAChangePointAreLocated) {
     }
   }
   std::cout << "folds beside change points within " << worst << " of their gap\n";
+}
+
+/// Where pivot B of a kite passes pivot D beside it, coupler and rocker swing round by half a turn
+/// while the crank hardly moves: C stays on its side of the line from B to D, which turns round.
+TEST(NamedMechanisms, AKiteThatPassesBesideItsPivotSwingsRound) {
+  for (const double beside : {1e-2, 1e-4, 1e-6, 1e-7, 1e-8, -1e-8, -1e-7, -1e-5}) {
+    for (const double half : {1.0, 0.1, 0.01}) {
+      for (const int count : {2, 20, 361}) {
+        SCOPED_TRACE(testing::Message() << beside << " " << half << " " << count);
+        Json scene = four_bar(0.66, 0.9, 0.9, 0.66 + beside, "0");
+        scene["outputs"] = {{"B", "crank.B"}, {"C", "coupler.C"}};
+        scene["sweep"] = {
+            {"parameter", "phi"}, {"from", -half}, {"to", 0.8 * half}, {"count", count}};
+        const mechanism::Plan plan(mechanism::parse_scene(scene.dump(), "scene"));
+        std::map<int, std::set<bool>> sides;
+        const auto record = [&](const mechanism::SweepRecord& at) {
+          EXPECT_EQ(at.event, "");
+          const Eigen::Vector2d b = at.state->output("B").position;
+          const Eigen::Vector2d to_c = at.state->output("C").position - b;
+          const Eigen::Vector2d to_d = Eigen::Vector2d(0.66 + beside, 0) - b;
+          sides[at.branch].insert(to_d.x() * to_c.y() > to_d.y() * to_c.x());
+        };
+        mechanism::sweep(plan, {record, {}, {}});
+        EXPECT_EQ(sides.size(), 2U);
+        for (const auto& [branch, seen] : sides) {
+          EXPECT_EQ(seen.size(), 1U) << "branch " << branch;
+        }
+      }
+    }
+  }
+}
+
+/// With a shorter rocker B cannot pass at all. What double precision does not tell is `unresolved`,
+/// and no silent change of places.
+TEST(NamedMechanisms, AKiteThatCannotBeFollowedPastItsPivotIsToldSo) {
+  for (const double shorter : {1e-5, 1e-6, 1e-7}) {
+    Json scene = four_bar(0.66, 0.9, 0.9 - shorter, 0.66, "0");
+    scene["sweep"] = {{"parameter", "phi"}, {"from", -1}, {"to", 0.8}, {"count", 20}};
+    const SweepKept kept = run_sweep(mechanism::parse_scene(scene.dump(), "scene"));
+    ASSERT_EQ(kept.events.size(), 2U);
+    EXPECT_EQ(kept.events[0].text, "fold 1 2");
+    EXPECT_EQ(kept.events[1].text, "birth 3 4");
+    EXPECT_NEAR(kept.events[0].parameter, -2 * std::asin(shorter / 1.32), 1e-4 * shorter);
+  }
+  for (const double beside : {1e-10, 1e-11, 1e-12}) {
+    Json scene = four_bar(0.66, 0.9, 0.9, 0.66 + beside, "0");
+    scene["sweep"] = {{"parameter", "phi"}, {"from", -1}, {"to", 0.8}, {"count", 20}};
+    EXPECT_EQ(run_sweep(mechanism::parse_scene(scene.dump(), "scene")).count_of("unresolved"), 1);
+  }
 }
 
 /// Each of several parallelograms in a row may fold over at their common change point. Each loses

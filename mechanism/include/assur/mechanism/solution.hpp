@@ -41,6 +41,9 @@ struct Configuration {
   /// rates that are known.
   std::vector<Configuration> branches;
   double residual = 0;  ///< largest of the closures
+  /// Of the loop Jacobian of every group, without a unit, NaN where it has no inverse; only where
+  /// the request has a sweep. Along a branch it changes its sign in singular configurations alone.
+  Table<GroupIndex, double> determinants;
 
   /// By name; throws MechanismError for a name that the mechanism does not have.
   [[nodiscard]] const Frame& link(const std::string& name) const;
