@@ -51,11 +51,26 @@ SceneMaker slot_through_pivot() {
   SceneMaker scene;
   scene.point("ground", "A", 0, 0)
       .point("ground", "O", 2, 0)
-      .bar("crank", {{"O", 0}, {"B", 2}})
+      .bar("crank", {{"O", 0}, {"B", -2}})
       .point("rocker", "A", 0, 0)
       .line("rocker", "slot", {0, 0}, {1, 0})
       .slot("S", "rocker.slot", "crank.B")
       .drive("O", 0, 1, 0.5);
+  return scene;
+}
+
+/// A platform with three pins in slots, two of which are parallel.
+SceneMaker parallel_slots() {
+  SceneMaker scene;
+  scene.line("ground", "s0", {0, 0}, {1, 0})
+      .line("ground", "s1", {0, 2}, {1, 0})
+      .line("ground", "s2", {1, 0}, {0, 1})
+      .point("platform", "P0", 0, 0)
+      .point("platform", "P1", 1, 2)
+      .point("platform", "P2", 2, 1);
+  for (const std::string number : {"0", "1", "2"}) {
+    scene.slot("S" + number, "ground.s" + number, "platform.P" + number);
+  }
   return scene;
 }
 
@@ -83,6 +98,7 @@ std::vector<SpecialScene> special_scenes() {
       {"kite_of_equal_arms", four_bar(4, 4, 2, 2).scene(), round},
       {"isosceles_slider_crank", isosceles_slider_crank().scene(), round},
       {"slot_through_pivot", slot_through_pivot().scene(), round},
+      {"parallel_slots", parallel_slots().scene()},
       {"equal_platform", platform(1, 2).scene()},
       {"half_platform", platform(0.5, 2).scene()},
       {"half_platform_rotated", scene_listed(platform(0.5, 2).scene(), 2)},
