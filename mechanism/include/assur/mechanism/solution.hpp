@@ -56,7 +56,7 @@ struct Configuration {
 };
 
 /// A group that moves freely, or cannot be assembled for lack of independent closures, where the
-/// groups before it stand in one of their configurations.
+/// groups that hold it stand in one of their configurations.
 struct Family {
   GroupIndex group;
   int mobility = 0;                  ///< where it was found assembled, or zero if it was not
