@@ -97,13 +97,13 @@ const models::GroupAssemblies& GroupSolver::assemble() {
 Status GroupSolver::gap(double& result) const { return model_.kernel->gap(numbers_.d, u_, result); }
 
 double GroupSolver::determinant() const {
-  SmallMatrix inverse = motion_.inverse;
+  models::SmallMatrix inverse = motion_.inverse;
   for (Eigen::Index row = 0; row < inverse.rows(); ++row) {
     if (model_.unknowns[static_cast<std::size_t>(row)].is_angle) {
       inverse.row(row) *= motion_.size;
     }
   }
-  return 1 / Eigen::PartialPivLU<SmallMatrix>(inverse).determinant();
+  return 1 / Eigen::PartialPivLU<models::SmallMatrix>(inverse).determinant();
 }
 
 bool GroupSolver::is_compatible() const { return model_.kernel->is_compatible(numbers_.d, u_); }

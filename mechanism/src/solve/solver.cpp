@@ -174,7 +174,7 @@ class MechanismSolver {
     if (!solvers_[group]) {
       return;
     }
-    for (const HeldJoint& joint : values_.numbers_of(group).held) {
+    for (const values::HeldJoint& joint : values_.numbers_of(group).held) {
       for (const GroupIndex before : structure_.groups.keys()) {
         const std::vector<LinkIndex>& links = structure_.groups[before].links;
         if (!is_placed[joint.base] && std::ranges::find(links, joint.base) != links.end()) {
@@ -220,7 +220,7 @@ class MechanismSolver {
       return;
     }
     solver->hold(placed_);
-    const GroupAssemblies& found = solver->assemble();
+    const models::GroupAssemblies& found = solver->assemble();
     if (found.mobility > 0 || found.status == AssemblyStatus::degenerate) {
       add_family(group, found.mobility, reason_of_freedom(group, found.mobility), unplaced);
     }
