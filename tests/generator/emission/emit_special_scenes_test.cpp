@@ -5,8 +5,8 @@
 #include <numbers>
 #include <set>
 
-#include "scene_maker.hpp"
-#include "solver_comparison.hpp"
+#include "generator/solver_comparison.hpp"
+#include "mechanism/scene_maker.hpp"
 
 namespace assur::test::emit_special_scenes_test {
 namespace {
