@@ -43,6 +43,9 @@ class Matcher {
         continue;
       }
       bends[one] = bend(one);
+      if (is_turned(one)) {
+        result_.turned.push_back(one);
+      }
       for (const PointIndex other : left_.points.keys()) {
         if (!(other < one) || !result_.to_right[other].exists()) {
           continue;
@@ -104,6 +107,18 @@ class Matcher {
         result_.right_alone.push_back(point);
       }
     }
+  }
+
+  [[nodiscard]] bool is_turned(PointIndex point) const {
+    const auto& before = left_.configuration(point).determinants;
+    const auto& after = right_.configuration(result_.to_right[point]).determinants;
+    for (const GroupIndex group : before.keys()) {
+      if (left_.roles[group] == right_.roles[group] && std::min(before[group], after[group]) < 0 &&
+          std::max(before[group], after[group]) > 0) {
+        return true;
+      }
+    }
+    return false;
   }
 
   [[nodiscard]] const ConfigurationPoint& matched(PointIndex index) const {

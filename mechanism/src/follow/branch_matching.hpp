@@ -18,10 +18,13 @@ struct BranchMatching {
   Table<PointIndex, PointIndex> to_right;           ///< of each configuration on the left, or none
   std::vector<PointIndex> left_alone, right_alone;  ///< without a match that can be accepted
   std::vector<TouchingPair> touching;
+  /// Matched configurations of the left set with a group whose determinant has another sign on the
+  /// right: however straight the match, it goes through a singular configuration.
+  std::vector<PointIndex> turned;
 
-  /// Every branch goes through, and none comes near another.
+  /// Every branch goes through, none comes near another, and none is singular on its way.
   [[nodiscard]] bool clear() const {
-    return left_alone.empty() && right_alone.empty() && touching.empty();
+    return left_alone.empty() && right_alone.empty() && touching.empty() && turned.empty();
   }
 };
 

@@ -113,11 +113,15 @@ void BranchTracker::adopt(const SnapshotPointer& set, const Table<PointIndex, Po
   current_ = set;
 }
 
-/// Goes on only with what is matched and touches nothing; the rest ends and begins.
+/// Goes on only with what is matched, touches nothing and is not singular on its way; the rest ends
+/// and begins.
 void BranchTracker::give_up(const SnapshotPointer& set, const BranchMatching& matching) {
   Table<PointIndex, PointIndex> to_right = matching.to_right;
   for (const TouchingPair& pair : matching.touching) {
     to_right[pair.one] = to_right[pair.other] = PointIndex();
+  }
+  for (const PointIndex point : matching.turned) {
+    to_right[point] = PointIndex();
   }
   SingularEvent event{EventKind::unresolved, (current_->parameter + set->parameter) / 2, {}, {},
                       PointIndex(),          unknown_configuration(solver_.plan())};

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace assur::mechanism::follow {
 
@@ -128,9 +129,16 @@ std::optional<ConfigurationPair> approached(SnapshotSolver& solver, Configuratio
   return pair;
 }
 
+/// One width of a fold's interpolation, and what its widest pair contributed: about what the next
+/// narrower width would change.
+struct FoldEstimate {
+  EventLocation location;
+  double change;
+};
+
 /// Interpolates over pairs up to a separation, which truncates at its eighth power.
-std::optional<EventLocation> fold_at_separation(SnapshotSolver& solver,
-                                                const ConfigurationPair& near, double target) {
+std::optional<FoldEstimate> fold_at_separation(SnapshotSolver& solver,
+                                               const ConfigurationPair& near, double target) {
   const auto start = approached(solver, near, target);
   if (!start) {
     return std::nullopt;
@@ -157,18 +165,27 @@ std::optional<EventLocation> fold_at_separation(SnapshotSolver& solver,
     nodes(2 * index + 1) = 1 / along.dot(pair.second().slope);
   }
   const Eigen::VectorXd weights = weights_at_zero(nodes);
+  Eigen::VectorXd change_of_weights = weights;
+  change_of_weights.head(nodes.size() - 2) -= weights_at_zero(nodes.head(nodes.size() - 2));
   double shift = 0;
+  double change_of_shift = 0;
+  Eigen::VectorXd change_of_place = Eigen::VectorXd::Zero(along.size());
   Blend blend(solver.plan());
   for (Eigen::Index index = 0; index < pairs; ++index) {
     const ConfigurationPair& pair = found[static_cast<std::size_t>(index)];
-    shift += (weights(2 * index) + weights(2 * index + 1)) * (pair.set->parameter - estimate);
-    blend.add(pair.set->configuration(pair.one), weights(2 * index));
-    blend.add(pair.set->configuration(pair.other), weights(2 * index + 1));
+    const auto of_pair = [index](const Eigen::VectorXd& all) { return all.segment<2>(2 * index); };
+    shift += of_pair(weights).sum() * (pair.set->parameter - estimate);
+    blend.add(pair.set->configuration(pair.one), of_pair(weights)(0));
+    blend.add(pair.set->configuration(pair.other), of_pair(weights)(1));
+    change_of_shift += of_pair(change_of_weights).sum() * (pair.set->parameter - estimate);
+    change_of_place += of_pair(change_of_weights)(0) * pair.first().at +
+                       of_pair(change_of_weights)(1) * pair.second().at;
   }
   if (!(std::abs(shift) < 0.1 * std::abs(widest))) {
     return std::nullopt;
   }
-  return EventLocation{estimate + shift, blend.result()};
+  return FoldEstimate{{estimate + shift, blend.result()},
+                      change_of_place.norm() + std::abs(change_of_shift / widest) * target};
 }
 
 }  // namespace
@@ -208,13 +225,23 @@ Configuration unknown_configuration(const Plan& plan) {
 
 std::optional<EventLocation> locate_fold(SnapshotSolver& solver, const ConfigurationPair& near,
                                          bool through) {
-  // Narrower where the branches bend sharply, at the cost of some rounding.
-  for (const double target : {through ? 6e-2 : 1e-3, through ? 1e-2 : 1e-4, 1e-5}) {
-    if (auto found = fold_at_separation(solver, near, target)) {
-      return found;
+  // Narrower where the branches bend sharply, as they do beside another fold, at the cost of some
+  // rounding; wider where rounding leaves nothing else.
+  constexpr std::array usual{1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 1e-2, 6e-2};
+  constexpr std::array wide{6e-2, 2e-2, 6e-3, 2e-3, 6e-4, 2e-4, 6e-5};
+  constexpr double settled = 1e-10;
+  constexpr double lessened = 0.1;  // What lessens by chance is rounding.
+  std::optional<FoldEstimate> best;
+  for (const double target : through ? std::span<const double>(wide) : usual) {
+    const auto found = fold_at_separation(solver, near, target);
+    if (found && !(best && best->change * lessened <= found->change)) {
+      best = found;
+    }
+    if (best && best->change < settled) {
+      break;
     }
   }
-  return std::nullopt;
+  return best ? std::optional(best->location) : std::nullopt;
 }
 
 namespace {

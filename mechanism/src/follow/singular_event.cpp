@@ -50,6 +50,9 @@ class Explanation {
       return std::nullopt;
     }
     put_in_order(right->parameter < left->parameter ? -1 : 1);
+    if (!are_all(left, right) || !turns_are_explained(left, right)) {
+      return std::nullopt;
+    }
     return std::move(events_);
   }
 
@@ -277,6 +280,54 @@ class Explanation {
         events_.size(),
         [&](std::size_t one, std::size_t other) { return before(events_[one], events_[other]); },
         [&](std::size_t one, std::size_t other) { std::swap(events_[one], events_[other]); });
+  }
+
+  /// Whether each match that turns goes through an event, or straight on to within rounding, where
+  /// the mechanism moves freely at one value. Were that opened by w, two branches would change
+  /// places within w: a defect of w / step.
+  [[nodiscard]] bool turns_are_explained(const SnapshotPointer& left,
+                                         const SnapshotPointer& right) const {
+    const double step = right->parameter - left->parameter;
+    return std::ranges::all_of(matching_.turned, [&](PointIndex point) {
+      const PointIndex to = matching_.to_right[point];
+      if (!to.exists() || is_singular_there(point)) {
+        return true;
+      }
+      const ConfigurationPoint& before = left->points[point];
+      const ConfigurationPoint& after = right->points[to];
+      const double way = std::abs(step) * std::max(before.slope.norm(), after.slope.norm());
+      return defect(before, after, step) * way < crossing_limit;
+    });
+  }
+
+  /// Whether a branch goes through one of the events.
+  [[nodiscard]] bool is_singular_there(PointIndex point) const {
+    return std::ranges::any_of(events_, [point](const SingularEvent& event) {
+      return event.through == point || (event.kind == EventKind::crossing &&
+                                        std::ranges::find(event.left, point) != event.left.end());
+    });
+  }
+
+  /// Whether there are as many configurations between the events as they leave: others may be born
+  /// and end again within the interval. Events that are close to one another are not told apart.
+  [[nodiscard]] bool are_all(const SnapshotPointer& left, const SnapshotPointer& right) {
+    constexpr double close = 1e-2;
+    std::size_t count = left->count();
+    for (std::size_t index = 0; index + 1 < events_.size(); ++index) {
+      const SingularEvent& event = events_[index];
+      if (event.kind != EventKind::crossing) {
+        count = count - event.left.size() + event.right.size();
+      }
+      const double step = events_[index + 1].parameter - event.parameter;
+      if (std::abs(step) < close * std::abs(right->parameter - left->parameter)) {
+        continue;
+      }
+      const SnapshotPointer middle = solver_.at(event.parameter + step / 2);
+      if (middle->separable && middle->count() != count) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /// The branches that touch one another, directly or through others; two or more each.

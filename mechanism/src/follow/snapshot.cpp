@@ -71,7 +71,10 @@ const Values& SnapshotSolver::values_at(double parameter) {
 
 SnapshotPointer SnapshotSolver::at_step(double parameter) {
   const Values& values = values_at(parameter);
-  Snapshot snapshot{parameter, values.spread(), {}, {}, true};
+  Snapshot snapshot{parameter, values.spread(), {}, {}, {}, true};
+  for (const GroupIndex group : plan_.structure().groups.keys()) {
+    snapshot.roles.add(values.group(group).roles);
+  }
   if (!spares_->empty()) {
     snapshot.solution = std::move(spares_->back());
     spares_->pop_back();
@@ -85,7 +88,7 @@ SnapshotPointer SnapshotSolver::at(double parameter) {
     return at_step(parameter);
   } catch (const MechanismError& error) {
     // Between steps a formula may have no value.
-    Snapshot snapshot{parameter, {}, {}, {}, true};
+    Snapshot snapshot{parameter, {}, {}, {}, {}, true};
     snapshot.solution.status = SolutionStatus::degenerate;
     snapshot.solution.reason = error.what();
     return completed(std::move(snapshot));

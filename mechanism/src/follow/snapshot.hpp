@@ -21,6 +21,8 @@ struct Snapshot {
   double parameter;
   Spread spread;
   Solution solution;
+  /// The roles that the links of every group played: determinants are compared where they agree.
+  Table<GroupIndex, const RoleAssignment*> roles;
   Table<PointIndex, ConfigurationPoint> points;  ///< in the order of the solution's configurations
   /// Every configuration is known, regular and apart from all others, so that each can be followed.
   bool separable = true;

@@ -96,6 +96,16 @@ const models::GroupAssemblies& GroupSolver::assemble() {
 
 Status GroupSolver::gap(double& result) const { return model_.kernel->gap(numbers_.d, u_, result); }
 
+double GroupSolver::determinant() const {
+  models::SmallMatrix inverse = motion_.inverse;
+  for (Eigen::Index row = 0; row < inverse.rows(); ++row) {
+    if (model_.unknowns[static_cast<std::size_t>(row)].is_angle) {
+      inverse.row(row) *= motion_.size;
+    }
+  }
+  return 1 / Eigen::PartialPivLU<models::SmallMatrix>(inverse).determinant();
+}
+
 bool GroupSolver::is_compatible() const { return model_.kernel->is_compatible(numbers_.d, u_); }
 
 void GroupSolver::place(std::size_t configuration, std::size_t first_slide, PlacedLinks& placed) {

@@ -26,6 +26,7 @@ struct PlacedLinks {
   bool derivatives_known = true;
   bool rates_known = true;
   double residual = 0;
+  Table<GroupIndex, double> determinants;  ///< filled in for sweeps
 };
 
 /// The configurations of one group among placed neighbours.
@@ -46,6 +47,8 @@ class GroupSolver {
   /// Places the group's links and slides in one of its configurations; its slides stand in
   /// `placed.slides` from `first_slide` on.
   void place(std::size_t configuration, std::size_t first_slide, PlacedLinks& placed);
+  /// Of the loop Jacobian where the group was placed last; NaN where it has no inverse.
+  [[nodiscard]] double determinant() const;
   /// Of a degenerate model: whether its angles are compatible where it is held.
   [[nodiscard]] bool is_compatible() const;
 

@@ -33,6 +33,9 @@ class MechanismSolver {
     placed_.links.resize(structure_.linkage.links.size());
     placed_.displaced.assign(structure_.linkage.links.size(), 0);
     placed_.groups.resize(structure_.groups.size());
+    if (plan_->request.sweep) {
+      placed_.determinants.resize(structure_.groups.size());
+    }
     solvers_.reserve(structure_.groups.size());
     for (const GroupIndex group : structure_.groups.keys()) {
       if (values.group(group).roles == nullptr) {
@@ -105,13 +108,14 @@ class MechanismSolver {
     std::optional<GroupSolver>& solver = solvers_[group];
     const GroupModel& model = *structure_.groups[group].model;
     if (!solver) {
-      add_family(group, 0, values_.group(group).obstacle);
+      add_family(group, 0, values_.group(group).obstacle, nothing_unplaced());
       return;
     }
     solver->hold(placed_);
     if (!model.rigid) {
       const bool compatible = solver->is_compatible();
-      add_family(group, compatible ? model.mobility : 0, reason_of_model(group, compatible));
+      add_family(group, compatible ? model.mobility : 0, reason_of_model(group, compatible),
+                 nothing_unplaced());
       return;
     }
     const models::GroupAssemblies& found = solver->assemble();
@@ -120,9 +124,10 @@ class MechanismSolver {
           "links", "the lengths differ by more powers of ten than double precision can hold");
     }
     if (found.mobility > 0 || found.status == AssemblyStatus::degenerate) {
-      add_family(group, found.mobility, reason_of_freedom(group, found.mobility));
+      add_family(group, found.mobility, reason_of_freedom(group, found.mobility),
+                 nothing_unplaced());
     } else if (found.count == 0 && !values_.group(group).flaw.empty()) {
-      add_family(group, 0, values_.group(group).flaw);
+      add_family(group, 0, values_.group(group).flaw, nothing_unplaced());
     } else if (found.count == 0 && measures_gap_ && listed_ == 0) {
       measure_gap(group);
     }
@@ -137,35 +142,97 @@ class MechanismSolver {
       placed_.rates_known = rates_known;
       placed_.groups[group] = {found.configurations[index], solver->displaced()};
       solver->place(index, first_slide_[group], placed_);
+      if (plan_->request.sweep) {
+        placed_.determinants[group] = solver->determinant();
+      }
       descend(depth + 1);
     }
   }
 
-  /// Reports a group that moves where it is held. If a later group that does not depend on it
-  /// cannot be assembled, nothing is reported: the answer must not depend on which of the two comes
-  /// first.
-  void add_family(GroupIndex group, int mobility, std::string reason) {
-    Table<LinkIndex, bool> unplaced(structure_.linkage.links.size(), false);
+  /// Reports a group that moves where it is held, once for each choice of the groups that hold it.
+  /// If a later group that does not depend on it cannot be assembled, nothing is reported: the
+  /// answer must not depend on which of the two comes first. Nor may it hide another that moves.
+  void add_family(GroupIndex group, int mobility, std::string reason,
+                  Table<LinkIndex, bool> unplaced) {
     leave_out(group, unplaced);
     const PlacedLinks placed = placed_;
-    const bool assembles = rest_assembles(group.place() + 1, unplaced);
+    if (rest_assembles(group.place() + 1, unplaced)) {
+      placed_ = placed;
+      Family family{group, mobility, std::move(reason), structure_.placed_by_drivers(),
+                    placed_.links};
+      place_what_holds(group, family.is_placed);
+      if (!is_listed(family)) {
+        solution_.families.push_back(std::move(family));
+      }
+      find_families(group.place() + 1, std::move(unplaced));
+    }
     placed_ = placed;
-    if (!assembles) {
+  }
+
+  /// Marks the links of the groups that hold a group, and of those that hold these.
+  void place_what_holds(GroupIndex group, Table<LinkIndex, bool>& is_placed) const {
+    if (!solvers_[group]) {
       return;
     }
-    Family& family = solution_.families.emplace_back();
-    family.group = group;
-    family.mobility = mobility;
-    family.reason = std::move(reason);
-    family.is_placed = structure_.placed_by_drivers();
-    for (const GroupIndex before : structure_.groups.keys()) {
-      if (before < group) {
-        for (const LinkIndex link : structure_.groups[before].links) {
-          family.is_placed[link] = true;
+    for (const values::HeldJoint& joint : values_.numbers_of(group).held) {
+      for (const GroupIndex before : structure_.groups.keys()) {
+        const std::vector<LinkIndex>& links = structure_.groups[before].links;
+        if (!is_placed[joint.base] && std::ranges::find(links, joint.base) != links.end()) {
+          for (const LinkIndex link : links) {
+            is_placed[link] = true;
+          }
+          place_what_holds(before, is_placed);
         }
       }
     }
-    family.links = placed_.links;
+  }
+
+  /// Whether the group's family is listed with the same links where they are now: the choices of
+  /// groups that do not hold it make no other family of it.
+  [[nodiscard]] bool is_listed(const Family& family) const {
+    const auto stands_as = [&](const Family& other) {
+      for (const LinkIndex link : family.is_placed.keys()) {
+        const Pose<double>& one = family.links[link].pose;
+        const Pose<double>& two = other.links[link].pose;
+        if (family.is_placed[link] &&
+            (one.x != two.x || one.y != two.y || one.direction.cos != two.direction.cos ||
+             one.direction.sin != two.direction.sin)) {
+          return false;
+        }
+      }
+      return family.group == other.group;
+    };
+    return std::ranges::any_of(solution_.families, stands_as);
+  }
+
+  /// Reports the groups from `depth` on that move, whatever becomes of the links left unplaced.
+  void find_families(std::size_t depth, Table<LinkIndex, bool> unplaced) {
+    if (depth == structure_.groups.size()) {
+      return;
+    }
+    const GroupIndex group(depth);
+    std::optional<GroupSolver>& solver = solvers_[group];
+    const bool is_asked = solver && structure_.groups[group].model->rigid &&
+                          !values_.numbers_of(group).is_held_by(unplaced);
+    if (!is_asked) {
+      leave_out(group, unplaced);
+      find_families(depth + 1, std::move(unplaced));
+      return;
+    }
+    solver->hold(placed_);
+    const models::GroupAssemblies& found = solver->assemble();
+    if (found.mobility > 0 || found.status == AssemblyStatus::degenerate) {
+      add_family(group, found.mobility, reason_of_freedom(group, found.mobility), unplaced);
+    }
+    for (std::size_t index = 0; index < found.count; ++index) {
+      placed_.groups[group] = {found.configurations[index], solver->displaced()};
+      solver->place(index, first_slide_[group], placed_);
+      find_families(depth + 1, unplaced);
+    }
+  }
+
+  [[nodiscard]] Table<LinkIndex, bool> nothing_unplaced() const {
+    return Table<LinkIndex, bool>(structure_.linkage.links.size(), false);
   }
 
   void leave_out(GroupIndex group, Table<LinkIndex, bool>& unplaced) const {
@@ -264,6 +331,7 @@ class MechanismSolver {
     result.rates_known = placed_.rates_known;
     result.residual = placed_.residual;
     result.branches.clear();
+    result.determinants = placed_.determinants;
     result.plan = plan_;
     const Want& want = plan_->request.want;
     if (!result.rates_known && (want.velocity || want.acceleration)) {

@@ -2,7 +2,9 @@
 // independent groups neither changes the answer of the other, whichever is listed first.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "mechanism/scene_solutions.hpp"
 
@@ -157,6 +159,55 @@ TEST(CoincidentPins, DoNotHideThatAnotherGroupCannotReach) {
     EXPECT_EQ(found.solution.status, mechanism::SolutionStatus::no_assembly);
     EXPECT_TRUE(found.solution.families.empty());
   }
+}
+
+/// Two folded kites, two bars with two assemblies, and a kite folded on the end of one of these: a
+/// family for each of the first two and one for each assembly, in any listing.
+TEST(IndependentGroups, AreToldToMoveOnceForEachChoiceOfWhatHoldsThem) {
+  const std::vector<Json> parts = {
+      {{"a", {{"A", {0, 0}}, {"B", {1, 0}}}}, {"b", {{"B", {0, 0}}, {"C", {1, 0}}}}},
+      {{"d", {{"D", {0, 0}}, {"E", {2, 0}}}}, {"e", {{"E", {0, 0}}, {"F", {2, 0}}}}},
+      {{"g", {{"G", {0, 0}}, {"H", {3, 0}}, {"K", {1, 1}}, {"M", {1, 1}}}},
+       {"h", {{"H", {0, 0}}, {"J", {3, 0}}}}},
+      {{"k", {{"K", {0, 0}}, {"L", {4, 0}}}}, {"l", {{"L", {0, 0}}, {"M", {4, 0}}}}}};
+  const Json joints = {
+      {"A", pin("ground.A", "a.A")}, {"B", pin("a.B", "b.B")}, {"C", pin("ground.C", "b.C")},
+      {"D", pin("ground.D", "d.D")}, {"E", pin("d.E", "e.E")}, {"F", pin("ground.F", "e.F")},
+      {"G", pin("ground.G", "g.G")}, {"H", pin("g.H", "h.H")}, {"J", pin("ground.J", "h.J")},
+      {"K", pin("g.K", "k.K")},      {"L", pin("k.L", "l.L")}, {"M", pin("g.M", "l.M")}};
+  std::vector<std::size_t> listing = {0, 1, 2, 3};
+  do {
+    nlohmann::ordered_json scene = {{"links",
+                                     {{"ground",
+                                       {{"A", {0, 0}},
+                                        {"C", {0, 0}},
+                                        {"D", {5, 0}},
+                                        {"F", {5, 0}},
+                                        {"G", {0, 5}},
+                                        {"J", {4, 5}}}}}}};
+    for (const std::size_t part : listing) {
+      scene["links"].update(parts[part]);
+      for (const auto& [name, joint] : joints.items()) {
+        if (parts[part].dump().find("\"" + name + "\"") != std::string::npos) {
+          scene["joints"][name] = joint;
+        }
+      }
+    }
+    const Solved found(mechanism::parse_scene(scene.dump(), "scene"));
+    EXPECT_EQ(found.solution.status, mechanism::SolutionStatus::degenerate);
+    std::map<std::string, int> families;
+    for (const mechanism::Family& family : found.solution.families) {
+      std::string placed;
+      for (const mechanism::LinkIndex link : found.plan.mechanism().links().keys()) {
+        placed += family.is_placed[link] ? " " + found.plan.mechanism().links()[link].name : "";
+      }
+      ++families[family.reason.substr(0, family.reason.find(" leaves")) + " after" + placed];
+    }
+    EXPECT_EQ(families.size(), 3U);
+    for (const auto& [family, count] : families) {
+      EXPECT_EQ(count, family.find("K") != std::string::npos ? 2 : 1) << family;
+    }
+  } while (std::next_permutation(listing.begin(), listing.end()));
 }
 
 /// Two bars that just meet, or just do not, beside two others that are in line or far away.

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <assur/mechanism/report.hpp>
+#include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 #include "mechanism/solved.hpp"
@@ -117,6 +120,97 @@ TEST(NamedMechanisms, ChangePointsAreCrossingsOfShortSweepsToo) {
         }
       }
     }
+  }
+}
+
+/// A rocker that is too short by a little opens the change point at phi = pi into two folds, where
+/// coupler and rocker lie in one line: cos^2 (phi / 2) = (a + d - b - c) (a + b + c + d) / (4 a d).
+TEST(NamedMechanisms, FoldsBesideAChangePointAreLocated) {
+  struct Case {
+    double crank, coupler, rocker, ground;
+  };
+  double worst = 0;
+  for (const Case& bars : {Case{1.3, 0.79, 1.3, 0.79}, Case{0.9, 0.9, 0.9, 0.9},
+                           Case{0.6, 0.6, 1.25, 1.25}, Case{0.5, 1.2, 0.5, 1.2}}) {
+    for (const double opened : {1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10}) {
+      const double rocker = bars.rocker - opened;
+      const long double reach = static_cast<long double>(bars.crank) + bars.ground;
+      const long double length = static_cast<long double>(bars.coupler) + rocker;
+      const long double square = (reach - length) * (reach + length) /
+                                 (4 * static_cast<long double>(bars.crank) * bars.ground);
+      const double gap = static_cast<double>(2 * std::asin(std::sqrt(square)));
+      for (const double half : {3.0, 0.3, 0.01}) {
+        for (const int count : {2, 61}) {
+          SCOPED_TRACE(testing::Message()
+                       << bars.crank << " " << opened << " " << half << " " << count);
+          const double half_turn = 3.141592653589793;
+          Json scene = four_bar(bars.crank, bars.coupler, rocker, bars.ground, "0");
+          scene["sweep"] = {{"parameter", "phi"},
+                            {"from", half_turn - half},
+                            {"to", half_turn + 0.8 * half},
+                            {"count", count}};
+          const SweepKept kept = run_sweep(mechanism::parse_scene(scene.dump(), "scene"));
+          ASSERT_EQ(kept.events.size(), 2U);
+          EXPECT_EQ(kept.events[0].text, "fold 1 2");
+          EXPECT_EQ(kept.events[1].text, "birth 3 4");
+          for (const SweepEventKept& event : kept.events) {
+            const double error = std::abs(std::abs(event.parameter - half_turn) - gap) / gap;
+            worst = std::max(worst, error);
+            EXPECT_LT(error, 1e-4);
+          }
+        }
+      }
+    }
+  }
+  std::cout << "folds beside change points within " << worst << " of their gap\n";
+}
+
+/// Where pivot B of a kite passes pivot D beside it, coupler and rocker swing round by half a turn
+/// while the crank hardly moves: C stays on its side of the line from B to D, which turns round.
+TEST(NamedMechanisms, AKiteThatPassesBesideItsPivotSwingsRound) {
+  for (const double beside : {1e-2, 1e-4, 1e-6, 1e-7, 1e-8, -1e-8, -1e-7, -1e-5}) {
+    for (const double half : {1.0, 0.1, 0.01}) {
+      for (const int count : {2, 20, 361}) {
+        SCOPED_TRACE(testing::Message() << beside << " " << half << " " << count);
+        Json scene = four_bar(0.66, 0.9, 0.9, 0.66 + beside, "0");
+        scene["outputs"] = {{"B", "crank.B"}, {"C", "coupler.C"}};
+        scene["sweep"] = {
+            {"parameter", "phi"}, {"from", -half}, {"to", 0.8 * half}, {"count", count}};
+        const mechanism::Plan plan(mechanism::parse_scene(scene.dump(), "scene"));
+        std::map<int, std::set<bool>> sides;
+        const auto record = [&](const mechanism::SweepRecord& at) {
+          EXPECT_EQ(at.event, "");
+          const Eigen::Vector2d b = at.state->output("B").position;
+          const Eigen::Vector2d to_c = at.state->output("C").position - b;
+          const Eigen::Vector2d to_d = Eigen::Vector2d(0.66 + beside, 0) - b;
+          sides[at.branch].insert(to_d.x() * to_c.y() > to_d.y() * to_c.x());
+        };
+        mechanism::sweep(plan, {record, {}, {}});
+        EXPECT_EQ(sides.size(), 2U);
+        for (const auto& [branch, seen] : sides) {
+          EXPECT_EQ(seen.size(), 1U) << "branch " << branch;
+        }
+      }
+    }
+  }
+}
+
+/// With a shorter rocker B cannot pass at all. What double precision does not tell is `unresolved`,
+/// and no silent change of places.
+TEST(NamedMechanisms, AKiteThatCannotBeFollowedPastItsPivotIsToldSo) {
+  for (const double shorter : {1e-5, 1e-6, 1e-7}) {
+    Json scene = four_bar(0.66, 0.9, 0.9 - shorter, 0.66, "0");
+    scene["sweep"] = {{"parameter", "phi"}, {"from", -1}, {"to", 0.8}, {"count", 20}};
+    const SweepKept kept = run_sweep(mechanism::parse_scene(scene.dump(), "scene"));
+    ASSERT_EQ(kept.events.size(), 2U);
+    EXPECT_EQ(kept.events[0].text, "fold 1 2");
+    EXPECT_EQ(kept.events[1].text, "birth 3 4");
+    EXPECT_NEAR(kept.events[0].parameter, -2 * std::asin(shorter / 1.32), 1e-4 * shorter);
+  }
+  for (const double beside : {1e-10, 1e-11, 1e-12}) {
+    Json scene = four_bar(0.66, 0.9, 0.9, 0.66 + beside, "0");
+    scene["sweep"] = {{"parameter", "phi"}, {"from", -1}, {"to", 0.8}, {"count", 20}};
+    EXPECT_EQ(run_sweep(mechanism::parse_scene(scene.dump(), "scene")).count_of("unresolved"), 1);
   }
 }
 

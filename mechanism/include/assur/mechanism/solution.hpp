@@ -41,6 +41,9 @@ struct Configuration {
   /// rates that are known.
   std::vector<Configuration> branches;
   double residual = 0;  ///< largest of the closures
+  /// Of the loop Jacobian of every group, without a unit, NaN where it has no inverse; only where
+  /// the request has a sweep. Along a branch it changes its sign in singular configurations alone.
+  Table<GroupIndex, double> determinants;
 
   /// By name; throws MechanismError for a name that the mechanism does not have.
   [[nodiscard]] const Frame& link(const std::string& name) const;
@@ -53,7 +56,7 @@ struct Configuration {
 };
 
 /// A group that moves freely, or cannot be assembled for lack of independent closures, where the
-/// groups before it stand in one of their configurations.
+/// groups that hold it stand in one of their configurations.
 struct Family {
   GroupIndex group;
   int mobility = 0;                  ///< where it was found assembled, or zero if it was not
