@@ -53,7 +53,7 @@ void positions_by_the_specialised_group(benchmark::State& state) {
     Group::Inputs<double> u;
     u.x_B = x / Group::unit;
     u.y_B = y / Group::unit;
-    benchmark::DoNotOptimize(assur::assemblies<Group>({}, u));
+    benchmark::DoNotOptimize(assur::assemblies<assur::support::Specialised<Group>>({}, u));
   }
 }
 
@@ -78,7 +78,7 @@ void polynomial_by_the_specialised_group(benchmark::State& state) {
   for (auto _ : state) {
     benchmark::DoNotOptimize(&u);
     benchmark::ClobberMemory();
-    Group::position_polynomial<double>({}, u, T);
+    Group::position_polynomial(u, T);
     benchmark::DoNotOptimize(&T);
   }
 }

@@ -56,7 +56,6 @@ class GroupSpecialiser {
                                      specialised(known, {}, order, values_).quantities);
       functions.push_back(
           model::function_view(folded, program, spelling, model::ZeroResults::assigned));
-      result.operations += program.count();
       named.merge(cpp::constants_of(program));
     };
     for (const model::ModelFunction& function : model::model_functions(equations_, derivatives_)) {

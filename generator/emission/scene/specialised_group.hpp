@@ -33,10 +33,9 @@ struct GroupNumbers {
   bool holds_groups;              ///< whether other groups are held by its links
 };
 
-/// The view that templates/specialised_group.hpp.mustache shows, and what all its functions cost.
+/// The view that templates/specialised_group.hpp.mustache shows, and how many configurations it has at most.
 struct SpecialisedGroup {
   cpp::View view;
-  program::OperationCount operations;
   std::size_t max_configurations;
 };
 

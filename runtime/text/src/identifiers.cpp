@@ -47,25 +47,17 @@ constexpr std::array<std::string_view, 15> macros = {
     "RAND_MAX", "errno", "linux",    "stderr",   "stdin", "stdout", "unix"};
 
 /// Types that the templates name: a member or a scene of that name would hide them.
-constexpr std::array<std::string_view, 35> template_words = {
-    "LinkSlide",    "support",
-    "Assemblies",   "AssemblyStatus",
-    "Direction",    "DriverState",
-    "Drivers",      "Eigen",
-    "Frame",        "Group",
-    "HeldJoints",   "LinkFrame",
-    "LinkPoint",    "LinkState",
-    "Links",        "Matrix",
-    "ModelUnknown", "OutputState",
-    "Outputs",      "ParameterRow",
-    "Placed",       "PlacedGroup",
-    "Point",        "Pose",
-    "Poses",        "Scalar",
-    "Search",       "Slide",
-    "SlideState",   "Slides",
-    "Solution",     "State",
-    "Status",       "TrigonometricPolynomial",
-    "Vector"};
+constexpr std::array<std::string_view, 38> template_words = {
+    "Assemblies",   "AssemblyStatus", "Branch",      "Direction",
+    "DriverState",  "Drivers",        "Eigen",       "Frame",
+    "Group",        "Groups",         "HeldJoints",  "LinkFrame",
+    "LinkPoint",    "LinkSlide",      "LinkState",   "Links",
+    "Matrix",       "ModelUnknown",   "OutputState", "Outputs",
+    "ParameterRow", "Placed",         "PlacedGroup", "Point",
+    "Pose",         "Poses",          "Rates",       "Scalar",
+    "Slide",        "SlideState",     "Slides",      "Solution",
+    "State",        "Status",         "Track",       "TrigonometricPolynomial",
+    "Vector",       "support"};
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
