@@ -356,7 +356,19 @@ bool ExpressionGraph::share_term_pair(std::vector<ScaledNode>& roots) {
   const auto ratio = [](const ScaledNode& first, const ScaledNode& second) {
     return text((second.coefficient / first.coefficient).value());
   };
+  // The pair as a sum of its own, with a coefficient of one where that saves a multiplication.
+  const auto sum_of = [&](const ScaledNode& first, const ScaledNode& second) {
+    const bool number = nodes_[first.node].operation == Operation::constant;
+    const Coefficient unit = number ? second.coefficient : first.coefficient;
+    return std::pair(unit, std::vector<ScaledNode>{{first.coefficient / unit, first.node},
+                                                   {second.coefficient / unit, second.node}});
+  };
+  const auto scalings = [&](const std::vector<ScaledNode>& terms) {
+    return static_cast<int>(std::count_if(terms.begin(), terms.end(),
+                                          [&](const ScaledNode& term) { return is_scaled(term); }));
+  };
   std::map<Pair, int> counts;
+  std::map<Pair, int> savings;
   for (const NodeIndex index : reached.keys()) {
     const std::vector<ScaledNode>& terms = nodes_[index].terms;
     if (!reached[index]) {
@@ -364,10 +376,15 @@ bool ExpressionGraph::share_term_pair(std::vector<ScaledNode>& roots) {
     }
     for (std::size_t i = 0; i < terms.size(); ++i) {
       for (std::size_t j = i + 1; j < terms.size(); ++j) {
-        ++counts[{{terms[i].node, terms[j].node}, ratio(terms[i], terms[j])}];
+        const Pair pair{{terms[i].node, terms[j].node}, ratio(terms[i], terms[j])};
+        const auto [unit, alone] = sum_of(terms[i], terms[j]);
+        ++counts[pair];
+        savings.try_emplace(pair, -1 - scalings(alone)).first->second +=
+            1 + scalings({terms[i], terms[j]}) - (unit.scales() ? 1 : 0);
       }
     }
   }
+  std::erase_if(counts, [&](const auto& entry) { return savings.at(entry.first) <= 0; });
   const Pair* best = most_frequent(counts);
   if (best == nullptr) {
     return false;
@@ -387,9 +404,9 @@ bool ExpressionGraph::share_term_pair(std::vector<ScaledNode>& roots) {
             rewritten.contains(index)) {
           continue;
         }
+        const auto [unit, alone] = sum_of(terms[i], terms[j]);
         if (!shared.node.exists()) {
-          shared = make_sum(
-              {{1, terms[i].node}, {terms[j].coefficient / terms[i].coefficient, terms[j].node}});
+          shared = make_sum(alone);
         }
         if (shared.node == index) {
           i = j = terms.size();
@@ -401,7 +418,7 @@ bool ExpressionGraph::share_term_pair(std::vector<ScaledNode>& roots) {
             rest.push_back(terms[k]);
           }
         }
-        rest.push_back({terms[i].coefficient * shared.coefficient, shared.node});
+        rest.push_back({unit * shared.coefficient, shared.node});
         rewritten[index] = {Operation::sum, {}, {}, std::move(rest)};
         i = j = terms.size();
       }

@@ -39,7 +39,7 @@ namespace assur::tetrad {
 ///   input_jacobian:               8, 7, 0
 ///   velocity_rhs:                 12, 13, 0
 ///   acceleration_rhs:             47, 31, 0
-///   jerk_rhs:                     97, 49, 0
+///   jerk_rhs:                     95, 51, 0
 ///   curvature_rhs:                78, 37, 0
 ///   link_poses:                   8, 9, 0
 ///   pose_jacobians:               8, 7, 0
@@ -415,26 +415,29 @@ struct Model08 {
     const Scalar t04 = slide_B_x + BC_x;
     const Scalar t05 = u.phi_B.sin * a_s_B;
     const Scalar t06 = omega_EDF * omega_EDF;
-    const Scalar t07 = omega_CD * omega_CD;
-    const Scalar t08 = u.phi_B.sin * v_s_B;
-    const Scalar t09 = alpha_B * t08 - Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
-    const Scalar t10 = u.phi_B.cos * a_s_B;
-    const Scalar t11 = t03 * alpha_B + Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
-    const Scalar t12 = slide_B_y + BG_y;
-    const Scalar t13 = slide_B_x + BG_x;
-    const Scalar t14 = omega_GF * omega_GF;
-    rhs(0) = t02 * jerk_B + omega_CD * (Scalar(3) * CD_x * alpha_CD - CD_y * t07) + Scalar(3) * t09
+    const Scalar t07 = u.phi_B.sin * v_s_B;
+    const Scalar t08 = alpha_B * t07;
+    const Scalar t09 = omega_CD * omega_CD;
+    const Scalar t10 = j_x_B - j_x_E;
+    const Scalar t11 = u.phi_B.cos * a_s_B;
+    const Scalar t12 = t03 * alpha_B;
+    const Scalar t13 = j_y_B - j_y_E;
+    const Scalar t14 = slide_B_y + BG_y;
+    const Scalar t15 = slide_B_x + BG_x;
+    const Scalar t16 = omega_GF * omega_GF;
+    rhs(0) = t02 * jerk_B + Scalar(3) * t08 + omega_CD * (Scalar(3) * CD_x * alpha_CD - CD_y * t09)
         - omega_B * (omega_B * (t02 * omega_B - Scalar(3) * t03) - Scalar(3) * t04 * alpha_B
-        - Scalar(3) * t05) - omega_EDF * (Scalar(3) * ED_x * alpha_EDF - ED_y * t06);
-    rhs(1) = omega_B * (omega_B * (t04 * omega_B + Scalar(3) * t08) + Scalar(3) * t02 * alpha_B
-        - Scalar(3) * t10) + omega_CD * (Scalar(3) * CD_y * alpha_CD + CD_x * t07) - t04 * jerk_B
-        - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t06) - Scalar(3) * t11;
-    rhs(2) = omega_B * (Scalar(3) * t05 + omega_B * (Scalar(3) * t03 - t12 * omega_B)
-        + Scalar(3) * t13 * alpha_B) + t12 * jerk_B + omega_GF * (Scalar(3) * GF_x * alpha_GF
-        - GF_y * t14) + Scalar(3) * t09 - omega_EDF * (Scalar(3) * EF_x * alpha_EDF - EF_y * t06);
-    rhs(3) = omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t14) - omega_B * (Scalar(3) * t10
-        - omega_B * (Scalar(3) * t08 + t13 * omega_B) - Scalar(3) * t12 * alpha_B) - t13 * jerk_B
-        - omega_EDF * (Scalar(3) * EF_y * alpha_EDF + EF_x * t06) - Scalar(3) * t11;
+        - Scalar(3) * t05) - omega_EDF * (Scalar(3) * ED_x * alpha_EDF - ED_y * t06) - t10;
+    rhs(1) = omega_B * (omega_B * (t04 * omega_B + Scalar(3) * t07) + Scalar(3) * t02 * alpha_B
+        - Scalar(3) * t11) + omega_CD * (Scalar(3) * CD_y * alpha_CD + CD_x * t09) - t04 * jerk_B
+        - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t06) - Scalar(3) * t12 - t13;
+    rhs(2) = omega_B * (Scalar(3) * t05 + omega_B * (Scalar(3) * t03 - t14 * omega_B)
+        + Scalar(3) * t15 * alpha_B) + t14 * jerk_B + Scalar(3) * t08
+        + omega_GF * (Scalar(3) * GF_x * alpha_GF - GF_y * t16)
+        - omega_EDF * (Scalar(3) * EF_x * alpha_EDF - EF_y * t06) - t10;
+    rhs(3) = omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t16) - omega_B * (Scalar(3) * t11
+        - omega_B * (Scalar(3) * t07 + t15 * omega_B) - Scalar(3) * t14 * alpha_B) - t15 * jerk_B
+        - omega_EDF * (Scalar(3) * EF_y * alpha_EDF + EF_x * t06) - Scalar(3) * t12 - t13;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and

@@ -39,7 +39,7 @@ namespace assur::tetrad {
 ///   input_jacobian:               8, 7, 0
 ///   velocity_rhs:                 12, 13, 0
 ///   acceleration_rhs:             52, 35, 0
-///   jerk_rhs:                     104, 55, 0
+///   jerk_rhs:                     102, 57, 0
 ///   curvature_rhs:                76, 40, 0
 ///   link_poses:                   8, 9, 0
 ///   pose_jacobians:               8, 7, 0
@@ -56,7 +56,7 @@ namespace assur::tetrad {
 ///   velocity:                     52, 32, 1
 ///   motion:                       93, 62, 1
 ///   sensitivities_and_motion:     150, 87, 1
-///   position_polynomial:          83, 60, 0
+///   position_polynomial:          82, 61, 0
 ///   second_equations:             44, 36, 0
 ///   complete:                     16, 17, 1
 struct Model09 {
@@ -427,29 +427,32 @@ struct Model09 {
     const Scalar t06 = u.phi_B.cos * v_s_B;
     const Scalar t07 = slide_B_x + BC_x;
     const Scalar t08 = u.phi_B.sin * a_s_B;
-    const Scalar t09 = q.theta_EDF.sin * v_s_D;
-    const Scalar t10 = u.phi_B.sin * v_s_B;
-    const Scalar t11 = alpha_B * t10 - Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
-    const Scalar t12 = u.phi_B.cos * a_s_B;
-    const Scalar t13 = t06 * alpha_B + Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
-    const Scalar t14 = slide_B_y + BG_y;
-    const Scalar t15 = slide_B_x + BG_x;
-    const Scalar t16 = omega_EDF * omega_EDF;
-    const Scalar t17 = omega_GF * omega_GF;
-    rhs(0) = t05 * jerk_B + Scalar(3) * t11 - omega_EDF * (omega_EDF * (t02 * omega_EDF
+    const Scalar t09 = u.phi_B.sin * v_s_B;
+    const Scalar t10 = alpha_B * t09;
+    const Scalar t11 = q.theta_EDF.sin * v_s_D;
+    const Scalar t12 = j_x_B - j_x_E;
+    const Scalar t13 = u.phi_B.cos * a_s_B;
+    const Scalar t14 = t06 * alpha_B;
+    const Scalar t15 = j_y_B - j_y_E;
+    const Scalar t16 = slide_B_y + BG_y;
+    const Scalar t17 = slide_B_x + BG_x;
+    const Scalar t18 = omega_EDF * omega_EDF;
+    const Scalar t19 = omega_GF * omega_GF;
+    rhs(0) = t05 * jerk_B + Scalar(3) * t10 - omega_EDF * (omega_EDF * (t02 * omega_EDF
         + Scalar(3) * t03) + Scalar(3) * q.theta_EDF.sin * a_s_D - Scalar(3) * t04 * alpha_EDF)
         - omega_B * (omega_B * (t05 * omega_B - Scalar(3) * t06) - Scalar(3) * t07 * alpha_B
-        - Scalar(3) * t08) - Scalar(3) * alpha_EDF * t09;
-    rhs(1) = omega_EDF * (omega_EDF * (t04 * omega_EDF - Scalar(3) * t09)
+        - Scalar(3) * t08) - Scalar(3) * alpha_EDF * t11 - t12;
+    rhs(1) = omega_EDF * (omega_EDF * (t04 * omega_EDF - Scalar(3) * t11)
         + Scalar(3) * t02 * alpha_EDF + Scalar(3) * q.theta_EDF.cos * a_s_D)
-        + omega_B * (omega_B * (t07 * omega_B + Scalar(3) * t10) + Scalar(3) * t05 * alpha_B
-        - Scalar(3) * t12) + Scalar(3) * t03 * alpha_EDF - t07 * jerk_B - Scalar(3) * t13;
-    rhs(2) = omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t06 - t14 * omega_B)
-        + Scalar(3) * t15 * alpha_B) + t14 * jerk_B + omega_GF * (Scalar(3) * GF_x * alpha_GF
-        - GF_y * t17) + Scalar(3) * t11 - omega_EDF * (Scalar(3) * EF_x * alpha_EDF - EF_y * t16);
-    rhs(3) = omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t17) - omega_B * (Scalar(3) * t12
-        - omega_B * (Scalar(3) * t10 + t15 * omega_B) - Scalar(3) * t14 * alpha_B) - t15 * jerk_B
-        - omega_EDF * (Scalar(3) * EF_y * alpha_EDF + EF_x * t16) - Scalar(3) * t13;
+        + omega_B * (omega_B * (t07 * omega_B + Scalar(3) * t09) + Scalar(3) * t05 * alpha_B
+        - Scalar(3) * t13) + Scalar(3) * t03 * alpha_EDF - t07 * jerk_B - Scalar(3) * t14 - t15;
+    rhs(2) = omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t06 - t16 * omega_B)
+        + Scalar(3) * t17 * alpha_B) + t16 * jerk_B + Scalar(3) * t10
+        + omega_GF * (Scalar(3) * GF_x * alpha_GF - GF_y * t19)
+        - omega_EDF * (Scalar(3) * EF_x * alpha_EDF - EF_y * t18) - t12;
+    rhs(3) = omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t19) - omega_B * (Scalar(3) * t13
+        - omega_B * (Scalar(3) * t09 + t17 * omega_B) - Scalar(3) * t16 * alpha_B) - t17 * jerk_B
+        - Scalar(3) * t14 - omega_EDF * (Scalar(3) * EF_y * alpha_EDF + EF_x * t18) - t15;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -1437,17 +1440,16 @@ struct Model09 {
     const Scalar t19 = c_m1_im * u.phi_B.sin;
     const Scalar t20 = (t19 + t11) * u.phi_B.sin;
     const Scalar t21 = t13 - t14;
-    const Scalar t22 = t16 + Scalar(0.5) * t17;
     T.cosine[0] = f_0_re * f_0_re + Scalar(2) * t08 + Scalar(2) * t10;
     T.cosine[1] = Scalar(2) * (Scalar(2) * f_0_re * f_m1_re + t12 * u.phi_B.cos - (Scalar(2) * t13
         - t14 - t15 - Scalar(3) * t18) * u.phi_B.sin);
-    T.sine[1] = Scalar(2) * (Scalar(2) * f_0_re * f_m1_im + t20 - (t15 + Scalar(2) * t22
+    T.sine[1] = Scalar(2) * (Scalar(2) * f_0_re * f_m1_im + t20 - (Scalar(2) * t16 + t17 + t15
         - Scalar(3) * t21) * u.phi_B.cos);
     T.cosine[2] = Scalar(2) * (t08 - t10);
     T.sine[2] = Scalar(2) * (t09 * u.phi_B.sin + Scalar(2) * f_m1_im * f_m1_re - (Scalar(2) * t06
         + t07) * u.phi_B.cos);
     T.cosine[3] = -Scalar(2) * ((t14 - t18) * u.phi_B.sin - (Scalar(2) * t19 - t12) * u.phi_B.cos);
-    T.sine[3] = Scalar(2) * (t20 - (t21 + Scalar(2) * t22) * u.phi_B.cos);
+    T.sine[3] = Scalar(2) * (t20 - (Scalar(2) * t16 + t17 + t21) * u.phi_B.cos);
   }
 
   /// The reduced equations, one a row, where theta_EDF is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)

@@ -39,7 +39,7 @@ namespace assur::tetrad {
 ///   input_jacobian:               8, 7, 0
 ///   velocity_rhs:                 12, 13, 0
 ///   acceleration_rhs:             58, 39, 0
-///   jerk_rhs:                     112, 61, 0
+///   jerk_rhs:                     110, 63, 0
 ///   curvature_rhs:                78, 47, 0
 ///   link_poses:                   12, 11, 0
 ///   pose_jacobians:               8, 7, 0
@@ -448,31 +448,33 @@ struct Model10 {
     const Scalar t08 = u.phi_B.sin * a_s_B;
     const Scalar t09 = q.theta_EDF.sin * v_s_D;
     const Scalar t10 = u.phi_B.sin * v_s_B;
-    const Scalar t11 = alpha_B * t10 - Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
-    const Scalar t12 = u.phi_B.cos * a_s_B;
-    const Scalar t13 = t06 * alpha_B + Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
-    const Scalar t14 = GF_y - EF_y - slide_F_y;
-    const Scalar t15 = cos_GF * v_s_F;
-    const Scalar t16 = GF_x - EF_x - slide_F_x;
-    const Scalar t17 = slide_B_y + BG_y;
-    const Scalar t18 = slide_B_x + BG_x;
-    const Scalar t19 = sin_GF * v_s_F;
+    const Scalar t11 = alpha_B * t10;
+    const Scalar t12 = j_x_B - j_x_E;
+    const Scalar t13 = u.phi_B.cos * a_s_B;
+    const Scalar t14 = t06 * alpha_B;
+    const Scalar t15 = j_y_B - j_y_E;
+    const Scalar t16 = GF_y - EF_y - slide_F_y;
+    const Scalar t17 = cos_GF * v_s_F;
+    const Scalar t18 = GF_x - EF_x - slide_F_x;
+    const Scalar t19 = slide_B_y + BG_y;
+    const Scalar t20 = slide_B_x + BG_x;
+    const Scalar t21 = sin_GF * v_s_F;
     rhs(0) = t05 * jerk_B + Scalar(3) * t11 - omega_EDF * (omega_EDF * (t02 * omega_EDF
         + Scalar(3) * t03) + Scalar(3) * q.theta_EDF.sin * a_s_D - Scalar(3) * t04 * alpha_EDF)
         - omega_B * (omega_B * (t05 * omega_B - Scalar(3) * t06) - Scalar(3) * t07 * alpha_B
-        - Scalar(3) * t08) - Scalar(3) * alpha_EDF * t09;
+        - Scalar(3) * t08) - Scalar(3) * alpha_EDF * t09 - t12;
     rhs(1) = omega_EDF * (omega_EDF * (t04 * omega_EDF - Scalar(3) * t09)
         + Scalar(3) * t02 * alpha_EDF + Scalar(3) * q.theta_EDF.cos * a_s_D)
         + omega_B * (omega_B * (t07 * omega_B + Scalar(3) * t10) + Scalar(3) * t05 * alpha_B
-        - Scalar(3) * t12) + Scalar(3) * t03 * alpha_EDF - t07 * jerk_B - Scalar(3) * t13;
-    rhs(2) = omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t06 - t17 * omega_B)
-        + Scalar(3) * t18 * alpha_B) + t17 * jerk_B + Scalar(3) * t11
-        - omega_EDF * (omega_EDF * (t14 * omega_EDF + Scalar(3) * t15) + Scalar(3) * sin_GF * a_s_F
-        - Scalar(3) * t16 * alpha_EDF) - Scalar(3) * alpha_EDF * t19;
-    rhs(3) = omega_EDF * (omega_EDF * (t16 * omega_EDF - Scalar(3) * t19)
-        + Scalar(3) * t14 * alpha_EDF + Scalar(3) * cos_GF * a_s_F) + Scalar(3) * alpha_EDF * t15
-        - omega_B * (Scalar(3) * t12 - omega_B * (Scalar(3) * t10 + t18 * omega_B)
-        - Scalar(3) * t17 * alpha_B) - t18 * jerk_B - Scalar(3) * t13;
+        - Scalar(3) * t13) + Scalar(3) * t03 * alpha_EDF - t07 * jerk_B - Scalar(3) * t14 - t15;
+    rhs(2) = omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t06 - t19 * omega_B)
+        + Scalar(3) * t20 * alpha_B) + t19 * jerk_B + Scalar(3) * t11
+        - omega_EDF * (omega_EDF * (t16 * omega_EDF + Scalar(3) * t17) + Scalar(3) * sin_GF * a_s_F
+        - Scalar(3) * t18 * alpha_EDF) - Scalar(3) * alpha_EDF * t21 - t12;
+    rhs(3) = omega_EDF * (omega_EDF * (t18 * omega_EDF - Scalar(3) * t21)
+        + Scalar(3) * t16 * alpha_EDF + Scalar(3) * cos_GF * a_s_F) + Scalar(3) * alpha_EDF * t17
+        - omega_B * (Scalar(3) * t13 - omega_B * (Scalar(3) * t10 + t20 * omega_B)
+        - Scalar(3) * t19 * alpha_B) - t20 * jerk_B - Scalar(3) * t14 - t15;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and

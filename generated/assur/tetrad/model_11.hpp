@@ -1580,31 +1580,31 @@ struct Model11 {
     const Scalar t01 = EB_x * u.phi_E.cos + EB_y * u.phi_E.sin;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar b_0_re = -Scalar(2) * (t01 + d.h_B_BCG * sin_phi_B_minus_phi_E);
-    const Scalar t02 = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
-    const Scalar b_1_re = -Scalar(2) * t02;
-    const Scalar t03 = EB_y * u.phi_E.cos - EB_x * u.phi_E.sin;
-    const Scalar t04 = d.h_E_EDF + Scalar(2) * t03;
-    const Scalar t05 = EB_x * EB_x + EB_y * EB_y;
-    const Scalar c_0_re = d.h_B_BCG * (d.h_B_BCG + Scalar(2) * EB_x * u.phi_B.sin
-        - Scalar(2) * d.h_E_EDF * t02 - Scalar(2) * EB_y * u.phi_B.cos) + d.h_E_EDF * t04 + t05
-        - d.CD * d.CD;
+    const Scalar cos_phi_B_minus_phi_E = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
+    const Scalar b_1_re = -Scalar(2) * cos_phi_B_minus_phi_E;
+    const Scalar t02 = EB_y * u.phi_E.cos - EB_x * u.phi_E.sin;
+    const Scalar t03 = d.h_E_EDF + Scalar(2) * t02;
+    const Scalar t04 = EB_x * EB_x + EB_y * EB_y;
+    const Scalar c_0_re = d.h_E_EDF * t03 + t04 + d.h_B_BCG * (d.h_B_BCG
+        + Scalar(2) * EB_x * u.phi_B.sin - Scalar(2) * EB_y * u.phi_B.cos
+        - Scalar(2) * d.h_E_EDF * cos_phi_B_minus_phi_E) - d.CD * d.CD;
     const Scalar c_1_re = Scalar(2) * (EB_x * u.phi_B.cos + EB_y * u.phi_B.sin
         + d.h_E_EDF * sin_phi_B_minus_phi_E);
-    const Scalar t06 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar e_0_re = -Scalar(2) * ((EB_x + t06 * u.phi_B.sin
+    const Scalar t05 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar e_0_re = -Scalar(2) * ((EB_x + t05 * u.phi_B.sin
         + d.x_G_BCG * u.phi_B.cos) * u.phi_E.cos + (EB_y + d.x_G_BCG * u.phi_B.sin
-        - t06 * u.phi_B.cos) * u.phi_E.sin - d.x_F_EDF);
-    const Scalar t07 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar t08 = d.h_B_BCG * t07 + d.x_G_BCG * d.x_F_EDF - d.y_G_BCG * t07;
-    const Scalar t09 = d.x_G_BCG * t07 - t06 * d.x_F_EDF;
+        - t05 * u.phi_B.cos) * u.phi_E.sin - d.x_F_EDF);
+    const Scalar t06 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t07 = d.h_B_BCG * t06 + d.x_G_BCG * d.x_F_EDF - d.y_G_BCG * t06;
+    const Scalar t08 = d.x_G_BCG * t06 - t05 * d.x_F_EDF;
     const Scalar f_0_re = d.h_B_BCG * (d.h_B_BCG - Scalar(2) * d.y_G_BCG) + d.x_G_BCG * d.x_G_BCG
-        + d.y_G_BCG * d.y_G_BCG + d.y_F_EDF * (d.y_F_EDF - Scalar(2) * t03) + t05
-        - Scalar(2) * (t08 * u.phi_E.cos + t09 * u.phi_E.sin + EB_y * t06
-        - EB_x * d.x_G_BCG) * u.phi_B.cos - Scalar(2) * (t08 * u.phi_E.sin - t09 * u.phi_E.cos
-        - EB_x * t06 - EB_y * d.x_G_BCG) * u.phi_B.sin - d.GF * d.GF - d.x_F_EDF * (Scalar(2) * t01
-        - d.x_F_EDF) - d.h_E_EDF * (Scalar(2) * d.y_F_EDF - t04);
-    const Scalar f_1_re = Scalar(2) * (d.x_G_BCG + (EB_x - t07 * u.phi_E.sin
-        - d.x_F_EDF * u.phi_E.cos) * u.phi_B.cos + (EB_y + t07 * u.phi_E.cos
+        + d.y_G_BCG * d.y_G_BCG + d.y_F_EDF * (d.y_F_EDF - Scalar(2) * t02) + t04
+        - Scalar(2) * (t07 * u.phi_E.cos + t08 * u.phi_E.sin + EB_y * t05
+        - EB_x * d.x_G_BCG) * u.phi_B.cos - Scalar(2) * (t07 * u.phi_E.sin - t08 * u.phi_E.cos
+        - EB_x * t05 - EB_y * d.x_G_BCG) * u.phi_B.sin - d.GF * d.GF - d.x_F_EDF * (Scalar(2) * t01
+        - d.x_F_EDF) - d.h_E_EDF * (Scalar(2) * d.y_F_EDF - t03);
+    const Scalar f_1_re = Scalar(2) * (d.x_G_BCG + (EB_x - t06 * u.phi_E.sin
+        - d.x_F_EDF * u.phi_E.cos) * u.phi_B.cos + (EB_y + t06 * u.phi_E.cos
         - d.x_F_EDF * u.phi_E.sin) * u.phi_B.sin);
     const Scalar M_0_re = f_0_re - c_0_re;
     const Scalar M_1_re = f_1_re - c_1_re;

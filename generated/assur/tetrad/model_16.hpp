@@ -38,7 +38,7 @@ namespace assur::tetrad {
 ///   input_jacobian:               22, 19, 0
 ///   velocity_rhs:                 30, 29, 0
 ///   acceleration_rhs:             67, 49, 0
-///   jerk_rhs:                     127, 75, 0
+///   jerk_rhs:                     125, 77, 0
 ///   curvature_rhs:                105, 63, 0
 ///   link_poses:                   18, 18, 0
 ///   pose_jacobians:               18, 16, 0
@@ -476,37 +476,41 @@ struct Model16 {
     const Scalar t06 = slide_B_y + BC_y + slide_C_y + CD_y;
     const Scalar t07 = u.phi_B.sin * v_s_B;
     const Scalar t08 = t07 + sin_CD * v_s_C;
-    const Scalar t09 = slide_B_x + BC_x + slide_C_x + CD_x;
-    const Scalar t10 = u.phi_B.sin * a_s_B;
-    const Scalar t11 = u.phi_B.cos * v_s_B;
-    const Scalar t12 = t11 + cos_CD * v_s_C;
-    const Scalar t13 = u.phi_E.sin * v_s_E;
-    const Scalar t14 = alpha_E * t13 + Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
-    const Scalar t15 = u.phi_E.cos * a_s_E;
-    const Scalar t16 = u.phi_B.cos * a_s_B;
-    const Scalar t17 = t03 * alpha_E - Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
-    const Scalar t18 = slide_B_y + BG_y;
-    const Scalar t19 = slide_B_x + BG_x;
-    const Scalar t20 = slide_E_y + EF_y;
-    const Scalar t21 = slide_E_x + EF_x;
-    const Scalar t22 = omega_GF * omega_GF;
+    const Scalar t09 = u.phi_E.sin * v_s_E;
+    const Scalar t10 = alpha_E * t09;
+    const Scalar t11 = slide_B_x + BC_x + slide_C_x + CD_x;
+    const Scalar t12 = u.phi_B.sin * a_s_B;
+    const Scalar t13 = u.phi_B.cos * v_s_B;
+    const Scalar t14 = t13 + cos_CD * v_s_C;
+    const Scalar t15 = j_x_B - j_x_E;
+    const Scalar t16 = u.phi_E.cos * a_s_E;
+    const Scalar t17 = t03 * alpha_E;
+    const Scalar t18 = u.phi_B.cos * a_s_B;
+    const Scalar t19 = j_y_B - j_y_E;
+    const Scalar t20 = slide_B_y + BG_y;
+    const Scalar t21 = slide_B_x + BG_x;
+    const Scalar t22 = slide_E_y + EF_y;
+    const Scalar t23 = slide_E_x + EF_x;
+    const Scalar t24 = omega_GF * omega_GF;
     rhs(0) = omega_E * (omega_E * (t02 * omega_E - Scalar(3) * t03) - Scalar(3) * t04 * alpha_E
         - Scalar(3) * t05) + t06 * jerk_B + Scalar(3) * alpha_B * t08
-        + omega_B * (Scalar(3) * t09 * alpha_B + Scalar(3) * t10 + Scalar(3) * sin_CD * a_s_C
-        - omega_B * (t06 * omega_B - Scalar(3) * t12)) - t02 * jerk_E - Scalar(3) * t14;
-    rhs(1) = t04 * jerk_E + omega_B * (Scalar(3) * t06 * alpha_B + omega_B * (Scalar(3) * t08
-        + t09 * omega_B) - Scalar(3) * t16 - Scalar(3) * cos_CD * a_s_C) + Scalar(3) * t17
-        - omega_E * (omega_E * (t04 * omega_E + Scalar(3) * t13) + Scalar(3) * t02 * alpha_E
-        - Scalar(3) * t15) - t09 * jerk_B - Scalar(3) * t12 * alpha_B;
-    rhs(2) = omega_B * (Scalar(3) * t10 + omega_B * (Scalar(3) * t11 - t18 * omega_B)
-        + Scalar(3) * t19 * alpha_B) + t18 * jerk_B + Scalar(3) * alpha_B * t07
-        + omega_GF * (Scalar(3) * GF_x * alpha_GF - GF_y * t22) - omega_E * (Scalar(3) * t05
-        + omega_E * (Scalar(3) * t03 - t20 * omega_E) + Scalar(3) * t21 * alpha_E) - t20 * jerk_E
-        - Scalar(3) * t14;
-    rhs(3) = omega_E * (Scalar(3) * t15 - omega_E * (Scalar(3) * t13 + t21 * omega_E)
-        - Scalar(3) * t20 * alpha_E) + t21 * jerk_E + omega_GF * (Scalar(3) * GF_y * alpha_GF
-        + GF_x * t22) + Scalar(3) * t17 - omega_B * (Scalar(3) * t16 - omega_B * (Scalar(3) * t07
-        + t19 * omega_B) - Scalar(3) * t18 * alpha_B) - t19 * jerk_B - Scalar(3) * t11 * alpha_B;
+        + omega_B * (Scalar(3) * t11 * alpha_B + Scalar(3) * t12 + Scalar(3) * sin_CD * a_s_C
+        - omega_B * (t06 * omega_B - Scalar(3) * t14)) - t02 * jerk_E - Scalar(3) * t10 - t15;
+    rhs(1) = t04 * jerk_E + Scalar(3) * t17 + omega_B * (Scalar(3) * t06 * alpha_B
+        + omega_B * (Scalar(3) * t08 + t11 * omega_B) - Scalar(3) * t18
+        - Scalar(3) * cos_CD * a_s_C) - omega_E * (omega_E * (t04 * omega_E + Scalar(3) * t09)
+        + Scalar(3) * t02 * alpha_E - Scalar(3) * t16) - t11 * jerk_B - Scalar(3) * t14 * alpha_B
+        - t19;
+    rhs(2) = omega_B * (Scalar(3) * t12 + omega_B * (Scalar(3) * t13 - t20 * omega_B)
+        + Scalar(3) * t21 * alpha_B) + t20 * jerk_B + Scalar(3) * alpha_B * t07
+        + omega_GF * (Scalar(3) * GF_x * alpha_GF - GF_y * t24) - omega_E * (Scalar(3) * t05
+        + omega_E * (Scalar(3) * t03 - t22 * omega_E) + Scalar(3) * t23 * alpha_E) - t22 * jerk_E
+        - Scalar(3) * t10 - t15;
+    rhs(3) = omega_E * (Scalar(3) * t16 - omega_E * (Scalar(3) * t09 + t23 * omega_E)
+        - Scalar(3) * t22 * alpha_E) + t23 * jerk_E + Scalar(3) * t17
+        + omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t24) - omega_B * (Scalar(3) * t18
+        - omega_B * (Scalar(3) * t07 + t21 * omega_B) - Scalar(3) * t20 * alpha_B) - t21 * jerk_B
+        - Scalar(3) * t13 * alpha_B - t19;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -1505,22 +1509,23 @@ struct Model16 {
     const Scalar t01 = EB_x * u.phi_E.cos + EB_y * u.phi_E.sin;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar b_0_re = Scalar(2) * (d.x_F_EDF - t01 - d.h_B_BCG * sin_phi_B_minus_phi_E);
-    const Scalar t02 = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
-    const Scalar b_1_re = -Scalar(2) * t02;
-    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar t04 = EB_y + t03 * u.phi_E.cos - d.x_F_EDF * u.phi_E.sin;
-    const Scalar t05 = EB_x - t03 * u.phi_E.sin - d.x_F_EDF * u.phi_E.cos;
-    const Scalar t06 = EB_y * u.phi_E.cos - EB_x * u.phi_E.sin;
-    const Scalar c_0_re = d.h_B_BCG * (d.h_B_BCG + Scalar(2) * t05 * u.phi_B.sin
-        - Scalar(2) * t04 * u.phi_B.cos) + EB_x * EB_x + EB_y * EB_y + d.x_F_EDF * (d.x_F_EDF
-        - Scalar(2) * t01) + d.h_E_EDF * (d.h_E_EDF + Scalar(2) * t06 - Scalar(2) * d.y_F_EDF)
-        + d.y_F_EDF * (d.y_F_EDF - Scalar(2) * t06) - d.GF * d.GF;
-    const Scalar c_1_re = Scalar(2) * (t05 * u.phi_B.cos + t04 * u.phi_B.sin);
-    const Scalar e_0_re = Scalar(2) * (t02 * d.psi_C_BCG.sin
-        + d.psi_C_BCG.cos * sin_phi_B_minus_phi_E);
-    const Scalar f_0_re = -Scalar(2) * ((d.h_B_BCG + EB_x * u.phi_B.sin - d.h_E_EDF * t02
-        - EB_y * u.phi_B.cos) * d.psi_C_BCG.cos + d.h_C_CD + (EB_x * u.phi_B.cos
-        + EB_y * u.phi_B.sin + d.h_E_EDF * sin_phi_B_minus_phi_E) * d.psi_C_BCG.sin - d.h_C_BCG);
+    const Scalar cos_phi_B_minus_phi_E = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
+    const Scalar b_1_re = -Scalar(2) * cos_phi_B_minus_phi_E;
+    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t03 = EB_y + t02 * u.phi_E.cos - d.x_F_EDF * u.phi_E.sin;
+    const Scalar t04 = EB_x - t02 * u.phi_E.sin - d.x_F_EDF * u.phi_E.cos;
+    const Scalar t05 = EB_y * u.phi_E.cos - EB_x * u.phi_E.sin;
+    const Scalar c_0_re = d.h_B_BCG * (d.h_B_BCG + Scalar(2) * t04 * u.phi_B.sin
+        - Scalar(2) * t03 * u.phi_B.cos) + EB_x * EB_x + EB_y * EB_y + d.x_F_EDF * (d.x_F_EDF
+        - Scalar(2) * t01) + d.h_E_EDF * (d.h_E_EDF + Scalar(2) * t05 - Scalar(2) * d.y_F_EDF)
+        + d.y_F_EDF * (d.y_F_EDF - Scalar(2) * t05) - d.GF * d.GF;
+    const Scalar c_1_re = Scalar(2) * (t04 * u.phi_B.cos + t03 * u.phi_B.sin);
+    const Scalar e_0_re = Scalar(2) * (d.psi_C_BCG.cos * sin_phi_B_minus_phi_E
+        + d.psi_C_BCG.sin * cos_phi_B_minus_phi_E);
+    const Scalar f_0_re = Scalar(2) * (d.h_C_BCG - d.h_C_CD - (d.h_B_BCG + EB_x * u.phi_B.sin
+        - EB_y * u.phi_B.cos - d.h_E_EDF * cos_phi_B_minus_phi_E) * d.psi_C_BCG.cos
+        - (EB_x * u.phi_B.cos + EB_y * u.phi_B.sin
+        + d.h_E_EDF * sin_phi_B_minus_phi_E) * d.psi_C_BCG.sin);
     const Scalar f_1_re = -Scalar(2) * d.psi_C_BCG.sin;
     T(0) = f_0_re * f_0_re - (b_0_re * f_0_re - c_0_re * e_0_re) * e_0_re;
     T(1) = Scalar(2) * f_0_re * f_1_re - (b_0_re * f_1_re + f_0_re * b_1_re

@@ -38,7 +38,7 @@ namespace assur::tetrad {
 ///   input_jacobian:               28, 21, 0
 ///   velocity_rhs:                 36, 31, 0
 ///   acceleration_rhs:             72, 51, 0
-///   jerk_rhs:                     128, 77, 0
+///   jerk_rhs:                     126, 79, 0
 ///   curvature_rhs:                94, 60, 0
 ///   link_poses:                   24, 20, 0
 ///   pose_jacobians:               24, 16, 0
@@ -492,37 +492,40 @@ struct Model22 {
     const Scalar t06 = slide_B_y + slide_C_y + CD_y;
     const Scalar t07 = u.phi_B.sin * v_s_B;
     const Scalar t08 = t07 + sin_CD * v_s_C;
-    const Scalar t09 = slide_B_x + slide_C_x + CD_x;
-    const Scalar t10 = u.phi_B.sin * a_s_B;
-    const Scalar t11 = u.phi_B.cos * v_s_B;
-    const Scalar t12 = t11 + cos_CD * v_s_C;
-    const Scalar t13 = u.phi_E.sin * v_s_E;
-    const Scalar t14 = alpha_E * t13 + Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
-    const Scalar t15 = u.phi_E.cos * a_s_E;
-    const Scalar t16 = u.phi_B.cos * a_s_B;
-    const Scalar t17 = t03 * alpha_E - Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
-    const Scalar t18 = slide_E_y + EF_y;
-    const Scalar t19 = slide_E_x + EF_x;
-    const Scalar t20 = slide_B_y + BG_y + slide_G_y + GF_y;
-    const Scalar t21 = t07 + sin_GF * v_s_G;
-    const Scalar t22 = slide_B_x + BG_x + slide_G_x + GF_x;
-    const Scalar t23 = t11 + cos_GF * v_s_G;
+    const Scalar t09 = u.phi_E.sin * v_s_E;
+    const Scalar t10 = alpha_E * t09;
+    const Scalar t11 = slide_B_x + slide_C_x + CD_x;
+    const Scalar t12 = u.phi_B.sin * a_s_B;
+    const Scalar t13 = u.phi_B.cos * v_s_B;
+    const Scalar t14 = t13 + cos_CD * v_s_C;
+    const Scalar t15 = j_x_B - j_x_E;
+    const Scalar t16 = u.phi_E.cos * a_s_E;
+    const Scalar t17 = t03 * alpha_E;
+    const Scalar t18 = u.phi_B.cos * a_s_B;
+    const Scalar t19 = j_y_B - j_y_E;
+    const Scalar t20 = slide_E_y + EF_y;
+    const Scalar t21 = slide_E_x + EF_x;
+    const Scalar t22 = slide_B_y + BG_y + slide_G_y + GF_y;
+    const Scalar t23 = t07 + sin_GF * v_s_G;
+    const Scalar t24 = slide_B_x + BG_x + slide_G_x + GF_x;
+    const Scalar t25 = t13 + cos_GF * v_s_G;
     rhs(0) = omega_E * (omega_E * (t02 * omega_E - Scalar(3) * t03) - Scalar(3) * t04 * alpha_E
         - Scalar(3) * t05) + t06 * jerk_B + Scalar(3) * alpha_B * t08
-        + omega_B * (Scalar(3) * t09 * alpha_B + Scalar(3) * t10 + Scalar(3) * sin_CD * a_s_C
-        - omega_B * (t06 * omega_B - Scalar(3) * t12)) - t02 * jerk_E - Scalar(3) * t14;
-    rhs(1) = t04 * jerk_E + omega_B * (Scalar(3) * t06 * alpha_B + omega_B * (Scalar(3) * t08
-        + t09 * omega_B) - Scalar(3) * t16 - Scalar(3) * cos_CD * a_s_C) + Scalar(3) * t17
-        - omega_E * (omega_E * (t04 * omega_E + Scalar(3) * t13) + Scalar(3) * t02 * alpha_E
-        - Scalar(3) * t15) - t09 * jerk_B - Scalar(3) * t12 * alpha_B;
-    rhs(2) = t20 * jerk_B + Scalar(3) * alpha_B * t21 + omega_B * (Scalar(3) * t10
-        + Scalar(3) * t22 * alpha_B + Scalar(3) * sin_GF * a_s_G - omega_B * (t20 * omega_B
-        - Scalar(3) * t23)) - omega_E * (Scalar(3) * t05 + omega_E * (Scalar(3) * t03
-        - t18 * omega_E) + Scalar(3) * t19 * alpha_E) - t18 * jerk_E - Scalar(3) * t14;
-    rhs(3) = omega_E * (Scalar(3) * t15 - omega_E * (Scalar(3) * t13 + t19 * omega_E)
-        - Scalar(3) * t18 * alpha_E) + t19 * jerk_E + Scalar(3) * t17 - t22 * jerk_B
-        - Scalar(3) * alpha_B * t23 - omega_B * (Scalar(3) * t16 + Scalar(3) * cos_GF * a_s_G
-        - Scalar(3) * t20 * alpha_B - omega_B * (Scalar(3) * t21 + t22 * omega_B));
+        + omega_B * (Scalar(3) * t11 * alpha_B + Scalar(3) * t12 + Scalar(3) * sin_CD * a_s_C
+        - omega_B * (t06 * omega_B - Scalar(3) * t14)) - t02 * jerk_E - Scalar(3) * t10 - t15;
+    rhs(1) = t04 * jerk_E + Scalar(3) * t17 + omega_B * (Scalar(3) * t06 * alpha_B
+        + omega_B * (Scalar(3) * t08 + t11 * omega_B) - Scalar(3) * t18
+        - Scalar(3) * cos_CD * a_s_C) - omega_E * (omega_E * (t04 * omega_E + Scalar(3) * t09)
+        + Scalar(3) * t02 * alpha_E - Scalar(3) * t16) - t11 * jerk_B - Scalar(3) * t14 * alpha_B
+        - t19;
+    rhs(2) = t22 * jerk_B + Scalar(3) * alpha_B * t23 + omega_B * (Scalar(3) * t12
+        + Scalar(3) * t24 * alpha_B + Scalar(3) * sin_GF * a_s_G - omega_B * (t22 * omega_B
+        - Scalar(3) * t25)) - omega_E * (Scalar(3) * t05 + omega_E * (Scalar(3) * t03
+        - t20 * omega_E) + Scalar(3) * t21 * alpha_E) - t20 * jerk_E - Scalar(3) * t10 - t15;
+    rhs(3) = omega_E * (Scalar(3) * t16 - omega_E * (Scalar(3) * t09 + t21 * omega_E)
+        - Scalar(3) * t20 * alpha_E) + t21 * jerk_E + Scalar(3) * t17 - t24 * jerk_B
+        - Scalar(3) * alpha_B * t25 - omega_B * (Scalar(3) * t18 + Scalar(3) * cos_GF * a_s_G
+        - Scalar(3) * t22 * alpha_B - omega_B * (Scalar(3) * t23 + t24 * omega_B)) - t19;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and

@@ -38,7 +38,7 @@ namespace assur::tetrad {
 ///   input_jacobian:               38, 26, 0
 ///   velocity_rhs:                 46, 36, 0
 ///   acceleration_rhs:             86, 58, 0
-///   jerk_rhs:                     144, 86, 0
+///   jerk_rhs:                     142, 88, 0
 ///   curvature_rhs:                127, 79, 0
 ///   link_poses:                   22, 18, 0
 ///   pose_jacobians:               22, 14, 0
@@ -515,40 +515,42 @@ struct Model23 {
     const Scalar t05 = slide_E_x + ED_x;
     const Scalar t06 = u.phi_E.sin * a_s_E;
     const Scalar t07 = slide_B_y + slide_C_y - slide_D_y;
-    const Scalar t08 = slide_B_x + slide_C_x - slide_D_x;
-    const Scalar t09 = u.phi_B.sin * a_s_B;
-    const Scalar t10 = u.phi_B.cos * v_s_B;
-    const Scalar t11 = cos_slide_D * v_s_D - t10 - cos_CD * v_s_C;
-    const Scalar t12 = u.phi_B.sin * v_s_B;
-    const Scalar t13 = sin_slide_D * v_s_D - t12 - sin_CD * v_s_C;
-    const Scalar t14 = u.phi_E.sin * v_s_E;
-    const Scalar t15 = alpha_E * t14 + Scalar(1) / Scalar(3) * (j_x_B - j_x_E);
-    const Scalar t16 = u.phi_E.cos * a_s_E;
-    const Scalar t17 = u.phi_B.cos * a_s_B;
-    const Scalar t18 = t04 * alpha_E - Scalar(1) / Scalar(3) * (j_y_B - j_y_E);
-    const Scalar t19 = slide_E_y + EF_y;
-    const Scalar t20 = slide_E_x + EF_x;
-    const Scalar t21 = slide_B_y + BG_y + slide_G_y + GF_y;
-    const Scalar t22 = t12 + sin_GF * v_s_G;
-    const Scalar t23 = slide_B_x + BG_x + slide_G_x + GF_x;
-    const Scalar t24 = t10 + cos_GF * v_s_G;
+    const Scalar t08 = u.phi_E.sin * v_s_E;
+    const Scalar t09 = alpha_E * t08;
+    const Scalar t10 = slide_B_x + slide_C_x - slide_D_x;
+    const Scalar t11 = u.phi_B.sin * a_s_B;
+    const Scalar t12 = u.phi_B.cos * v_s_B;
+    const Scalar t13 = cos_slide_D * v_s_D - t12 - cos_CD * v_s_C;
+    const Scalar t14 = u.phi_B.sin * v_s_B;
+    const Scalar t15 = sin_slide_D * v_s_D - t14 - sin_CD * v_s_C;
+    const Scalar t16 = j_x_B - j_x_E;
+    const Scalar t17 = u.phi_E.cos * a_s_E;
+    const Scalar t18 = t04 * alpha_E;
+    const Scalar t19 = u.phi_B.cos * a_s_B;
+    const Scalar t20 = j_y_B - j_y_E;
+    const Scalar t21 = slide_E_y + EF_y;
+    const Scalar t22 = slide_E_x + EF_x;
+    const Scalar t23 = slide_B_y + BG_y + slide_G_y + GF_y;
+    const Scalar t24 = t14 + sin_GF * v_s_G;
+    const Scalar t25 = slide_B_x + BG_x + slide_G_x + GF_x;
+    const Scalar t26 = t12 + cos_GF * v_s_G;
     rhs(0) = omega_E * (omega_E * (t03 * omega_E - Scalar(3) * t04) - Scalar(3) * t05 * alpha_E
-        - Scalar(3) * t06) + t07 * jerk_B + omega_B * (Scalar(3) * t08 * alpha_B + Scalar(3) * t09
+        - Scalar(3) * t06) + t07 * jerk_B + omega_B * (Scalar(3) * t10 * alpha_B + Scalar(3) * t11
         + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_slide_D * a_s_D - omega_B * (t07 * omega_B
-        + Scalar(3) * t11)) - t03 * jerk_E - Scalar(3) * alpha_B * t13 - Scalar(3) * t15;
-    rhs(1) = t05 * jerk_E + Scalar(3) * alpha_B * t11 + omega_B * (Scalar(3) * t07 * alpha_B
-        + Scalar(3) * cos_slide_D * a_s_D + omega_B * (t08 * omega_B - Scalar(3) * t13)
-        - Scalar(3) * t17 - Scalar(3) * cos_CD * a_s_C) + Scalar(3) * t18
-        - omega_E * (omega_E * (t05 * omega_E + Scalar(3) * t14) + Scalar(3) * t03 * alpha_E
-        - Scalar(3) * t16) - t08 * jerk_B;
-    rhs(2) = t21 * jerk_B + Scalar(3) * alpha_B * t22 + omega_B * (Scalar(3) * t09
-        + Scalar(3) * t23 * alpha_B + Scalar(3) * sin_GF * a_s_G - omega_B * (t21 * omega_B
-        - Scalar(3) * t24)) - omega_E * (Scalar(3) * t06 + omega_E * (Scalar(3) * t04
-        - t19 * omega_E) + Scalar(3) * t20 * alpha_E) - t19 * jerk_E - Scalar(3) * t15;
-    rhs(3) = omega_E * (Scalar(3) * t16 - omega_E * (Scalar(3) * t14 + t20 * omega_E)
-        - Scalar(3) * t19 * alpha_E) + t20 * jerk_E + Scalar(3) * t18 - t23 * jerk_B
-        - Scalar(3) * alpha_B * t24 - omega_B * (Scalar(3) * t17 + Scalar(3) * cos_GF * a_s_G
-        - Scalar(3) * t21 * alpha_B - omega_B * (Scalar(3) * t22 + t23 * omega_B));
+        + Scalar(3) * t13)) - t03 * jerk_E - Scalar(3) * t09 - Scalar(3) * alpha_B * t15 - t16;
+    rhs(1) = t05 * jerk_E + Scalar(3) * t18 + Scalar(3) * alpha_B * t13
+        + omega_B * (Scalar(3) * t07 * alpha_B + Scalar(3) * cos_slide_D * a_s_D
+        + omega_B * (t10 * omega_B - Scalar(3) * t15) - Scalar(3) * t19
+        - Scalar(3) * cos_CD * a_s_C) - omega_E * (omega_E * (t05 * omega_E + Scalar(3) * t08)
+        + Scalar(3) * t03 * alpha_E - Scalar(3) * t17) - t10 * jerk_B - t20;
+    rhs(2) = t23 * jerk_B + Scalar(3) * alpha_B * t24 + omega_B * (Scalar(3) * t11
+        + Scalar(3) * t25 * alpha_B + Scalar(3) * sin_GF * a_s_G - omega_B * (t23 * omega_B
+        - Scalar(3) * t26)) - omega_E * (Scalar(3) * t06 + omega_E * (Scalar(3) * t04
+        - t21 * omega_E) + Scalar(3) * t22 * alpha_E) - t21 * jerk_E - Scalar(3) * t09 - t16;
+    rhs(3) = omega_E * (Scalar(3) * t17 - omega_E * (Scalar(3) * t08 + t22 * omega_E)
+        - Scalar(3) * t21 * alpha_E) + t22 * jerk_E + Scalar(3) * t18 - t25 * jerk_B
+        - Scalar(3) * alpha_B * t26 - omega_B * (Scalar(3) * t19 + Scalar(3) * cos_GF * a_s_G
+        - Scalar(3) * t23 * alpha_B - omega_B * (Scalar(3) * t24 + t25 * omega_B)) - t20;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and

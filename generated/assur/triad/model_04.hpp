@@ -38,7 +38,7 @@ namespace assur::triad {
 ///   input_jacobian:               14, 11, 0
 ///   velocity_rhs:                 18, 19, 0
 ///   acceleration_rhs:             44, 33, 0
-///   jerk_rhs:                     84, 49, 0
+///   jerk_rhs:                     82, 51, 0
 ///   curvature_rhs:                76, 49, 0
 ///   link_poses:                   10, 8, 0
 ///   pose_jacobians:               10, 6, 0
@@ -427,32 +427,32 @@ struct Model04 {
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
     const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
     const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    const Scalar t02 = omega_DE * omega_DE;
-    const Scalar t03 = slide_B_y - slide_C_y;
-    const Scalar t04 = CE_y + t03;
-    const Scalar t05 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t06 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t07 = slide_B_x - slide_C_x;
-    const Scalar t08 = CE_x + t07;
-    const Scalar t09 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t10 = alpha_B * t09 - Scalar(1) / Scalar(3) * j_x_B;
-    const Scalar t11 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t12 = t06 * alpha_B + Scalar(1) / Scalar(3) * j_y_B;
+    const Scalar t02 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
+    const Scalar t03 = alpha_B * t02;
+    const Scalar t04 = omega_DE * omega_DE;
+    const Scalar t05 = slide_B_y - slide_C_y;
+    const Scalar t06 = CE_y + t05;
+    const Scalar t07 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
+    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
+    const Scalar t09 = slide_B_x - slide_C_x;
+    const Scalar t10 = CE_x + t09;
+    const Scalar t11 = t08 * alpha_B;
+    const Scalar t12 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
     const Scalar t13 = omega_FG * omega_FG;
-    const Scalar t14 = CG_y + t03;
-    const Scalar t15 = CG_x + t07;
-    rhs(0) = omega_DE * (Scalar(3) * DE_x * alpha_DE - DE_y * t02) - j_x_D - t04 * jerk_B
-        - omega_B * (Scalar(3) * t05 + omega_B * (Scalar(3) * t06 - t04 * omega_B)
-        + Scalar(3) * t08 * alpha_B) - Scalar(3) * t10;
-    rhs(1) = omega_DE * (Scalar(3) * DE_y * alpha_DE + DE_x * t02) + t08 * jerk_B
-        + omega_B * (Scalar(3) * t11 - Scalar(3) * t04 * alpha_B - omega_B * (Scalar(3) * t09
-        + t08 * omega_B)) + Scalar(3) * t12 - j_y_D;
-    rhs(2) = omega_FG * (Scalar(3) * FG_x * alpha_FG - FG_y * t13) - j_x_F - t14 * jerk_B
-        - omega_B * (Scalar(3) * t05 + omega_B * (Scalar(3) * t06 - t14 * omega_B)
-        + Scalar(3) * t15 * alpha_B) - Scalar(3) * t10;
-    rhs(3) = omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t13) + t15 * jerk_B
-        + omega_B * (Scalar(3) * t11 - Scalar(3) * t14 * alpha_B - omega_B * (Scalar(3) * t09
-        + t15 * omega_B)) + Scalar(3) * t12 - j_y_F;
+    const Scalar t14 = CG_y + t05;
+    const Scalar t15 = CG_x + t09;
+    rhs(0) = j_x_B + omega_DE * (Scalar(3) * DE_x * alpha_DE - DE_y * t04) - Scalar(3) * t03 - j_x_D
+        - t06 * jerk_B - omega_B * (Scalar(3) * t07 + omega_B * (Scalar(3) * t08 - t06 * omega_B)
+        + Scalar(3) * t10 * alpha_B);
+    rhs(1) = Scalar(3) * t11 + j_y_B + omega_DE * (Scalar(3) * DE_y * alpha_DE + DE_x * t04)
+        + t10 * jerk_B + omega_B * (Scalar(3) * t12 - Scalar(3) * t06 * alpha_B
+        - omega_B * (Scalar(3) * t02 + t10 * omega_B)) - j_y_D;
+    rhs(2) = j_x_B + omega_FG * (Scalar(3) * FG_x * alpha_FG - FG_y * t13) - Scalar(3) * t03 - j_x_F
+        - t14 * jerk_B - omega_B * (Scalar(3) * t07 + omega_B * (Scalar(3) * t08 - t14 * omega_B)
+        + Scalar(3) * t15 * alpha_B);
+    rhs(3) = Scalar(3) * t11 + j_y_B + omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t13)
+        + t15 * jerk_B + omega_B * (Scalar(3) * t12 - Scalar(3) * t14 * alpha_B
+        - omega_B * (Scalar(3) * t02 + t15 * omega_B)) - j_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and

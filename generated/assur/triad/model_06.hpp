@@ -51,7 +51,7 @@ namespace assur::triad {
 ///   velocity:                     52, 32, 1
 ///   motion:                       93, 64, 1
 ///   sensitivities_and_motion:     177, 112, 1
-///   position_polynomial:          75, 53, 0
+///   position_polynomial:          74, 54, 0
 ///   second_equations:             33, 28, 0
 ///   complete:                     12, 15, 1
 struct Model06 {
@@ -1229,17 +1229,16 @@ struct Model06 {
     const Scalar t16 = c_m1_im * u.phi_B.sin;
     const Scalar t17 = (t16 - t08) * u.phi_B.sin;
     const Scalar t18 = t10 + t11;
-    const Scalar t19 = t13 - Scalar(0.5) * t14;
     T.cosine[0] = f_0_re * f_0_re + Scalar(2) * t05 + Scalar(2) * t07;
     T.cosine[1] = Scalar(2) * (Scalar(2) * f_0_re * f_m1_re + t09 * u.phi_B.cos - (Scalar(2) * t10
         + t11 + t12 - Scalar(3) * t15) * u.phi_B.sin);
-    T.sine[1] = Scalar(2) * (Scalar(2) * f_0_re * f_m1_im + t17 + (t12 + Scalar(3) * t18
-        - Scalar(2) * t19) * u.phi_B.cos);
+    T.sine[1] = Scalar(2) * (Scalar(2) * f_0_re * f_m1_im + t17 - (Scalar(2) * t13 - t14 - t12
+        - Scalar(3) * t18) * u.phi_B.cos);
     T.cosine[2] = Scalar(2) * (t05 - t07);
     T.sine[2] = -Scalar(2) * (t06 * u.phi_B.sin + (Scalar(2) * t03 - t04) * u.phi_B.cos
         - Scalar(2) * f_m1_im * f_m1_re);
     T.cosine[3] = Scalar(2) * ((t11 + t15) * u.phi_B.sin + (Scalar(2) * t16 - t09) * u.phi_B.cos);
-    T.sine[3] = Scalar(2) * (t17 - (t18 + Scalar(2) * t19) * u.phi_B.cos);
+    T.sine[3] = Scalar(2) * (t17 - (Scalar(2) * t13 + t18 - t14) * u.phi_B.cos);
   }
 
   /// The reduced equations, one a row, where theta_CEG is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)

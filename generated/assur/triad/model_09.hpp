@@ -38,7 +38,7 @@ namespace assur::triad {
 ///   input_jacobian:               18, 13, 0
 ///   velocity_rhs:                 24, 23, 0
 ///   acceleration_rhs:             53, 39, 0
-///   jerk_rhs:                     101, 59, 0
+///   jerk_rhs:                     99, 61, 0
 ///   curvature_rhs:                82, 53, 0
 ///   link_poses:                   14, 12, 0
 ///   pose_jacobians:               14, 8, 0
@@ -455,34 +455,34 @@ struct Model09 {
     const Scalar t02 = slide_D_y + DE_y;
     const Scalar t03 = u.phi_D.cos * v_s_D;
     const Scalar t04 = slide_D_x + DE_x;
-    const Scalar t05 = u.phi_D.sin * v_s_D;
-    const Scalar t06 = slide_B_y - slide_C_y;
-    const Scalar t07 = CE_y + t06;
-    const Scalar t08 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t09 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t10 = slide_B_x - slide_C_x;
-    const Scalar t11 = CE_x + t10;
-    const Scalar t12 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t13 = alpha_B * t12 - Scalar(1) / Scalar(3) * j_x_B;
-    const Scalar t14 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t15 = t09 * alpha_B + Scalar(1) / Scalar(3) * j_y_B;
+    const Scalar t05 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
+    const Scalar t06 = alpha_B * t05;
+    const Scalar t07 = u.phi_D.sin * v_s_D;
+    const Scalar t08 = slide_B_y - slide_C_y;
+    const Scalar t09 = CE_y + t08;
+    const Scalar t10 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
+    const Scalar t11 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
+    const Scalar t12 = slide_B_x - slide_C_x;
+    const Scalar t13 = CE_x + t12;
+    const Scalar t14 = t11 * alpha_B;
+    const Scalar t15 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
     const Scalar t16 = omega_FG * omega_FG;
-    const Scalar t17 = CG_y + t06;
-    const Scalar t18 = CG_x + t10;
-    rhs(0) = t02 * jerk_D + Scalar(3) * alpha_D * t05 - omega_D * (omega_D * (t02 * omega_D
-        - Scalar(3) * t03) - Scalar(3) * t04 * alpha_D - Scalar(3) * u.phi_D.sin * a_s_D) - j_x_D
-        - t07 * jerk_B - omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t09 - t07 * omega_B)
-        + Scalar(3) * t11 * alpha_B) - Scalar(3) * t13;
-    rhs(1) = omega_D * (omega_D * (t04 * omega_D + Scalar(3) * t05) + Scalar(3) * t02 * alpha_D
-        - Scalar(3) * u.phi_D.cos * a_s_D) + t11 * jerk_B + omega_B * (Scalar(3) * t14
-        - Scalar(3) * t07 * alpha_B - omega_B * (Scalar(3) * t12 + t11 * omega_B)) + Scalar(3) * t15
-        - t04 * jerk_D - j_y_D - Scalar(3) * t03 * alpha_D;
-    rhs(2) = omega_FG * (Scalar(3) * FG_x * alpha_FG - FG_y * t16) - j_x_F - t17 * jerk_B
-        - omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t09 - t17 * omega_B)
-        + Scalar(3) * t18 * alpha_B) - Scalar(3) * t13;
-    rhs(3) = omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t16) + t18 * jerk_B
-        + omega_B * (Scalar(3) * t14 - Scalar(3) * t17 * alpha_B - omega_B * (Scalar(3) * t12
-        + t18 * omega_B)) + Scalar(3) * t15 - j_y_F;
+    const Scalar t17 = CG_y + t08;
+    const Scalar t18 = CG_x + t12;
+    rhs(0) = t02 * jerk_D + j_x_B + Scalar(3) * alpha_D * t07 - omega_D * (omega_D * (t02 * omega_D
+        - Scalar(3) * t03) - Scalar(3) * t04 * alpha_D - Scalar(3) * u.phi_D.sin * a_s_D)
+        - Scalar(3) * t06 - j_x_D - t09 * jerk_B - omega_B * (Scalar(3) * t10
+        + omega_B * (Scalar(3) * t11 - t09 * omega_B) + Scalar(3) * t13 * alpha_B);
+    rhs(1) = omega_D * (omega_D * (t04 * omega_D + Scalar(3) * t07) + Scalar(3) * t02 * alpha_D
+        - Scalar(3) * u.phi_D.cos * a_s_D) + Scalar(3) * t14 + j_y_B + t13 * jerk_B
+        + omega_B * (Scalar(3) * t15 - Scalar(3) * t09 * alpha_B - omega_B * (Scalar(3) * t05
+        + t13 * omega_B)) - t04 * jerk_D - j_y_D - Scalar(3) * t03 * alpha_D;
+    rhs(2) = j_x_B + omega_FG * (Scalar(3) * FG_x * alpha_FG - FG_y * t16) - Scalar(3) * t06 - j_x_F
+        - t17 * jerk_B - omega_B * (Scalar(3) * t10 + omega_B * (Scalar(3) * t11 - t17 * omega_B)
+        + Scalar(3) * t18 * alpha_B);
+    rhs(3) = Scalar(3) * t14 + j_y_B + omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t16)
+        + t18 * jerk_B + omega_B * (Scalar(3) * t15 - Scalar(3) * t17 * alpha_B
+        - omega_B * (Scalar(3) * t05 + t18 * omega_B)) - j_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -1443,14 +1443,14 @@ struct Model09 {
         - Scalar(2) * t04 * d.psi_C_BC.cos) + d.h_C_CEG * (d.h_C_CEG - Scalar(2) * d.y_G_CEG)
         + d.x_G_CEG * d.x_G_CEG + d.y_G_CEG * d.y_G_CEG - d.FG * d.FG;
     const Scalar c_1_re = Scalar(2) * (t01 + t02 * d.psi_C_BC.sin + d.x_G_CEG * d.psi_C_BC.cos);
-    const Scalar t05 = u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos;
+    const Scalar sin_phi_B_minus_phi_D = u.phi_B.sin * u.phi_D.cos - u.phi_B.cos * u.phi_D.sin;
     const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
-    const Scalar e_0_re = -Scalar(2) * (d.psi_C_BC.cos * t05
-        - d.psi_C_BC.sin * cos_phi_B_minus_phi_D);
+    const Scalar e_0_re = Scalar(2) * (d.psi_C_BC.cos * sin_phi_B_minus_phi_D
+        + d.psi_C_BC.sin * cos_phi_B_minus_phi_D);
     const Scalar f_0_re = -Scalar(2) * ((FB_y - FD_y) * u.phi_D.cos + d.h_D_DE - (FB_x
-        - FD_x) * u.phi_D.sin - d.h_C_CEG * (d.psi_C_BC.sin * t05
-        + d.psi_C_BC.cos * cos_phi_B_minus_phi_D));
-    const Scalar f_1_re = Scalar(2) * t05;
+        - FD_x) * u.phi_D.sin - d.h_C_CEG * (d.psi_C_BC.cos * cos_phi_B_minus_phi_D
+        - d.psi_C_BC.sin * sin_phi_B_minus_phi_D));
+    const Scalar f_1_re = -Scalar(2) * sin_phi_B_minus_phi_D;
     T(0) = f_0_re * f_0_re - (b_0_re * f_0_re - c_0_re * e_0_re) * e_0_re;
     T(1) = Scalar(2) * f_0_re * f_1_re - (b_0_re * f_1_re + f_0_re * b_1_re
         - c_1_re * e_0_re) * e_0_re;

@@ -1484,20 +1484,20 @@ struct Model15 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos;
+    const Scalar sin_phi_B_minus_phi_D = u.phi_B.sin * u.phi_D.cos - u.phi_B.cos * u.phi_D.sin;
     const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_D.sin * u.phi_B.sin;
-    const Scalar b_0_re = -Scalar(2) * (t01 * d.psi_C_BC.cos
-        - d.psi_C_BC.sin * cos_phi_B_minus_phi_D);
+    const Scalar b_0_re = Scalar(2) * (d.psi_C_BC.cos * sin_phi_B_minus_phi_D
+        + d.psi_C_BC.sin * cos_phi_B_minus_phi_D);
     const Scalar c_0_re = -Scalar(2) * ((FB_y - FD_y) * u.phi_D.cos + d.h_D_DE - (FB_x
-        - FD_x) * u.phi_D.sin - d.h_C_CEG * (t01 * d.psi_C_BC.sin
-        + d.psi_C_BC.cos * cos_phi_B_minus_phi_D));
-    const Scalar c_1_re = Scalar(2) * t01;
+        - FD_x) * u.phi_D.sin - d.h_C_CEG * (d.psi_C_BC.cos * cos_phi_B_minus_phi_D
+        - d.psi_C_BC.sin * sin_phi_B_minus_phi_D));
+    const Scalar c_1_re = -Scalar(2) * sin_phi_B_minus_phi_D;
     const Scalar e_0_re = Scalar(2) * d.psi_G_CEG.sin;
-    const Scalar t02 = FB_y * u.phi_B.cos - FB_x * u.phi_B.sin;
-    const Scalar t03 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
-    const Scalar f_0_re = -Scalar(2) * ((d.h_C_CEG + t03 * d.psi_C_BC.sin
-        - t02 * d.psi_C_BC.cos) * d.psi_G_CEG.cos + (t03 * d.psi_C_BC.cos
-        + t02 * d.psi_C_BC.sin) * d.psi_G_CEG.sin + d.h_G_FG - d.h_G_CEG);
+    const Scalar t01 = FB_y * u.phi_B.cos - FB_x * u.phi_B.sin;
+    const Scalar t02 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
+    const Scalar f_0_re = -Scalar(2) * ((d.h_C_CEG + t02 * d.psi_C_BC.sin
+        - t01 * d.psi_C_BC.cos) * d.psi_G_CEG.cos + (t02 * d.psi_C_BC.cos
+        + t01 * d.psi_C_BC.sin) * d.psi_G_CEG.sin + d.h_G_FG - d.h_G_CEG);
     const Scalar f_1_re = -Scalar(2) * (d.psi_C_BC.sin * d.psi_G_CEG.cos
         + d.psi_C_BC.cos * d.psi_G_CEG.sin);
     T(0) = f_0_re * b_0_re - c_0_re * e_0_re;

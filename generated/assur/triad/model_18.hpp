@@ -38,7 +38,7 @@ namespace assur::triad {
 ///   input_jacobian:               22, 15, 0
 ///   velocity_rhs:                 30, 27, 0
 ///   acceleration_rhs:             62, 45, 0
-///   jerk_rhs:                     118, 69, 0
+///   jerk_rhs:                     116, 71, 0
 ///   curvature_rhs:                88, 57, 0
 ///   link_poses:                   18, 16, 0
 ///   pose_jacobians:               18, 10, 0
@@ -474,39 +474,39 @@ struct Model18 {
     const Scalar t02 = slide_D_y + DE_y;
     const Scalar t03 = u.phi_D.cos * v_s_D;
     const Scalar t04 = slide_D_x + DE_x;
-    const Scalar t05 = u.phi_D.sin * v_s_D;
-    const Scalar t06 = slide_B_y - slide_C_y;
-    const Scalar t07 = CE_y + t06;
-    const Scalar t08 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t09 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t10 = slide_B_x - slide_C_x;
-    const Scalar t11 = CE_x + t10;
-    const Scalar t12 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t13 = alpha_B * t12 - Scalar(1) / Scalar(3) * j_x_B;
-    const Scalar t14 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t15 = t09 * alpha_B + Scalar(1) / Scalar(3) * j_y_B;
+    const Scalar t05 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
+    const Scalar t06 = alpha_B * t05;
+    const Scalar t07 = u.phi_D.sin * v_s_D;
+    const Scalar t08 = slide_B_y - slide_C_y;
+    const Scalar t09 = CE_y + t08;
+    const Scalar t10 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
+    const Scalar t11 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
+    const Scalar t12 = slide_B_x - slide_C_x;
+    const Scalar t13 = CE_x + t12;
+    const Scalar t14 = t11 * alpha_B;
+    const Scalar t15 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
     const Scalar t16 = slide_F_y + FG_y;
     const Scalar t17 = u.phi_F.cos * v_s_F;
     const Scalar t18 = slide_F_x + FG_x;
     const Scalar t19 = u.phi_F.sin * v_s_F;
-    const Scalar t20 = CG_y + t06;
-    const Scalar t21 = CG_x + t10;
-    rhs(0) = t02 * jerk_D + Scalar(3) * alpha_D * t05 - omega_D * (omega_D * (t02 * omega_D
-        - Scalar(3) * t03) - Scalar(3) * t04 * alpha_D - Scalar(3) * u.phi_D.sin * a_s_D) - j_x_D
-        - t07 * jerk_B - omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t09 - t07 * omega_B)
-        + Scalar(3) * t11 * alpha_B) - Scalar(3) * t13;
-    rhs(1) = omega_D * (omega_D * (t04 * omega_D + Scalar(3) * t05) + Scalar(3) * t02 * alpha_D
-        - Scalar(3) * u.phi_D.cos * a_s_D) + t11 * jerk_B + omega_B * (Scalar(3) * t14
-        - Scalar(3) * t07 * alpha_B - omega_B * (Scalar(3) * t12 + t11 * omega_B)) + Scalar(3) * t15
-        - t04 * jerk_D - j_y_D - Scalar(3) * t03 * alpha_D;
-    rhs(2) = t16 * jerk_F + Scalar(3) * alpha_F * t19 - omega_F * (omega_F * (t16 * omega_F
-        - Scalar(3) * t17) - Scalar(3) * t18 * alpha_F - Scalar(3) * u.phi_F.sin * a_s_F) - j_x_F
-        - t20 * jerk_B - omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t09 - t20 * omega_B)
-        + Scalar(3) * t21 * alpha_B) - Scalar(3) * t13;
-    rhs(3) = omega_F * (omega_F * (t18 * omega_F + Scalar(3) * t19) + Scalar(3) * t16 * alpha_F
-        - Scalar(3) * u.phi_F.cos * a_s_F) + t21 * jerk_B + omega_B * (Scalar(3) * t14
-        - Scalar(3) * t20 * alpha_B - omega_B * (Scalar(3) * t12 + t21 * omega_B)) + Scalar(3) * t15
-        - t18 * jerk_F - j_y_F - Scalar(3) * t17 * alpha_F;
+    const Scalar t20 = CG_y + t08;
+    const Scalar t21 = CG_x + t12;
+    rhs(0) = t02 * jerk_D + j_x_B + Scalar(3) * alpha_D * t07 - omega_D * (omega_D * (t02 * omega_D
+        - Scalar(3) * t03) - Scalar(3) * t04 * alpha_D - Scalar(3) * u.phi_D.sin * a_s_D)
+        - Scalar(3) * t06 - j_x_D - t09 * jerk_B - omega_B * (Scalar(3) * t10
+        + omega_B * (Scalar(3) * t11 - t09 * omega_B) + Scalar(3) * t13 * alpha_B);
+    rhs(1) = omega_D * (omega_D * (t04 * omega_D + Scalar(3) * t07) + Scalar(3) * t02 * alpha_D
+        - Scalar(3) * u.phi_D.cos * a_s_D) + Scalar(3) * t14 + j_y_B + t13 * jerk_B
+        + omega_B * (Scalar(3) * t15 - Scalar(3) * t09 * alpha_B - omega_B * (Scalar(3) * t05
+        + t13 * omega_B)) - t04 * jerk_D - j_y_D - Scalar(3) * t03 * alpha_D;
+    rhs(2) = j_x_B + t16 * jerk_F + Scalar(3) * alpha_F * t19 - Scalar(3) * t06
+        - omega_F * (omega_F * (t16 * omega_F - Scalar(3) * t17) - Scalar(3) * t18 * alpha_F
+        - Scalar(3) * u.phi_F.sin * a_s_F) - j_x_F - t20 * jerk_B - omega_B * (Scalar(3) * t10
+        + omega_B * (Scalar(3) * t11 - t20 * omega_B) + Scalar(3) * t21 * alpha_B);
+    rhs(3) = Scalar(3) * t14 + j_y_B + omega_F * (omega_F * (t18 * omega_F + Scalar(3) * t19)
+        + Scalar(3) * t16 * alpha_F - Scalar(3) * u.phi_F.cos * a_s_F) + t21 * jerk_B
+        + omega_B * (Scalar(3) * t15 - Scalar(3) * t20 * alpha_B - omega_B * (Scalar(3) * t05
+        + t21 * omega_B)) - t18 * jerk_F - j_y_F - Scalar(3) * t17 * alpha_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -1506,24 +1506,24 @@ struct Model18 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos;
+    const Scalar sin_phi_B_minus_phi_D = u.phi_B.sin * u.phi_D.cos - u.phi_B.cos * u.phi_D.sin;
     const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_D.sin * u.phi_B.sin;
-    const Scalar b_0_re = -Scalar(2) * (t01 * d.psi_C_BC.cos
-        - d.psi_C_BC.sin * cos_phi_B_minus_phi_D);
+    const Scalar b_0_re = Scalar(2) * (d.psi_C_BC.cos * sin_phi_B_minus_phi_D
+        + d.psi_C_BC.sin * cos_phi_B_minus_phi_D);
     const Scalar c_0_re = -Scalar(2) * ((FB_y - FD_y) * u.phi_D.cos + d.h_D_DE - (FB_x
-        - FD_x) * u.phi_D.sin - d.h_C_CEG * (t01 * d.psi_C_BC.sin
-        + d.psi_C_BC.cos * cos_phi_B_minus_phi_D));
-    const Scalar c_1_re = Scalar(2) * t01;
-    const Scalar t02 = u.phi_B.cos * u.phi_F.sin - u.phi_B.sin * u.phi_F.cos;
-    const Scalar e_0_re = -Scalar(2) * (d.psi_C_BC.cos * t02
-        - d.psi_C_BC.sin * (u.phi_B.cos * u.phi_F.cos + u.phi_B.sin * u.phi_F.sin));
-    const Scalar t03 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar t04 = t03 * u.phi_B.cos - d.x_G_CEG * u.phi_B.sin;
-    const Scalar t05 = t03 * u.phi_B.sin + d.x_G_CEG * u.phi_B.cos;
-    const Scalar f_0_re = -Scalar(2) * ((FB_y + t05 * d.psi_C_BC.sin
-        - t04 * d.psi_C_BC.cos) * u.phi_F.cos + d.h_F_FG - (FB_x + t05 * d.psi_C_BC.cos
-        + t04 * d.psi_C_BC.sin) * u.phi_F.sin);
-    const Scalar f_1_re = Scalar(2) * t02;
+        - FD_x) * u.phi_D.sin - d.h_C_CEG * (d.psi_C_BC.cos * cos_phi_B_minus_phi_D
+        - d.psi_C_BC.sin * sin_phi_B_minus_phi_D));
+    const Scalar c_1_re = -Scalar(2) * sin_phi_B_minus_phi_D;
+    const Scalar sin_phi_B_minus_phi_F = u.phi_B.sin * u.phi_F.cos - u.phi_B.cos * u.phi_F.sin;
+    const Scalar e_0_re = Scalar(2) * (d.psi_C_BC.sin * (u.phi_B.cos * u.phi_F.cos
+        + u.phi_B.sin * u.phi_F.sin) + d.psi_C_BC.cos * sin_phi_B_minus_phi_F);
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
+    const Scalar t02 = t01 * u.phi_B.cos - d.x_G_CEG * u.phi_B.sin;
+    const Scalar t03 = t01 * u.phi_B.sin + d.x_G_CEG * u.phi_B.cos;
+    const Scalar f_0_re = -Scalar(2) * ((FB_y + t03 * d.psi_C_BC.sin
+        - t02 * d.psi_C_BC.cos) * u.phi_F.cos + d.h_F_FG - (FB_x + t03 * d.psi_C_BC.cos
+        + t02 * d.psi_C_BC.sin) * u.phi_F.sin);
+    const Scalar f_1_re = -Scalar(2) * sin_phi_B_minus_phi_F;
     T(0) = f_0_re * b_0_re - c_0_re * e_0_re;
     T(1) = b_0_re * f_1_re - e_0_re * c_1_re;
   }

@@ -36,7 +36,7 @@ namespace assur::triad {
 ///   input_jacobian:               28, 18, 0
 ///   velocity_rhs:                 36, 30, 0
 ///   acceleration_rhs:             72, 50, 0
-///   jerk_rhs:                     130, 76, 0
+///   jerk_rhs:                     128, 78, 0
 ///   curvature_rhs:                119, 74, 0
 ///   link_poses:                   16, 14, 0
 ///   pose_jacobians:               16, 8, 0
@@ -471,43 +471,44 @@ struct Model19 {
     const Scalar slide_F_y = q.s_F * u.phi_F.sin;
     const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
     const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
-    const Scalar t01 = u.phi_D.sin * v_s_D - sin_slide_E * v_s_E;
-    const Scalar t02 = slide_D_y - slide_E_y;
-    const Scalar t03 = slide_B_y - slide_C_y;
-    const Scalar t04 = CE_y + t03;
-    const Scalar t05 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t06 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t07 = slide_B_x - slide_C_x;
-    const Scalar t08 = CE_x + t07;
-    const Scalar t09 = slide_D_x - slide_E_x;
-    const Scalar t10 = u.phi_D.cos * v_s_D - cos_slide_E * v_s_E;
-    const Scalar t11 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t12 = alpha_B * t11 - Scalar(1) / Scalar(3) * j_x_B;
-    const Scalar t13 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t14 = t06 * alpha_B + Scalar(1) / Scalar(3) * j_y_B;
+    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
+    const Scalar t02 = alpha_B * t01;
+    const Scalar t03 = u.phi_D.sin * v_s_D - sin_slide_E * v_s_E;
+    const Scalar t04 = slide_D_y - slide_E_y;
+    const Scalar t05 = slide_B_y - slide_C_y;
+    const Scalar t06 = CE_y + t05;
+    const Scalar t07 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
+    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
+    const Scalar t09 = slide_B_x - slide_C_x;
+    const Scalar t10 = CE_x + t09;
+    const Scalar t11 = slide_D_x - slide_E_x;
+    const Scalar t12 = u.phi_D.cos * v_s_D - cos_slide_E * v_s_E;
+    const Scalar t13 = t08 * alpha_B;
+    const Scalar t14 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
     const Scalar t15 = slide_F_y + FG_y;
     const Scalar t16 = u.phi_F.cos * v_s_F;
     const Scalar t17 = slide_F_x + FG_x;
     const Scalar t18 = u.phi_F.sin * v_s_F;
-    const Scalar t19 = CG_y + t03;
-    const Scalar t20 = CG_x + t07;
-    rhs(0) = Scalar(3) * alpha_D * t01 + t02 * jerk_D + omega_D * (Scalar(3) * t09 * alpha_D
+    const Scalar t19 = CG_y + t05;
+    const Scalar t20 = CG_x + t09;
+    rhs(0) = Scalar(3) * alpha_D * t03 + t04 * jerk_D + j_x_B + omega_D * (Scalar(3) * t11 * alpha_D
         + Scalar(3) * u.phi_D.sin * a_s_D - Scalar(3) * sin_slide_E * a_s_E
-        - omega_D * (t02 * omega_D - Scalar(3) * t10)) - j_x_D - t04 * jerk_B
-        - omega_B * (Scalar(3) * t05 + omega_B * (Scalar(3) * t06 - t04 * omega_B)
-        + Scalar(3) * t08 * alpha_B) - Scalar(3) * t12;
-    rhs(1) = t08 * jerk_B + omega_D * (Scalar(3) * t02 * alpha_D + Scalar(3) * cos_slide_E * a_s_E
-        + omega_D * (Scalar(3) * t01 + t09 * omega_D) - Scalar(3) * u.phi_D.cos * a_s_D)
-        + omega_B * (Scalar(3) * t13 - Scalar(3) * t04 * alpha_B - omega_B * (Scalar(3) * t11
-        + t08 * omega_B)) + Scalar(3) * t14 - Scalar(3) * t10 * alpha_D - t09 * jerk_D - j_y_D;
-    rhs(2) = t15 * jerk_F + Scalar(3) * alpha_F * t18 - omega_F * (omega_F * (t15 * omega_F
-        - Scalar(3) * t16) - Scalar(3) * t17 * alpha_F - Scalar(3) * u.phi_F.sin * a_s_F) - j_x_F
-        - t19 * jerk_B - omega_B * (Scalar(3) * t05 + omega_B * (Scalar(3) * t06 - t19 * omega_B)
-        + Scalar(3) * t20 * alpha_B) - Scalar(3) * t12;
-    rhs(3) = omega_F * (omega_F * (t17 * omega_F + Scalar(3) * t18) + Scalar(3) * t15 * alpha_F
-        - Scalar(3) * u.phi_F.cos * a_s_F) + t20 * jerk_B + omega_B * (Scalar(3) * t13
-        - Scalar(3) * t19 * alpha_B - omega_B * (Scalar(3) * t11 + t20 * omega_B)) + Scalar(3) * t14
-        - t17 * jerk_F - j_y_F - Scalar(3) * t16 * alpha_F;
+        - omega_D * (t04 * omega_D - Scalar(3) * t12)) - Scalar(3) * t02 - j_x_D - t06 * jerk_B
+        - omega_B * (Scalar(3) * t07 + omega_B * (Scalar(3) * t08 - t06 * omega_B)
+        + Scalar(3) * t10 * alpha_B);
+    rhs(1) = Scalar(3) * t13 + j_y_B + t10 * jerk_B + omega_D * (Scalar(3) * t04 * alpha_D
+        + Scalar(3) * cos_slide_E * a_s_E + omega_D * (Scalar(3) * t03 + t11 * omega_D)
+        - Scalar(3) * u.phi_D.cos * a_s_D) + omega_B * (Scalar(3) * t14 - Scalar(3) * t06 * alpha_B
+        - omega_B * (Scalar(3) * t01 + t10 * omega_B)) - Scalar(3) * t12 * alpha_D - t11 * jerk_D
+        - j_y_D;
+    rhs(2) = j_x_B + t15 * jerk_F + Scalar(3) * alpha_F * t18 - Scalar(3) * t02
+        - omega_F * (omega_F * (t15 * omega_F - Scalar(3) * t16) - Scalar(3) * t17 * alpha_F
+        - Scalar(3) * u.phi_F.sin * a_s_F) - j_x_F - t19 * jerk_B - omega_B * (Scalar(3) * t07
+        + omega_B * (Scalar(3) * t08 - t19 * omega_B) + Scalar(3) * t20 * alpha_B);
+    rhs(3) = Scalar(3) * t13 + j_y_B + omega_F * (omega_F * (t17 * omega_F + Scalar(3) * t18)
+        + Scalar(3) * t15 * alpha_F - Scalar(3) * u.phi_F.cos * a_s_F) + t20 * jerk_B
+        + omega_B * (Scalar(3) * t14 - Scalar(3) * t19 * alpha_B - omega_B * (Scalar(3) * t01
+        + t20 * omega_B)) - t17 * jerk_F - j_y_F - Scalar(3) * t16 * alpha_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and

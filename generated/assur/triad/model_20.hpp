@@ -39,7 +39,7 @@ namespace assur::triad {
 ///   input_jacobian:               30, 16, 0
 ///   velocity_rhs:                 38, 28, 0
 ///   acceleration_rhs:             78, 50, 0
-///   jerk_rhs:                     138, 78, 0
+///   jerk_rhs:                     136, 80, 0
 ///   curvature_rhs:                114, 70, 0
 ///   link_poses:                   12, 10, 0
 ///   pose_jacobians:               12, 4, 0
@@ -477,41 +477,41 @@ struct Model20 {
     const Scalar sin_slide_G = u.phi_F.sin * d.psi_G_FG.cos + u.phi_F.cos * d.psi_G_FG.sin;
     const Scalar slide_G_x = q.s_G * cos_slide_G;
     const Scalar slide_G_y = q.s_G * sin_slide_G;
-    const Scalar t01 = slide_B_y - slide_C_y;
-    const Scalar t02 = u.phi_D.sin * v_s_D - sin_slide_E * v_s_E;
-    const Scalar t03 = slide_D_y - slide_E_y;
-    const Scalar t04 = slide_B_x - slide_C_x;
-    const Scalar t05 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t06 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t07 = slide_D_x - slide_E_x;
-    const Scalar t08 = u.phi_D.cos * v_s_D - cos_slide_E * v_s_E;
-    const Scalar t09 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t10 = alpha_B * t09 - Scalar(1) / Scalar(3) * j_x_B;
-    const Scalar t11 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t12 = t06 * alpha_B + Scalar(1) / Scalar(3) * j_y_B;
+    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
+    const Scalar t02 = alpha_B * t01;
+    const Scalar t03 = slide_B_y - slide_C_y;
+    const Scalar t04 = u.phi_D.sin * v_s_D - sin_slide_E * v_s_E;
+    const Scalar t05 = slide_D_y - slide_E_y;
+    const Scalar t06 = slide_B_x - slide_C_x;
+    const Scalar t07 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
+    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
+    const Scalar t09 = slide_D_x - slide_E_x;
+    const Scalar t10 = u.phi_D.cos * v_s_D - cos_slide_E * v_s_E;
+    const Scalar t11 = t08 * alpha_B;
+    const Scalar t12 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
     const Scalar t13 = u.phi_F.sin * v_s_F - sin_slide_G * v_s_G;
     const Scalar t14 = slide_F_y - slide_G_y;
-    const Scalar t15 = t01 + CG_y;
-    const Scalar t16 = t04 + CG_x;
+    const Scalar t15 = t03 + CG_y;
+    const Scalar t16 = t06 + CG_x;
     const Scalar t17 = slide_F_x - slide_G_x;
     const Scalar t18 = u.phi_F.cos * v_s_F - cos_slide_G * v_s_G;
-    rhs(0) = Scalar(3) * alpha_D * t02 + t03 * jerk_D + omega_D * (Scalar(3) * t07 * alpha_D
+    rhs(0) = Scalar(3) * alpha_D * t04 + t05 * jerk_D + j_x_B + omega_D * (Scalar(3) * t09 * alpha_D
         + Scalar(3) * u.phi_D.sin * a_s_D - Scalar(3) * sin_slide_E * a_s_E
-        - omega_D * (t03 * omega_D - Scalar(3) * t08)) - t01 * jerk_B - j_x_D
-        - omega_B * (Scalar(3) * t04 * alpha_B + Scalar(3) * t05 - omega_B * (t01 * omega_B
-        - Scalar(3) * t06)) - Scalar(3) * t10;
-    rhs(1) = t04 * jerk_B + omega_D * (Scalar(3) * t03 * alpha_D + Scalar(3) * cos_slide_E * a_s_E
-        + omega_D * (Scalar(3) * t02 + t07 * omega_D) - Scalar(3) * u.phi_D.cos * a_s_D)
-        + Scalar(3) * t12 - Scalar(3) * t08 * alpha_D - t07 * jerk_D - j_y_D
-        - omega_B * (Scalar(3) * t01 * alpha_B + omega_B * (Scalar(3) * t09 + t04 * omega_B)
-        - Scalar(3) * t11);
-    rhs(2) = Scalar(3) * alpha_F * t13 + t14 * jerk_F + omega_F * (Scalar(3) * t17 * alpha_F
+        - omega_D * (t05 * omega_D - Scalar(3) * t10)) - Scalar(3) * t02 - t03 * jerk_B - j_x_D
+        - omega_B * (Scalar(3) * t06 * alpha_B + Scalar(3) * t07 - omega_B * (t03 * omega_B
+        - Scalar(3) * t08));
+    rhs(1) = Scalar(3) * t11 + t06 * jerk_B + j_y_B + omega_D * (Scalar(3) * t05 * alpha_D
+        + Scalar(3) * cos_slide_E * a_s_E + omega_D * (Scalar(3) * t04 + t09 * omega_D)
+        - Scalar(3) * u.phi_D.cos * a_s_D) - Scalar(3) * t10 * alpha_D - t09 * jerk_D - j_y_D
+        - omega_B * (Scalar(3) * t03 * alpha_B + omega_B * (Scalar(3) * t01 + t06 * omega_B)
+        - Scalar(3) * t12);
+    rhs(2) = j_x_B + Scalar(3) * alpha_F * t13 + t14 * jerk_F + omega_F * (Scalar(3) * t17 * alpha_F
         + Scalar(3) * u.phi_F.sin * a_s_F - Scalar(3) * sin_slide_G * a_s_G
-        - omega_F * (t14 * omega_F - Scalar(3) * t18)) - j_x_F - t15 * jerk_B
-        - omega_B * (Scalar(3) * t05 + omega_B * (Scalar(3) * t06 - t15 * omega_B)
-        + Scalar(3) * t16 * alpha_B) - Scalar(3) * t10;
-    rhs(3) = t16 * jerk_B + omega_B * (Scalar(3) * t11 - Scalar(3) * t15 * alpha_B
-        - omega_B * (Scalar(3) * t09 + t16 * omega_B)) + Scalar(3) * t12
+        - omega_F * (t14 * omega_F - Scalar(3) * t18)) - Scalar(3) * t02 - j_x_F - t15 * jerk_B
+        - omega_B * (Scalar(3) * t07 + omega_B * (Scalar(3) * t08 - t15 * omega_B)
+        + Scalar(3) * t16 * alpha_B);
+    rhs(3) = Scalar(3) * t11 + j_y_B + t16 * jerk_B + omega_B * (Scalar(3) * t12
+        - Scalar(3) * t15 * alpha_B - omega_B * (Scalar(3) * t01 + t16 * omega_B))
         + omega_F * (Scalar(3) * t14 * alpha_F + Scalar(3) * cos_slide_G * a_s_G
         + omega_F * (Scalar(3) * t13 + t17 * omega_F) - Scalar(3) * u.phi_F.cos * a_s_F)
         - Scalar(3) * t18 * alpha_F - t17 * jerk_F - j_y_F;

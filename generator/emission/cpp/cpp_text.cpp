@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <sstream>
 
@@ -17,8 +18,6 @@ using Operation = program::ExpressionGraph::Operation;
 
 constexpr std::size_t line_width = 100;
 constexpr int small = 1000000;  ///< whole numbers below this are printed as such
-
-bool is_double(const GiNaC::numeric& number) { return number == exact(number.to_double()); }
 
 /// A number that is a product of named constants.
 struct ConstantProduct {
@@ -60,10 +59,36 @@ std::optional<ConstantProduct> constant_product(const program::Coefficient& coef
   bool rounded = !is_double(partial);
   for (const program::SymbolRank rank : ranks) {
     product.names.push_back(order.name(rank));
-    partial *= *order.constant(product.names.back());
-    rounded = rounded || !is_double(partial);
+    const GiNaC::numeric value = *order.constant(product.names.back());
+    partial *= value;
+    rounded = rounded || !is_double(value) || !is_double(partial);
   }
   return rounded ? std::nullopt : std::optional(product);
+}
+
+/// The constant that a coefficient is up to its sign, if no double holds it.
+std::optional<GiNaC::symbol> quotient(const program::Coefficient& coefficient,
+                                      const program::SymbolOrder& order) {
+  for (const GiNaC::ex& origin : {coefficient.origin(), GiNaC::ex(-coefficient.origin())}) {
+    if (GiNaC::is_a<GiNaC::symbol>(origin) && !is_double(*order.number(origin))) {
+      return GiNaC::ex_to<GiNaC::symbol>(origin);
+    }
+  }
+  return std::nullopt;
+}
+
+/// The coefficients of all that a program computes.
+std::vector<program::Coefficient> coefficients_of(const program::Program& program) {
+  std::vector<program::Coefficient> list;
+  for (const program::ScaledNode& value : program.values()) {
+    list.push_back(value.coefficient);
+  }
+  for (const program::NodeIndex node : program.computed()) {
+    for (const program::ScaledNode& term : program.graph().nodes()[node].terms) {
+      list.push_back(term.coefficient);
+    }
+  }
+  return list;
 }
 
 class CppText {
@@ -103,6 +128,23 @@ class CppText {
     return scaled(step.value);
   }
 
+  /// The numbers that no double holds and that have names, a statement each.
+  [[nodiscard]] std::vector<std::string> quotients() const {
+    std::map<std::string, GiNaC::numeric> values;
+    const program::SymbolOrder& order = program_.graph().order();
+    for (const program::Coefficient& coefficient : coefficients_of(program_)) {
+      if (const auto name = quotient(coefficient, order)) {
+        values[name->get_name()] = *order.number(*name);
+      }
+    }
+    std::vector<std::string> lines;
+    for (const auto& [name, value] : values) {
+      lines.push_back("const Scalar " + name + " = " + (value.is_negative() ? "-" : "") +
+                      literal(GiNaC::abs(value)) + ";");
+    }
+    return lines;
+  }
+
  private:
   [[nodiscard]] const program::ExpressionGraph::Node& content(program::NodeIndex node) const {
     return program_.graph().nodes()[node];
@@ -123,6 +165,9 @@ class CppText {
         factors.insert(factors.begin(), digits(size));
       }
       return {product->factor.is_negative(), "Scalar(" + text::joined(factors, " * ") + ")"};
+    }
+    if (const auto name = quotient(coefficient, program_.graph().order())) {
+      return {!coefficient.origin().is_equal(*name), name->get_name()};
     }
     return {coefficient.is_negative(), literal(coefficient.size().value())};
   }
@@ -234,6 +279,8 @@ GiNaC::numeric exact(double value) {
   return GiNaC::numeric(whole) * GiNaC::pow(GiNaC::numeric(2), GiNaC::numeric(exponent - digits));
 }
 
+bool is_double(const GiNaC::numeric& number) { return number == exact(number.to_double()); }
+
 std::string round_trip(double value) {
   std::array<char, 32> text{};
   const double unsigned_zero = value + 0.0;  // -0.0 + 0.0 is 0.0, any other number stays itself
@@ -244,7 +291,7 @@ std::string round_trip(double value) {
 
 std::vector<std::string> cpp_lines(const program::Program& program, const Spelling& spelling) {
   const CppText text(program, spelling);
-  std::vector<std::string> lines;
+  std::vector<std::string> lines = text.quotients();
   for (const program::Program::Step& step : program.steps()) {
     const bool root = step.form == equations::NamedQuantity::Form::square_root;
     const std::string comment =
@@ -260,18 +307,11 @@ std::vector<std::string> cpp_lines(const program::Program& program, const Spelli
 
 std::set<std::string> constants_of(const program::Program& program) {
   std::set<std::string> names;
-  const auto add = [&](const program::ScaledNode& value) {
-    const auto product = constant_product(value.coefficient, program.graph().order());
-    if (product) {
+  for (const program::Coefficient& coefficient : coefficients_of(program)) {
+    if (const auto product = constant_product(coefficient, program.graph().order())) {
       names.insert(product->names.begin(), product->names.end());
     }
-  };
-  for (const program::NodeIndex node : program.computed()) {
-    const auto& terms = program.graph().nodes()[node].terms;
-    std::for_each(terms.begin(), terms.end(), add);
   }
-  const std::vector<program::ScaledNode> values = program.values();
-  std::for_each(values.begin(), values.end(), add);
   return names;
 }
 

@@ -18,6 +18,8 @@ using Spelling = std::function<std::string(const std::string& symbol)>;
 
 /// The rational number that a double is.
 [[nodiscard]] GiNaC::numeric exact(double value);
+/// Whether a double is a rational number, without rounding.
+[[nodiscard]] bool is_double(const GiNaC::numeric& number);
 
 /// The program's statements, one a line.
 [[nodiscard]] std::vector<std::string> cpp_lines(const program::Program& program,

@@ -222,7 +222,7 @@ class GroupSpecialiser {
     const std::vector<model::Parameter> place = {{"const Dimensions<Scalar>&", "d"},
                                                  {"const Inputs<Scalar>&", "u"},
                                                  {"const Configuration<Scalar>&", "q"}};
-    const std::string columns = std::to_string(parameter_count());
+    const std::string columns = "parameter_count";
     std::vector<model::ModelFunction> functions = {
         {"parameter_jacobian",
          {"F_a = df/da: what the scene's parameters a change at the dimensions and at the ground."},
@@ -266,6 +266,8 @@ class GroupSpecialiser {
     view.set("reason", "lengths are given in units of " + cpp::round_trip(numbers_.unit));
     view.set("rigid", cpp::boolean(true));
     view.set("unit", cpp::round_trip(numbers_.unit));
+    view.set("has_parameters", parameter_count() > 0);
+    view.set("parameter_count", std::to_string(parameter_count()));
     view.set("dimensions_doc", "Link dimensions d: numbers in the functions below.");
     view.set("inputs_doc", "Inputs u: where moving links hold the external joints.");
     std::vector<std::string> closure = model::closure_lines(equations_);

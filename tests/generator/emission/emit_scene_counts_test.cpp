@@ -1,0 +1,129 @@
+// Law: every function of an emitted solver's groups performs as many operations as its header
+// states, counted by a scalar that counts.
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "counting.hpp"
+#include "generator/solver_comparison.hpp"
+
+namespace assur::test::emit_scene_counts_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+Count count_in(const std::smatch& match, std::size_t first) {
+  return {std::stoi(match[first]), std::stoi(match[first + 1]), std::stoi(match[first + 2])};
+}
+
+/// The groups' structs of a header, without the solver, which costs most to compile.
+std::string groups_of(const std::string& header) {
+  const std::regex struct_head(R"(struct \w+Group\d+ \{)");
+  std::string structs;
+  for (std::sregex_iterator at(header.begin(), header.end(), struct_head), end; at != end; ++at) {
+    const auto start = static_cast<std::size_t>(at->position());
+    const std::string last_line = "\n};\n";
+    structs += header.substr(start, header.find(last_line, start) - start) + last_line;
+  }
+  return structs;
+}
+
+/// What a header states: `Group1::residual` of its functions, `Group1` of all of them.
+std::map<std::string, Count> stated_counts(const std::string& header) {
+  const std::regex total(R"(//   (\w+): (\d+), (\d+), (\d+))");
+  const std::regex row(R"(///   (\w+): +(\d+), (\d+), (\d+))");
+  const std::regex group(R"(struct (\w+) \{)");
+  std::map<std::string, Count> counts;
+  std::map<std::string, Count> functions;
+  std::istringstream lines(header);
+  std::string line;
+  while (std::getline(lines, line)) {
+    std::smatch match;
+    if (std::regex_match(line, match, total)) {
+      counts[match[1]] = count_in(match, 2);
+    } else if (std::regex_match(line, match, row)) {
+      functions[match[1]] = count_in(match, 2);
+    } else if (std::regex_match(line, match, group)) {
+      for (const auto& [name, count] : functions) {
+        counts[match[1].str() + "::" + name] = count;
+      }
+      functions.clear();
+    }
+  }
+  return counts;
+}
+
+/// The table of docs/specialised.md: function, general model, specialised.
+void compare_with_page(const std::map<std::string, Count>& stated) {
+  const std::regex row(R"(\| (\w+) \| \d+, \d+, \d+ \| (\d+), (\d+), (\d+) \|)");
+  std::istringstream lines(read_file(ASSUR_DOCS "/specialised.md"));
+  int rows = 0;
+  std::string line;
+  while (std::getline(lines, line)) {
+    std::smatch match;
+    if (std::regex_match(line, match, row)) {
+      EXPECT_EQ(count_in(match, 2), stated.at("Quintero2011RrpRrrGroup1::" + match[1].str()))
+          << line;
+      ++rows;
+    }
+  }
+  EXPECT_EQ(rows, 10);
+}
+
+TEST(EmitSceneCounts, AreWhatTheFunctionsOfAllExamplesDo) {
+  const TemporaryDirectory directory;
+  std::map<std::string, Count> stated;
+  std::string structs;
+  for (const char* scenes : {ASSUR_EXAMPLES, ASSUR_SCENES}) {
+    for (const auto& entry : fs::directory_iterator(scenes)) {
+      if (entry.path().extension() == ".json") {
+        const std::string stem = entry.path().stem().string();
+        emit_solver({entry.path(), stem, "", {}}, directory);
+        const std::string header = read_file(directory.path() / "assur/scenes" / (stem + ".hpp"));
+        structs += groups_of(header);
+        stated.merge(stated_counts(header));
+      }
+    }
+  }
+  std::string calls;
+  for (const auto& [name, count] : stated) {
+    if (name.find(':') != std::string::npos) {
+      calls += "  print(\"" + name + "\", &assur::scenes::" + name + "<assur::test::Counting>);\n";
+    }
+  }
+  const std::string head =
+      "#include <assur/model.hpp>\n#include <cstdio>\n#include \"" ASSUR_TESTS
+      "/counting.hpp\"\n"
+      "template <typename Function> void print(const char* name, Function function) {\n"
+      "  const auto count = assur::test::operations_of(function);\n"
+      "  std::printf(\"%s %d %d %d\\n\", name, count.multiplications, count.additions,\n"
+      "              count.divisions);\n}\nnamespace assur::scenes {\n";
+  const fs::path source =
+      directory.write("counts.cpp", head + structs + "}\nint main() {\n" + calls + "}\n");
+  const std::string program = (directory.path() / "counts").string();
+  compile(ASSUR_COMPILER, "-O0 -o " + program, source, directory);
+  ASSERT_EQ(std::system((program + " > " + program + ".txt").c_str()), 0);
+
+  std::istringstream lines(read_file(program + ".txt"));
+  std::map<std::string, Count> sums;
+  std::string name;
+  Count count;
+  std::size_t functions = 0;
+  while (lines >> name >> count.multiplications >> count.additions >> count.divisions) {
+    EXPECT_EQ(count, stated.at(name)) << name;
+    Count& sum = sums[name.substr(0, name.find(':'))];
+    sum.multiplications += count.multiplications;
+    sum.additions += count.additions;
+    sum.divisions += count.divisions;
+    ++functions;
+  }
+  for (const auto& [group, sum] : sums) {
+    EXPECT_EQ(sum, stated.at(group)) << group;
+  }
+  EXPECT_EQ(functions + sums.size(), stated.size());
+  compare_with_page(stated);
+  EXPECT_GT(functions, 100U);
+}
+
+}  // namespace
+}  // namespace assur::test::emit_scene_counts_test
