@@ -6,11 +6,9 @@
 #include <array>
 #include <assur/assemblies.hpp>
 #include <assur/detail/assembly_order.hpp>
-#include <assur/detail/closure_geometry.hpp>
 #include <assur/detail/completion.hpp>
 #include <assur/detail/index.hpp>
 #include <assur/detail/members.hpp>
-#include <assur/detail/pivots.hpp>
 #include <assur/detail/polish.hpp>
 #include <assur/numeric/bounded.hpp>
 #include <assur/numeric/magnitude.hpp>
@@ -179,8 +177,7 @@ class ClosedSearch {
     const auto u = support::scaled_to<typename Model::template Inputs<Scalar>>(inputs, 1.0);
     typename Model::template Configuration<Scalar> q;
     first_of(q) = roots_of(T, found);
-    if (!complete_simple<Model, Scalar>(d, u, q) || !close(d, u, q, longest) ||
-        !is_regular<Model>(pivots_at<Model, Scalar>(d, u, q), derivative_rounding<double>())) {
+    if (!complete_simple<Model, Scalar>(d, u, q) || !is_good<Model, Scalar>(d, u, q, longest)) {
       return false;
     }
     std::size_t first = 0;
@@ -282,29 +279,6 @@ class ClosedSearch {
   template <typename Unknowns>
   [[nodiscard]] static auto& first_of(Unknowns& q) {
     return std::get<size(Model::first_unknown)>(q.members());
-  }
-
-  /// Whether the closures hold as they are to a few roundings.
-  [[nodiscard]] static bool close(const typename Model::template Dimensions<Scalar>& d,
-                                  const typename Model::template Inputs<Scalar>& u,
-                                  const typename Model::template Configuration<Scalar>& q,
-                                  double longest) {
-    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
-    constexpr double farthest = farthest_configuration * farthest_configuration;
-    Vector<Scalar, Model::equation_count> f;
-    Model::residual(d, u, q, f);
-    Scalar miss(0);
-    for (int index = 0; index < Model::equation_count; ++index) {
-      miss = miss + f(index) * f(index);
-    }
-    const double square = longest * longest;
-    Scalar size(square);
-    for_each_member(q, [&size](const auto& member, std::size_t) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(member)>, Scalar>) {
-        size = size + member * member;
-      }
-    });
-    return (miss <= size * Scalar(rounding * rounding)) & (size < Scalar(farthest * square));
   }
 };
 
