@@ -71,8 +71,8 @@ void widen(Vector<Scalar, Count>& T, const Scalar& error) {
   }
 }
 
-/// Lengths of at most so much: one, after scaling; a specialised group holds its dimensions as
-/// numbers and is not scaled.
+/// The length up to which the errors of a model's discriminants are estimated: one, in the longest
+/// length; a specialised group holds its dimensions as numbers and has a unit of its own.
 template <typename Model>
 inline constexpr double most_length = Model::dimension_count == 0 ? 8 : 1;
 
@@ -112,13 +112,14 @@ struct Certainty {
     return {1 / found.rounding(), is_scaled ? std::ilogb(twice.size / found.size) : 0};
   }
 
-  /// Errors grow with the lengths, and by `growth` with what the inputs are off.
-  [[nodiscard]] bool has_sign(double discriminant, double longest, double growth) const {
-    double size = growth;
+  /// In the unit given: the longest length, or one. Where rounding has displaced the inputs, errors
+  /// grow as this has grown beyond the rounding that is taken for granted.
+  [[nodiscard]] bool has_sign(double discriminant, double unit, double displaced) const {
+    double size = unit + displaced / numeric::Magnitude::given_rounding();
     for (int power = 0; power < degree; ++power) {
-      size *= longest;
+      size *= unit;
     }
-    return std::abs(discriminant) * firmness > size;
+    return std::abs(discriminant) * firmness * unit > size;
   }
 };
 
@@ -151,25 +152,21 @@ class ClosedSearch {
   [[nodiscard, gnu::flatten]] static bool list(const Dimensions& dimensions, const Inputs& inputs,
                                                double displaced, Assemblies<Model>& result) {
     const double longest = std::max(longest_length(inputs), longest_length(dimensions));
-    // Products of several lengths may neither overflow nor underflow; a specialised group is in a
-    // unit of its own.
-    constexpr bool is_scaled = Model::dimension_count > 0;
-    if (!(is_scaled ? longest > 0x1p-32 && longest < 0x1p32 : longest <= most_length<Model>)) {
+    if (!is_in_range(longest, 0x1p32)) {
       return false;
     }
     FinalPolynomial<Model, double> T;
     Model::position_polynomial(dimensions, inputs, T);
     const Discriminants<double> found = discriminants_of(T);
     const double unit = is_scaled ? longest : 1;
-    const double growth = 1 + displaced / (numeric::Magnitude::given_rounding() * unit);
-    if (!certainty<Model>.discriminant.has_sign(found.discriminant, longest, growth)) {
+    if (!certainty<Model>.discriminant.has_sign(found.discriminant, unit, displaced)) {
       return false;
     }
     if (found.discriminant < 0) {
-      return true;
+      return is_finite(dimensions) && is_finite(inputs);
     }
     if constexpr (has_leading_coefficient) {
-      if (!certainty<Model>.leading.has_sign(found.leading, longest, growth)) {
+      if (!certainty<Model>.leading.has_sign(found.leading, unit, displaced)) {
         return false;
       }
     }
@@ -177,7 +174,7 @@ class ClosedSearch {
     const auto u = support::scaled_to<typename Model::template Inputs<Scalar>>(inputs, 1.0);
     typename Model::template Configuration<Scalar> q;
     first_of(q) = roots_of(T, found);
-    if (!complete_simple<Model, Scalar>(d, u, q) || !is_good<Model, Scalar>(d, u, q, longest)) {
+    if (!complete_simple<Model, Scalar>(d, u, q) || !is_settled<Model, Scalar>(d, u, q, longest)) {
       return false;
     }
     std::size_t first = 0;
@@ -198,12 +195,11 @@ class ClosedSearch {
                                                                     const Inputs& inputs,
                                                                     double displaced,
                                                                     Assemblies<Model>& result) {
-    const double longest = std::max(longest_length(dimensions), longest_length(inputs));
-    if (!(longest > 0x1p-64 && longest < 0x1p64)) {
+    const double longest = std::max(longest_length(inputs), longest_length(dimensions));
+    if (!is_in_range(longest, 0x1p64) || !is_finite(dimensions) || !is_finite(inputs)) {
       return false;
     }
-    const double scale =
-        Model::dimension_count > 0 ? support::inverse_power_of_two(longest) / 2 : 1.0;
+    const double scale = is_scaled ? support::inverse_power_of_two(longest) / 2 : 1.0;
     const auto d = support::scaled_to<Dimensions>(dimensions, scale);
     const auto u = support::scaled_to<Inputs>(inputs, scale);
     FinalPolynomial<Model, double> T;
@@ -237,6 +233,13 @@ class ClosedSearch {
   }
 
  private:
+  static constexpr bool is_scaled = Model::dimension_count > 0;
+
+  /// Products of several lengths may neither overflow nor underflow.
+  [[nodiscard]] static bool is_in_range(double longest, double most) {
+    return is_scaled ? longest * most > 1 && longest < most : longest <= most_length<Model>;
+  }
+
   /// The leading coefficient of a trigonometric polynomial is no less than its discriminant, and
   /// that of a linear one is the root of it.
   static constexpr bool has_leading_coefficient =

@@ -70,7 +70,7 @@ class GeneralSearch {
     first_of(q) = first;
     if (complete_simple<Model, double>(d_, u_, q)) {
       regularity =
-          is_good<Model, double>(d_, u_, q, longest) ? Status::ok : polish<Model>(d_, u_, q);
+          is_settled<Model, double>(d_, u_, q, longest) ? Status::ok : polish<Model>(d_, u_, q);
     }
     if (regularity == Status::no_convergence) {
       first_of(q) = first;

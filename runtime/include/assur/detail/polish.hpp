@@ -37,15 +37,15 @@ template <typename Model, typename Scalar>
       size = size + member * member;
     }
   });
-  return (miss <= size * Scalar(rounding * rounding)) & (size < Scalar(farthest * square));
+  return miss <= size * Scalar(rounding * rounding) && size < Scalar(farthest * square);
 }
 
 /// Whether a configuration is regular and needs no polishing.
 template <typename Model, typename Scalar>
-[[nodiscard]] bool is_good(const typename Model::template Dimensions<Scalar>& d,
-                           const typename Model::template Inputs<Scalar>& u,
-                           const typename Model::template Configuration<Scalar>& q,
-                           double longest) {
+[[nodiscard]] bool is_settled(const typename Model::template Dimensions<Scalar>& d,
+                              const typename Model::template Inputs<Scalar>& u,
+                              const typename Model::template Configuration<Scalar>& q,
+                              double longest) {
   return closes<Model, Scalar>(d, u, q, longest) &&
          is_regular<Model>(pivots_at<Model, Scalar>(d, u, q), derivative_rounding<double>());
 }
