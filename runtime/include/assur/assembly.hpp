@@ -65,7 +65,9 @@ template <typename Model>
   Assemblies<Model> result;
   bool found = false;
   if constexpr (detail::has_closed_form<Model>) {
-    found = detail::search_by_formula<Model>(dimensions, inputs, displaced, result);
+    using Search = detail::ClosedSearch<Model>;
+    found = Search::list(dimensions, inputs, displaced, result) ||
+            Search::list_polished(dimensions, inputs, displaced, result);
   }
   if (!found) {
     detail::search<Model>(dimensions, inputs, displaced, result);

@@ -4,8 +4,10 @@
 #include <array>
 #include <assur/assemblies.hpp>
 #include <assur/detail/index.hpp>
+#include <assur/detail/members.hpp>
 #include <assur/model.hpp>
 #include <assur/numeric/order.hpp>
+#include <assur/numeric/pair.hpp>
 #include <assur/support/scale.hpp>
 #include <assur/variables.hpp>
 #include <cstddef>
@@ -22,60 +24,80 @@ template <typename Model>
 inline constexpr bool comes_in_any_order<Model, std::void_t<decltype(Model::in_any_order)>> =
     Model::in_any_order;
 
-/// Cosines, then sines, of the angles between each two links; then the lengths among the unknowns.
+/// One of two configurations.
+template <typename Model, typename Scalar>
+[[nodiscard]] typename Model::template Configuration<double> lane_of(
+    const typename Model::template Configuration<Scalar>& q, std::size_t index) {
+  typename Model::template Configuration<double> result;
+  for_each_pair(result, q, [index](auto& target, const auto& source) {
+    target = numeric::lane(source, index);
+  });
+  return result;
+}
+
+template <typename Model>
+[[nodiscard]] typename Model::template Configuration<numeric::Pair> pair_of(
+    const typename Model::template Configuration<double>& first,
+    const typename Model::template Configuration<double>& second) {
+  auto result =
+      support::scaled_to<typename Model::template Configuration<numeric::Pair>>(first, 1.0);
+  for_each_pair(result, second,
+                [](auto& target, const auto& source) { target = numeric::paired(target, source); });
+  return result;
+}
+
+/// Whether the first of two configurations comes before the second, by the cosines, then the sines,
+/// of the angles between each two links; then by the lengths among the unknowns, in the unit given.
 /// The cosines do not change under rigid motion and reflection.
 template <typename Model>
-class AssemblyOrder {
-  static constexpr std::size_t pairs =
-      detail::size(Model::link_count * (Model::link_count - 1) / 2);
-  static constexpr std::size_t size = 2 * pairs + detail::size(Model::unknown_count);
-
- public:
-  using Key = std::array<double, size>;
-
-  [[nodiscard]] static Key key(const typename Model::template Dimensions<double>& d,
-                               const typename Model::template Inputs<double>& u,
-                               const typename Model::template Configuration<double>& q) {
-    Poses<double, Model::link_count> poses;
-    Model::link_poses(d, u, q, poses);
-    Key result{};
-    std::size_t place = 0;
-    for (std::size_t one = 0; one < poses.size(); ++one) {
-      for (std::size_t other = one + 1; other < poses.size(); ++other) {
-        const Direction<double> between =
-            turned(poses[other].direction, reversed(poses[one].direction));
-        result[place] = between.cos;
-        result[pairs + place] = between.sin;
-        ++place;
-      }
+[[nodiscard]] bool comes_before(const typename Model::template Dimensions<numeric::Pair>& d,
+                                const typename Model::template Inputs<numeric::Pair>& u,
+                                const typename Model::template Configuration<numeric::Pair>& q,
+                                double unit) {
+  using numeric::Pair;
+  using Link = Pose<Pair>;
+  Poses<Pair, Model::link_count> links;
+  Model::link_poses(d, u, q, links);
+  int order = 0;
+  const auto compare = [&order](const Pair& entry, double one) {
+    if (order == 0) {
+      order = numeric::order_of(entry[0], entry[1], one);
     }
-    place = 2 * pairs;
-    for_each_member(q, [&](const auto& member, std::size_t) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
-        result[place++] = member;
-      }
+  };
+  const auto compare_links = [&](auto entry_of) {
+    visit(links, [&](const Link& one, std::size_t first) {
+      visit(links, [&](const Link& other, std::size_t second) {
+        if (first < second) {
+          compare(entry_of(one.direction, other.direction), 1);
+        }
+      });
     });
-    return result;
-  }
-};
+  };
+  compare_links([](const auto& a, const auto& b) { return a.cos * b.cos + a.sin * b.sin; });
+  compare_links([](const auto& a, const auto& b) { return a.cos * b.sin - a.sin * b.cos; });
+  for_each_member(q, [&compare, unit](const auto& member, std::size_t) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(member)>, Pair>) {
+      compare(member, unit);
+    }
+  });
+  return order < 0;
+}
 
-/// Puts a model's configurations in the order of their keys.
+/// Puts a model's configurations in order.
 template <typename Model>
-void put_in_order(const typename Model::template Dimensions<double>& d,
-                  const typename Model::template Inputs<double>& u, Assemblies<Model>& result) {
-  using Order = AssemblyOrder<Model>;
-  std::array<typename Order::Key, Assemblies<Model>::capacity> keys;
-  const std::size_t count = size(result.count);
-  for (std::size_t index = 0; index < count; ++index) {
-    keys[index] = Order::key(d, u, result.configurations[index]);
-  }
+void put_in_order(const typename Model::template Dimensions<double>& dimensions,
+                  const typename Model::template Inputs<double>& inputs,
+                  Assemblies<Model>& result) {
+  using numeric::Pair;
+  const auto d = support::scaled_to<typename Model::template Dimensions<Pair>>(dimensions, 1.0);
+  const auto u = support::scaled_to<typename Model::template Inputs<Pair>>(inputs, 1.0);
   numeric::insertion_sort(
-      count,
-      [&keys](std::size_t one, std::size_t other) {
-        return numeric::comes_before(keys[one], keys[other]);
+      size(result.count),
+      [&](std::size_t one, std::size_t other) {
+        return comes_before<Model>(
+            d, u, pair_of<Model>(result.configurations[one], result.configurations[other]), 1);
       },
-      [&keys, &result](std::size_t one, std::size_t other) {
-        std::swap(keys[one], keys[other]);
+      [&result](std::size_t one, std::size_t other) {
         std::swap(result.configurations[one], result.configurations[other]);
         std::swap(result.regularity[one], result.regularity[other]);
       });
@@ -87,15 +109,7 @@ template <typename Model>
 void list_in(const typename Model::template Dimensions<double>& d,
              const typename Model::template Inputs<double>& u, double unit,
              Assemblies<Model>& result) {
-  if constexpr (comes_in_any_order<Model>) {
-    // Their keys need frames of all links, which such a model does not have.
-  } else if (result.count == 2) {
-    if (numeric::comes_before(AssemblyOrder<Model>::key(d, u, result.configurations[1]),
-                              AssemblyOrder<Model>::key(d, u, result.configurations[0]))) {
-      std::swap(result.configurations[0], result.configurations[1]);
-      std::swap(result.regularity[0], result.regularity[1]);
-    }
-  } else if (result.count > 2) {
+  if constexpr (!comes_in_any_order<Model>) {
     put_in_order<Model>(d, u, result);
   }
   for (int index = 0; index < result.count; ++index) {

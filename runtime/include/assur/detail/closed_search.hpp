@@ -3,19 +3,20 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <assur/assemblies.hpp>
 #include <assur/detail/assembly_order.hpp>
-#include <assur/detail/closure_geometry.hpp>
 #include <assur/detail/completion.hpp>
 #include <assur/detail/index.hpp>
 #include <assur/detail/members.hpp>
-#include <assur/detail/pivots.hpp>
 #include <assur/detail/polish.hpp>
 #include <assur/numeric/bounded.hpp>
 #include <assur/numeric/magnitude.hpp>
+#include <assur/numeric/pair.hpp>
 #include <assur/support/scale.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <tuple>
 #include <type_traits>
@@ -70,20 +71,19 @@ void widen(Vector<Scalar, Count>& T, const Scalar& error) {
   }
 }
 
-/// Lengths of at most so much: one, after scaling; a specialised group holds its dimensions as
-/// numbers and is not scaled.
+/// The length up to which the errors of a model's discriminants are estimated: one, in the longest
+/// length; a specialised group holds its dimensions as numbers and has a unit of its own.
 template <typename Model>
 inline constexpr double most_length = Model::dimension_count == 0 ? 8 : 1;
 
-/// The error that rounding may leave in the discriminants of a model, whatever its variables are,
-/// if no length is longer than `most_length` and each is known to a few roundings.
+/// The discriminants of a model whose lengths are at most `longest`, each known to a few roundings,
+/// whatever its variables are.
 template <typename Model>
-[[nodiscard]] Discriminants<double> discriminant_rounding() {
+[[nodiscard]] Discriminants<numeric::Magnitude> discriminant_magnitudes(double longest) {
   using numeric::Magnitude;
-  const auto fill = [](auto& member, std::size_t) {
-    const Magnitude length = Magnitude::given(most_length<Model>);
+  const auto fill = [longest](auto& member, std::size_t) {
     if constexpr (std::is_same_v<std::decay_t<decltype(member)>, Magnitude>) {
-      member = length;
+      member = Magnitude::given(longest);
     } else {
       member = {Magnitude::given(1), Magnitude::given(1)};
     }
@@ -95,13 +95,39 @@ template <typename Model>
   FinalPolynomial<Model, Magnitude> T;
   Model::position_polynomial(d, u, T);
   widen(T, Magnitude::error(support::rounding_of_numbers<Model>()));
-  const Discriminants<Magnitude> found = discriminants_of(T);
-  return {found.discriminant.rounding(), found.leading.rounding()};
+  return discriminants_of(T);
 }
+
+/// Tells whether a discriminant of a model has a certain sign. It is homogeneous in the lengths; of
+/// a specialised group, which holds its dimensions as numbers, it counts as of degree zero.
+struct Certainty {
+  double firmness = 0;  ///< one over the largest error where the longest length is `most_length`
+  int degree = 0;       ///< of the discriminant in the lengths
+
+  template <typename Model>
+  [[nodiscard]] static Certainty of(numeric::Magnitude Discriminants<numeric::Magnitude>::*which) {
+    const numeric::Magnitude found = discriminant_magnitudes<Model>(most_length<Model>).*which;
+    const numeric::Magnitude twice = discriminant_magnitudes<Model>(2 * most_length<Model>).*which;
+    const bool is_scaled = Model::dimension_count > 0;
+    return {1 / found.rounding(), is_scaled ? std::ilogb(twice.size / found.size) : 0};
+  }
+
+  /// In the unit given: the longest length, or one. Where rounding has displaced the inputs, errors
+  /// grow as this has grown beyond the rounding that is taken for granted.
+  [[nodiscard]] bool has_sign(double discriminant, double unit, double displaced) const {
+    double size = unit + displaced / numeric::Magnitude::given_rounding();
+    for (int power = 0; power < degree; ++power) {
+      size *= unit;
+    }
+    return std::abs(discriminant) * firmness * unit > size;
+  }
+};
 
 /// Until the program's variables are initialised it is zero, and nothing is vouched for by it.
 template <typename Model>
-inline const Discriminants<double> discriminant_error = discriminant_rounding<Model>();
+inline const Discriminants<Certainty> certainty = {
+    Certainty::of<Model>(&Discriminants<numeric::Magnitude>::discriminant),
+    Certainty::of<Model>(&Discriminants<numeric::Magnitude>::leading)};
 
 /// Whether a model's final polynomial has at most two roots, in closed form.
 template <typename Model>
@@ -116,40 +142,116 @@ class ClosedSearch {
   using Dimensions = typename Model::template Dimensions<double>;
   using Inputs = typename Model::template Inputs<double>;
   using Configuration = typename Model::template Configuration<double>;
+  using Pair = numeric::Pair;
+  static constexpr auto root_count = static_cast<std::size_t>(Model::max_configurations);
+  /// What holds an unknown of all configurations, which are computed at once.
+  using Scalar = std::conditional_t<root_count == 2, Pair, double>;
 
  public:
-  ClosedSearch(const Dimensions& d, const Inputs& u, Assemblies<Model>& result)
-      : d_(d), u_(u), result_(result) {}
-
-  /// False if it cannot vouch for its list. Lengths are at most `most_length`, and rounding has
-  /// displaced the inputs by at most `displaced`.
-  [[nodiscard]] bool run(double displaced) {
-    FinalPolynomial<Model, double> T;
-    Model::position_polynomial(d_, u_, T);
-    const Discriminants<double> found = discriminants_of(T);
-    // Errors grow with what the inputs are off.
-    const double growth = 1 + displaced / numeric::Magnitude::given_rounding();
-    const Discriminants<double>& rounding = discriminant_error<Model>;
-    const bool is_certain = std::abs(found.discriminant) > rounding.discriminant * growth &&
-                            std::abs(found.leading) > rounding.leading * growth &&
-                            rounding.discriminant > 0;
-    if (!is_certain && !is_certain_here(displaced)) {
+  /// Most groups, as they are. False if a closer look is needed; the list is undefined then.
+  [[nodiscard, gnu::flatten]] static bool list(const Dimensions& dimensions, const Inputs& inputs,
+                                               double displaced, Assemblies<Model>& result) {
+    const double longest = std::max(longest_length(inputs), longest_length(dimensions));
+    if (!is_in_range(longest, 0x1p32)) {
       return false;
     }
-    return found.discriminant < 0 ||
-           (list_roots(T, found) && !(was_polished_ && has_twins<Model>(result_)));
+    FinalPolynomial<Model, double> T;
+    Model::position_polynomial(dimensions, inputs, T);
+    const Discriminants<double> found = discriminants_of(T);
+    const double unit = is_scaled ? longest : 1;
+    if (!certainty<Model>.discriminant.has_sign(found.discriminant, unit, displaced)) {
+      return false;
+    }
+    if (found.discriminant < 0) {
+      return is_finite(dimensions) && is_finite(inputs);
+    }
+    if constexpr (has_leading_coefficient) {
+      if (!certainty<Model>.leading.has_sign(found.leading, unit, displaced)) {
+        return false;
+      }
+    }
+    const auto d = support::scaled_to<typename Model::template Dimensions<Scalar>>(dimensions, 1.0);
+    const auto u = support::scaled_to<typename Model::template Inputs<Scalar>>(inputs, 1.0);
+    typename Model::template Configuration<Scalar> q;
+    first_of(q) = roots_of(T, found);
+    if (!complete_simple<Model, Scalar>(d, u, q) || !is_settled<Model, Scalar>(d, u, q, longest)) {
+      return false;
+    }
+    std::size_t first = 0;
+    if constexpr (root_count == 2 && !comes_in_any_order<Model>) {
+      first = comes_before<Model>(d, u, q, unit) ? 0 : 1;
+    }
+    for (std::size_t index = 0; index < root_count; ++index) {
+      result.configurations[index ^ first] = lane_of<Model, Scalar>(q, index);
+      result.regularity[index] = Status::ok;
+    }
+    result.count = static_cast<int>(root_count);
+    return true;
+  }
+
+  /// A closer look: with the bounds of these very dimensions and inputs, which are much closer
+  /// where many lengths are multiplied, and polished. False if it cannot vouch for its list.
+  [[nodiscard, gnu::noinline, gnu::cold]] static bool list_polished(const Dimensions& dimensions,
+                                                                    const Inputs& inputs,
+                                                                    double displaced,
+                                                                    Assemblies<Model>& result) {
+    const double longest = std::max(longest_length(inputs), longest_length(dimensions));
+    if (!is_in_range(longest, 0x1p64) || !is_finite(dimensions) || !is_finite(inputs)) {
+      return false;
+    }
+    const double scale = is_scaled ? support::inverse_power_of_two(longest) / 2 : 1.0;
+    const auto d = support::scaled_to<Dimensions>(dimensions, scale);
+    const auto u = support::scaled_to<Inputs>(inputs, scale);
+    FinalPolynomial<Model, double> T;
+    Model::position_polynomial(d, u, T);
+    const Discriminants<double> found = discriminants_of(T);
+    if (!is_certain(d, u, displaced * scale)) {
+      return false;
+    }
+    if (found.discriminant < 0) {
+      return true;
+    }
+    const auto roots = roots_of(T, found);
+    for (std::size_t index = 0; index < root_count; ++index) {
+      Configuration& q = result.configurations[index];
+      first_of(q) = numeric::lane(roots, index);
+      if (!complete<Model>(d, u, q)) {
+        return false;
+      }
+      result.regularity[index] = polish<Model>(d, u, q);
+      if (result.regularity[index] == Status::no_convergence) {
+        return false;
+      }
+    }
+    result.count = static_cast<int>(root_count);
+    if (has_twins<Model>(result)) {
+      result.count = 0;
+      return false;
+    }
+    list_in<Model>(d, u, 1 / scale, result);
+    return true;
   }
 
  private:
-  /// The same with the bounds of these very dimensions and inputs, which are much closer where many
-  /// lengths are multiplied.
-  [[nodiscard, gnu::noinline]] bool is_certain_here(double displaced) const {
+  static constexpr bool is_scaled = Model::dimension_count > 0;
+
+  /// Products of several lengths may neither overflow nor underflow.
+  [[nodiscard]] static bool is_in_range(double longest, double most) {
+    return is_scaled ? longest * most > 1 && longest < most : longest <= most_length<Model>;
+  }
+
+  /// The leading coefficient of a trigonometric polynomial is no less than its discriminant, and
+  /// that of a linear one is the root of it.
+  static constexpr bool has_leading_coefficient =
+      !is_angle<Model>(Model::first_unknown) && Model::polynomial_degree == 2;
+
+  [[nodiscard]] static bool is_certain(const Dimensions& d, const Inputs& u, double displaced) {
     using Certified = numeric::Bounded<double>;
     FinalPolynomial<Model, Certified> T;
     Model::position_polynomial(support::rounded<typename Model::template Dimensions<Certified>>(
-                                   d_, support::rounding_of_one),
+                                   d, support::rounding_of_one),
                                support::rounded<typename Model::template Inputs<Certified>>(
-                                   u_, support::rounding_of_inputs(u_, displaced)),
+                                   u, support::rounding_of_inputs(u, displaced)),
                                T);
     widen(T, Certified(0, support::rounding_of_numbers<Model>()));
     const Discriminants<Certified> found = discriminants_of(T);
@@ -157,97 +259,30 @@ class ClosedSearch {
   }
 
   /// With r = sqrt(discriminant): c1 cos x + s1 sin x = -c0 and s1 cos x - c1 sin x = -+r.
-  [[nodiscard]] bool list_roots(const TrigonometricPolynomial<double, 1>& T,
-                                const Discriminants<double>& found) {
+  [[nodiscard]] static Direction<Pair> roots_of(const TrigonometricPolynomial<double, 1>& T,
+                                                const Discriminants<double>& found) {
     const double root = std::sqrt(found.discriminant);
     const double scale = 1 / found.leading;
     const double cosine = T.cosine[1] * scale;
     const double sine = T.sine[1] * scale;
-    const Direction<double> middle = {-T.cosine[0] * cosine, -T.cosine[0] * sine};
-    return accept(Direction<double>{middle.cos - root * sine, middle.sin + root * cosine}) &&
-           accept(Direction<double>{middle.cos + root * sine, middle.sin - root * cosine});
+    const Pair roots(root, -root);
+    return {-T.cosine[0] * cosine - roots * sine, roots * cosine - T.cosine[0] * sine};
   }
-  [[nodiscard]] bool list_roots(const Vector<double, 2>& T,
-                                const Discriminants<double>& /*found*/) {
-    return accept(-T(0) / T(1));
+  [[nodiscard]] static double roots_of(const Vector<double, 2>& T,
+                                       const Discriminants<double>& /*found*/) {
+    return -T(0) / T(1);
   }
-  [[nodiscard]] bool list_roots(const Vector<double, 3>& T, const Discriminants<double>& found) {
+  [[nodiscard]] static Pair roots_of(const Vector<double, 3>& T,
+                                     const Discriminants<double>& found) {
     const double larger = -(T(1) + std::copysign(std::sqrt(found.discriminant), T(1))) / 2;
     // Both roots are zero only where the discriminant is.
-    return accept(larger / T(2)) && accept(T(0) / larger);
+    return Pair(larger, T(0)) / Pair(T(2), larger);
   }
 
-  /// Completes and lists a configuration; false if it does not close.
-  template <typename Value>
-  [[nodiscard]] bool accept(const Value& value) {
-    Configuration q;
-    std::get<size(Model::first_unknown)>(q.members()) = value;
-    if (!complete<Model>(d_, u_, q)) {
-      return false;
-    }
-    Status& regularity = entry(result_.regularity, result_.count);
-    regularity = closes(q) ? regularity_of_closed(q) : polish<Model>(d_, u_, q);
-    if (regularity == Status::no_convergence) {
-      return false;
-    }
-    entry(result_.configurations, result_.count) = q;
-    ++result_.count;
-    return true;
+  template <typename Unknowns>
+  [[nodiscard]] static auto& first_of(Unknowns& q) {
+    return std::get<size(Model::first_unknown)>(q.members());
   }
-
-  /// Whether the closures hold as they are to a few roundings.
-  [[nodiscard]] bool closes(const Configuration& q) {
-    Vector<double, Model::equation_count> f;
-    Model::residual(d_, u_, q, f);
-    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
-    const double longest = std::max({1.0, longest_length(u_), longest_length(q)});
-    const bool hold =
-        f.cwiseAbs().maxCoeff() <= rounding * longest && longest < farthest_configuration;
-    was_polished_ = was_polished_ || !hold;
-    return hold;
-  }
-
-  [[nodiscard]] Status regularity_of_closed(const Configuration& q) const {
-    const Pivots<Model, double> pivots = pivots_at<Model, double>(d_, u_, q);
-    return is_regular<Model>(pivots, derivative_rounding<double>()) ? Status::ok
-                                                                    : Status::near_singular;
-  }
-
-  const Dimensions& d_;
-  const Inputs& u_;
-  Assemblies<Model>& result_;
-  bool was_polished_ = false;
 };
-
-/// Every configuration by formula, in any unit of length. False, and nothing is listed, if a closer
-/// look is needed.
-template <typename Model>
-[[nodiscard]] bool search_by_formula(const typename Model::template Dimensions<double>& d,
-                                     const typename Model::template Inputs<double>& u,
-                                     double displaced, Assemblies<Model>& result) {
-  using Dimensions = typename Model::template Dimensions<double>;
-  using Inputs = typename Model::template Inputs<double>;
-  const double longest = std::max(longest_length(d), longest_length(u));
-  double scale = 1;  // a specialised group is in a unit of its own
-  if constexpr (Model::dimension_count == 0) {
-    if (!(longest <= most_length<Model>)) {
-      return false;
-    }
-  } else {
-    // Products of several lengths may neither overflow nor underflow.
-    if (!(longest > 0x1p-64 && longest < 0x1p64)) {
-      return false;
-    }
-    scale = support::inverse_power_of_two(longest) / 2;
-  }
-  const Dimensions scaled_d = support::scaled_to<Dimensions>(d, scale);
-  const Inputs scaled_u = support::scaled_to<Inputs>(u, scale);
-  if (!ClosedSearch<Model>(scaled_d, scaled_u, result).run(displaced * scale)) {
-    result.count = 0;
-    return false;
-  }
-  list_in<Model>(scaled_d, scaled_u, 1 / scale, result);
-  return true;
-}
 
 }  // namespace assur::detail

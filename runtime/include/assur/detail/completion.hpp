@@ -10,9 +10,27 @@
 
 namespace assur::detail {
 
+/// The unknowns that follow where those of the reduced equations are known. False where what should
+/// be a direction is none: between ends that coincide a bar has no direction, whatever its length.
+/// What is not finite is left to those who close it.
+template <typename Model, typename Scalar>
+[[nodiscard]] bool complete_rest(const typename Model::template Dimensions<Scalar>& d,
+                                 const typename Model::template Inputs<Scalar>& u,
+                                 typename Model::template Configuration<Scalar>& q) {
+  Model::complete(d, u, q);
+  Scalar miss(0);
+  for_each_member(q, [&miss](auto& member, std::size_t) {
+    if constexpr (!std::is_same_v<std::decay_t<decltype(member)>, Scalar>) {
+      const Scalar off = member.cos * member.cos + member.sin * member.sin - Scalar(1);
+      miss = miss + off * off;
+      member = normalised(member);
+    }
+  });
+  return miss < Scalar(0.01);
+}
+
 /// The other unknowns at a simple root of the final polynomial, where one second value fits. False
-/// where none does, or where what should be a direction is none: between ends that coincide a bar
-/// has no direction, whatever its length. What is not finite is left to those who close it.
+/// where none does.
 template <typename Model>
 [[nodiscard]] bool complete(const typename Model::template Dimensions<double>& d,
                             const typename Model::template Inputs<double>& u,
@@ -27,16 +45,22 @@ template <typename Model>
     }
     second = candidates.list[0].value;
   }
-  Model::complete(d, u, q);
-  bool fits = true;
-  for_each_member(q, [&fits](auto& member, std::size_t) {
-    if constexpr (!std::is_same_v<std::decay_t<decltype(member)>, double>) {
-      const double square = member.cos * member.cos + member.sin * member.sin;
-      fits = fits && std::abs(square - 1) < 0.1;
-      member = normalised(member);
-    }
-  });
-  return fits;
+  return complete_rest<Model, double>(d, u, q);
+}
+
+/// The same where the two reduced equations tell the second unknown well: what comes of it must be
+/// seen to close.
+template <typename Model, typename Scalar>
+[[nodiscard]] bool complete_simple(const typename Model::template Dimensions<Scalar>& d,
+                                   const typename Model::template Inputs<Scalar>& u,
+                                   typename Model::template Configuration<Scalar>& q) {
+  if constexpr (Model::second_unknown >= 0) {
+    auto& second = std::get<size(Model::second_unknown)>(q.members());
+    Matrix<Scalar, 2, 3> e;
+    Model::second_equations(d, u, q, e);
+    second = numeric::common_root<std::decay_t<decltype(second)>>(e);
+  }
+  return complete_rest<Model, Scalar>(d, u, q);
 }
 
 }  // namespace assur::detail

@@ -48,10 +48,9 @@ class GeneralSearch {
     if (roots.status != numeric::RootStatus::certified) {
       return false;
     }
+    const double longest = std::max(1.0, longest_length(u_));
     for (std::size_t root = 0; root < roots.root_count; ++root) {
-      Configuration q;
-      first_of(q) = {roots.roots[root].cosine, roots.roots[root].sine};
-      if (!accept(q)) {
+      if (!accept({roots.roots[root].cosine, roots.roots[root].sine}, longest)) {
         return false;
       }
     }
@@ -60,19 +59,27 @@ class GeneralSearch {
 
  private:
   /// Completes the configuration at a simple root, where one second value fits, polishes it on the
-  /// loop equations and lists it; false if it does not close.
-  [[nodiscard]] bool accept(Configuration& q) {
-    if (!complete<Model>(d_, u_, q) || result_.count == Model::max_configurations) {
+  /// loop equations if need be and lists it; false if it does not close.
+  [[nodiscard]] bool accept(const Direction<double>& first, double longest) {
+    if (result_.count == Model::max_configurations) {
       return false;
     }
-    const Status regularity = polish<Model>(d_, u_, q);
+    Configuration& q = entry(result_.configurations, result_.count);
+    Status& regularity = entry(result_.regularity, result_.count);
+    regularity = Status::no_convergence;
+    first_of(q) = first;
+    if (complete_simple<Model, double>(d_, u_, q)) {
+      regularity =
+          is_settled<Model, double>(d_, u_, q, longest) ? Status::ok : polish<Model>(d_, u_, q);
+    }
     if (regularity == Status::no_convergence) {
-      return false;
+      first_of(q) = first;
+      if (complete<Model>(d_, u_, q)) {
+        regularity = polish<Model>(d_, u_, q);
+      }
     }
-    entry(result_.configurations, result_.count) = q;
-    entry(result_.regularity, result_.count) = regularity;
-    ++result_.count;
-    return true;
+    result_.count += regularity != Status::no_convergence ? 1 : 0;
+    return regularity != Status::no_convergence;
   }
 
   [[nodiscard]] static auto& first_of(Configuration& q) {

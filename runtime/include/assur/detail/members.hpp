@@ -14,11 +14,11 @@ namespace assur::detail {
 // By indices, not by nested calls of std::apply: every model has variables of its own, and what is
 // instantiated for each of them is most of what its users compile.
 template <typename Members, typename Use, std::size_t... Index>
-constexpr void visit(Members&& members, Use& use, std::index_sequence<Index...>) {
+constexpr void visit(Members&& members, Use&& use, std::index_sequence<Index...>) {
   (use(std::get<Index>(members), Index), ...);
 }
 template <typename Members, typename Use>
-constexpr void visit(Members&& members, Use& use) {
+constexpr void visit(Members&& members, Use&& use) {
   visit(members, use, std::make_index_sequence<std::tuple_size_v<std::decay_t<Members>>>());
 }
 

@@ -73,26 +73,21 @@ template <typename Model, typename Scalar>
   return result;
 }
 
-/// Whether `regularity_of` says ok, without a division.
-template <typename Model>
-[[nodiscard]] bool is_regular(const Pivots<Model, double>& pivots, double rounding) {
-  double core = 1;
-  double core_size = 1;
-  double other = 1;
-  double other_size = 1;
-  for (int index = 0; index < Model::pivot_count; ++index) {
-    const double value = std::abs(pivots.values(index));
-    const double size = pivots.sizes(index);
-    if (index < Model::core_pivot_count) {
-      core *= value;
-      core_size *= size;
-    } else if (!(value * other_size >= other * size)) {
-      other = value;
-      other_size = size;
-    }
+/// Whether `regularity_of` says ok, without a division: with every pivot as the weakest.
+template <typename Model, typename Scalar>
+[[nodiscard]] bool is_regular(const Pivots<Model, Scalar>& pivots, double rounding) {
+  Scalar core = Scalar(six_digits);
+  Scalar lost = Scalar(rounding) * pivots.terms;
+  for (int index = 0; index < Model::core_pivot_count; ++index) {
+    core = core * (pivots.values(index) * pivots.values(index));
+    lost = lost * pivots.sizes(index);
   }
-  return rounding * (pivots.terms * core_size) * (other_size * other_size) <
-         six_digits * (core * core) * (other * other);
+  bool regular = lost < core;
+  for (int index = Model::core_pivot_count; index < Model::pivot_count; ++index) {
+    regular &= lost * (pivots.sizes(index) * pivots.sizes(index)) <
+               core * (pivots.values(index) * pivots.values(index));
+  }
+  return regular;
 }
 
 /// The sign of det J; zero only where a pivot vanishes.

@@ -6,13 +6,49 @@
 #include <assur/detail/closure_geometry.hpp>
 #include <assur/detail/index.hpp>
 #include <assur/detail/members.hpp>
+#include <assur/detail/pivots.hpp>
 #include <assur/kinematics.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <type_traits>
 
 namespace assur::detail {
+
+/// Whether the closures hold as they are to a few roundings, where the longest of the given lengths
+/// is so long.
+template <typename Model, typename Scalar>
+[[nodiscard]] bool closes(const typename Model::template Dimensions<Scalar>& d,
+                          const typename Model::template Inputs<Scalar>& u,
+                          const typename Model::template Configuration<Scalar>& q, double longest) {
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+  constexpr double farthest = farthest_configuration * farthest_configuration;
+  Vector<Scalar, Model::equation_count> f;
+  Model::residual(d, u, q, f);
+  Scalar miss(0);
+  for (int index = 0; index < Model::equation_count; ++index) {
+    miss = miss + f(index) * f(index);
+  }
+  const double square = longest * longest;
+  Scalar size(square);
+  for_each_member(q, [&size](const auto& member, std::size_t) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(member)>, Scalar>) {
+      size = size + member * member;
+    }
+  });
+  return miss <= size * Scalar(rounding * rounding) && size < Scalar(farthest * square);
+}
+
+/// Whether a configuration is regular and needs no polishing.
+template <typename Model, typename Scalar>
+[[nodiscard]] bool is_settled(const typename Model::template Dimensions<Scalar>& d,
+                              const typename Model::template Inputs<Scalar>& u,
+                              const typename Model::template Configuration<Scalar>& q,
+                              double longest) {
+  return closes<Model, Scalar>(d, u, q, longest) &&
+         is_regular<Model>(pivots_at<Model, Scalar>(d, u, q), derivative_rounding<double>());
+}
 
 /// What polishing leaves of the closures where the longest number among them is so long.
 [[nodiscard]] inline double polished_rounding(double longest) {

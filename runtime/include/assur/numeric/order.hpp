@@ -6,15 +6,24 @@
 
 namespace assur::numeric {
 
-/// Whether one key comes before another of its size, entry by entry; entries that differ by
-/// rounding alone, relative to the larger of themselves and one, count as equal. Rounding moves a
-/// double configuration by the root of epsilon.
+/// -1 or 1 if one entry of a key comes before or after another; 0 if they differ by rounding alone,
+/// relative to the larger of themselves and one, which may be another unit. Rounding moves a double
+/// configuration by the root of epsilon.
+[[nodiscard]] inline int order_of(double left, double right, double one = 1) {
+  const double difference = left - right;
+  if (!(std::abs(difference) > 1e-6 * (one + std::abs(left)))) {
+    return 0;
+  }
+  return difference < 0 ? -1 : 1;
+}
+
+/// Whether one key comes before another of its size, entry by entry.
 template <typename Key>
 [[nodiscard]] bool comes_before(const Key& left, const Key& right) {
   for (std::size_t place = 0; place < left.size(); ++place) {
-    const double difference = left[place] - right[place];
-    if (std::abs(difference) > 1e-6 * (1 + std::abs(left[place]))) {
-      return difference < 0;
+    const int order = order_of(left[place], right[place]);
+    if (order != 0) {
+      return order < 0;
     }
   }
   return false;

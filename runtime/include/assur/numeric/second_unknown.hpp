@@ -134,4 +134,20 @@ template <typename Unknown, typename Scalar>
   return candidates;
 }
 
+/// The root that both equations have, from both at once: they are linear in the cosine and the
+/// sine, or in the displacement and its square. Not a number where they do not tell it.
+template <typename Unknown, typename Scalar>
+[[nodiscard]] Unknown common_root(const Matrix<Scalar, 2, 3>& e) {
+  const Scalar determinant = e(0, 0) * e(1, 1) - e(0, 1) * e(1, 0);
+  const Scalar second = e(0, 2) * e(1, 0) - e(0, 0) * e(1, 2);
+  if constexpr (std::is_same_v<Unknown, Direction<Scalar>>) {
+    const Scalar inverse = Scalar(1) / determinant;
+    return {(e(0, 1) * e(1, 2) - e(0, 2) * e(1, 1)) * inverse, second * inverse};
+  } else if (e(0, 0) == Scalar(0) && e(1, 0) == Scalar(0)) {
+    return -(e(0, 1) * e(0, 2) + e(1, 1) * e(1, 2)) / (e(0, 1) * e(0, 1) + e(1, 1) * e(1, 1));
+  } else {
+    return second / determinant;
+  }
+}
+
 }  // namespace assur::numeric
