@@ -25,9 +25,8 @@ cpp::View::List member_list(const std::vector<std::string>& members) {
 
 /// Whether one of the lines names something.
 bool mention(const std::vector<std::string>& lines, const std::string& name) {
-  return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
-    return line.find(name) != std::string::npos;
-  });
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](const std::string& line) { return line.find(name) != std::string::npos; });
 }
 
 /// Fills the view that templates/scene.hpp.mustache shows.
@@ -148,7 +147,7 @@ class SceneEmitter {
     std::vector<std::string> moving;
     for (const mechanism::LinkIndex link : parts.links) {
       const bool whole = solver_.needs[link] == FrameNeed::everything;
-      moving.push_back(solver_.members.links[link] + (whole ? ".pose.direction" : ""));
+      moving.push_back("placed." + solver_.members.links[link] + (whole ? ".pose.direction" : ""));
     }
     const std::size_t turning_key_size = support::turning_key_size(moving.size());
     cpp::View::List keys;
@@ -159,7 +158,7 @@ class SceneEmitter {
       key.set("member", solver_.members.joints[slide.joint]);
       keys.push_back(key);
     }
-    view_.set("moving", member_list(moving));
+    view_.set("moving_list", text::joined(moving, ", "));
     view_.set("moving_count", std::to_string(moving.size()));
     view_.set("keyed_name", moving.empty() && keys.empty() ? "" : " placed");
     view_.set("slide_keys", keys);

@@ -144,8 +144,9 @@ PlacingStatements placing_statements(const SolverScene& solver, mechanism::Group
     const std::string& member = "placed." + solver.members.links[played];
     if (needs[link] == FrameNeed::everything) {
       lines.add(member + " = " +
-                nested_frames({frame, lines.frame(solver.link_name(played) +
-                                                      "_in_its_normal_frame", own)}) + ";");
+                nested_frames(
+                    {frame, lines.frame(solver.link_name(played) + "_in_its_normal_frame", own)}) +
+                ";");
     } else {
       lines.add(member + " = " + turned_direction(frame + ".pose.direction", own.direction) + ";");
     }
@@ -159,14 +160,14 @@ PlacingStatements placing_statements(const SolverScene& solver, mechanism::Group
     const auto [sense, shift] = solver.values.slide_measure(group, unknowns[index].owner);
     const std::string sign = sense < 0 ? "-" : "";
     const std::string slide = "placed.slide_" + solver.slide_member(at);
-    const std::string unknown = solver.group_struct(group) + "::unit * group.q." + unknowns[index].name;
+    const std::string unknown =
+        solver.group_struct(group) + "::unit * group.q." + unknowns[index].name;
     const std::string shifted =
-        shift.value() == 0 ? unknown
-                           : "(" + unknown + " + " + cpp::round_trip(shift.value()) + ")";
+        shift.value() == 0 ? unknown : "(" + unknown + " + " + cpp::round_trip(shift.value()) + ")";
     lines.add(slide + ".displacement = " + sign + shifted + ";");
     if (solver.derivative_order > 0 && solver.reports(at.joint)) {
-      lines.add(slide + ".rates = " + sign + solver.group_struct(group) + "::unit * group.rates.row(" +
-                std::to_string(index) + ");");
+      lines.add(slide + ".rates = " + sign + solver.group_struct(group) +
+                "::unit * group.rates.row(" + std::to_string(index) + ");");
     }
     slides.push_back(solver.slide_member(at));
   }

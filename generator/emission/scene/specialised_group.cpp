@@ -178,11 +178,12 @@ class GroupSpecialiser {
   }
 
   [[nodiscard]] model::ModelFunction link_poses() const {
-    model::ModelFunction poses{"link_poses",
-                               {"Frames of links in the fixed frame."},
-                               {{"const Inputs<Scalar>&", "u"}, {"const Configuration<Scalar>&", "q"}},
-                               {{"Poses<Scalar, link_count>&", "poses"}},
-                               {}};
+    model::ModelFunction poses{
+        "link_poses",
+        {"Frames of links in the fixed frame."},
+        {{"const Inputs<Scalar>&", "u"}, {"const Configuration<Scalar>&", "q"}},
+        {{"Poses<Scalar, link_count>&", "poses"}},
+        {}};
     std::size_t place = 0;
     for (const std::size_t link : framed_links(numbers_.frames)) {
       const equations::LinkPose& pose = equations_.poses[structure::LinkIndex(link)];

@@ -33,7 +33,8 @@ struct GroupNumbers {
   bool holds_groups;              ///< whether other groups are held by its links
 };
 
-/// The view that templates/specialised_group.hpp.mustache shows, and how many configurations it has at most.
+/// The view that templates/specialised_group.hpp.mustache shows, and how many configurations it has
+/// at most.
 struct SpecialisedGroup {
   cpp::View view;
   std::size_t max_configurations;

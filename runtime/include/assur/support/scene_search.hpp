@@ -14,13 +14,46 @@
 namespace assur::support {
 
 /// What an emitted solver says beside the configurations.
-struct SceneSolution {
+struct Solution {
   /// ok, also where the links cannot reach; degenerate where there is no configuration, but a group
   /// that moves freely or is inconsistent; not_finite.
   AssemblyStatus status = AssemblyStatus::ok;
-  int count = 0;     ///< of the configurations
-  int families = 0;  ///< choices of earlier groups for which a group moves freely or is inconsistent
+  int count = 0;  ///< of the configurations
+  int families =
+      0;  ///< choices of earlier groups for which a group moves freely or is inconsistent
   int mobility = 0;  ///< of the freest of them
+};
+
+/// What the search and the tracking of a solver may use of what is its own.
+template <typename Solver>
+struct Access {
+  using Groups = typename Solver::Groups;
+  using Placed = typename Solver::Placed;
+  static constexpr std::size_t key_size = Solver::key_size;
+  static constexpr std::size_t turning_key_size = Solver::turning_key_size;
+
+  /// Places what drivers move.
+  static void drive(const typename Solver::template Drivers<double>& drivers, Placed& placed) {
+    Solver::drive(drivers, placed);
+  }
+  /// Where a group's external joints are held.
+  template <typename Held>
+  static void hold(const Placed& placed, Held& held) {
+    Solver::hold(placed, held);
+  }
+  /// Places a group's links.
+  template <typename Group>
+  static void place(const Group& group, Placed& placed) {
+    Solver::place(group, placed);
+  }
+  /// Fills a state from what is placed.
+  static void list(const Placed& placed, typename Solver::template State<double>& state) {
+    Solver::list(placed, state);
+  }
+  /// What tells one state from another, and puts them in order.
+  static void key(const Placed& placed, std::array<double, key_size>& key) {
+    Solver::key(placed, key);
+  }
 };
 
 /// One configuration of every group of a solver.
@@ -31,27 +64,26 @@ struct GroupConfigurations<std::tuple<Group...>> {
   using Type = std::tuple<typename Group::template Configuration<double>...>;
 };
 
-/// The search of an emitted solver, depth first: where the groups before one are placed, each of its
-/// configurations places its links. A solver says how: `drive` places what drivers move, `hold` a
-/// group's external joints, `place` its links, `list` fills a state, and `key` tells states apart.
-/// `Keeps`: it remembers the configurations of the groups.
+/// The search of an emitted solver, depth first: where the groups before one are placed, each of
+/// its configurations places its links. `Keeps`: it remembers the configurations of the groups.
 template <typename Solver, bool Keeps = false>
-class SceneSearch {
+class Search {
   using State = typename Solver::template State<double>;
-  using Groups = typename Solver::Groups;
-  using Placed = typename Solver::Placed;
+  using Own = Access<Solver>;
+  using Groups = typename Own::Groups;
+  using Placed = typename Own::Placed;
   static constexpr auto capacity = static_cast<std::size_t>(Solver::max_configurations);
 
  public:
   using States = std::array<State, capacity>;
   using Configurations = typename GroupConfigurations<Groups>::Type;
 
-  explicit SceneSearch(States& states) : states_(states) {}
+  explicit Search(States& states) : states_(states) {}
 
   /// Every configuration, in the order of `assur solve`.
-  [[nodiscard]] SceneSolution run(const typename Solver::template Drivers<double>& drivers) {
+  [[nodiscard]] Solution run(const typename Solver::template Drivers<double>& drivers) {
     Placed placed;
-    Solver::drive(drivers, placed);
+    Own::drive(drivers, placed);
     descend<0>(placed);
     if (solution_.status != AssemblyStatus::ok) {
       solution_.count = 0;
@@ -59,7 +91,7 @@ class SceneSearch {
       solution_.status = AssemblyStatus::degenerate;
     }
     if (solution_.count > 1) {
-      put_in_order(keys_, solution_.count, Solver::turning_key_size,
+      put_in_order(keys_, solution_.count, Own::turning_key_size,
                    [this](std::size_t one, std::size_t other) {
                      std::swap(states_[one], states_[other]);
                      if constexpr (Keeps) {
@@ -80,15 +112,15 @@ class SceneSearch {
   void descend(const Placed& placed) {
     if constexpr (Place == std::tuple_size_v<Groups>) {
       const auto slot = static_cast<std::size_t>(solution_.count++);
-      Solver::list(placed, states_[slot]);
-      Solver::key(placed, keys_[slot]);
+      Own::list(placed, states_[slot]);
+      Own::key(placed, keys_[slot]);
       if constexpr (Keeps) {
         kept_[slot] = current_;
       }
     } else {
       using Group = std::tuple_element_t<Place, Groups>;
       HeldJoints<Group, Solver::order, Solver::parameter_count> held;
-      Solver::hold(placed, held);
+      Own::hold(placed, held);
       const auto found = assemblies<Specialised<Group>>({}, held.u, held.displaced);
       if (found.status == AssemblyStatus::not_finite) {
         solution_.status = found.status;
@@ -105,7 +137,7 @@ class SceneSearch {
         if (group.regularity != Status::ok) {
           next.regularity = Status::near_singular;
         }
-        Solver::place(group, next);
+        Own::place(group, next);
         if constexpr (Keeps) {
           std::get<Place>(current_) = group.q;
         }
@@ -118,8 +150,8 @@ class SceneSearch {
   }
 
   States& states_;
-  std::array<std::array<double, Solver::key_size>, capacity> keys_;
-  SceneSolution solution_;
+  std::array<std::array<double, Own::key_size>, capacity> keys_;
+  Solution solution_;
   Configurations current_;
   std::array<Configurations, Keeps ? capacity : 0> kept_;
 };

@@ -30,15 +30,15 @@ struct GroupPoints<std::tuple<Group...>> {
 
 /// Where a branch of an emitted solver has been followed to.
 template <typename Solver>
-struct SceneBranch {
+struct Branch {
   typename Solver::template Drivers<double> drivers;
-  typename GroupPoints<typename Solver::Groups>::Type groups;
+  typename GroupPoints<typename Access<Solver>::Groups>::Type groups;
   /// ok or near_singular; with any other status nothing can be followed from here.
   Status status = Status::singular;
 };
 
 /// How far a branch was followed.
-struct SceneTrack {
+struct Track {
   /// ok, or near_singular: at the end of the way. no_convergence: within 0.2% of the way from
   /// `reached` the branch ends or comes too close to another. not_finite. Or the status of a branch
   /// that cannot be followed.
@@ -50,29 +50,30 @@ struct SceneTrack {
 /// where Newton's steps contract, det J keeps its sign, and the linear predictions from both ends
 /// agree with the way; otherwise it is halved.
 template <typename Solver>
-class SceneTracker {
-  using Branch = SceneBranch<Solver>;
+class Tracker {
+  using Branch = support::Branch<Solver>;
   using Drivers = typename Solver::template Drivers<double>;
   using State = typename Solver::template State<double>;
-  using Groups = typename Solver::Groups;
-  using Placed = typename Solver::Placed;
+  using Own = Access<Solver>;
+  using Groups = typename Own::Groups;
+  using Placed = typename Own::Placed;
 
  public:
-  /// The branch of a configuration, by its number in the solver's list, from 0; no_convergence where
-  /// there is none of that number.
+  /// The branch of a configuration, by its number in the solver's list, from 0; no_convergence
+  /// where there is none of that number.
   static Branch begin(const Drivers& drivers, int configuration) {
     Branch branch;
     branch.drivers = drivers;
-    typename SceneSearch<Solver>::States states;
-    SceneSearch<Solver, true> search(states);
-    const SceneSolution solution = search.run(drivers);
+    typename Search<Solver>::States states;
+    Search<Solver, true> search(states);
+    const Solution solution = search.run(drivers);
     if (solution.status == AssemblyStatus::not_finite) {
       branch.status = Status::not_finite;
     } else if (configuration < 0 || configuration >= solution.count) {
       branch.status = Status::no_convergence;
     } else {
       Placed placed;
-      Solver::drive(drivers, placed);
+      Own::drive(drivers, placed);
       branch.status = Status::ok;
       settle<0>(search.kept(configuration), branch, placed);
     }
@@ -81,8 +82,8 @@ class SceneTracker {
 
   /// Follows a branch to where the drivers stand at `to`, and fills the state there; it is not
   /// changed where the branch is not followed to the end.
-  [[nodiscard]] static SceneTrack run(const Drivers& to, Branch& branch, State& state) {
-    SceneTrack way{branch.status, 0};
+  [[nodiscard]] static Track run(const Drivers& to, Branch& branch, State& state) {
+    Track way{branch.status, 0};
     const Drivers from = branch.drivers;
     double width = 1;
     while (is_solvable(branch.status) && way.reached < 1) {
@@ -90,7 +91,7 @@ class SceneTracker {
       Branch end;
       end.drivers = next < 1 ? between(from, to, next) : to;
       Placed placed;
-      Solver::drive(end.drivers, placed);
+      Own::drive(end.drivers, placed);
       end.status = Status::ok;
       if (step<0>(branch, end, placed)) {
         branch = end;
@@ -98,7 +99,7 @@ class SceneTracker {
         way.reached = next;
         if (next == 1) {
           placed.regularity = end.status;
-          Solver::list(placed, state);
+          Own::list(placed, state);
         }
         continue;
       }
@@ -149,7 +150,7 @@ class SceneTracker {
     if (group.regularity != Status::ok) {
       branch.status = group.regularity;
     }
-    Solver::place(group, placed);
+    Own::place(group, placed);
   }
 
   template <std::size_t Place, typename Configurations>
@@ -159,7 +160,7 @@ class SceneTracker {
       using Model = Specialised<Group>;
       GroupPoint<Group>& point = std::get<Place>(branch.groups);
       Held<Group> held;
-      Solver::hold(placed, held);
+      Own::hold(placed, held);
       point.u = held.u;
       point.q = std::get<Place>(found);
       const Status status = look(point);
@@ -183,14 +184,13 @@ class SceneTracker {
       using Group = std::tuple_element_t<Place, Groups>;
       GroupPoint<Group>& point = std::get<Place>(end.groups);
       Held<Group> held;
-      Solver::hold(placed, held);
+      Own::hold(placed, held);
       point.u = held.u;
       if (!advance(std::get<Place>(start.groups), point)) {
         return false;
       }
       const Status status = look(point);
-      if (!is_solvable(status) ||
-          point.orientation != std::get<Place>(start.groups).orientation) {
+      if (!is_solvable(status) || point.orientation != std::get<Place>(start.groups).orientation) {
         return false;
       }
       place(held, point, status, end, placed);

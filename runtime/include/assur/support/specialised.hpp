@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/LU>
+#include <array>
 #include <assur/model.hpp>
 #include <tuple>
 #include <type_traits>
@@ -14,8 +15,15 @@ namespace specialised {
 template <typename Group, typename = void>
 inline constexpr bool has_inverse = false;
 template <typename Group>
-inline constexpr bool has_inverse<Group, std::void_t<decltype(&Group::template inverse_jacobian<
-                                             double>)>> = true;
+inline constexpr bool
+    has_inverse<Group, std::void_t<decltype(&Group::template inverse_jacobian<double>)>> = true;
+
+/// What the unknowns are, by the members of a configuration.
+template <typename... Members>
+[[nodiscard]] constexpr std::array<ModelUnknown, sizeof...(Members)> unknowns_of(
+    std::tuple<const Members&...>* /*members*/) {
+  return {{{"", std::is_same_v<Members, Direction<double>>, -1}...}};
+}
 
 }  // namespace specialised
 
@@ -27,6 +35,9 @@ struct Specialised : Group {
   static constexpr bool rigid = true;
   static constexpr int dimension_count = 0;
   static constexpr bool in_any_order = true;
+  static constexpr auto unknowns = specialised::unknowns_of(
+      static_cast<decltype(std::declval<const typename Group::template Configuration<double>&>()
+                               .members())*>(nullptr));
 
   template <typename Scalar>
   struct Dimensions {
