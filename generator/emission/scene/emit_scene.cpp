@@ -82,7 +82,10 @@ class SceneEmitter {
     slides_ = driving.slides;
     view_.set("driving", shown(driving.lines));
     view_.set("drivers", drivers);
-    view_.set("driver_names", text::joined(names, ", "));
+    view_.set("driver_count", std::to_string(names.size()));
+    view_.set("driver_positions", text::joined(names, ", ", [](const std::string& name) {
+                return "&" + name + ".position";
+              }));
     view_.set("has_drivers", !names.empty());
     view_.set("drivers_name", names.empty() ? "" : " drivers");
     view_.set("driven_name", names.empty() ? "" : " placed");

@@ -114,19 +114,19 @@ class Tracker {
   }
 
  private:
-  static Drivers between(const Drivers& from, const Drivers& to, double part) {
+  [[nodiscard]] static Drivers between(Drivers from, const Drivers& to, double part) {
     Drivers result = to;
-    for_each_pair(result, from, [part](auto& driver, const auto& start) {
-      driver.position = start.position + part * (driver.position - start.position);
-    });
+    const auto starts = from.positions();
+    const auto positions = result.positions();
+    for (std::size_t index = 0; index < positions.size(); ++index) {
+      *positions[index] = *starts[index] + part * (*positions[index] - *starts[index]);
+    }
     return result;
   }
-  static bool is_given(const Drivers& drivers) {
-    bool finite = true;
-    for_each_member(drivers, [&finite](const auto& driver, std::size_t) {
-      finite = finite && std::isfinite(driver.position);
-    });
-    return finite;
+  [[nodiscard]] static bool is_given(Drivers drivers) {
+    const auto positions = drivers.positions();
+    return std::all_of(positions.begin(), positions.end(),
+                       [](const double* position) { return std::isfinite(*position); });
   }
 
   template <typename Group>
