@@ -1,6 +1,7 @@
 // Law: what cannot be computed has a status that says so, and the version is the project's.
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <assur/assur.hpp>
 #include <assur/tetrad/model_01.hpp>
 #include <limits>

@@ -1,6 +1,7 @@
 // Turns a geometry in 50 digits into its assembled configuration and the derivatives there.
 #pragma once
 
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "problem.hpp"

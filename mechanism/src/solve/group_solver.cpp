@@ -1,5 +1,6 @@
 #include "group_solver.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 

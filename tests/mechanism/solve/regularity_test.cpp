@@ -1,5 +1,6 @@
 // Law: the sensitivities of an assembled configuration are as good as its margin says, against the
 // same configuration assembled in long double; six digits hold where the status is ok.
+#include <Eigen/LU>
 #include <assur/kinematics.hpp>
 #include <assur/mechanism/group_model.hpp>
 #include <iostream>

@@ -1,6 +1,7 @@
 // Turns a group into all its configurations in 50 digits, counted by Sturm's theorem.
 #pragma once
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <assur/numeric/second_unknown.hpp>
 #include <sstream>

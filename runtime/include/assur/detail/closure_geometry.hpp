@@ -1,10 +1,9 @@
 // Turns a point near an assembly into the assembly, and tells one that stands from one that moves.
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <assur/model.hpp>
+#include <assur/numeric/matrix4.hpp>
 #include <assur/support/flat_variables.hpp>
 #include <cmath>
 #include <cstddef>
@@ -12,69 +11,64 @@
 
 namespace assur::detail {
 
+using numeric::Elimination;
+using numeric::Matrix4;
+using numeric::Vector4;
 using support::FlatVariables;
 
 /// A configuration with a longer displacement, among lengths near one, has run to infinity as far
 /// as rounding lets tell.
 inline constexpr double farthest_configuration = 0x1p24;
 
-/// Four closures in four unknowns at most. Where a group has fewer, the rest are those of the
-/// identity, which change nothing.
-template <typename Real>
-using FlatVector = Eigen::Matrix<Real, 4, 1>;
-template <typename Real>
-using FlatMatrix = Eigen::Matrix<Real, 4, 4>;
-
-/// The loop closures f(q) of one group in double precision, on flat unknowns.
-template <typename Real>
+/// The loop closures f(q) of one group in double precision, on flat unknowns: four in four unknowns
+/// at most. Where a group has fewer, the rest are those of the identity, which change nothing.
 struct Closures {
-  void (*evaluate)(const void* group, const FlatVariables<Real>& q, FlatVector<Real>& f);
-  void (*differentiate)(const void* group, const FlatVariables<Real>& q,
-                        FlatMatrix<Real>& jacobian);
+  void (*evaluate)(const void* group, const FlatVariables<double>& q, Vector4& f);
+  void (*differentiate)(const void* group, const FlatVariables<double>& q, Matrix4& jacobian);
   const void* group;
   const ModelUnknown* unknowns;
   int size;
-  Real farthest;   ///< coordinate among the inputs
-  Real displaced;  ///< by rounding, the inputs, at most
+  double farthest;   ///< coordinate among the inputs
+  double displaced;  ///< by rounding, the inputs, at most
 
-  [[nodiscard]] FlatVector<Real> at(const FlatVariables<Real>& q) const {
-    FlatVector<Real> f = FlatVector<Real>::Zero();
+  [[nodiscard]] Vector4 at(const FlatVariables<double>& q) const {
+    Vector4 f;
     evaluate(group, q, f);
     return f;
   }
   /// Against steps as `advance` takes them.
-  [[nodiscard]] FlatMatrix<Real> jacobian(const FlatVariables<Real>& q) const {
-    FlatMatrix<Real> result = FlatMatrix<Real>::Identity();
+  [[nodiscard]] Matrix4 jacobian(const FlatVariables<double>& q) const {
+    Matrix4 result = Matrix4::identity();
     differentiate(group, q, result);
     std::size_t place = 0;
     for (int unknown = 0; unknown < size; ++unknown) {
       if (unknowns[unknown].is_angle) {
         place += 2;
       } else {
-        result.col(unknown) *= unit_of(q[place++]);
+        result.column(unknown) = unit_of(q[place++]) * result.column(unknown);
       }
     }
     return result;
   }
   /// A displacement far beyond the longest length is measured in itself.
-  [[nodiscard]] static Real unit_of(Real displacement) {
-    return std::max<Real>(1, std::abs(displacement));
+  [[nodiscard]] static double unit_of(double displacement) {
+    return std::max(1.0, std::abs(displacement));
   }
   /// The unknowns moved by a step: displacements shift, angles turn, without trigonometric
   /// functions.
-  void advance(const FlatVector<Real>& step, FlatVariables<Real>& q) const {
+  void advance(const Vector4& step, FlatVariables<double>& q) const {
     std::size_t place = 0;
     for (int unknown = 0; unknown < size; ++unknown) {
-      const Real by = step(unknown);
+      const double by = step(unknown);
       if (unknowns[unknown].is_angle) {
         // The half angle's tangent by/2 turns by nearly `by`.
-        const Real half = by / 2;
-        const Real norm = 1 + half * half;
-        const Real c = (1 - half * half) / norm;
-        const Real s = 2 * half / norm;
-        const Real cos = c * q[place] - s * q[place + 1];
-        const Real sin = s * q[place] + c * q[place + 1];
-        const Real length = std::sqrt(cos * cos + sin * sin);
+        const double half = by / 2;
+        const double norm = 1 + half * half;
+        const double c = (1 - half * half) / norm;
+        const double s = 2 * half / norm;
+        const double cos = c * q[place] - s * q[place + 1];
+        const double sin = s * q[place] + c * q[place + 1];
+        const double length = std::sqrt(cos * cos + sin * sin);
         q[place] = length > 0 ? cos / length : 1;
         q[place + 1] = length > 0 ? sin / length : 0;
         place += 2;
@@ -85,14 +79,13 @@ struct Closures {
     }
   }
   /// Pairs that are no directions yet become some.
-  void straighten(FlatVariables<Real>& q) const { advance(FlatVector<Real>::Zero(), q); }
+  void straighten(FlatVariables<double>& q) const { advance(Vector4(), q); }
 };
 
 /// The longest displacement among flat unknowns.
-template <typename Real>
-[[nodiscard]] Real longest_displacement(const Closures<Real>& closures,
-                                        const FlatVariables<Real>& q) {
-  Real longest = 0;
+[[nodiscard]] inline double longest_displacement(const Closures& closures,
+                                                 const FlatVariables<double>& q) {
+  double longest = 0;
   std::size_t place = 0;
   for (int unknown = 0; unknown < closures.size; ++unknown) {
     if (closures.unknowns[unknown].is_angle) {
@@ -106,52 +99,51 @@ template <typename Real>
 
 /// What rounding leaves of closures among lengths of at most one: the rounding of the closures
 /// themselves, and that of the groups that were placed before.
-template <typename Real>
-[[nodiscard]] Real rounding(const Closures<Real>& closures, const FlatVariables<Real>& q) {
-  return 32 * std::numeric_limits<Real>::epsilon() *
+[[nodiscard]] inline double rounding(const Closures& closures, const FlatVariables<double>& q) {
+  return 32 * std::numeric_limits<double>::epsilon() *
              (1 + closures.farthest + longest_displacement(closures, q)) +
          4 * closures.displaced;
 }
 
 /// The largest difference of two lists of unknowns; of long displacements in parts of them.
-template <typename Real>
-[[nodiscard]] Real distance(const Closures<Real>& closures, const FlatVariables<Real>& one,
-                            const FlatVariables<Real>& other) {
-  Real largest = 0;
+[[nodiscard]] inline double distance(const Closures& closures, const FlatVariables<double>& one,
+                                     const FlatVariables<double>& other) {
+  double largest = 0;
   std::size_t place = 0;
   for (int unknown = 0; unknown < closures.size; ++unknown) {
     for (int part = closures.unknowns[unknown].is_angle ? 2 : 1; part > 0; --part, ++place) {
-      const Real size = std::max<Real>({1, std::abs(one[place]), std::abs(other[place])});
+      const double size = std::max({1.0, std::abs(one[place]), std::abs(other[place])});
       largest = std::max(largest, std::abs(one[place] - other[place]) / size);
     }
   }
   return largest;
 }
 
+/// Below this part of the largest a pivot is rounding.
+inline constexpr double pivot_rounding = 4 * std::numeric_limits<double>::epsilon();
+
 /// Newton's step.
-template <typename Real>
-[[nodiscard]] FlatVector<Real> newton_step(const FlatMatrix<Real>& jacobian,
-                                           const FlatVector<Real>& f) {
-  return Eigen::FullPivLU<FlatMatrix<Real>>(jacobian).solve(-f);
+[[nodiscard]] inline Vector4 newton_step(const Matrix4& jacobian, const Vector4& f) {
+  return -1 * Elimination(jacobian, pivot_rounding).solve(f);
 }
 
 /// Levenberg's step, the least |J s + f|^2 + damping^2 |s|^2, from the normal equations. With the
 /// residual as damping it leads from any side onto singular assemblies and onto curves of
 /// assemblies; what is below rounding of J^2 stays where it is, so that it does not move along.
-template <typename Real>
-[[nodiscard]] FlatVector<Real> damped_step(const FlatMatrix<Real>& jacobian,
-                                           const FlatVector<Real>& f, Real damping) {
-  FlatMatrix<Real> normal = jacobian.transpose() * jacobian;
-  normal.diagonal().array() += std::max<Real>(damping * damping, 1e-30);
-  const FlatVector<Real> downhill = -(jacobian.transpose() * f);
-  return Eigen::FullPivLU<FlatMatrix<Real>>(normal).solve(downhill);
+[[nodiscard]] inline Vector4 damped_step(const Matrix4& jacobian, const Vector4& f,
+                                         double damping) {
+  Matrix4 normal;
+  for (int unknown = 0; unknown < 4; ++unknown) {
+    normal.column(unknown) = transposed_product(jacobian, jacobian.column(unknown));
+    normal(unknown, unknown) += std::max(damping * damping, 1e-30);
+  }
+  return -1 * Elimination(normal, pivot_rounding).solve(transposed_product(jacobian, f));
 }
 
 /// Moves a point so that those closures hold again that hold firmly. Near an assembly of high
 /// multiplicity all of them nearly hold in a narrow bent valley: this leads back into it.
-template <typename Real>
-void restore(const Closures<Real>& closures, FlatVariables<Real>& q) {
-  constexpr Real firm = 0.01;
+inline void restore(const Closures& closures, FlatVariables<double>& q) {
+  constexpr double firm = 0.01;
   constexpr int most_steps = 3;
   for (int step = 0; step < most_steps; ++step) {
     closures.advance(damped_step(closures.jacobian(q), closures.at(q), firm), q);
@@ -159,51 +151,50 @@ void restore(const Closures<Real>& closures, FlatVariables<Real>& q) {
 }
 
 /// A point on its way to an assembly.
-template <typename Real>
 class Closing {
  public:
-  Closing(const Closures<Real>& closures, const FlatVariables<Real>& q)
-      : closures_(closures), q_(q), f_(closures.at(q)), miss_(f_.norm()) {}
+  Closing(const Closures& closures, const FlatVariables<double>& q)
+      : closures_(closures), q_(q), f_(closures.at(q)), miss_(norm(f_)) {}
 
-  [[nodiscard]] const FlatVariables<Real>& point() const { return q_; }
-  [[nodiscard]] Real miss() const { return miss_; }
+  [[nodiscard]] const FlatVariables<double>& point() const { return q_; }
+  [[nodiscard]] double miss() const { return miss_; }
 
   /// False where no step lessens the miss any more.
   bool step() {
-    const FlatMatrix<Real> jacobian = closures_.jacobian(q_);
+    const Matrix4 jacobian = closures_.jacobian(q_);
     // Where the Jacobian is nearly singular Newton's step leads anywhere.
-    const FlatVector<Real> newton = newton_step(jacobian, f_);
-    if (newton.norm() < 100 * miss_ && take(newton, 0.1)) {
+    const Vector4 newton = newton_step(jacobian, f_);
+    if (norm(newton) < 100 * miss_ && take(newton, 0.1)) {
       return true;
     }
-    const FlatVector<Real> damped = damped_step(jacobian, f_, std::max<Real>(miss_, 1e-15));
-    for (const Real part : {1, 4, 16, 64, 256}) {
-      if (take(damped / part, 0.99)) {
+    const Vector4 damped = damped_step(jacobian, f_, std::max(miss_, 1e-15));
+    for (const double part : {1.0, 4.0, 16.0, 64.0, 256.0}) {
+      if (take(1 / part * damped, 0.99)) {
         return true;
       }
     }
-    return !(miss_ < rounding(closures_, q_)) && newton.norm() < 0.1 && take_and_restore(newton);
+    return !(miss_ < rounding(closures_, q_)) && norm(newton) < 0.1 && take_and_restore(newton);
   }
   /// Newton's step if it lessens the miss at all.
   bool polish() { return take(newton_step(closures_.jacobian(q_), f_), 1); }
 
  private:
-  bool take(const FlatVector<Real>& step, Real enough) {
-    FlatVariables<Real> next = q_;
+  bool take(const Vector4& step, double enough) {
+    FlatVariables<double> next = q_;
     closures_.advance(step, next);
     return accept(next, enough);
   }
 
-  bool take_and_restore(const FlatVector<Real>& step) {
-    FlatVariables<Real> next = q_;
+  bool take_and_restore(const Vector4& step) {
+    FlatVariables<double> next = q_;
     closures_.advance(step, next);
     restore(closures_, next);
     return accept(next, 0.99);
   }
 
-  bool accept(const FlatVariables<Real>& next, Real enough) {
-    const FlatVector<Real> f = closures_.at(next);
-    const Real miss = f.norm();
+  bool accept(const FlatVariables<double>& next, double enough) {
+    const Vector4 f = closures_.at(next);
+    const double miss = norm(f);
     if (!(miss < enough * miss_)) {
       return false;
     }
@@ -213,17 +204,16 @@ class Closing {
     return true;
   }
 
-  const Closures<Real>& closures_;
-  FlatVariables<Real> q_;
-  FlatVector<Real> f_;
-  Real miss_;
+  const Closures& closures_;
+  FlatVariables<double> q_;
+  Vector4 f_;
+  double miss_;
 };
 
 /// Moves a point to an assembly near it, and returns the norm of the closures that is left.
-template <typename Real>
-Real close(const Closures<Real>& closures, FlatVariables<Real>& q) {
+inline double close(const Closures& closures, FlatVariables<double>& q) {
   constexpr int most_steps = 200;
-  Closing<Real> closing(closures, q);
+  Closing closing(closures, q);
   if (closing.miss() < rounding(closures, q) / 8) {
     return closing.miss();  // where it comes from more digits, steps in fewer would only move it
   }
@@ -238,17 +228,16 @@ Real close(const Closures<Real>& closures, FlatVariables<Real>& q) {
 
 /// Whether two assemblies are one that rounding keeps apart, as it does a multiple one: then the
 /// closures hold between them, too.
-template <typename Real>
-[[nodiscard]] bool are_one(const Closures<Real>& closures, const FlatVariables<Real>& one,
-                           const FlatVariables<Real>& other) {
-  constexpr Real near = 1e-2;   // a quadruple assembly is known to 1e-3
-  constexpr Real equal = 1e-7;  // a double one is known to 1e-8
-  const Real apart = distance(closures, one, other);
+[[nodiscard]] inline bool are_one(const Closures& closures, const FlatVariables<double>& one,
+                                  const FlatVariables<double>& other) {
+  constexpr double near = 1e-2;   // a quadruple assembly is known to 1e-3
+  constexpr double equal = 1e-7;  // a double one is known to 1e-8
+  const double apart = distance(closures, one, other);
   if (!(apart < near) || apart < equal) {
     return apart < equal;
   }
-  const auto between = [&](Real part) {
-    FlatVariables<Real> point = one;
+  const auto between = [&](double part) {
+    FlatVariables<double> point = one;
     for (std::size_t place = 0; place < point.size(); ++place) {
       point[place] = (1 - part) * one[place] + part * other[place];
     }
@@ -256,10 +245,10 @@ template <typename Real>
     return point;
   };
   // Not in the middle alone: there may stand a third.
-  for (const Real part : {Real(0.3), Real(0.5), Real(0.6)}) {
-    FlatVariables<Real> point = between(part);
+  for (const double part : {0.3, 0.5, 0.6}) {
+    FlatVariables<double> point = between(part);
     restore(closures, point);
-    if (!(closures.at(point).norm() < rounding(closures, point))) {
+    if (!(norm(closures.at(point)) < rounding(closures, point))) {
       return false;
     }
   }
@@ -267,50 +256,44 @@ template <typename Real>
 }
 
 /// Directions in which the closures do not change to first order.
-template <typename Real>
 struct FreeDirections {
   int count = 0;
-  FlatMatrix<Real> basis = FlatMatrix<Real>::Zero();  ///< a column each; orthonormal
+  Matrix4 basis;  ///< a column each; orthonormal
 };
 
 /// The null space of a matrix by Gauss's elimination with full pivoting: what is below `threshold`
 /// of the largest pivot counts as zero.
-template <typename Real>
-[[nodiscard]] FreeDirections<Real> null_space(const FlatMatrix<Real>& matrix, double threshold) {
-  Eigen::FullPivLU<FlatMatrix<Real>> factors(matrix);
-  factors.setThreshold(threshold);
-  FreeDirections<Real> result;
-  result.count = static_cast<int>(factors.dimensionOfKernel());
-  if (result.count > 0) {
-    result.basis.leftCols(result.count) = factors.kernel();
-    for (int column = 0; column < result.count; ++column) {
-      for (int other = 0; other < column; ++other) {
-        const Real along = result.basis.col(other).dot(result.basis.col(column));
-        result.basis.col(column) -= along * result.basis.col(other);
-      }
-      result.basis.col(column).normalize();
+[[nodiscard]] inline FreeDirections null_space(const Matrix4& matrix, double threshold) {
+  const Elimination factors(matrix, threshold);
+  FreeDirections result;
+  result.count = 4 - factors.rank();
+  for (int column = 0; column < result.count; ++column) {
+    Vector4 direction = factors.null_vector(column);
+    for (int other = 0; other < column; ++other) {
+      const Vector4& known = result.basis.column(other);
+      direction = direction - dot(known, direction) * known;
     }
+    result.basis.column(column) = normalised(direction);
   }
   return result;
 }
 
 /// The directions in which unknowns may leave an assembly to first order.
-template <typename Real>
-[[nodiscard]] FreeDirections<Real> free_directions(const Closures<Real>& closures,
-                                                   const FlatVariables<Real>& q, double threshold) {
+[[nodiscard]] inline FreeDirections free_directions(const Closures& closures,
+                                                    const FlatVariables<double>& q,
+                                                    double threshold) {
   return null_space(closures.jacobian(q), threshold);
 }
 
 /// d2f along a direction: how the closures bend.
-template <typename Real>
-[[nodiscard]] FlatVector<Real> bend(const Closures<Real>& closures, const FlatVariables<Real>& q,
-                                    const FlatVector<Real>& along) {
-  constexpr Real step = 0x1p-10;
-  FlatVariables<Real> ahead = q;
-  FlatVariables<Real> behind = q;
+[[nodiscard]] inline Vector4 bend(const Closures& closures, const FlatVariables<double>& q,
+                                  const Vector4& along) {
+  constexpr double step = 0x1p-10;
+  FlatVariables<double> ahead = q;
+  FlatVariables<double> behind = q;
   closures.advance(step * along, ahead);
   closures.advance(-step * along, behind);
-  return (closures.at(ahead) + closures.at(behind) - 2 * closures.at(q)) / (step * step);
+  return 1 / (step * step) * (closures.at(ahead) + closures.at(behind) - 2 * closures.at(q));
 }
 
 /// Below this a pivot belongs to an assembly at which the closures are singular: rounding of the
@@ -320,18 +303,17 @@ inline constexpr double singular_pivot = 1e-4;
 inline constexpr double lost_pivot = 1e-7;
 
 /// The step that leads from one list of unknowns to another, for small ones.
-template <typename Real>
-[[nodiscard]] FlatVector<Real> step_between(const Closures<Real>& closures,
-                                            const FlatVariables<Real>& from,
-                                            const FlatVariables<Real>& to) {
-  FlatVector<Real> step = FlatVector<Real>::Zero();
+[[nodiscard]] inline Vector4 step_between(const Closures& closures,
+                                          const FlatVariables<double>& from,
+                                          const FlatVariables<double>& to) {
+  Vector4 step;
   std::size_t place = 0;
   for (int unknown = 0; unknown < closures.size; ++unknown) {
     if (closures.unknowns[unknown].is_angle) {
       step(unknown) = to[place + 1] * from[place] - to[place] * from[place + 1];
       place += 2;
     } else {
-      step(unknown) = (to[place] - from[place]) / Closures<Real>::unit_of(from[place]);
+      step(unknown) = (to[place] - from[place]) / Closures::unit_of(from[place]);
       ++place;
     }
   }
@@ -340,43 +322,41 @@ template <typename Real>
 
 /// Moves a double assembly that stands alone to where the closures are exactly singular: rounding
 /// of the closures leaves it known to the root of epsilon, their derivatives know it to epsilon.
-template <typename Real>
-void settle(const Closures<Real>& closures, FlatVariables<Real>& q) {
+inline void settle(const Closures& closures, FlatVariables<double>& q) {
   constexpr int most_steps = 4;
-  FlatVariables<Real> settled = q;
+  FlatVariables<double> settled = q;
   for (int step = 0; step < most_steps; ++step) {
-    const FlatMatrix<Real> jacobian = closures.jacobian(settled);
-    const FreeDirections<Real> free = null_space(jacobian, singular_pivot);
-    const FreeDirections<Real> parts = null_space<Real>(jacobian.transpose(), singular_pivot);
+    const Matrix4 jacobian = closures.jacobian(settled);
+    const FreeDirections free = null_space(jacobian, singular_pivot);
+    const FreeDirections parts = null_space(transposed(jacobian), singular_pivot);
     if (free.count != 1 || parts.count != 1) {
       return;
     }
-    const FlatVector<Real> along = free.basis.col(0);
-    const FlatVector<Real> part = parts.basis.col(0);
-    const Real slope = part.dot(jacobian * along);
-    const Real change = part.dot(bend(closures, settled, along));
+    const Vector4 along = free.basis.column(0);
+    const Vector4 part = parts.basis.column(0);
+    const double slope = dot(transposed_product(jacobian, part), along);
+    const double change = dot(part, bend(closures, settled, along));
     if (!(std::abs(slope) < 1e-3 * std::abs(change))) {
       return;  // not a double one
     }
     closures.advance(-slope / change * along, settled);
     restore(closures, settled);
   }
-  if (closures.at(settled).norm() < rounding(closures, settled)) {
+  if (norm(closures.at(settled)) < rounding(closures, settled)) {
     q = settled;
   }
 }
 
 /// What surrounds a singular assembly: the directions in which others lie close by.
-template <typename Real>
 class Neighbourhood {
  public:
   /// Looks `reach` away, of the longest length or in radians.
-  Neighbourhood(const Closures<Real>& closures, const FlatVariables<Real>& q, Real reach)
+  Neighbourhood(const Closures& closures, const FlatVariables<double>& q, double reach)
       : closures_(closures), reach_(reach), free_(free_directions(closures, q, singular_pivot)) {
     for (int one = 0; one < free_.count; ++one) {
-      try_both_ways(q, free_.basis.col(one));
+      try_both_ways(q, free_.basis.column(one));
       for (int other = 0; other < one; ++other) {
-        try_plane(q, free_.basis.col(one), free_.basis.col(other));
+        try_plane(q, free_.basis.column(one), free_.basis.column(other));
       }
     }
   }
@@ -384,31 +364,29 @@ class Neighbourhood {
   /// How many of the directions are independent: the dimension of the family, or zero.
   [[nodiscard]] int dimension() const { return dimension_; }
   /// An assembly close by, singular as well; requires dimension() > 0.
-  [[nodiscard]] const FlatVariables<Real>& neighbour() const { return neighbour_; }
+  [[nodiscard]] const FlatVariables<double>& neighbour() const { return neighbour_; }
 
  private:
   /// Directions in the plane of two free ones: those in which a part of the closures that is free
   /// of first order does not bend either, A c^2 + B c s + C s^2 = 0, and some between.
-  void try_plane(const FlatVariables<Real>& q, const FlatVector<Real>& one,
-                 const FlatVector<Real>& other) {
-    const auto at_angle = [&](Real angle) {
+  void try_plane(const FlatVariables<double>& q, const Vector4& one, const Vector4& other) {
+    const auto at_angle = [&](double angle) {
       try_both_ways(q, std::cos(angle) * one + std::sin(angle) * other);
     };
-    const FreeDirections<Real> parts =
-        null_space<Real>(closures_.jacobian(q).transpose(), singular_pivot);
-    const FlatVector<Real> a = bend(closures_, q, one);
-    const FlatVector<Real> c = bend(closures_, q, other);
-    const FlatVector<Real> b = bend<Real>(closures_, q, one + other) - a - c;
+    const FreeDirections parts = null_space(transposed(closures_.jacobian(q)), singular_pivot);
+    const Vector4 a = bend(closures_, q, one);
+    const Vector4 c = bend(closures_, q, other);
+    const Vector4 b = bend(closures_, q, one + other) - a - c;
     for (int part = 0; part < parts.count; ++part) {
-      const Real A = parts.basis.col(part).dot(a);
-      const Real B = parts.basis.col(part).dot(b);
-      const Real C = parts.basis.col(part).dot(c);
+      const double A = dot(parts.basis.column(part), a);
+      const double B = dot(parts.basis.column(part), b);
+      const double C = dot(parts.basis.column(part), c);
       // (A + C)/2 + (A - C)/2 cos 2x + B/2 sin 2x = 0.
-      const Real size = std::hypot(A - C, B);
-      const Real inside = -(A + C) / size;
+      const double size = std::hypot(A - C, B);
+      const double inside = -(A + C) / size;
       if (size > 0 && std::abs(inside) <= 1 + 1e-6) {
-        const Real reach_of_angle = std::acos(std::clamp<Real>(inside, -1, 1)) / 2;
-        const Real middle = std::atan2(B, A - C) / 2;
+        const double reach_of_angle = std::acos(std::clamp(inside, -1.0, 1.0)) / 2;
+        const double middle = std::atan2(B, A - C) / 2;
         at_angle(middle + reach_of_angle);
         at_angle(middle - reach_of_angle);
       }
@@ -419,40 +397,41 @@ class Neighbourhood {
     }
   }
 
-  void try_both_ways(const FlatVariables<Real>& q, const FlatVector<Real>& along) {
-    for (const Real way : {reach_, -reach_}) {
-      FlatVariables<Real> to = q;
+  void try_both_ways(const FlatVariables<double>& q, const Vector4& along) {
+    for (const double way : {reach_, -reach_}) {
+      FlatVariables<double> to = q;
       closures_.advance(way * along, to);
       // Where neighbours are displaced, a family closes to within rounding everywhere and exactly
       // in a few places; steps that lessen what is below rounding would lead there.
       restore(closures_, to);
-      Real miss = closures_.at(to).norm();
+      double miss = norm(closures_.at(to));
       if (!(miss < rounding(closures_, to))) {
         miss = close(closures_, to);
       }
-      FlatVector<Real> step = step_between(closures_, q, to);
-      const Real length = step.norm();
+      Vector4 step = step_between(closures_, q, to);
+      const double length = norm(step);
       if (!(miss < rounding(closures_, to)) || length < 0.7 * reach_ || length > 1.4 * reach_ ||
           free_directions(closures_, to, singular_pivot).count == 0) {
         continue;
       }
       for (int known = 0; known < dimension_; ++known) {
-        step -= tangents_.col(known).dot(step) * tangents_.col(known);
+        const Vector4& tangent = tangents_.column(known);
+        step = step - dot(tangent, step) * tangent;
       }
       // A curve bends by less.
-      if (dimension_ < free_.count && step.norm() > 0.35 * length) {
+      if (dimension_ < free_.count && norm(step) > 0.35 * length) {
         neighbour_ = to;
-        tangents_.col(dimension_) = step.normalized();
+        tangents_.column(dimension_) = normalised(step);
         ++dimension_;
       }
     }
   }
 
-  const Closures<Real>& closures_;
-  Real reach_;
-  FreeDirections<Real> free_;
-  FlatMatrix<Real> tangents_ = FlatMatrix<Real>::Zero();
-  FlatVariables<Real> neighbour_{};
+  const Closures& closures_;
+  double reach_;
+  FreeDirections free_;
+  Matrix4 tangents_;
+  FlatVariables<double> neighbour_{};
   int dimension_ = 0;
 };
 
@@ -460,11 +439,9 @@ class Neighbourhood {
 /// the freedoms of the one that is left first; so a neighbour is asked, not the assembly itself. It
 /// is asked at another distance, at which it does not see where it was reached from: two assemblies
 /// that stand alone are no family.
-template <typename Real>
-[[nodiscard]] int mobility_at(const Closures<Real>& closures, const FlatVariables<Real>& q) {
-  const Neighbourhood<Real> here(closures, q, 0.02);
-  return here.dimension() == 0 ? 0
-                               : Neighbourhood<Real>(closures, here.neighbour(), 0.05).dimension();
+[[nodiscard]] inline int mobility_at(const Closures& closures, const FlatVariables<double>& q) {
+  const Neighbourhood here(closures, q, 0.02);
+  return here.dimension() == 0 ? 0 : Neighbourhood(closures, here.neighbour(), 0.05).dimension();
 }
 
 }  // namespace assur::detail

@@ -35,18 +35,18 @@ class SpecialGroupOf {
     tell_angles(u, input_is_angle_);
   }
 
-  [[nodiscard]] SpecialAssemblies<double> search() const {
-    const SpecialGroup<double> group = functions();
-    return SpecialSearch<double>(group, flat_d_, flat_u_).run();
+  [[nodiscard]] SpecialAssemblies search() const {
+    const SpecialGroup group = functions();
+    return SpecialSearch<SpecialGroup>(group, flat_d_, flat_u_).run();
   }
   /// By how much the closures fail at least where the group cannot be assembled.
   [[nodiscard]] double least_miss() const {
-    const SpecialGroup<double> group = functions();
-    return SpecialSearch<double>(group, flat_d_, flat_u_).least_miss();
+    const SpecialGroup group = functions();
+    return SpecialSearch<SpecialGroup>(group, flat_d_, flat_u_).least_miss();
   }
 
  private:
-  [[nodiscard]] SpecialGroup<double> functions() const {
+  [[nodiscard]] SpecialGroup functions() const {
     return {{&evaluate, &differentiate, this, Model::unknowns.data(), Model::unknown_count,
              longest_length(u_), displaced_},
             dimension_is_angle_.data(),
@@ -80,19 +80,22 @@ class SpecialGroupOf {
         flat, [within](const Precise& value) { return Certified(value, within); });
   }
 
-  static void evaluate(const void* group, const FlatVariables<double>& q, FlatVector<double>& f) {
+  static void evaluate(const void* group, const FlatVariables<double>& q, numeric::Vector4& f) {
     const auto& self = *static_cast<const SpecialGroupOf*>(group);
     Vector<double, Model::equation_count> result;
     Model::residual(self.d_, self.u_, in_double<Configuration<double>>(q), result);
-    std::copy_n(result.data(), Model::equation_count, f.data());
+    std::copy_n(result.data(), Model::equation_count, f.entries.data());
   }
 
   static void differentiate(const void* group, const FlatVariables<double>& q,
-                            FlatMatrix<double>& j) {
+                            numeric::Matrix4& j) {
     const auto& self = *static_cast<const SpecialGroupOf*>(group);
     Matrix<double, Model::equation_count, Model::unknown_count> result;
     Model::jacobian(self.d_, self.u_, in_double<Configuration<double>>(q), result);
-    j.topLeftCorner<Model::equation_count, Model::unknown_count>() = result;
+    for (int column = 0; column < Model::unknown_count; ++column) {
+      std::copy_n(result.col(column).data(), Model::equation_count,
+                  j.column(column).entries.data());
+    }
   }
 
   static FirstValues values(const PreciseVariables& d, const PreciseVariables& u, double within) {
@@ -111,8 +114,8 @@ class SpecialGroupOf {
     }
   }
 
-  static Completions<double> complete(const PreciseVariables& flat_d,
-                                      const PreciseVariables& flat_u, const FirstValue& first) {
+  static Completions complete(const PreciseVariables& flat_d, const PreciseVariables& flat_u,
+                              const FirstValue& first) {
     const auto d = precise<Dimensions<Precise>>(flat_d);
     const auto u = precise<Inputs<Precise>>(flat_u);
     Configuration<Precise> q;
@@ -122,7 +125,7 @@ class SpecialGroupOf {
     } else {
       first_unknown = first.cos;
     }
-    Completions<double> result;
+    Completions result;
     const auto add = [&] {
       Model::complete(d, u, q);
       for_each_member(q, [](auto& member, std::size_t) {
@@ -171,7 +174,7 @@ void search_in_special_position(const typename Model::template Dimensions<double
                                 const typename Model::template Inputs<double>& u, double displaced,
                                 Assemblies<Model>& result) {
   using Configuration = typename Model::template Configuration<double>;
-  const SpecialAssemblies<double> found = SpecialGroupOf<Model>(d, u, displaced).search();
+  const SpecialAssemblies found = SpecialGroupOf<Model>(d, u, displaced).search();
   result.count = 0;
   for (std::size_t index = 0; index < found.count && result.count < Model::max_configurations;
        ++index) {

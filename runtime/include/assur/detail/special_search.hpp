@@ -25,16 +25,14 @@ namespace assur::detail {
 using PreciseVariables = FlatVariables<numeric::DoubleDouble>;
 
 /// Assemblies that one value of the first unknown completes to, by the closeness of the second.
-template <typename Real>
 struct Completions {
-  std::array<FlatVariables<Real>, 4> list;
+  std::array<FlatVariables<double>, 4> list;
   std::size_t count = 0;
 };
 
 /// What the search needs of a model, on flat variables. Lengths are near one at most.
-template <typename Real>
 struct SpecialGroup {
-  Closures<Real> closures;
+  Closures closures;
   /// Of each variable whether it is an angle.
   const bool* dimensions;
   const bool* inputs;
@@ -46,29 +44,27 @@ struct SpecialGroup {
   /// Finds the roots that are certain if every input is known to `within` and every dimension to a
   /// rounding.
   FirstValues (*first_values)(const PreciseVariables& d, const PreciseVariables& u, double within);
-  Completions<Real> (*complete)(const PreciseVariables& d, const PreciseVariables& u,
-                                const FirstValue& first);
+  Completions (*complete)(const PreciseVariables& d, const PreciseVariables& u,
+                          const FirstValue& first);
 };
 
 /// The assemblies of a group in special position.
-template <typename Real>
 struct SpecialAssemblies {
   static constexpr std::size_t capacity = 12;
-  std::array<FlatVariables<Real>, capacity> list;
+  std::array<FlatVariables<double>, capacity> list;
   std::array<bool, capacity> singular{};
   std::size_t count = 0;
   int mobility = 0;  ///< of the freest family found; zero if there is none
   bool vanishing = false;
 };
 
-template <typename Real>
+template <typename Group>
 class SpecialSearch {
  public:
-  SpecialSearch(const SpecialGroup<Real>& group, const PreciseVariables& d,
-                const PreciseVariables& u)
+  SpecialSearch(const Group& group, const PreciseVariables& d, const PreciseVariables& u)
       : group_(group), d_(d), u_(u) {}
 
-  [[nodiscard]] SpecialAssemblies<Real> run();
+  [[nodiscard]] SpecialAssemblies run();
 
   /// By how much the closures fail at least, as far as a search from some places tells.
   [[nodiscard]] double least_miss() const;
@@ -82,13 +78,13 @@ class SpecialSearch {
     if (!values.certain()) {
       return false;
     }
-    const Closures<Real>& closures = group_.closures;
+    const Closures& closures = group_.closures;
     for (std::size_t index = 0; index < values.count; ++index) {
-      const Completions<Real> found = group_.complete(d_, u_, values.list[index]);
+      const Completions found = group_.complete(d_, u_, values.list[index]);
       if (found.count == 0) {
         return false;
       }
-      FlatVariables<Real> q = found.list[0];
+      FlatVariables<double> q = found.list[0];
       closures.straighten(q);
       if (!(longest_displacement(closures, q) < farthest_configuration) ||
           !(close(closures, q) < rounding(closures, q)) ||
@@ -109,7 +105,7 @@ class SpecialSearch {
   /// At every root first the second value that fits best: what it completes to is known to more
   /// digits than what others lead to.
   void try_all(const PreciseVariables& d, const PreciseVariables& u, const FirstValues& values) {
-    std::array<Completions<Real>, 6> found;
+    std::array<Completions, 6> found;
     for (std::size_t index = 0; index < values.count; ++index) {
       found[index] = group_.complete(d, u, values.list[index]);
       if (found[index].count > 0) {
@@ -137,7 +133,7 @@ class SpecialSearch {
       } else {
         first.cos = 4 * part - 2;
       }
-      const Completions<Real> found = group_.complete(d_, u_, first);
+      const Completions found = group_.complete(d_, u_, first);
       for (std::size_t place = 0; place < found.count; ++place) {
         use(found.list[place]);
       }
@@ -148,9 +144,9 @@ class SpecialSearch {
   /// that is free, which tells nothing of the others.
   void try_anywhere() {
     constexpr int starts = 48;
-    const Closures<Real>& closures = group_.closures;
+    const Closures& closures = group_.closures;
     for (int start = 0; start < starts; ++start) {
-      FlatVariables<Real> q{};
+      FlatVariables<double> q{};
       std::size_t place = 0;
       for (int unknown = 0; unknown < closures.size; ++unknown) {
         if (closures.unknowns[unknown].is_angle) {
@@ -193,9 +189,9 @@ class SpecialSearch {
     return static_cast<double>(random_ >> 8U) / 0x1p23 - 1;
   }
 
-  void add(const FlatVariables<Real>& start) {
-    const Closures<Real>& closures = group_.closures;
-    FlatVariables<Real> q = start;
+  void add(const FlatVariables<double>& start) {
+    const Closures& closures = group_.closures;
+    FlatVariables<double> q = start;
     if (!(longest_displacement(closures, q) < farthest_configuration)) {
       return;
     }
@@ -223,7 +219,7 @@ class SpecialSearch {
     list(q);
   }
 
-  void list(const FlatVariables<Real>& q) {
+  void list(const FlatVariables<double>& q) {
     if (result_.count < result_.list.size()) {
       result_.list[result_.count] = q;
       result_.singular[result_.count] = free_directions(group_.closures, q, lost_pivot).count > 0;
@@ -231,16 +227,16 @@ class SpecialSearch {
     }
   }
 
-  const SpecialGroup<Real>& group_;
+  const Group& group_;
   const PreciseVariables& d_;
   const PreciseVariables& u_;
-  SpecialAssemblies<Real> result_;
+  SpecialAssemblies result_;
   unsigned random_ = 0;
 };
 
 // Defined outside of the class, so that an explicit instantiation can be the only one.
-template <typename Real>
-SpecialAssemblies<Real> SpecialSearch<Real>::run() {
+template <typename Group>
+SpecialAssemblies SpecialSearch<Group>::run() {
   if (!group_.is_specialised &&
       is_general(group_.first_values(d_, u_, group_.rounding_of_inputs))) {
     return result_;
@@ -250,7 +246,7 @@ SpecialAssemblies<Real> SpecialSearch<Real>::run() {
   result_.vanishing = exact.vanishing;
   try_all(d_, u_, exact);
   // A multiple root that rounding has made complex leaves no root behind.
-  for_each_sample([this](const FlatVariables<Real>& start) { add(start); });
+  for_each_sample([this](const FlatVariables<double>& start) { add(start); });
   if (exact.vanishing) {
     try_anywhere();
   }
@@ -268,11 +264,11 @@ SpecialAssemblies<Real> SpecialSearch<Real>::run() {
   return result_;
 }
 
-template <typename Real>
-double SpecialSearch<Real>::least_miss() const {
+template <typename Group>
+double SpecialSearch<Group>::least_miss() const {
   double least = std::numeric_limits<double>::infinity();
-  for_each_sample([&](const FlatVariables<Real>& start) {
-    FlatVariables<Real> q = start;
+  for_each_sample([&](const FlatVariables<double>& start) {
+    FlatVariables<double> q = start;
     if (longest_displacement(group_.closures, q) < farthest_configuration) {
       group_.closures.straighten(q);
       least = std::min(least, close(group_.closures, q));

@@ -9,7 +9,7 @@
 #define ASSUR_SHARED_SEARCH extern template
 #endif
 
-ASSUR_SHARED_SEARCH class assur::detail::SpecialSearch<double>;
+ASSUR_SHARED_SEARCH class assur::detail::SpecialSearch<assur::detail::SpecialGroup>;
 ASSUR_SHARED_SEARCH assur::detail::FirstValues assur::detail::first_values(
     const assur::TrigonometricPolynomial<assur::numeric::Bounded<assur::numeric::DoubleDouble>,
                                          1>&);
