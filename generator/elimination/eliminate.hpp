@@ -22,6 +22,10 @@ struct Elimination {
   /// displacement the coefficients of x^k with a zero second part.
   std::vector<equations::Vector2> polynomial;
   std::size_t degree;
+  /// Whether the final polynomial is solved by formula.
+  [[nodiscard]] bool is_closed() const {
+    return degree == 1 || (degree == 2 && !first->is_angle());
+  }
   std::size_t max_configurations;  ///< generic number of complex solutions
   equations::Vocabulary vocabulary;
   std::vector<RecordedStep> record;  ///< every step from the closures to the polynomial

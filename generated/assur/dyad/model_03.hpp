@@ -552,8 +552,7 @@ struct Model03 {
     T.sine[1] = -Scalar(2) * DB_x;
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>&, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

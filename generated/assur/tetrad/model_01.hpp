@@ -1332,8 +1332,7 @@ struct Model01 {
         + d.x_G_BCG * (d.x_G_BCG + Scalar(2) * t01) + t02 - d.GF * d.GF;
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

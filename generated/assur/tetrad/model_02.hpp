@@ -1344,8 +1344,7 @@ struct Model02 {
         + EB_x * EB_x + EB_y * EB_y + d.y_G_BCG * (d.y_G_BCG + Scalar(2) * t01) - d.GF * d.GF;
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

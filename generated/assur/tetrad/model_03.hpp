@@ -1296,8 +1296,7 @@ struct Model03 {
     e(1, 2) = Scalar(2) * (d.h_F_EDF - d.h_F_GF);
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -1496,8 +1496,7 @@ struct Model08 {
         + t04 - d.GF * d.GF - d.h_B_BCG * (Scalar(2) * d.y_G_BCG - t03);
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

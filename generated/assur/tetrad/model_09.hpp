@@ -1480,8 +1480,7 @@ struct Model09 {
         - Scalar(2) * t04) + d.y_G_BCG * (d.y_G_BCG + Scalar(2) * t04) - d.GF * d.GF;
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -1483,8 +1483,7 @@ struct Model10 {
         + d.h_F_GF - (t03 * d.psi_F_EDF.cos + t02 * d.psi_F_EDF.sin) * q.theta_EDF.sin - d.h_F_EDF);
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

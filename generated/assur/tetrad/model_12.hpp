@@ -1374,8 +1374,7 @@ struct Model12 {
         + d.h_B_BCG * u.phi_B.sin) * q.theta_EDF.sin - d.h_F_EDF);
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

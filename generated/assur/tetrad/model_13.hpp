@@ -1380,8 +1380,7 @@ struct Model13 {
         - Scalar(2) * EB_y * q.theta_EDF.cos) + EB_x * EB_x + EB_y * EB_y - d.GF * d.GF;
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

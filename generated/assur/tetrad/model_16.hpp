@@ -1563,8 +1563,7 @@ struct Model16 {
         - Scalar(2) * d.y_F_EDF) + d.y_F_EDF * (d.y_F_EDF - Scalar(2) * t04) - d.GF * d.GF;
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -1604,8 +1604,7 @@ struct Model17 {
         + d.h_F_GF - (t02 * u.phi_E.cos + t01 * u.phi_E.sin) * d.psi_F_EDF.sin - d.h_F_EDF);
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -1388,8 +1388,7 @@ struct Model19 {
         - (t02 * u.phi_B.cos + t01 * u.phi_B.sin) * d.psi_G_BCG.sin - d.h_G_GF);
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -1568,8 +1568,7 @@ struct Model22 {
         + d.h_G_GF - (t03 * u.phi_B.cos - t02 * u.phi_B.sin) * d.psi_G_BCG.cos - d.h_G_BCG);
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

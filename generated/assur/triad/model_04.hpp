@@ -1416,8 +1416,7 @@ struct Model04 {
         - d.x_G_CEG * t08) * d.psi_C_BC.cos;
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -1208,8 +1208,7 @@ struct Model05 {
         - Scalar(2) * t03) + d.h_C_BC * (d.h_C_BC + Scalar(2) * t03) - d.FG * d.FG;
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -1443,8 +1443,7 @@ struct Model07 {
         - Scalar(2) * t05 * d.psi_C_BC.cos) + q.s_B * (q.s_B + Scalar(2) * t06) - d.FG * d.FG;
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

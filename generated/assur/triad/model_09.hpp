@@ -1485,8 +1485,7 @@ struct Model09 {
         - d.x_G_CEG * t03) * d.psi_C_BC.cos;
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

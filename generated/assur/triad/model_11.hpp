@@ -1143,8 +1143,7 @@ struct Model11 {
         + FB_y * q.theta_CEG.sin) * d.psi_G_CEG.sin - d.h_G_FG);
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

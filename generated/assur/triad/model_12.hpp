@@ -1259,8 +1259,7 @@ struct Model12 {
         + (t02 * d.psi_G_CEG.cos - t01 * d.psi_G_CEG.sin) * q.theta_CEG.sin + d.h_G_FG - d.h_G_CEG);
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

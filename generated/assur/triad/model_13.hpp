@@ -1400,8 +1400,7 @@ struct Model13 {
         + (t05 * d.psi_C_BC.cos + t06 * d.psi_C_BC.sin) * d.psi_G_CEG.sin + d.h_G_FG - d.h_G_CEG);
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -1343,8 +1343,7 @@ struct Model14 {
         - d.h_G_FG);
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -1439,8 +1439,7 @@ struct Model17 {
         - d.y_G_CEG * q.theta_CEG.sin) * u.phi_F.sin);
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

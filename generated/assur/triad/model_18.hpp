@@ -1553,8 +1553,7 @@ struct Model18 {
         - (FB_x + t02 * u.phi_B.cos + t03 * u.phi_B.sin) * u.phi_F.sin);
   }
 
-  /// The other unknowns of a configuration in which those of the reduced
-  /// equations are known.
+  /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -247,8 +247,7 @@ std::vector<ModelFunction> position_functions(const equations::ClosureEquations&
   }
 
   ModelFunction complete{"complete",
-                         {"The other unknowns of a configuration in which those of the reduced",
-                          "equations are known."},
+                         {"The other unknowns, where those of the reduced equations are known."},
                          {dimensions, inputs},
                          {{"Configuration<Scalar>&", "q"}},
                          {}};

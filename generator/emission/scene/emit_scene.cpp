@@ -1,7 +1,6 @@
 #include "emission/scene/emit_scene.hpp"
 
 #include <algorithm>
-#include <assur/support/configuration_order.hpp>
 #include <assur/text/identifiers.hpp>
 #include <assur/text/names.hpp>
 #include <iterator>
@@ -152,11 +151,10 @@ class SceneEmitter {
       const bool whole = solver_.needs[link] == FrameNeed::everything;
       moving.push_back("placed." + solver_.members.links[link] + (whole ? ".pose.direction" : ""));
     }
-    const std::size_t turning_key_size = support::turning_key_size(moving.size());
     cpp::View::List keys;
     for (const mechanism::NamedSlide& slide : parts.slides) {
       cpp::View key;
-      key.set("place", std::to_string(turning_key_size + keys.size()));
+      key.set("place", std::to_string(keys.size()));
       key.set("sign", slide.sense < 0 ? "-" : "");
       key.set("member", solver_.members.joints[slide.joint]);
       keys.push_back(key);
@@ -165,8 +163,7 @@ class SceneEmitter {
     view_.set("moving_count", std::to_string(moving.size()));
     view_.set("keyed_name", moving.empty() && keys.empty() ? "" : " placed");
     view_.set("slide_keys", keys);
-    view_.set("turning_key_size", std::to_string(turning_key_size));
-    view_.set("key_size", std::to_string(turning_key_size + parts.slides.size()));
+    view_.set("keyed_slides", std::to_string(parts.slides.size()));
   }
 
   void show_scene() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <assur/text/error.hpp>
+#include <assur/text/names.hpp>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -31,6 +32,7 @@ class GroupSpecialiser {
     const model::ModelSpelling spelling(equations_.unknowns, equations_.dimensions, moving_inputs_);
     SpecialisedGroup result;
     cpp::View::List functions;
+    std::vector<std::string> operations;
     std::set<std::string> named;
     const std::vector<model::NamingFunction> naming = model::solution_functions(structured_);
     const std::vector<model::ModelFunction> positions =
@@ -54,6 +56,7 @@ class GroupSpecialiser {
       expect_positions(folded);
       const program::Program program(order, special.quantities, special.results,
                                      specialised(known, {}, order, values_).quantities);
+      operations.push_back(function.name + " " + counted(program.count()));
       functions.push_back(
           model::function_view(folded, program, spelling, model::ZeroResults::assigned));
       named.merge(cpp::constants_of(program));
@@ -79,6 +82,7 @@ class GroupSpecialiser {
     }
     result.view = view(struct_name, title);
     result.view.set("functions", functions);
+    result.view.set("operations", text::joined(operations, "; "));
     result.view.set("constants", constant_list(named));
     result.max_configurations = elimination_.max_configurations;
     return result;
@@ -202,15 +206,28 @@ class GroupSpecialiser {
   static model::ModelFunction without_dimensions(model::ModelFunction function) {
     std::erase_if(function.inputs,
                   [](const model::Parameter& parameter) { return parameter.name == "d"; });
+    for (std::string& line : function.doc) {
+      if (line.starts_with("f(q, d, u)")) {
+        line.replace(0, std::string("f(q, d, u)").size(), "f(q, u)");
+      }
+    }
     return function;
   }
 
-  /// What the runtime calls; what only the wanted derivatives need.
+  [[nodiscard]] static std::string counted(const program::OperationCount& count) {
+    return std::to_string(count.multiplications) + ", " + std::to_string(count.additions) + ", " +
+           std::to_string(count.divisions);
+  }
+
+  /// What the runtime calls; what only the wanted derivatives need. Where the final polynomial is
+  /// solved by formula, the Jacobian is read off the common path alone, and the runtime takes it
+  /// from the residual.
   [[nodiscard]] bool is_wanted(const std::string& function) const {
     const auto any_of = [&](const std::vector<std::string>& names) {
       return std::find(names.begin(), names.end(), function) != names.end();
     };
-    return any_of({"residual", "jacobian", "degeneracies"}) ||
+    return any_of({"residual", "degeneracies"}) ||
+           (function == "jacobian" && !elimination_.is_closed()) ||
            ((parameter_count() > 0 || numbers_.holds_groups) && function == "inverse_jacobian") ||
            (numbers_.order == 1 && function == "velocity") ||
            (numbers_.order == 2 && any_of({"motion", "link_accelerations"})) ||
@@ -314,10 +331,11 @@ class GroupSpecialiser {
     view.set("parameter_count", std::to_string(parameter_count()));
     std::vector<std::string> closure = model::closure_lines(equations_);
     const std::vector<std::string> steps = model::elimination_steps(elimination_);
-    closure.insert(closure.end(), steps.begin(), steps.end());
+    closure.insert(closure.end(), steps.begin(), std::prev(steps.end()));  // the count has a name
     view.set("closure", cpp::line_list(closure, ""));
     view.set("frames", model::link_list(equations_));
     model::show_solution(structured_, equations_, elimination_, view);
+    view.set("has_second_unknown", elimination_.second != nullptr);
     view.set("link_count", std::to_string(framed_links(numbers_.frames).size()));
     view.set("holds_groups", cpp::boolean(numbers_.holds_groups));
     view.set("equation_count", std::to_string(2 * equations_.loops.size()));

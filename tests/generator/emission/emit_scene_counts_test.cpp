@@ -28,23 +28,16 @@ std::string groups_of(const std::string& header) {
   return structs;
 }
 
-/// What a header states: `Group1::residual` of its functions.
+/// What a header states of its functions: `Group1::residual`.
 std::map<std::string, Count> stated_counts(const std::string& header) {
-  const std::regex row(R"(///   (\w+): +(\d+), (\d+), (\d+))");
-  const std::regex group(R"(struct (\w+) \{)");
+  const std::regex group(R"(/// Operations ([^.]*)\.\nstruct (\w+) \{)");
+  const std::regex function(R"((\w+) (\d+), (\d+), (\d+))");
+  const std::regex line_break(R"(\n/// +)");
   std::map<std::string, Count> counts;
-  std::map<std::string, Count> functions;
-  std::istringstream lines(header);
-  std::string line;
-  while (std::getline(lines, line)) {
-    std::smatch match;
-    if (std::regex_match(line, match, row)) {
-      functions[match[1]] = count_in(match, 2);
-    } else if (std::regex_match(line, match, group)) {
-      for (const auto& [name, count] : functions) {
-        counts[match[1].str() + "::" + name] = count;
-      }
-      functions.clear();
+  for (std::sregex_iterator at(header.begin(), header.end(), group), end; at != end; ++at) {
+    const std::string list = std::regex_replace((*at)[1].str(), line_break, " ");
+    for (std::sregex_iterator each(list.begin(), list.end(), function); each != end; ++each) {
+      counts[(*at)[2].str() + "::" + (*each)[1].str()] = count_in(*each, 2);
     }
   }
   return counts;

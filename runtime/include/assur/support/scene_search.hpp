@@ -29,8 +29,8 @@ template <typename Solver>
 struct Access {
   using Groups = typename Solver::Groups;
   using Placed = typename Solver::Placed;
-  static constexpr std::size_t key_size = Solver::key_size;
-  static constexpr std::size_t turning_key_size = Solver::turning_key_size;
+  static constexpr std::size_t lengths_from = turning_key_size(Solver::keyed_links);
+  using Key = std::array<double, lengths_from + Solver::keyed_slides>;
 
   /// Places what drivers move.
   static void drive(const typename Solver::template Drivers<double>& drivers, Placed& placed) {
@@ -51,9 +51,7 @@ struct Access {
     Solver::list(placed, state);
   }
   /// What tells one state from another, and puts them in order.
-  static void key(const Placed& placed, std::array<double, key_size>& key) {
-    Solver::key(placed, key);
-  }
+  static void key(const Placed& placed, Key& key) { Solver::key(placed, key); }
 };
 
 /// One configuration of every group of a solver.
@@ -91,7 +89,7 @@ class Search {
       solution_.status = AssemblyStatus::degenerate;
     }
     if (solution_.count > 1) {
-      put_in_order(keys_, solution_.count, Own::turning_key_size,
+      put_in_order(keys_, solution_.count, Own::lengths_from,
                    [this](std::size_t one, std::size_t other) {
                      std::swap(states_[one], states_[other]);
                      if constexpr (Keeps) {
@@ -150,7 +148,7 @@ class Search {
   }
 
   States& states_;
-  std::array<std::array<double, Own::key_size>, capacity> keys_;
+  std::array<typename Own::Key, capacity> keys_;
   Solution solution_;
   Configurations current_;
   std::array<Configurations, Keeps ? capacity : 0> kept_;

@@ -4,6 +4,10 @@
 #include <Eigen/LU>
 #include <array>
 #include <assur/model.hpp>
+#include <assur/numeric/slope.hpp>
+#include <assur/support/scale.hpp>
+#include <assur/variables.hpp>
+#include <cstddef>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -18,12 +22,53 @@ template <typename Group>
 inline constexpr bool
     has_inverse<Group, std::void_t<decltype(&Group::template inverse_jacobian<double>)>> = true;
 
+template <typename Group, typename = void>
+inline constexpr bool has_jacobian = false;
+template <typename Group>
+inline constexpr bool
+    has_jacobian<Group, std::void_t<decltype(&Group::template jacobian<double>)>> = true;
+
+/// J = df/dq, a column at a time, by the residual of numbers with a slope.
+template <typename Group>
+void differentiate_residual(const typename Group::template Inputs<double>& u,
+                            const typename Group::template Configuration<double>& q,
+                            Matrix<double, Group::equation_count, Group::unknown_count>& J) {
+  using numeric::Slope;
+  const auto held = scaled_to<typename Group::template Inputs<Slope>>(u, 1.0);
+  for (int column = 0; column < Group::unknown_count; ++column) {
+    auto moved = scaled_to<typename Group::template Configuration<Slope>>(q, 1.0);
+    for_each_member(moved, [column](auto& member, std::size_t index) {
+      if (index != static_cast<std::size_t>(column)) {
+        return;
+      }
+      if constexpr (std::is_same_v<std::decay_t<decltype(member)>, Slope>) {
+        member.slope = 1;
+      } else {
+        member.cos.slope = -member.sin.value;
+        member.sin.slope = member.cos.value;
+      }
+    });
+    Vector<Slope, Group::equation_count> f;
+    Group::residual(held, moved, f);
+    for (int row = 0; row < Group::equation_count; ++row) {
+      J(row, column) = f(row).slope;
+    }
+  }
+}
+
 /// What the unknowns are, by the members of a configuration.
 template <typename... Members>
 [[nodiscard]] constexpr std::array<ModelUnknown, sizeof...(Members)> unknowns_of(
     std::tuple<const Members&...>* /*members*/) {
   return {{{"", std::is_same_v<Members, Direction<double>>, -1}...}};
 }
+
+/// The second unknown of a group's reduced equations; -1 where there is none.
+template <typename Group, typename = void>
+inline constexpr int second_unknown = -1;
+template <typename Group>
+inline constexpr int second_unknown<Group, std::void_t<decltype(Group::second_unknown)>> =
+    Group::second_unknown;
 
 }  // namespace specialised
 
@@ -35,6 +80,7 @@ struct Specialised : Group {
   static constexpr bool rigid = true;
   static constexpr int dimension_count = 0;
   static constexpr bool in_any_order = true;
+  static constexpr int second_unknown = specialised::second_unknown<Group>;
   static constexpr auto unknowns = specialised::unknowns_of(
       static_cast<decltype(std::declval<const typename Group::template Configuration<double>&>()
                                .members())*>(nullptr));
@@ -48,9 +94,14 @@ struct Specialised : Group {
   static void residual(const Dimensions<Scalar>& /*d*/, Arguments&&... arguments) {
     Group::residual(std::forward<Arguments>(arguments)...);
   }
-  template <typename Scalar, typename... Arguments>
-  static void jacobian(const Dimensions<Scalar>& /*d*/, Arguments&&... arguments) {
-    Group::jacobian(std::forward<Arguments>(arguments)...);
+  template <typename Scalar, typename Inputs, typename Configuration, typename Jacobian>
+  static void jacobian(const Dimensions<Scalar>& /*d*/, const Inputs& u, const Configuration& q,
+                       Jacobian& J) {
+    if constexpr (specialised::has_jacobian<Group>) {
+      Group::jacobian(u, q, J);
+    } else {
+      specialised::differentiate_residual<Group>(u, q, J);
+    }
   }
   template <typename Scalar, typename... Arguments>
   static void degeneracies(const Dimensions<Scalar>& /*d*/, Arguments&&... arguments) {
@@ -69,13 +120,13 @@ struct Specialised : Group {
     Group::complete(std::forward<Arguments>(arguments)...);
   }
   template <typename Scalar, typename Inputs, typename Configuration, typename Inverse>
-  static void inverse_jacobian(const Dimensions<Scalar>& /*d*/, const Inputs& u,
+  static void inverse_jacobian([[maybe_unused]] const Dimensions<Scalar>& d, const Inputs& u,
                                const Configuration& q, Inverse& J_inverse) {
     if constexpr (specialised::has_inverse<Group>) {
       Group::inverse_jacobian(u, q, J_inverse);
     } else {
       Matrix<Scalar, Group::equation_count, Group::unknown_count> J;
-      Group::jacobian(u, q, J);
+      jacobian(d, u, q, J);
       J_inverse = J.inverse();
     }
   }
