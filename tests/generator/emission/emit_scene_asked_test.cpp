@@ -115,8 +115,8 @@ std::map<std::string, int> runtime_words() {
 void expect_mentioned(const EmittedStruct& solver, const std::map<std::string, int>& runtime) {
   const std::set<std::string> for_users = {"solve", "branch", "track", "parameters"};
   const std::map<std::string, int> words = words_of(solver.code);
-  for (const std::string& name :
-       matches_of(solver.code, R"((?:struct|using|constexpr [\w:<>, *]+|static [\w<>]+) (\w+)[ (])")) {
+  for (const std::string& name : matches_of(
+           solver.code, R"((?:struct|using|constexpr [\w:<>, *]+|static [\w<>]+) (\w+)[ (])")) {
     EXPECT_TRUE(words.at(name) > 1 || runtime.count(name) == 1 || for_users.count(name) == 1)
         << name;
   }
@@ -159,8 +159,8 @@ void expect_read(const EmittedStruct& group, const std::map<std::string, int>& r
 void expect_placed_is_read(const EmittedStruct& solver) {
   const std::string members = block_of(solver.code, "struct Placed {");
   for (const std::string& member : matches_of(members, R"( (\w+)(?: =.*)?;\n)")) {
-    EXPECT_TRUE(std::regex_search(
-        solver.code, std::regex("\\bplaced\\." + member + R"(\b(?!(\.\w+)? = ))")))
+    EXPECT_TRUE(std::regex_search(solver.code,
+                                  std::regex("\\bplaced\\." + member + R"(\b(?!(\.\w+)? = ))")))
         << member;
   }
 }
