@@ -85,11 +85,11 @@ class SceneEmitter {
     view_.set("driving", shown(driving.lines));
     view_.set("drivers", drivers);
     view_.set("driver_count", std::to_string(names.size()));
+    view_.set("turning_drivers", std::to_string(turning.size()));
+    turning.insert(turning.end(), sliding.begin(), sliding.end());
     view_.set("driver_positions", text::joined(turning, ", ", [](const std::string& name) {
                 return "&" + name + ".position";
               }));
-    view_.set("turning_drivers", std::to_string(turning.size()));
-    turning.insert(turning.end(), sliding.begin(), sliding.end());
     view_.set("has_drivers", !names.empty());
     view_.set("drivers_name", names.empty() ? "" : " drivers");
     view_.set("driven_name", names.empty() ? "" : " placed");

@@ -57,18 +57,13 @@ std::vector<Json> with_subsets_of_outputs(const Json& scene) {
 }
 
 /// What decides which of a group's functions the runtime calls: which there are, the order of the
-/// rates, whether there are derivatives, other groups on its links, and a second unknown.
+/// rates, and whether there are derivatives.
 std::string sort_of(const EmittedStruct& group, const EmittedStruct& solver) {
-  std::string sort;
+  std::string sort = matches_of(solver.code, " order = (.*);").at(0);
+  sort += matches_of(solver.code, " parameter_count = (.*);").at(0) == "0" ? "" : " derivatives";
   for (const std::string& function : functions_of(group.code)) {
-    sort += function + " ";
+    sort += " " + function;
   }
-  const auto value = [&sort](const EmittedStruct& in, const std::string& name) {
-    sort += name + " " + matches_of(in.code, " " + name + " = (.*);").at(0) + " ";
-  };
-  value(solver, "order");
-  value(group, "holds_groups");
-  sort += matches_of(solver.code, " parameter_count = (.*);").at(0) == "0" ? "" : "derivatives";
   return sort;
 }
 
