@@ -58,6 +58,8 @@ class SceneEmitter {
   void show_drivers() {
     cpp::View::List drivers;
     std::vector<std::string> names;
+    std::vector<std::string> turning;
+    std::vector<std::string> sliding;
     for (const mechanism::DrivenLink& link : solver_.plan.structure().driven) {
       const mechanism::ElementaryJoint& at = solver_.joint(link.joint);
       const mechanism::Driver& driver = solver_.mechanism().drivers()[link.driver];
@@ -67,6 +69,7 @@ class SceneEmitter {
       law.erase(law.begin() + 1 + solver_.derivative_order, law.end());
       cpp::View entry;
       names.push_back(solver_.members.drivers[link.driver]);
+      (at.prismatic ? sliding : turning).push_back(names.back());
       entry.set("member", names.back());
       entry.set("law", text::joined(law, ", ", [](double value) {
                   return "Scalar(" + cpp::round_trip(value) + ")";
@@ -82,7 +85,9 @@ class SceneEmitter {
     view_.set("driving", shown(driving.lines));
     view_.set("drivers", drivers);
     view_.set("driver_count", std::to_string(names.size()));
-    view_.set("driver_positions", text::joined(names, ", ", [](const std::string& name) {
+    view_.set("turning_drivers", std::to_string(turning.size()));
+    turning.insert(turning.end(), sliding.begin(), sliding.end());
+    view_.set("driver_positions", text::joined(turning, ", ", [](const std::string& name) {
                 return "&" + name + ".position";
               }));
     view_.set("has_drivers", !names.empty());

@@ -8,19 +8,20 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// Those that have a tolerance, all if none has, and none if no sensitivity is wanted.
+/// Those that have a tolerance, all if none has, and none if no output's sensitivity is wanted.
 ModelledParameters modelled_parameters(const mechanism::Plan& plan,
                                        const mechanism::Values& values) {
   const auto& parameters = plan.mechanism().parameters();
   const bool any =
       std::any_of(parameters.begin(), parameters.end(),
                   [](const mechanism::Parameter& one) { return one.tolerance.exists(); });
+  const bool wanted = plan.request().want.sensitivity && !plan.mechanism().outputs().empty();
   std::vector<Eigen::Index> columns;
   std::vector<std::string> names;
   Eigen::Index column = 0;
   for (const mechanism::ParameterIndex index : values.columns()) {
     const mechanism::Parameter& parameter = parameters[index];
-    if (plan.request().want.sensitivity && (parameter.tolerance.exists() || !any)) {
+    if (wanted && (parameter.tolerance.exists() || !any)) {
       columns.push_back(column);
       names.push_back(parameter.name);
     }
@@ -73,16 +74,16 @@ std::vector<mechanism::LinkIndex> bases_of(const mechanism::Structure& structure
   return bases;
 }
 
-mechanism::Table<mechanism::LinkIndex, FrameNeed> frame_needs(const mechanism::Plan& plan) {
-  const mechanism::Mechanism& described = plan.mechanism();
-  const mechanism::Structure& structure = plan.structure();
+mechanism::Table<mechanism::LinkIndex, FrameNeed> frame_needs(const SolverScene& solver) {
+  const mechanism::Mechanism& described = solver.mechanism();
+  const mechanism::Structure& structure = solver.plan.structure();
   mechanism::Table<mechanism::LinkIndex, FrameNeed> needs(structure.linkage.links.size(),
                                                           FrameNeed::nothing);
   for (const mechanism::LinkIndex link : structure.named_parts(described).links) {
     needs[link] = FrameNeed::direction;
   }
   for (const mechanism::LinkIndex link : described.links().keys()) {
-    if (plan.request().reported.has(link)) {
+    if (solver.reports(link)) {
       needs[link] = FrameNeed::everything;
     }
   }
@@ -110,7 +111,7 @@ SolverScene::SolverScene(const mechanism::Scene& described)
       values(plan.values()),
       parameters(modelled_parameters(plan, values)),
       members(scene_members(plan.mechanism())),
-      needs(frame_needs(plan)),
+      needs(frame_needs(*this)),
       derivative_order(order_of(described.request.want)),
       file(std::filesystem::path(described.file).filename().string()),
       structure(text::struct_name(std::filesystem::path(described.file).stem().string())) {}

@@ -65,10 +65,15 @@ struct SolverScene {
     return parameters.count() > 0 && !values.spread().tolerances.isZero(0.0);
   }
   [[nodiscard]] bool reports(mechanism::LinkIndex link) const {
-    return !is_ground(link) && plan.request().reported.has(link);
+    return wants_motion() && !is_ground(link) && plan.request().reported.has(link);
   }
   [[nodiscard]] bool reports(mechanism::JointIndex slide) const {
-    return plan.request().reported.has(slide);
+    return wants_motion() && plan.request().reported.has(slide);
+  }
+  /// Whether anything is wanted of links and slides, which have no sensitivities.
+  [[nodiscard]] bool wants_motion() const {
+    const mechanism::Want& want = plan.request().want;
+    return want.position || want.velocity || want.acceleration;
   }
   /// `placed.crank`, or nothing for the ground, which is the frame of all.
   [[nodiscard]] std::string placed(mechanism::LinkIndex link) const {

@@ -221,14 +221,17 @@ class GroupSpecialiser {
 
   /// What the runtime calls; what only the wanted derivatives need. Where the final polynomial is
   /// solved by formula, the Jacobian is read off the common path alone, and the runtime takes it
-  /// from the residual.
+  /// from the residual. Its inverse is needed to follow a branch; that of two rows costs no less
+  /// where it is emitted.
   [[nodiscard]] bool is_wanted(const std::string& function) const {
     const auto any_of = [&](const std::vector<std::string>& names) {
       return std::find(names.begin(), names.end(), function) != names.end();
     };
+    const bool has_inverse =
+        parameter_count() > 0 || numbers_.holds_groups || equations_.unknowns.size() > 2;
     return any_of({"residual", "degeneracies"}) ||
            (function == "jacobian" && !elimination_.is_closed()) ||
-           ((parameter_count() > 0 || numbers_.holds_groups) && function == "inverse_jacobian") ||
+           (has_inverse && function == "inverse_jacobian") ||
            (numbers_.order == 1 && function == "velocity") ||
            (numbers_.order == 2 && any_of({"motion", "link_accelerations"})) ||
            (numbers_.order > 0 && function == "link_velocities");

@@ -8,23 +8,13 @@
 #include <vector>
 
 #include "command/command.hpp"
+#include "generator/emitted_code.hpp"
 
 namespace assur::test::emit_scene_content_test {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-/// The text of a header without comments.
-std::string code_of(const std::string& text) {
-  std::istringstream in(text);
-  std::string code;
-  std::string line;
-  while (std::getline(in, line)) {
-    code += line.substr(0, line.find("//")) + "\n";
-  }
-  return code;
-}
 
 std::string emitted_with(const std::string& want) {
   const TemporaryDirectory directory;

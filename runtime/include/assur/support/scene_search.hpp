@@ -30,6 +30,7 @@ struct Access {
   using Groups = typename Solver::Groups;
   using Placed = typename Solver::Placed;
   static constexpr std::size_t lengths_from = turning_key_size(Solver::keyed_links);
+  static constexpr std::size_t turning_drivers = Solver::turning_drivers;  ///< the first ones
   using Key = std::array<double, lengths_from + Solver::keyed_slides>;
 
   /// Places what drivers move.

@@ -40,8 +40,8 @@ struct Branch {
 /// How far a branch was followed.
 struct Track {
   /// ok, or near_singular: at the end of the way. no_convergence: within 0.2% of the way from
-  /// `reached` the branch ends or comes too close to another. not_finite. Or the status of a branch
-  /// that cannot be followed.
+  /// `reached` the branch ends or comes too close to another, or a driver turns by more than 2000
+  /// radians. not_finite: a driver is. Or the status of a branch that cannot be followed.
   Status status = Status::singular;
   double reached = 0;  ///< the part of the way to the last point that is certainly of the branch
 };
@@ -57,6 +57,9 @@ class Tracker {
   using Own = Access<Solver>;
   using Groups = typename Own::Groups;
   using Placed = typename Own::Placed;
+  /// Of the way: where a branch ends, twice that was refused, which is at least half of what is
+  /// left.
+  static constexpr double shortest = 5e-4;
 
  public:
   /// The branch of a configuration, by its number in the solver's list, from 0; no_convergence
@@ -84,31 +87,39 @@ class Tracker {
   /// changed where the branch is not followed to the end.
   [[nodiscard]] static Track run(const Drivers& to, Branch& branch, State& state) {
     Track way{branch.status, 0};
-    const Drivers from = branch.drivers;
-    double width = 1;
-    while (is_solvable(branch.status) && way.reached < 1) {
+    if (!is_solvable(branch.status)) {
+      return way;
+    }
+    if (!is_given(to)) {
+      way.status = Status::not_finite;
+      return way;
+    }
+    const double widest = widest_step(branch.drivers, to);
+    Branch start = branch;
+    for (double width = widest; way.reached < 1;) {
+      if (!(width > shortest)) {
+        way.status = Status::no_convergence;
+        return way;
+      }
       const double next = std::min(way.reached + width, 1.0);
       Branch end;
-      end.drivers = next < 1 ? between(from, to, next) : to;
+      end.drivers = next < 1 ? between(branch.drivers, to, next) : to;
       Placed placed;
       Own::drive(end.drivers, placed);
       end.status = Status::ok;
-      if (step<0>(branch, end, placed)) {
-        branch = end;
-        width = 2 * (next - way.reached);
-        way.reached = next;
-        if (next == 1) {
-          placed.regularity = end.status;
-          Own::list(placed, state);
-        }
+      if (!step<0>(start, end, placed)) {
+        width = (next - way.reached) / 2;
         continue;
       }
-      width = (next - way.reached) / 2;
-      if (!(width > detail::StepLimits().shortest)) {
-        way.status = is_given(to) ? Status::no_convergence : Status::not_finite;
-        return way;
+      start = end;
+      width = std::min(2 * (next - way.reached), widest);
+      way.reached = next;
+      if (next == 1) {
+        placed.regularity = end.status;
+        Own::list(placed, state);
       }
     }
+    branch = start;
     way.status = branch.status;
     return way;
   }
@@ -122,6 +133,17 @@ class Tracker {
       *positions[index] = *starts[index] + part * (*positions[index] - *starts[index]);
     }
     return result;
+  }
+  /// The part of the way in which no driver turns by more than a radian: the groups are held alike
+  /// after a full turn.
+  [[nodiscard]] static double widest_step(Drivers from, Drivers to) {
+    const auto starts = from.positions();
+    const auto ends = to.positions();
+    double turn = 1;
+    for (std::size_t index = 0; index < Own::turning_drivers; ++index) {
+      turn = std::max(turn, std::abs(*ends[index] - *starts[index]));
+    }
+    return 1 / turn;
   }
   [[nodiscard]] static bool is_given(Drivers drivers) {
     const auto positions = drivers.positions();

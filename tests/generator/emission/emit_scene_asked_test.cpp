@@ -1,0 +1,287 @@
+// Law: an emitted solver holds nothing that nobody calls or reads, whatever is wanted of a scene
+// and whichever of its outputs.
+#include <gtest/gtest.h>
+
+#include <assur/mechanism/scene_file.hpp>
+#include <iterator>
+
+#include "emission/scene/emit_scene.hpp"
+#include "generator/emitted_code.hpp"
+#include "generator/solver_comparison.hpp"
+
+namespace assur::test::emit_scene_asked_test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// A solver that was emitted, and the sorts of its groups: two of one sort are called alike.
+struct Emitted {
+  std::string name;  ///< of the struct, another for every solver
+  std::string text;
+  std::string code;
+  std::set<std::string> sorts;
+};
+
+/// The members of a list whose bits are set.
+template <typename List>
+List chosen(const List& list, std::size_t bits) {
+  List some;
+  for (std::size_t index = 0; index < list.size(); ++index) {
+    if ((bits >> index & 1U) != 0) {
+      some.push_back(list[index]);
+    }
+  }
+  return some;
+}
+
+/// The scene with every subset of its outputs: with none of them its links and slides are
+/// reported, with some nothing else.
+std::vector<Json> with_subsets_of_outputs(const Json& scene) {
+  std::vector<std::string> names;
+  for (const auto& [name, feature] : scene["outputs"].items()) {
+    names.push_back(name);
+  }
+  std::vector<Json> scenes;
+  for (std::size_t bits = 0; bits < std::size_t{1} << names.size(); ++bits) {
+    Json& part = scenes.emplace_back(scene);
+    part["outputs"] = Json::object();
+    for (const std::string& name : chosen(names, bits)) {
+      part["outputs"][name] = scene["outputs"][name];
+    }
+    if (bits != 0) {
+      part["report"] = {{"links", Json::array()}, {"joints", Json::array()}};
+    }
+  }
+  return scenes;
+}
+
+/// What decides which of a group's functions the runtime calls: which there are, the order of the
+/// rates, and whether there are derivatives.
+std::string sort_of(const EmittedStruct& group, const EmittedStruct& solver) {
+  std::string sort = matches_of(solver.code, " order = (.*);").at(0);
+  sort += matches_of(solver.code, " parameter_count = (.*);").at(0) == "0" ? "" : " derivatives";
+  for (const std::string& function : functions_of(group.code)) {
+    sort += " " + function;
+  }
+  return sort;
+}
+
+std::vector<Emitted> emitted_solvers() {
+  const std::vector<std::string> results = {"position", "velocity", "acceleration", "sensitivity"};
+  std::vector<Emitted> all;
+  for (const auto& entry : fs::directory_iterator(ASSUR_EXAMPLES)) {
+    if (entry.path().extension() != ".json") {
+      continue;
+    }
+    for (Json& scene : with_subsets_of_outputs(scene_json(entry.path()))) {
+      for (std::size_t bits = 1; bits < std::size_t{1} << results.size(); ++bits) {
+        scene["want"] = chosen(results, bits);
+        Emitted& one = all.emplace_back();
+        one.name = "Solver" + std::to_string(all.size());
+        one.text = generator::emission::scene::emit_scene(
+                       mechanism::parse_scene(scene.dump(), one.name + ".json"))
+                       .text;
+        one.code = code_of(one.text);
+        const std::vector<EmittedStruct> structs = structs_of(one.code);
+        EXPECT_EQ(structs.back().name, one.name);
+        for (auto group = structs.begin(); group != std::prev(structs.end()); ++group) {
+          one.sorts.insert(sort_of(*group, structs.back()));
+        }
+      }
+    }
+  }
+  return all;
+}
+
+/// The words of the runtime's code.
+std::map<std::string, int> runtime_words() {
+  std::string code;
+  for (const auto& entry : fs::recursive_directory_iterator(ASSUR_RUNTIME)) {
+    if (entry.is_regular_file()) {
+      code += code_of(read_file(entry.path()));
+    }
+  }
+  return words_of(code);
+}
+
+/// No struct, name of a type, constant or function is declared that is not mentioned again, in the
+/// header or by the runtime.
+void expect_mentioned(const EmittedStruct& solver, const std::map<std::string, int>& runtime) {
+  const std::set<std::string> for_users = {"solve", "branch", "track", "parameters"};
+  const std::map<std::string, int> words = words_of(solver.code);
+  for (const std::string& name : matches_of(
+           solver.code, R"((?:struct|using|constexpr [\w:<>, *]+|static [\w<>]+) (\w+)[ (])")) {
+    EXPECT_TRUE(words.at(name) > 1 || runtime.count(name) == 1 || for_users.count(name) == 1)
+        << name;
+  }
+  EXPECT_FALSE(std::regex_search(solver.code, std::regex(R"(struct \w+ \{\n +\};)")));
+}
+
+/// A group's functions read all inputs and unknowns, all that they name, and all constants.
+void expect_read(const EmittedStruct& group, const std::map<std::string, int>& runtime) {
+  const std::map<std::string, int> words = words_of(group.code);
+  for (const std::string& constant : matches_of(group.code, R"(static constexpr [\w:]+ (\w+) =)")) {
+    EXPECT_TRUE(words.at(constant) > 1 || runtime.count(constant) == 1) << constant;
+  }
+  for (const auto& [object, type] : {std::pair("u", "Inputs"), std::pair("q", "Configuration")}) {
+    const std::string members = block_of(group.code, std::string("struct ") + type + " {");
+    for (const std::string& member : matches_of(members, R"((?:>|Scalar) (\w+)\{\};)")) {
+      EXPECT_TRUE(std::regex_search(
+          group.code, std::regex(std::string("\\b") + object + "\\." + member + "\\b")))
+          << object << "." << member;
+    }
+  }
+  std::string function;
+  std::istringstream in(group.code + "\n");
+  for (std::string line; std::getline(in, line);) {
+    function += line + "\n";
+    if (line == "  }" || line == "  };") {
+      const std::map<std::string, int> own = words_of(function);
+      for (const std::string& local : matches_of(function, R"(const Scalar (\w+) =)")) {
+        EXPECT_GT(own.at(local), 1) << local << " of " << function;
+      }
+      const std::size_t body = function.find(") {\n");
+      for (const std::string& parameter : matches_of(function.substr(0, body), R"(& (\w+)[,)]?)")) {
+        EXPECT_GT(own.at(parameter), 1) << parameter << " of " << function;
+      }
+      function.clear();
+    }
+  }
+}
+
+/// Whatever is placed is read where groups are held, configurations listed or told apart.
+void expect_placed_is_read(const EmittedStruct& solver) {
+  const std::string members = block_of(solver.code, "struct Placed {");
+  for (const std::string& member : matches_of(members, R"( (\w+)(?: =.*)?;\n)")) {
+    EXPECT_TRUE(std::regex_search(solver.code,
+                                  std::regex("\\bplaced\\." + member + R"(\b(?!(\.\w+)? = ))")))
+        << member;
+  }
+}
+
+/// Whatever a driver, a state or its parts hold is given by the solver's own functions.
+void expect_filled(const EmittedStruct& solver) {
+  for (const std::string part : {"Links", "Slides", "Outputs"}) {
+    const std::string members = block_of(solver.code, "struct " + part + " {");
+    std::string list = part;
+    list[0] = static_cast<char>(std::tolower(list[0]));
+    for (const std::string& member : matches_of(members, R"(> (\w+);)")) {
+      EXPECT_NE(solver.code.find("state." + list + "." + member + " = {"), std::string::npos)
+          << part << "::" << member;
+    }
+  }
+  for (const std::string& member :
+       matches_of(block_of(solver.code, "struct DriverState {"), R"(Scalar (\w+)\{\};)")) {
+    EXPECT_TRUE(std::regex_search(solver.code, std::regex("drivers\\.\\w+\\." + member + "\\b")))
+        << member;
+  }
+}
+
+/// The solvers with the least text that have groups of all sorts.
+std::vector<const Emitted*> sample_of(const std::vector<Emitted>& all) {
+  std::vector<const Emitted*> by_size;
+  for (const Emitted& one : all) {
+    by_size.push_back(&one);
+  }
+  std::stable_sort(by_size.begin(), by_size.end(), [](const Emitted* one, const Emitted* other) {
+    return one->text.size() < other->text.size();
+  });
+  std::vector<const Emitted*> sample;
+  std::set<std::string> covered;
+  for (const Emitted* one : by_size) {
+    const std::size_t before = covered.size();
+    covered.insert(one->sorts.begin(), one->sorts.end());
+    if (covered.size() > before) {
+      sample.push_back(one);
+    }
+  }
+  return sample;
+}
+
+/// What a compiler has made of a file: `Solver1Group1::Inputs::members const`. It makes nothing of
+/// a function of a struct that nobody calls.
+std::multiset<std::string> compiled_functions(const fs::path& object,
+                                              const TemporaryDirectory& directory) {
+  const fs::path names = directory.path() / "names";
+  EXPECT_EQ(std::system((ASSUR_NM " -C " + object.string() + " > " + names.string()).c_str()), 0);
+  const std::regex function(
+      R"(\w+ \w (?:void |auto )?assur::scenes::((?:\w+(?:<double>)?::)+\w+)(?:<.*>)?\(.*\)( const)?)");
+  std::multiset<std::string> functions;
+  std::istringstream in(read_file(names));
+  for (std::string line; std::getline(in, line);) {
+    std::smatch match;
+    if (std::regex_match(line, match, function)) {
+      functions.insert(std::regex_replace(match[1].str(), std::regex("<double>"), "") +
+                       match[2].str());
+    }
+  }
+  return functions;
+}
+
+void expect_everything_is_read(const std::vector<Emitted>& all) {
+  const std::map<std::string, int> runtime = runtime_words();
+  std::set<std::string> seen;
+  for (const Emitted& solver : all) {
+    SCOPED_TRACE(solver.name);
+    const std::vector<EmittedStruct> structs = structs_of(solver.code);
+    for (auto group = structs.begin(); group != std::prev(structs.end()); ++group) {
+      if (seen.insert(group->code).second) {
+        expect_read(*group, runtime);
+      }
+    }
+    expect_mentioned(structs.back(), runtime);
+    expect_placed_is_read(structs.back());
+    expect_filled(structs.back());
+  }
+  std::printf("%zu solvers, %zu different groups\n", all.size(), seen.size());
+}
+
+void expect_everything_is_called(const std::vector<Emitted>& all) {
+  const std::vector<const Emitted*> sample = sample_of(all);
+  const TemporaryDirectory directory;
+  std::string includes;
+  std::string calls;
+  for (const Emitted* solver : sample) {
+    const std::string header = solver->name + ".hpp";
+    directory.write(header, solver->text);
+    includes += "#include \"" + header + "\"\n";
+    calls += "  use<assur::scenes::" + solver->name + ">();\n";
+  }
+  const std::string use = R"(template <typename Solver> void use() {
+  const typename Solver::template Drivers<double> drivers;
+  std::array<typename Solver::template State<double>, Solver::max_configurations> states;
+  typename Solver::Branch branch = Solver::branch(drivers, Solver::solve(drivers, states).count);
+  static_cast<void>(Solver::track(drivers, branch, states[0]));
+}
+)";
+  const fs::path source =
+      directory.write("use.cpp", includes + use + "int main() {\n" + calls + "}\n");
+  const fs::path object = directory.path() / "use.o";
+  compile(ASSUR_COMPILER, "-O0 -c -o " + object.string(), source, directory);
+  const std::multiset<std::string> compiled = compiled_functions(object, directory);
+  std::size_t functions = 0;
+  for (const Emitted* solver : sample) {
+    for (const EmittedStruct& part : structs_of(solver->code)) {
+      const std::multiset<std::string> declared = functions_of(part.code);
+      for (const std::string& function : std::set<std::string>(declared.begin(), declared.end())) {
+        EXPECT_GE(compiled.count(part.name + "::" + function), declared.count(function))
+            << part.name << "::" << function << "\n"
+            << solver->text.substr(0, 300);
+        ++functions;
+      }
+    }
+  }
+  std::printf("%zu functions of %zu solvers of %zu\n", functions, sample.size(), all.size());
+  EXPECT_GT(functions, 200U);
+}
+
+TEST(EmitSceneAsked, IsAllThatAnEmittedSolverHolds) {
+  const std::vector<Emitted> all = emitted_solvers();
+  EXPECT_GE(all.size(), 500U);
+  expect_everything_is_read(all);
+  expect_everything_is_called(all);
+}
+
+}  // namespace
+}  // namespace assur::test::emit_scene_asked_test
