@@ -1,5 +1,5 @@
 # Draws the columns that speed_accuracy writes: gnuplot -c speed_accuracy.gp DIRECTORY
-# speed_accuracy.svg has a panel a task, speed_summary.svg the two that tell most. Error over time,
+# speed_accuracy.svg has a panel a task, speed_summary.svg the three that tell most. Error over time,
 # both logarithmic; a method's name stands at the right, a line leads to it.
 directory = ARG1
 columns = directory . "/speed_accuracy.dat"
@@ -20,7 +20,8 @@ array titles[tasks]
 do for [task = 1:tasks] {
   stats columns index task - 1 using (titles[task] = strcol(7), 1) nooutput
 }
-summary(title) = title eq "sensitivities, velocity, acceleration" || title eq "all configurations"
+summary(title) = title eq "sensitivities, velocity, acceleration" \
+  || title eq "all configurations" || title eq "four-bar, position of a coupler point"
 
 set format x "10^{%T}"
 set format y "10^{%T}"

@@ -15,13 +15,14 @@ struct Naming {
   int family;
   std::string_view label;
 };
-constexpr std::array<Naming, 24> namings = {{
+constexpr std::array<Naming, 25> namings = {{
     {"generated, the nearest of all configurations", 1, "nearest of all"},
     {"generated, Newton from the neighbour", 1, "Newton, generated"},
     {"generated, ", 1, ""},
     {"generated", 1, "generated"},
     {"emitted", 1, "emitted"},
     {"assur solve", 1, "assur solve"},
+    {"by hand", 2, "by hand"},
     {"Eigen", 2, "Eigen"},
     {"Newton", 2, "Newton"},
     {"64-start", 2, "64-start"},
