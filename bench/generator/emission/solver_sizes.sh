@@ -1,22 +1,22 @@
 #!/bin/sh
-# Turns the scenes of examples/ into what their emitted solvers cost, a line of a table each: lines
-# of the header, bytes of the object that calls `solve`, seconds and megabytes of its compilation.
+# Turns scenes into what their emitted solvers cost, a line of a table each: lines of the header,
+# bytes of the object that calls `solve`, seconds and megabytes of its compilation.
 #
-#   solver_sizes.sh GENERATOR PROJECT [COMPILER]
+#   solver_sizes.sh GENERATOR PROJECT [SCENES]
 #
 # GENERATOR is the command assur of the project whose runtime is in PROJECT: of this one, or of an
-# older one to compare with. The scenes are always this project's.
+# older one to compare with. SCENES is a directory of scenes, unless given examples/ of this project;
+# CXX the compiler, unless given g++.
 set -eu
 generator=$1
 project=$2
-compiler=${3:-g++}
-examples=$(cd "$(dirname "$0")/../../../examples" && pwd)
+scenes=${3:-$(dirname "$0")/../../../examples}
 work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
 
 echo '| scene | lines | bytes of object | seconds | MB |'
 echo '|---|---|---|---|---|'
-for scene in "$examples"/*.json; do
+for scene in "$scenes"/*.json; do
   name=$(basename "$scene" .json)
   "$generator" emit --scene "$scene" --output "$work" 2> /dev/null > /dev/null
   header=$work/assur/scenes/$name.hpp
@@ -31,9 +31,8 @@ int count(const Solver::Drivers<double>& drivers,
   return Solver::solve(drivers, states).count;
 }
 CALLS
-  env time -f '%U %M' -o "$work/cost" "$compiler" -std=c++17 -O2 -c "$work/calls.cpp" \
-    -o "$work/calls.o" -I"$work" -I"$project/runtime/include" \
-    $(pkg-config --cflags eigen3)
+  env time -f '%U %M' -o "$work/cost" "${CXX:-g++}" -std=c++17 -O2 -c "$work/calls.cpp" \
+    -o "$work/calls.o" -I"$work" -I"$project/runtime/include" $(pkg-config --cflags eigen3)
   read -r seconds kilobytes < "$work/cost"
   echo "| $name | $(wc -l < "$header") | $(wc -c < "$work/calls.o") | $seconds |" \
     "$((kilobytes / 1000)) |"

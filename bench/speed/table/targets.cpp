@@ -19,7 +19,7 @@ const std::vector<Target>& targets() {
         {closure, "generated", "Eigen from angles", Measure::time, 0.35},
         {closure, "generated", "Ceres Jet", Measure::time, 0.12},
         {closure, "generated", "Ceres Jet from angles", Measure::time, 0.12},
-        {positions, "generated", "companion eigenvalues", Measure::time, 0.15},
+        {positions, "generated", "companion eigenvalues", Measure::time, 0.10},
         {positions, "generated", "half angle, Eigen's polynomial solver", Measure::time, 0.25},
         {positions, "generated", "64-start Newton", Measure::time, 0.006},
         {positions, "generated", "PHCpack, solving alone", Measure::time, 0.0001},
