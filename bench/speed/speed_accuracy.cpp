@@ -1,9 +1,12 @@
 // Turns random inputs into the speed and the accuracy of every method: speed_accuracy.json, .md and
-// .dat, into a directory. A number after it scales the run: 0.05 is a quick look.
+// .dat, into a directory. A number after it scales the run: 0.05 is a quick look. Names after that
+// choose parts of the bench.
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <string>
 
 #include "table/interleaved_timer.hpp"
 #include "table/report.hpp"
@@ -17,7 +20,23 @@ void append(std::vector<Task>& all, std::vector<Task> more) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
-int run(const std::filesystem::path& directory, double scale) {
+/// Tasks that are made together.
+struct Part {
+  const char* name;
+  std::vector<Task> (*tasks)(const TaskSizes& sizes);
+};
+constexpr std::array<Part, 6> parts = {{
+    {"everyday", everyday_tasks},
+    {"derivatives", derivative_tasks},
+    {"positions", position_tasks},
+    {"tracking", tracking_tasks},
+    {"scenes", [](const TaskSizes&) { return scene_tasks(); }},
+    {"sweeps", sweep_tasks},
+}};
+
+/// Runs the parts that are named; all of them if none is.
+int run(const std::filesystem::path& directory, double scale,
+        const std::vector<std::string>& names) {
   const auto scaled = [scale](std::size_t count, std::size_t least) {
     return std::max(least, static_cast<std::size_t>(static_cast<double>(count) * scale));
   };
@@ -26,11 +45,11 @@ int run(const std::filesystem::path& directory, double scale) {
   sizes.near_singular = scaled(sizes.near_singular, 64);
   sizes.phc_inputs = scaled(sizes.phc_inputs, 2);
   std::vector<Task> tasks;
-  append(tasks, derivative_tasks(sizes));
-  append(tasks, position_tasks(sizes));
-  append(tasks, tracking_tasks(sizes));
-  append(tasks, scene_tasks());
-  append(tasks, sweep_tasks(sizes));
+  for (const Part& part : parts) {
+    if (names.empty() || std::find(names.begin(), names.end(), part.name) != names.end()) {
+      append(tasks, part.tasks(sizes));
+    }
+  }
   measure(tasks, TimerSettings());
   write_report(tasks, directory);
   return 0;
@@ -39,12 +58,21 @@ int run(const std::filesystem::path& directory, double scale) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count != 2 && count != 3) {
-    std::cerr << "usage: speed_accuracy DIRECTORY [SCALE]\n";
+  const std::vector<std::string> names(arguments + std::min(count, 3), arguments + count);
+  const bool known = std::all_of(names.begin(), names.end(), [](const std::string& name) {
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](const Part& part) { return name == part.name; });
+  });
+  if (count < 2 || !known) {
+    std::cerr << "usage: speed_accuracy DIRECTORY [SCALE [PART]...]\nparts:";
+    for (const Part& part : parts) {
+      std::cerr << ' ' << part.name;
+    }
+    std::cerr << '\n';
     return 2;
   }
   try {
-    return run(arguments[1], count == 3 ? std::atof(arguments[2]) : 1);
+    return run(arguments[1], count > 2 ? std::atof(arguments[2]) : 1, names);
   } catch (const std::exception& error) {
     std::cerr << "error: " << error.what() << '\n';
     return 2;

@@ -1,5 +1,5 @@
 # Draws the columns that speed_accuracy writes: gnuplot -c speed_accuracy.gp DIRECTORY
-# speed_accuracy.svg has a panel a task, speed_summary.svg the two that tell most. Error over time,
+# speed_accuracy.svg has a panel a task, speed_summary.svg the four that tell most. Error over time,
 # both logarithmic; a method's name stands at the right, a line leads to it.
 directory = ARG1
 columns = directory . "/speed_accuracy.dat"
@@ -20,7 +20,9 @@ array titles[tasks]
 do for [task = 1:tasks] {
   stats columns index task - 1 using (titles[task] = strcol(7), 1) nooutput
 }
-summary(title) = title eq "sensitivities, velocity, acceleration" || title eq "all configurations"
+summary(title) = title eq "four-bar, position of a coupler point" \
+  || title eq "four-bar, position, velocity, acceleration" \
+  || title eq "sensitivities, velocity, acceleration" || title eq "all configurations"
 
 set format x "10^{%T}"
 set format y "10^{%T}"
@@ -59,7 +61,8 @@ do for [figure = 1:2] {
       stats columns index task - 1 using (log10($1)) name "T" nooutput
       stats columns index task - 1 using 9 name "LOW" nooutput
       stats columns index task - 1 using 10 name "HIGH" nooutput
-      first = T_min - 0.25
+      # Times of one size are between two powers of ten.
+      first = T_max - T_min < 1 ? floor(T_min) : T_min - 0.25
       last = T_max + 0.3 > first + 1.6 ? T_max + 0.3 : first + 1.6
       names = 10**(last + 0.05 * (last - first))
       set logscale xy

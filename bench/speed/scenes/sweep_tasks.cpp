@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "precise.hpp"
+#include "scenes/crank_angles.hpp"
 #include "tasks.hpp"
 
 namespace assur::speed {
@@ -79,20 +80,6 @@ double error_of(const std::vector<Foot>& found, const std::vector<PrecisePoint>&
   }
   return largest;
 }
-
-/// The crank's angles: a turn in equal steps, no end of which is a special position.
-class CrankAngles {
- public:
-  explicit CrankAngles(std::size_t count) : count_(count) {}
-  [[nodiscard]] double operator[](std::size_t index) const {
-    constexpr double turn = 6.283185307179586;
-    return turn * (static_cast<double>(index) + 0.5) / static_cast<double>(count_);
-  }
-  [[nodiscard]] std::size_t size() const { return count_; }
-
- private:
-  std::size_t count_;
-};
 
 /// Sweeps the scene with the library over a part of the angles.
 template <typename Use>

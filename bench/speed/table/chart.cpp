@@ -15,13 +15,14 @@ struct Naming {
   int family;
   std::string_view label;
 };
-constexpr std::array<Naming, 24> namings = {{
+constexpr std::array<Naming, 25> namings = {{
     {"generated, the nearest of all configurations", 1, "nearest of all"},
     {"generated, Newton from the neighbour", 1, "Newton, generated"},
     {"generated, ", 1, ""},
     {"generated", 1, "generated"},
     {"emitted", 1, "emitted"},
     {"assur solve", 1, "assur solve"},
+    {"by hand", 2, "by hand"},
     {"Eigen", 2, "Eigen"},
     {"Newton", 2, "Newton"},
     {"64-start", 2, "64-start"},
@@ -89,6 +90,7 @@ int number_of(const std::string& scalar) {
 
 void write_panel(const Task& task, std::ostream& out) {
   constexpr std::size_t lines = 13;  // of labels that a panel has room for
+  constexpr std::size_t few = 3;     // methods, beside whose names there is room for their times
   struct Mark {
     const Row* row;
     std::string label;
@@ -101,6 +103,9 @@ void write_panel(const Task& task, std::ostream& out) {
     // What errs in every input is drawn at the top, what is exact at the bottom.
     const double error = std::isfinite(entry.row.error) ? entry.row.error : 1;
     marks.push_back({&entry.row, label_of(entry.row), std::log10(std::max(error, 1e-20)), 0});
+    if (task.entries.size() <= few && entry.row.failures == 0) {
+      marks.back().label += ", " + std::to_string(std::lround(entry.row.ns)) + " ns";
+    }
     low = std::min(low, marks.back().error);
     high = std::max(high, marks.back().error);
   }

@@ -74,7 +74,7 @@ void write_targets(const std::vector<Task>& tasks, std::ostream& out) {
         << (target.measure == Measure::time ? "times" : "99.9th percentiles") << " | "
         << text("%.4g", target.at_most) << " | ";
     if (ours == nullptr || peer == nullptr) {
-      out << "- | not measured: the peer is not installed |\n";
+      out << "- | not measured: not in this run, or the peer is not installed |\n";
       continue;
     }
     const double ratio = measured(target, *ours, *peer);

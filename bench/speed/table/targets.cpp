@@ -19,12 +19,17 @@ const std::vector<Target>& targets() {
         {closure, "generated", "Eigen from angles", Measure::time, 0.35},
         {closure, "generated", "Ceres Jet", Measure::time, 0.12},
         {closure, "generated", "Ceres Jet from angles", Measure::time, 0.12},
-        {positions, "generated", "companion eigenvalues", Measure::time, 0.15},
+        {positions, "generated", "companion eigenvalues", Measure::time, 0.10},
         {positions, "generated", "half angle, Eigen's polynomial solver", Measure::time, 0.25},
         {positions, "generated", "64-start Newton", Measure::time, 0.006},
         {positions, "generated", "PHCpack, solving alone", Measure::time, 0.0001},
         {positions, "generated", "PHCpack, the whole process", Measure::time, 0.0001},
     };
+    for (const char* everyday :
+         {"dyad RRR, all configurations", "slider-crank, position of the slider",
+          "four-bar, position of a coupler point", "four-bar, position, velocity, acceleration"}) {
+      made.push_back({everyday, "generated", "by hand", Measure::time, 2.5});
+    }
     for (const char* tracking : {"tracking, steps of 0.1 rad", "tracking, steps of 0.3 rad"}) {
       made.push_back({tracking, "generated", "Newton with Eigen's LU", Measure::time, 0.45});
       made.push_back({tracking, "generated", "KINSOL", Measure::time, 0.12});

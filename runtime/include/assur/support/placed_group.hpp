@@ -86,13 +86,14 @@ template <typename Group, int Order, int Parameters>
   }
 
   if constexpr (Order > 0) {
-    Matrix<double, links, 3> velocity;
+    // Of a link whose direction alone is needed, a group has no rates.
+    Matrix<double, links, 3> velocity = Matrix<double, links, 3>::Zero();
     Vector<double, Group::unknown_count> q_rate;
     q_rate.setConstant(none);
     const Vector<double, Group::input_count> u_rate = held.rates.col(0);
     if constexpr (Order > 1) {
       const Vector<double, Group::input_count> u_second_rate = held.rates.col(1);
-      Matrix<double, links, 3> acceleration;
+      Matrix<double, links, 3> acceleration = Matrix<double, links, 3>::Zero();
       Vector<double, Group::unknown_count> q_second_rate;
       q_second_rate.setConstant(none);
       if (solvable) {

@@ -1,0 +1,155 @@
+// Turns lengths and a crank's angle into positions and rates as one writes them by hand: what
+// cannot reach is told, and nothing else is.
+#pragma once
+
+#include <array>
+#include <assur/dyad/model_01.hpp>
+#include <cmath>
+
+namespace assur::speed {
+
+/// What a method lists, both configurations or none.
+template <typename Configuration>
+struct Pair {
+  int count = 0;
+  std::array<Configuration, 2> list;
+};
+
+/// The quantities of a configuration that are asked for, one after the other.
+template <typename Scalar, std::size_t Numbers>
+using Listed = Pair<std::array<Scalar, Numbers>>;
+
+namespace by_hand {
+
+/// Both corners over the side from one centre to another, at distances r and R from them.
+template <typename Scalar>
+struct Corners {
+  bool reached;
+  Scalar along, across;  ///< parts of the side, to the corner on the left of it
+};
+
+template <typename Scalar>
+[[nodiscard]] inline Corners<Scalar> corners(const Scalar& x, const Scalar& y, const Scalar& r,
+                                             const Scalar& R) {
+  using std::sqrt;
+  const Scalar one_by_square = Scalar(1) / (x * x + y * y);
+  const Scalar r_square = r * r * one_by_square;
+  const Scalar along = (Scalar(1) + r_square - R * R * one_by_square) / Scalar(2);
+  const Scalar across_square = r_square - along * along;
+  if (!(across_square >= 0)) {
+    return {false, {}, {}};
+  }
+  return {true, along, sqrt(across_square)};
+}
+
+using Dyad = dyad::Model01;
+
+[[nodiscard]] inline Pair<Dyad::Configuration<double>> dyad(const Dyad::Dimensions<double>& d,
+                                                            const Dyad::Inputs<double>& u) {
+  const double x = u.x_D - u.x_B;
+  const double y = u.y_D - u.y_B;
+  const auto [reached, along, across] = corners(x, y, d.BC, d.CD);
+  if (!reached) {
+    return {};
+  }
+  const double one_by_BC = 1 / d.BC;
+  const double one_by_CD = 1 / d.CD;
+  const auto configuration = [&, along = along](double left) {
+    const double BC_x = along * x - left * y;
+    const double BC_y = along * y + left * x;
+    return Dyad::Configuration<double>{{BC_x * one_by_BC, BC_y * one_by_BC},
+                                       {(x - BC_x) * one_by_CD, (y - BC_y) * one_by_CD}};
+  };
+  return {2, {configuration(across), configuration(-across)}};
+}
+
+template <typename Scalar>
+struct SliderCrank {
+  Scalar crank, rod, offset;
+
+  /// Where the slider stands along its guide.
+  [[nodiscard]] Listed<Scalar, 1> operator()(const Scalar& angle) const {
+    using std::cos;
+    using std::sin;
+    using std::sqrt;
+    const Scalar height = offset - crank * sin(angle);
+    const Scalar square = rod * rod - height * height;
+    if (!(square >= 0)) {
+      return {};
+    }
+    const Scalar x = crank * cos(angle);
+    const Scalar foot = sqrt(square);
+    return {2, {{{x + foot}, {x - foot}}}};
+  }
+};
+
+template <typename Scalar>
+struct FourBar {
+  Scalar ground, crank, coupler, rocker, reach;
+
+  /// Where the coupler's point stands.
+  [[nodiscard]] Listed<Scalar, 2> position(const Scalar& angle) const {
+    using std::cos;
+    using std::sin;
+    const Scalar x_B = crank * cos(angle);
+    const Scalar y_B = crank * sin(angle);
+    const Scalar x = ground - x_B;
+    const Scalar y = -y_B;
+    const auto [reached, along, across] = corners<Scalar>(x, y, coupler, rocker);
+    if (!reached) {
+      return {};
+    }
+    const Scalar part = reach / coupler;
+    const Scalar near = part * along;
+    const Scalar far = part * across;
+    const Scalar x_middle = x_B + near * x;
+    const Scalar y_middle = y_B + near * y;
+    return {2,
+            {{{x_middle - far * y, y_middle + far * x}, {x_middle + far * y, y_middle - far * x}}}};
+  }
+
+  /// The coupler's point, its velocity and its acceleration, by those of the crank.
+  [[nodiscard]] Listed<Scalar, 6> motion(const Scalar& angle, const Scalar& velocity,
+                                         const Scalar& acceleration) const {
+    using std::cos;
+    using std::sin;
+    const Scalar x_B = crank * cos(angle);
+    const Scalar y_B = crank * sin(angle);
+    const Scalar vx_B = -velocity * y_B;
+    const Scalar vy_B = velocity * x_B;
+    const Scalar ax_B = -acceleration * y_B - velocity * vy_B;
+    const Scalar ay_B = acceleration * x_B + velocity * vx_B;
+    const Scalar x = ground - x_B;
+    const Scalar y = -y_B;
+    const auto [reached, along, across] = corners<Scalar>(x, y, coupler, rocker);
+    if (!reached) {
+      return {};
+    }
+    const Scalar part = reach / coupler;
+    const auto configuration = [&, along = along](const Scalar& left) -> std::array<Scalar, 6> {
+      // The coupler's vector from B to C, the rocker's from D to C.
+      const Scalar BC_x = along * x - left * y;
+      const Scalar BC_y = along * y + left * x;
+      const Scalar DC_x = BC_x - x;
+      const Scalar DC_y = BC_y - y;
+      const Scalar one_by_area = Scalar(1) / (BC_x * DC_y - BC_y * DC_x);
+      const Scalar w_BC = -(vx_B * DC_x + vy_B * DC_y) * one_by_area;
+      const Scalar w_DC = -(vx_B * BC_x + vy_B * BC_y) * one_by_area;
+      const Scalar w_square = w_BC * w_BC;
+      const Scalar along_DC = ax_B * DC_x + ay_B * DC_y - w_square * (BC_x * DC_x + BC_y * DC_y) +
+                              w_DC * w_DC * rocker * rocker;
+      const Scalar a_BC = -along_DC * one_by_area;
+      return {x_B + part * BC_x,
+              y_B + part * BC_y,
+              vx_B - part * w_BC * BC_y,
+              vy_B + part * w_BC * BC_x,
+              ax_B - part * (a_BC * BC_y + w_square * BC_x),
+              ay_B + part * (a_BC * BC_x - w_square * BC_y)};
+    };
+    return {2, {configuration(across), configuration(-across)}};
+  }
+};
+
+}  // namespace by_hand
+
+}  // namespace assur::speed

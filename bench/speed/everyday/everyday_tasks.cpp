@@ -1,0 +1,227 @@
+// Turns random dyads and a turn of two cranks into the everyday tasks: what is certain about every
+// configuration against code by hand that tells what cannot reach and nothing else.
+#include <benchmark/benchmark.h>
+
+#include <assur/scenes/four_bar_motion.hpp>
+#include <assur/scenes/four_bar_point.hpp>
+#include <assur/scenes/slider_position.hpp>
+#include <memory>
+
+#include "everyday/by_hand.hpp"
+#include "positions/position_error.hpp"
+#include "scenes/crank_angles.hpp"
+#include "tasks.hpp"
+
+namespace assur::speed {
+
+namespace {
+
+using by_hand::Dyad;
+
+Found<Dyad> listed(const Assemblies<Dyad>& answer) {
+  Found<Dyad> found;
+  for (int index = 0; index < answer.count; ++index) {
+    found.add(answer.configurations[static_cast<std::size_t>(index)]);
+  }
+  return found;
+}
+
+Found<Dyad> listed(const Pair<Dyad::Configuration<double>>& answer) {
+  Found<Dyad> found;
+  for (int index = 0; index < answer.count; ++index) {
+    found.add(answer.list[static_cast<std::size_t>(index)]);
+  }
+  return found;
+}
+
+template <typename Find>
+void add_dyads(Task& task, const std::shared_ptr<const PositionSamples<Dyad>>& samples,
+               const std::string& method, Find find) {
+  Entry entry;
+  entry.row.task = task.name;
+  entry.row.method = method;
+  ErrorTally tally;
+  for (std::size_t index = 0; index < samples->list.size(); ++index) {
+    tally.add(position_error<Dyad>(listed(find(samples->list[index])), samples->truth[index]));
+  }
+  tally.write_to(entry.row);
+  entry.run = [samples, find](std::size_t first, std::size_t last) {
+    for (std::size_t index = first; index < last; ++index) {
+      auto answer = find(samples->list[index]);
+      benchmark::DoNotOptimize(answer);
+    }
+  };
+  task.entries.push_back(std::move(entry));
+}
+
+Task dyad_task(std::size_t inputs) {
+  const auto samples =
+      std::make_shared<const PositionSamples<Dyad>>(random_positions<Dyad>(inputs));
+  Task task{"dyad RRR, all configurations", inputs, {}};
+  add_dyads(task, samples, "generated", [](const PositionSample<Dyad>& sample) {
+    return assemblies<Dyad>(sample.d, sample.u);
+  });
+  add_dyads(task, samples, "by hand",
+            [](const PositionSample<Dyad>& sample) { return by_hand::dyad(sample.d, sample.u); });
+  return task;
+}
+
+/// The largest error of a configuration's vectors of so many numbers, each against its length.
+template <std::size_t Numbers>
+double error_of(const std::array<double, Numbers>& found,
+                const std::array<Precise, Numbers>& exact) {
+  constexpr std::size_t axes = Numbers == 1 ? 1 : 2;
+  double largest = 0;
+  for (std::size_t first = 0; first < Numbers; first += axes) {
+    double off = 0;
+    double length = 0;
+    for (std::size_t place = first; place < first + axes; ++place) {
+      off = std::hypot(off, cln::double_approx(precise(found[place]) - exact[place]));
+      length = std::hypot(length, cln::double_approx(exact[place]));
+    }
+    largest = std::max(largest, off / length);
+  }
+  return largest;
+}
+
+/// The largest error of what is found nearest to each exact configuration; infinite where their
+/// numbers differ.
+template <std::size_t Numbers>
+double error_of(const Listed<double, Numbers>& found, const Listed<Precise, Numbers>& exact) {
+  double largest = found.count == exact.count ? 0.0 : std::numeric_limits<double>::infinity();
+  for (int place = 0; place < exact.count; ++place) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int index = 0; index < found.count; ++index) {
+      nearest = std::min(nearest, error_of(found.list[static_cast<std::size_t>(index)],
+                                           exact.list[static_cast<std::size_t>(place)]));
+    }
+    largest = std::max(largest, nearest);
+  }
+  return largest;
+}
+
+/// A turn of a crank, and what stands where at each of its angles.
+template <std::size_t Numbers>
+struct Turn {
+  CrankAngles angles;
+  std::vector<Listed<Precise, Numbers>> truth;
+
+  template <typename Exact>
+  Turn(std::size_t count, const Exact& exact) : angles(count) {
+    for (std::size_t index = 0; index < count; ++index) {
+      truth.push_back(exact(precise(angles[index])));
+    }
+  }
+};
+
+template <std::size_t Numbers, typename Find>
+void add(Task& task, const Turn<Numbers>& turn, const std::string& method, Find find) {
+  Entry entry;
+  entry.row.task = task.name;
+  entry.row.method = method;
+  ErrorTally tally;
+  for (std::size_t index = 0; index < turn.truth.size(); ++index) {
+    const Listed<double, Numbers> answer = find(turn.angles[index]);
+    tally.add(error_of(answer, turn.truth[index]));
+  }
+  tally.write_to(entry.row);
+  entry.run = [angles = turn.angles, find](std::size_t first, std::size_t last) {
+    for (std::size_t index = first; index < last; ++index) {
+      auto answer = find(angles[index]);
+      benchmark::DoNotOptimize(answer);
+    }
+  };
+  task.entries.push_back(std::move(entry));
+}
+
+/// What a solver lists, by the quantities that are asked for.
+template <typename Solver, std::size_t Numbers, typename Numbered>
+Listed<double, Numbers> solved(double crank, const Numbered& numbers_of) {
+  typename Solver::template Drivers<double> drivers;
+  drivers.A.position = crank;
+  std::array<typename Solver::template State<double>, Solver::max_configurations> states;
+  Listed<double, Numbers> found;
+  found.count = Solver::solve(drivers, states).count;
+  for (std::size_t index = 0; index < static_cast<std::size_t>(found.count); ++index) {
+    found.list[index] = numbers_of(states[index]);
+  }
+  return found;
+}
+
+/// The dimensions of slider_position.json.
+template <typename Scalar>
+by_hand::SliderCrank<Scalar> slider_crank() {
+  return {Scalar(50), Scalar(160), Scalar(12)};
+}
+
+/// The dimensions of four_bar_point.json and four_bar_motion.json.
+template <typename Scalar>
+by_hand::FourBar<Scalar> four_bar() {
+  return {Scalar(80), Scalar(40), Scalar(100), Scalar(100), Scalar(200)};
+}
+constexpr int crank_velocity = 10;
+constexpr int crank_acceleration = 50;
+
+Task slider_task(std::size_t inputs) {
+  const Turn<1> turn(inputs, slider_crank<Precise>());
+  Task task{"slider-crank, position of the slider", inputs, {}};
+  add(task, turn, "generated", [](double angle) {
+    using Solver = scenes::SliderPosition;
+    return solved<Solver, 1>(angle, [](const Solver::State<double>& state) {
+      return std::array<double, 1>{state.slides.S.displacement};
+    });
+  });
+  add(task, turn, "by hand",
+      [lengths = slider_crank<double>()](double angle) { return lengths(angle); });
+  return task;
+}
+
+Task point_task(std::size_t inputs) {
+  const Turn<2> turn(inputs,
+                     [](const Precise& angle) { return four_bar<Precise>().position(angle); });
+  Task task{"four-bar, position of a coupler point", inputs, {}};
+  add(task, turn, "generated", [](double angle) {
+    using Solver = scenes::FourBarPoint;
+    return solved<Solver, 2>(angle, [](const Solver::State<double>& state) {
+      const auto& P = state.outputs.P.position;
+      return std::array<double, 2>{P(0), P(1)};
+    });
+  });
+  add(task, turn, "by hand",
+      [lengths = four_bar<double>()](double angle) { return lengths.position(angle); });
+  return task;
+}
+
+Task motion_task(std::size_t inputs) {
+  const Turn<6> turn(inputs, [](const Precise& angle) {
+    return four_bar<Precise>().motion(angle, crank_velocity, crank_acceleration);
+  });
+  Task task{"four-bar, position, velocity, acceleration", inputs, {}};
+  add(task, turn, "generated", [](double angle) {
+    using Solver = scenes::FourBarMotion;
+    return solved<Solver, 6>(angle, [](const Solver::State<double>& state) {
+      const auto& P = state.outputs.P;
+      return std::array<double, 6>{P.position(0), P.position(1),     P.velocity(0),
+                                   P.velocity(1), P.acceleration(0), P.acceleration(1)};
+    });
+  });
+  const double velocity = crank_velocity;
+  const double acceleration = crank_acceleration;
+  add(task, turn, "by hand", [lengths = four_bar<double>(), velocity, acceleration](double angle) {
+    return lengths.motion(angle, velocity, acceleration);
+  });
+  return task;
+}
+
+}  // namespace
+
+std::vector<Task> everyday_tasks(const TaskSizes& sizes) {
+  std::vector<Task> tasks;
+  tasks.push_back(dyad_task(sizes.inputs));
+  tasks.push_back(slider_task(2 * sizes.inputs));
+  tasks.push_back(point_task(2 * sizes.inputs));
+  tasks.push_back(motion_task(2 * sizes.inputs));
+  return tasks;
+}
+
+}  // namespace assur::speed
