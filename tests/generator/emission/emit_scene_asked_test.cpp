@@ -283,7 +283,7 @@ void expect_everything_is_called(const std::vector<Emitted>& all, std::size_t mo
     }
   }
   std::printf("%zu functions of %zu solvers of %zu\n", functions, sample.size(), all.size());
-  EXPECT_GT(functions, 200U);
+  EXPECT_GT(functions, most < all.size() ? 100U : 200U);
 }
 
 // A seventh of them by default, all by `ctest -L long`, which sets the variable.
