@@ -16,8 +16,8 @@
 
 namespace assur::detail {
 
-/// Whether whoever asks for a model's configurations puts them in an order of his own, as solvers of
-/// whole mechanisms do.
+/// Whether whoever asks for a model's configurations puts them in an order of his own, as solvers
+/// of whole mechanisms do.
 template <typename Model, typename = void>
 inline constexpr bool comes_in_any_order = false;
 template <typename Model>
