@@ -19,12 +19,12 @@ struct Solution {
   /// that moves freely or is inconsistent; not_finite.
   AssemblyStatus status = AssemblyStatus::ok;
   int count = 0;  ///< of the configurations
-  int families =
-      0;  ///< choices of earlier groups for which a group moves freely or is inconsistent
+  /// Choices of earlier groups for which a group moves freely or is inconsistent.
+  int families = 0;
   int mobility = 0;  ///< of the freest of them
 };
 
-/// What the search and the tracking of a solver may use of what is its own.
+/// The private parts of a solver that its search and its tracking use.
 template <typename Solver>
 struct Access {
   using Groups = typename Solver::Groups;

@@ -72,9 +72,9 @@ inline constexpr int second_unknown<Group, std::void_t<decltype(Group::second_un
 
 }  // namespace specialised
 
-/// A specialised group with the interface of a model: without dimensions, and its functions with an
-/// argument for them that nobody reads. What the group has no function for is computed from what it
-/// has.
+/// A specialised group with the interface of a model. It has no dimensions, so its functions do not
+/// read the argument for them. A matrix for which the group has no function is computed from the
+/// functions that it has.
 template <typename Group>
 struct Specialised : Group {
   static constexpr bool rigid = true;
