@@ -78,8 +78,8 @@ std::string names_of(const SolverScene& solver, mechanism::GroupIndex group) {
 
 }  // namespace
 
-const mechanism::GroupGeometry& normal_group(const SolverScene& solver,
-                                             mechanism::GroupIndex group) {
+const mechanism::GroupGeometry<mechanism::Dual>& normal_group(const SolverScene& solver,
+                                                              mechanism::GroupIndex group) {
   const std::string part = "links: " + names_of(solver, group);
   if (!solver.group(group).model->rigid) {
     throw mechanism::MechanismError(
@@ -87,7 +87,7 @@ const mechanism::GroupGeometry& normal_group(const SolverScene& solver,
         "the group is degenerate, prismatic joints over-determine its angles, so it has no "
         "solver");
   }
-  const mechanism::GroupGeometry& geometry = solver.values.group(group);
+  const mechanism::GroupGeometry<mechanism::Dual>& geometry = solver.values.group(group);
   if (geometry.roles == nullptr) {
     throw mechanism::MechanismError(part, "the group is degenerate: " + geometry.obstacle);
   }

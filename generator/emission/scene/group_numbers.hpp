@@ -19,8 +19,8 @@ struct ExternalJoint {
 };
 
 /// The links of a group in normal form. Throws MechanismError for a degenerate group.
-[[nodiscard]] const mechanism::GroupGeometry& normal_group(const SolverScene& solver,
-                                                           mechanism::GroupIndex group);
+[[nodiscard]] const mechanism::GroupGeometry<mechanism::Dual>& normal_group(
+    const SolverScene& solver, mechanism::GroupIndex group);
 
 /// The external joints of a group in its order.
 [[nodiscard]] std::vector<ExternalJoint> external_joints(const SolverScene& solver,

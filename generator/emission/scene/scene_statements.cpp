@@ -131,7 +131,7 @@ std::vector<std::string> holding_statements(const SolverScene& solver,
 PlacingStatements placing_statements(const SolverScene& solver, mechanism::GroupIndex group) {
   SceneLines lines(solver.parameters);
   std::vector<std::string> slides;
-  const mechanism::GroupGeometry& geometry = solver.values.group(group);
+  const mechanism::GroupGeometry<mechanism::Dual>& geometry = solver.values.group(group);
   const std::vector<FrameNeed> needs = frame_needs(solver, group);
   std::size_t place = 0;
   for (const std::size_t link : framed_links(needs)) {

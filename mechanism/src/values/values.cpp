@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "covariance.hpp"
-#include "group_geometry.hpp"
 #include "group_numbers.hpp"
 #include "plan/plan_data.hpp"
 
@@ -217,11 +216,19 @@ LinkFeature<Dual> Values::feature(FeatureIndex feature, bool is_line) const {
 }
 
 void Values::evaluate_group(GroupIndex group) {
-  groups_[group] = values::group_geometry(*this, group);
+  groups_[group] = group_geometry(
+      plan_->structure, plan_->structure.groups[group],
+      [this](FeatureIndex feature, bool is_line) { return this->feature(feature, is_line); },
+      constant(0.0));
   group_numbers_[group] =
       groups_[group].roles == nullptr
           ? nullptr
           : std::make_shared<const GroupNumbers>(values::group_numbers(*this, group));
+}
+
+SlideMeasure<Dual> Values::slide_measure(GroupIndex group, int model_joint) const {
+  return mechanism::slide_measure(plan_->structure, plan_->structure.groups[group], groups_[group],
+                                  model_joint, constant(0.0));
 }
 
 /// Half-widths and the covariance.

@@ -4,8 +4,7 @@
 #include <Eigen/Core>
 #include <assur/mechanism/dual.hpp>
 #include <assur/mechanism/frame.hpp>
-#include <assur/mechanism/structure.hpp>
-#include <assur/normal_form.hpp>
+#include <assur/mechanism/group_geometry.hpp>
 #include <memory>
 #include <string>
 #include <utility>
@@ -15,24 +14,6 @@ namespace assur::mechanism {
 
 struct Dependents;
 struct PlanData;
-
-/// The links of a group in normal form, under the first assignment of roles that has one.
-struct GroupGeometry {
-  const RoleAssignment* roles = nullptr;  ///< null where no assignment has a normal form
-  std::string obstacle;                   ///< then: which link has none, and why
-  std::string
-      flaw;  ///< which link has no length, if one has none: it turns, or cannot be assembled
-  std::vector<NormalForm<Dual>> links;  ///< of each link of the model
-
-  /// The dimensions of the model, in its order.
-  [[nodiscard]] std::vector<DimensionValue<Dual>> dimensions() const;
-};
-
-/// How a mechanism measures a slide of a group: sense * (displacement + shift).
-struct SlideMeasure {
-  double sense;
-  Dual shift;
-};
 
 /// How the parameters vary about their values.
 struct Spread {
@@ -72,8 +53,8 @@ class Values {
   [[nodiscard]] const Frame& frame(FeatureIndex feature) const {
     return feature.exists() ? frames_[feature] : block_;
   }
-  [[nodiscard]] const GroupGeometry& group(GroupIndex group) const { return groups_[group]; }
-  [[nodiscard]] SlideMeasure slide_measure(GroupIndex group, int model_joint) const;
+  [[nodiscard]] const GroupGeometry<Dual>& group(GroupIndex group) const { return groups_[group]; }
+  [[nodiscard]] SlideMeasure<Dual> slide_measure(GroupIndex group, int model_joint) const;
 
   /// The parameters to which derivatives are taken, in the order of their columns: all where
   /// sensitivities are wanted, otherwise the swept one, if any.
@@ -107,7 +88,7 @@ class Values {
   Table<FeatureIndex, LinkFeature<Dual>> features_;
   Table<FeatureIndex, Frame> frames_;
   Frame block_;
-  Table<GroupIndex, GroupGeometry> groups_;
+  Table<GroupIndex, GroupGeometry<Dual>> groups_;
   Spread spread_;
   bool usable_ = true;
 

@@ -1,40 +1,74 @@
-// Turns a group of a mechanism into the normal forms of its links, and these into plain numbers.
-#include "group_geometry.hpp"
+// Turns a group of a mechanism into the normal forms of its links, in any scalar.
+#pragma once
 
 #include <algorithm>
+#include <array>
+#include <assur/mechanism/structure.hpp>
+#include <assur/normal_form.hpp>
 #include <assur/text/names.hpp>
 #include <assur/variables.hpp>
+#include <cmath>
+#include <cstddef>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "group_numbers.hpp"
-#include "plan/plan_data.hpp"
+namespace assur::mechanism {
 
-namespace assur::mechanism::values {
+/// The links of a group in normal form, under the first assignment of roles that has one.
+template <typename Scalar>
+struct GroupGeometry {
+  const RoleAssignment* roles = nullptr;  ///< null where no assignment has a normal form
+  std::string obstacle;                   ///< then: which link has none, and why
+  std::string
+      flaw;  ///< which link has no length, if one has none: it turns, or cannot be assembled
+  std::vector<NormalForm<Scalar>> links;  ///< of each link of the model
 
-namespace {
+  /// The dimensions of the model, in its order.
+  [[nodiscard]] std::vector<DimensionValue<Scalar>> dimensions() const {
+    std::vector<DimensionValue<Scalar>> values;
+    for (const NormalForm<Scalar>& link : links) {
+      values.insert(values.end(), link.dimensions.begin(),
+                    link.dimensions.begin() + link.dimension_count);
+    }
+    return values;
+  }
+};
 
-const std::vector<int>& joints_of(const GroupModel& model, std::size_t link) {
+/// How a mechanism measures a slide of a group: sense * (displacement + shift).
+template <typename Scalar>
+struct SlideMeasure {
+  double sense;
+  Scalar shift;
+};
+
+namespace values {
+
+[[nodiscard]] inline const std::vector<int>& joints_of(const GroupModel& model, std::size_t link) {
   return model.group->link_joints[link];
 }
 
 /// Which of a link's joints in order a joint is.
-std::size_t slot_of(int joint, const std::vector<int>& joints) {
+[[nodiscard]] inline std::size_t slot_of(int joint, const std::vector<int>& joints) {
   return static_cast<std::size_t>(std::find(joints.begin(), joints.end(), joint) - joints.begin());
 }
 
 /// The joint and the link that play those of the model.
-const ElementaryJoint& played_joint(const Structure& structure, const RoleAssignment& roles,
-                                    int joint) {
+[[nodiscard]] inline const ElementaryJoint& played_joint(const Structure& structure,
+                                                         const RoleAssignment& roles, int joint) {
   return structure.linkage.joints[roles.joints[static_cast<std::size_t>(joint)]];
 }
-LinkIndex played_link(const RoleAssignment& roles, int link) {
+[[nodiscard]] inline LinkIndex played_link(const RoleAssignment& roles, int link) {
   return roles.links[static_cast<std::size_t>(link)];
 }
 
 /// Lines closer to parallel than this do not define a frame by where they cross.
-constexpr double parallel = 1e-3;
+inline constexpr double parallel = 1e-3;
 
-double sine_between(const LinkFeature<Dual>& one, const LinkFeature<Dual>& other) {
+template <typename Scalar>
+[[nodiscard]] double sine_between(const LinkFeature<Scalar>& one,
+                                  const LinkFeature<Scalar>& other) {
   return turned(other.along, reversed(one.along)).sin.value();
 }
 
@@ -43,20 +77,23 @@ double sine_between(const LinkFeature<Dual>& one, const LinkFeature<Dual>& other
 /// A link whose features are lines alone has its origin where the first two cross. Where these are
 /// parallel, the origin stands on one of them at will, and the other's offset from it is given to
 /// the link that slides there: its line is moved back by as much. The closures do not change.
+template <typename Scalar>
 class NormalForms {
  public:
-  NormalForms(const Values& values, const FoundGroup& group, const RoleAssignment& roles)
-      : group_(group), structure_(values.plan().structure), roles_(roles) {
+  template <typename FeatureOf>
+  NormalForms(const Structure& structure, const FoundGroup& group, const RoleAssignment& roles,
+              const FeatureOf& feature_of, const Scalar& zero)
+      : group_(group), structure_(structure), roles_(roles) {
     for (std::size_t link = 0; link < roles.links.size(); ++link) {
-      std::array<LinkFeature<Dual>, 3> features;
+      std::array<LinkFeature<Scalar>, 3> features;
       std::size_t count = 0;
       for (const int joint : joints_of(*group.model, link)) {
         const ElementaryJoint& at = played_joint(structure_, roles_, joint);
-        features[count++] = values.feature(at.on(roles.links[link]), at.prismatic);
+        features[count++] = feature_of(at.on(roles.links[link]), at.prismatic);
       }
       features_.push_back(features);
-      NormalForm<Dual> form;
-      form.shift.fill(values.constant(0.0));
+      NormalForm<Scalar> form;
+      form.shift.fill(zero);
       forms_.push_back(form);
       is_done_.push_back(false);
     }
@@ -102,7 +139,7 @@ class NormalForms {
     }
     return "";
   }
-  [[nodiscard]] std::vector<NormalForm<Dual>>& forms() { return forms_; }
+  [[nodiscard]] std::vector<NormalForm<Scalar>>& forms() { return forms_; }
 
   /// How well the features that define the frames do so, from zero to one: the sine between the
   /// first two of lines alone, the part of the first two points' distance in the link's size.
@@ -173,23 +210,23 @@ class NormalForms {
       if (!neighbour) {
         continue;
       }
-      const LinkFeature<Dual>& kept = features[1 - moved];
-      NormalForm<Dual>& form = forms_[link];
+      const LinkFeature<Scalar>& kept = features[1 - moved];
+      NormalForm<Scalar>& form = forms_[link];
       form.frame = {kept.x, kept.y, features[0].along};
       if (joints.size() == 3 && std::abs(sine_between(kept, features[2])) > parallel) {
-        const Dual along = ((features[2].x - kept.x) * features[2].along.sin -
-                            (features[2].y - kept.y) * features[2].along.cos) /
-                           turned(features[2].along, reversed(kept.along)).sin;
+        const Scalar along = ((features[2].x - kept.x) * features[2].along.sin -
+                              (features[2].y - kept.y) * features[2].along.cos) /
+                             turned(features[2].along, reversed(kept.along)).sin;
         form.frame.x = kept.x + along * kept.along.cos;
         form.frame.y = kept.y + along * kept.along.sin;
       }
       if (measure_in_frame(features, joints.size(), form) != Status::ok) {
         continue;
       }
-      const LinkFeature<Dual>& given = features[moved];
-      const Dual offset =
+      const LinkFeature<Scalar>& given = features[moved];
+      const Scalar offset =
           (given.y - form.frame.y) * given.along.cos - (given.x - form.frame.x) * given.along.sin;
-      LinkFeature<Dual>& there = line_at(*neighbour, joints[moved]);
+      LinkFeature<Scalar>& there = line_at(*neighbour, joints[moved]);
       there.x = there.x + offset * there.along.sin;
       there.y = there.y - offset * there.along.cos;
       return true;
@@ -197,7 +234,7 @@ class NormalForms {
     return false;
   }
 
-  [[nodiscard]] LinkFeature<Dual>& line_at(std::size_t link, int joint) {
+  [[nodiscard]] LinkFeature<Scalar>& line_at(std::size_t link, int joint) {
     const std::vector<int>& joints = joints_of(*group_.model, link);
     return features_[link][slot_of(joint, joints)];
   }
@@ -205,23 +242,29 @@ class NormalForms {
   const FoundGroup& group_;
   const Structure& structure_;
   const RoleAssignment& roles_;
-  std::vector<std::array<LinkFeature<Dual>, 3>> features_;
-  std::vector<NormalForm<Dual>> forms_;
+  std::vector<std::array<LinkFeature<Scalar>, 3>> features_;
+  std::vector<NormalForm<Scalar>> forms_;
   std::vector<bool> is_done_;
   std::string obstacle_;
 };
 
-}  // namespace
+}  // namespace values
 
-GroupGeometry group_geometry(const Values& values, GroupIndex index) {
-  const FoundGroup& group = values.plan().structure.groups[index];
-  GroupGeometry geometry;
+/// The group with its links in normal form under the first assignment of roles that has one.
+/// `feature_of(feature, is_line)` is a feature in its link's frame, `zero` a number that depends on
+/// nothing. The value of a number is `value()`.
+template <typename Scalar, typename FeatureOf>
+[[nodiscard]] GroupGeometry<Scalar> group_geometry(const Structure& structure,
+                                                   const FoundGroup& group,
+                                                   const FeatureOf& feature_of,
+                                                   const Scalar& zero) {
+  GroupGeometry<Scalar> geometry;
   // The first assignment that defines the frames well, or else the one that does so best.
   constexpr double well = 0.05;
   double firmest = -1;
   for (const RoleAssignment& roles : group.assignments) {
     for (const std::size_t first_size : {2U, 3U}) {
-      NormalForms normal(values, group, roles);
+      values::NormalForms<Scalar> normal(structure, group, roles, feature_of, zero);
       if (!normal.run(first_size)) {
         geometry.obstacle = normal.obstacle();
       } else if (normal.firmness() > firmest) {
@@ -238,110 +281,20 @@ GroupGeometry group_geometry(const Values& values, GroupIndex index) {
   return geometry;
 }
 
-models::SmallVector ParameterDerivatives::mixed(Eigen::Index i, Eigen::Index j) const {
-  models::SmallVector column(first.rows());
-  for (Eigen::Index row = 0; row < column.size(); ++row) {
-    column(row) = second[static_cast<std::size_t>(row)](i, j);
-  }
-  return column;
-}
-
-ParameterDerivatives derivatives_of(const std::vector<DimensionValue<Dual>>& quantities,
-                                    const Values& values) {
-  const auto count = static_cast<Eigen::Index>(values.columns().size());
-  ParameterDerivatives result{
-      ParameterRows<Eigen::Dynamic>::Zero(static_cast<Eigen::Index>(quantities.size()), count), {}};
-  Eigen::Index row = 0;
-  for (const DimensionValue<Dual>& value : quantities) {
-    const Dual quantity = value.is_angle ? angle_of(value.angle) : value.length;
-    if (quantity.derivatives().size() > 0) {
-      result.first.row(row) = quantity.derivatives().transpose();
-    }
-    ++row;
-    if (values.second_order()) {
-      result.second.push_back(quantity.has_hessian() ? quantity.hessian()
-                                                     : Eigen::MatrixXd::Zero(count, count));
-    }
-  }
-  return result;
-}
-
-Values::GroupNumbers group_numbers(const Values& values, GroupIndex index) {
-  const Structure& structure = values.plan().structure;
-  const FoundGroup& group = structure.groups[index];
-  const GroupGeometry& geometry = values.group(index);
-  Values::GroupNumbers numbers;
-  const std::vector<DimensionValue<Dual>> dimensions = geometry.dimensions();
-  double* to = numbers.d.data();
-  for (const DimensionValue<Dual>& value : dimensions) {
-    if (value.is_angle) {
-      *to++ = value.angle.cos.value();
-      *to++ = value.angle.sin.value();
-    } else {
-      *to++ = value.length.value();
-    }
-  }
-  numbers.of_d = derivatives_of(dimensions, values);
-  for (Eigen::Index dimension = 0; dimension < numbers.of_d.first.rows(); ++dimension) {
-    for (Eigen::Index parameter = 0; parameter < numbers.of_d.first.cols(); ++parameter) {
-      const double value = numbers.of_d.first(dimension, parameter);
-      if (value != 0) {
-        numbers.nonzero_of_d.push_back({dimension, parameter, value});
-      }
-    }
-  }
-  numbers.links = geometry.roles->links;
-  for (const NormalForm<Dual>& link : geometry.links) {
-    numbers.own.push_back(Frame::at(inverse(link.frame)));
-  }
-  const auto played = [&](int joint) -> const ElementaryJoint& {
-    return played_joint(structure, *geometry.roles, joint);
-  };
-  for (std::size_t unknown = 0; unknown < group.model->unknowns.size(); ++unknown) {
-    const ModelUnknown& entry = group.model->unknowns[unknown];
-    if (!entry.is_angle) {
-      const SlideMeasure measure = values.slide_measure(index, entry.owner);
-      numbers.slides.push_back(
-          {static_cast<int>(unknown), played(entry.owner).joint, measure.sense, measure.shift});
-    }
-  }
-  int joint = 0;
-  for (const ModelJoint& wanted : group.model->group->joints) {
-    if (wanted.first == base_link) {
-      const ElementaryJoint& at = played(joint);
-      const LinkIndex inner = played_link(*geometry.roles, wanted.second);
-      const LinkIndex base = at.other(inner);
-      numbers.held.push_back({base, at.on(base), at.prismatic});
-    }
-    ++joint;
-  }
-  return numbers;
-}
-
-}  // namespace assur::mechanism::values
-
-namespace assur::mechanism {
-
-std::vector<DimensionValue<Dual>> GroupGeometry::dimensions() const {
-  std::vector<DimensionValue<Dual>> values;
-  for (const NormalForm<Dual>& link : links) {
-    values.insert(values.end(), link.dimensions.begin(),
-                  link.dimensions.begin() + link.dimension_count);
-  }
-  return values;
-}
-
-SlideMeasure Values::slide_measure(GroupIndex group, int model_joint) const {
-  const FoundGroup& found = plan_->structure.groups[group];
-  const GroupGeometry& geometry = groups_[group];
-  const ModelJoint& wanted = found.model->group->joints[static_cast<std::size_t>(model_joint)];
-  const ElementaryJoint& at = values::played_joint(plan_->structure, *geometry.roles, model_joint);
-  const auto shift_on = [&](int link) -> Dual {
+/// How the slide at a joint of the model is measured.
+template <typename Scalar>
+[[nodiscard]] SlideMeasure<Scalar> slide_measure(const Structure& structure,
+                                                 const FoundGroup& group,
+                                                 const GroupGeometry<Scalar>& geometry,
+                                                 int model_joint, const Scalar& zero) {
+  const ModelJoint& wanted = group.model->group->joints[static_cast<std::size_t>(model_joint)];
+  const ElementaryJoint& at = values::played_joint(structure, *geometry.roles, model_joint);
+  const auto shift_on = [&](int link) -> Scalar {
     if (link == base_link) {
-      return constant(0.0);
+      return zero;
     }
     const auto place = static_cast<std::size_t>(link);
-    const std::vector<int>& joints = values::joints_of(*found.model, place);
+    const std::vector<int>& joints = values::joints_of(*group.model, place);
     return geometry.links[place].shift[values::slot_of(model_joint, joints)];
   };
   const bool same_sense = at.second == values::played_link(*geometry.roles, wanted.second);
