@@ -1,7 +1,6 @@
 // The command `assur`: each subcommand is one pass through the pipeline.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <assur/mechanism/error.hpp>
 #include <csignal>
 #include <functional>
 #include <iostream>
@@ -12,20 +11,16 @@
 #include "audit/scene/scene_values.hpp"
 #include "command/catalogue.hpp"
 #include "command/derive.hpp"
+#include "command/emit.hpp"
 #include "command/output.hpp"
 #include "command/solve.hpp"
 #include "document/render.hpp"
-#include "emission/closures/emit_closures.hpp"
-#include "emission/model/emit.hpp"
-#include "emission/scene/emit_scene.hpp"
-#include "emission/scene/scene_warnings.hpp"
 
 namespace {
 
 using namespace assur::generator;
 using namespace assur::generator::command;
 using assur::text::InputError;
-using emission::cpp::EmittedFile;
 
 constexpr int exit_ok = 0;
 constexpr int exit_negative = 1;
@@ -49,63 +44,6 @@ int run_derive(const DeriveOptions& options) {
         : options.format == "latex" ? document::derivation_latex(derivation)
                                     : document::derivation_text(derivation));
   return derivation.rigid ? exit_ok : exit_negative;
-}
-
-struct EmitOptions {
-  bool all = false;
-  int model = 0;
-  std::string group = "tetrad";
-  std::string scene;
-  std::string closures;
-  std::string output;
-  bool check = false;
-};
-
-EmittedFile emitted_scene(const std::string& file) {
-  const assur::mechanism::Scene scene = assur::mechanism::read_scene(file);
-  try {
-    EmittedFile emitted = emission::scene::emit_scene(scene);
-    for (const std::string& warning : emission::scene::scene_warnings(scene)) {
-      std::cerr << "warning: " << file << ": " << warning << '\n';
-    }
-    return emitted;
-  } catch (const assur::mechanism::MechanismError& error) {
-    throw InputError(file + ": " + error.what());
-  }
-}
-
-int run_emit(const EmitOptions& options) {
-  std::vector<EmittedFile> files;
-  if (options.all) {
-    files = emission::model::emit_all();
-  } else if (!options.scene.empty()) {
-    files.push_back(emitted_scene(options.scene));
-  } else if (!options.closures.empty()) {
-    files.push_back(
-        emission::closures::emit_closures(closures::read_typed_closures(options.closures)));
-  } else {
-    const std::vector<structure::Model>& models =
-        structure::models_of(structure::group_named(options.group));
-    for (const structure::Model& model : models) {
-      if (model.number == options.model) {
-        files.push_back(emission::model::emit_model(model));
-      }
-    }
-    if (files.empty()) {
-      throw InputError("--model: no " + options.group + " model " + std::to_string(options.model) +
-                       "; the models are 1 to " + std::to_string(models.size()));
-    }
-  }
-  if (!options.check) {
-    emission::cpp::write_files(files, options.output);
-    return exit_ok;
-  }
-  int differing = 0;
-  for (const std::filesystem::path& path : emission::cpp::differing_files(files, options.output)) {
-    std::cerr << "differs: " << path.generic_string() << '\n';
-    ++differing;
-  }
-  return differing == 0 ? exit_ok : exit_negative;
 }
 
 struct AuditOptions {
@@ -181,6 +119,10 @@ int run(int argc, char** argv) {
   what->add_option("--closures", emit.closures, "the closures that an audit file types")
       ->check(not_empty);
   what->require_option(1);
+  command
+      ->add_option("--variable", emit.variables,
+                   "with --scene: parameters X,Y that stay arguments of the solver, or all")
+      ->delimiter(',');
   command->add_option("--group", emit.group, "the group that --model means")
       ->check(CLI::IsMember(group_names()))
       ->capture_default_str();
@@ -188,7 +130,7 @@ int run(int argc, char** argv) {
       ->required()
       ->check(not_empty);
   command->add_flag("--check", emit.check, "write nothing; exit 1 if what is there differs");
-  command->callback([&] { chosen = [&] { return run_emit(emit); }; });
+  command->callback([&] { chosen = [&] { return run_emit(emit) ? exit_ok : exit_negative; }; });
 
   SolveOptions solve;
   command = app.add_subcommand("solve", "the assembly configurations of a scene");

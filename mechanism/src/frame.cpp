@@ -152,9 +152,4 @@ void carry(const Frame& frame, const Frame& inner, Point& result) {
   origin.follow(result.follows);
 }
 
-Pose<Dual> inverse(const Pose<Dual>& pose) {
-  return {-(pose.direction.cos * pose.x) - pose.direction.sin * pose.y,
-          pose.direction.sin * pose.x - pose.direction.cos * pose.y, reversed(pose.direction)};
-}
-
 }  // namespace assur::mechanism

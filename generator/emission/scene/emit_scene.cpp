@@ -35,6 +35,7 @@ class SceneEmitter {
 
   cpp::EmittedFile run() {
     show_drivers();
+    show_variables();
     for (const mechanism::GroupIndex group : solver_.plan.structure().groups.keys()) {
       show_group(group);
     }
@@ -92,7 +93,27 @@ class SceneEmitter {
               }));
     view_.set("has_drivers", !names.empty());
     view_.set("drivers_name", names.empty() ? "" : " drivers");
-    view_.set("driven_name", names.empty() ? "" : " placed");
+    view_.set("driven_name", names.empty() && solver_.variable.empty() ? "" : " placed");
+  }
+
+  void show_variables() {
+    cpp::View::List variables;
+    for (const VariableParameter& parameter : solver_.variable) {
+      cpp::View entry;
+      entry.set("member", parameter.member);
+      entry.set("value", cpp::round_trip(solver_.values.parameter(parameter.index)));
+      variables.push_back(entry);
+    }
+    view_.set("variables", variables);
+    view_.set("variable_count", std::to_string(variables.size()));
+    view_.set("variable_list",
+              text::joined(solver_.variable, ", ",
+                           [](const VariableParameter& one) { return "&" + one.member; }));
+    view_.set("has_variables", !variables.empty());
+    view_.set("given", variables.empty() ? "drivers" : "{drivers, parameters}");
+    view_.set("given_list", variables.empty() ? "const Drivers<double>& drivers"
+                                              : "const Drivers<double>& drivers, const "
+                                                "Parameters<double>& parameters");
   }
 
   void show_group(mechanism::GroupIndex group) {

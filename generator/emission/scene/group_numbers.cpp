@@ -15,12 +15,12 @@ namespace {
 /// moving links that hold it, and between the joints that the ground holds.
 double unit_of(const SolverScene& solver, mechanism::GroupIndex group) {
   double longest = 0;
-  for (const auto& value : solver.values.group(group).dimensions()) {
+  for (const auto& value : solver.numbers.group(group).dimensions()) {
     longest = std::max(longest, std::abs(value.length.value()));
   }
-  std::optional<LinkFeature<mechanism::Dual>> first;
+  std::optional<LinkFeature<SceneNumber>> first;
   for (const ExternalJoint& held : external_joints(solver, group)) {
-    const LinkFeature<mechanism::Dual> feature = held.feature(solver);
+    const LinkFeature<SceneNumber> feature = held.feature(solver);
     const bool fixed = solver.is_ground(held.base);
     if (fixed && !first) {
       first = feature;
@@ -32,7 +32,7 @@ double unit_of(const SolverScene& solver, mechanism::GroupIndex group) {
   return longest > 0 ? std::ldexp(1.0, std::ilogb(longest)) : 1;
 }
 
-DimensionValue<double> in_unit(const DimensionValue<mechanism::Dual>& value, double unit) {
+DimensionValue<double> in_unit(const DimensionValue<SceneNumber>& value, double unit) {
   return {value.is_angle,
           value.length.value() / unit,
           {value.angle.cos.value(), value.angle.sin.value()}};
@@ -44,13 +44,13 @@ class NumberList {
   NumberList(const ModelledParameters& parameters, double unit)
       : parameters_(parameters), unit_(unit), gradient_(0, parameters.count()) {}
 
-  void add(const DimensionValue<mechanism::Dual>& value) {
+  void add(const DimensionValue<SceneNumber>& value) {
     values_.emplace_back(in_unit(value, unit_));
-    add_row(value.is_angle ? parameters_.gradient(angle_of(value.angle))
-                           : parameters_.gradient(value.length) / unit_);
+    add_row(value.is_angle ? parameters_.gradient(angle_of(value.angle).number())
+                           : parameters_.gradient(value.length.number()) / unit_);
   }
-  /// What moves is no number, and has no derivatives of its own.
-  void add_moving() {
+  /// What varies is no number, and has no derivatives of its own.
+  void add_input() {
     values_.emplace_back(std::nullopt);
     add_row(Eigen::VectorXd::Zero(parameters_.count()));
   }
@@ -76,10 +76,20 @@ std::string names_of(const SolverScene& solver, mechanism::GroupIndex group) {
   return text::listed(solver.plan.structure().names_of(solver.group(group).links));
 }
 
+bool varies(const SolverScene& solver, const DimensionValue<SceneNumber>& value) {
+  return value.is_angle ? solver.numbers.varies(value.angle) : solver.numbers.varies(value.length);
+}
+
 }  // namespace
 
-const mechanism::GroupGeometry<mechanism::Dual>& normal_group(const SolverScene& solver,
-                                                              mechanism::GroupIndex group) {
+bool ExternalJoint::is_fixed(const SolverScene& solver) const {
+  const LinkFeature<SceneNumber> place = feature(solver);
+  return solver.is_ground(base) && !solver.numbers.varies(place.x) &&
+         !solver.numbers.varies(place.y) && !(place.line && solver.numbers.varies(place.along));
+}
+
+const mechanism::GroupGeometry<SceneNumber>& normal_group(const SolverScene& solver,
+                                                          mechanism::GroupIndex group) {
   const std::string part = "links: " + names_of(solver, group);
   if (!solver.group(group).model->rigid) {
     throw mechanism::MechanismError(
@@ -87,7 +97,7 @@ const mechanism::GroupGeometry<mechanism::Dual>& normal_group(const SolverScene&
         "the group is degenerate, prismatic joints over-determine its angles, so it has no "
         "solver");
   }
-  const mechanism::GroupGeometry<mechanism::Dual>& geometry = solver.values.group(group);
+  const mechanism::GroupGeometry<SceneNumber>& geometry = solver.numbers.group(group);
   if (geometry.roles == nullptr) {
     throw mechanism::MechanismError(part, "the group is degenerate: " + geometry.obstacle);
   }
@@ -96,7 +106,7 @@ const mechanism::GroupGeometry<mechanism::Dual>& normal_group(const SolverScene&
 
 std::vector<ExternalJoint> external_joints(const SolverScene& solver, mechanism::GroupIndex group) {
   std::vector<ExternalJoint> list;
-  const mechanism::RoleAssignment& roles = *solver.values.group(group).roles;
+  const mechanism::RoleAssignment& roles = *solver.numbers.group(group).roles;
   int joint = 0;
   for (const ModelJoint& wanted : solver.group(group).model->group->joints) {
     if (wanted.first == base_link) {
@@ -118,35 +128,40 @@ std::vector<FrameNeed> frame_needs(const SolverScene& solver, mechanism::GroupIn
 
 GroupNumbers group_numbers(const SolverScene& solver, mechanism::GroupIndex group) {
   const double unit = unit_of(solver, group);
-  std::vector<DimensionValue<double>> dimensions;
   NumberList of_dimensions(solver.parameters, unit);
-  for (const DimensionValue<mechanism::Dual>& value : normal_group(solver, group).dimensions()) {
-    dimensions.push_back(in_unit(value, unit));
-    of_dimensions.add(value);
+  for (const DimensionValue<SceneNumber>& value : normal_group(solver, group).dimensions()) {
+    if (varies(solver, value)) {
+      of_dimensions.add_input();
+    } else {
+      of_dimensions.add(value);
+    }
   }
   NumberList of_inputs(solver.parameters, unit);
+  std::vector<bool> input_moves;
   for (const ExternalJoint& held : external_joints(solver, group)) {
-    const LinkFeature<mechanism::Dual> feature = held.feature(solver);
-    std::vector<DimensionValue<mechanism::Dual>> values = {{false, feature.x, {}},
-                                                           {false, feature.y, {}}};
+    const LinkFeature<SceneNumber> feature = held.feature(solver);
+    std::vector<DimensionValue<SceneNumber>> values = {{false, feature.x, {}},
+                                                       {false, feature.y, {}}};
     if (held.joint->prismatic) {
-      values.push_back({true, mechanism::Dual(0), feature.along});
+      values.push_back({true, SceneNumber(), feature.along});
     }
-    for (const DimensionValue<mechanism::Dual>& value : values) {
-      if (solver.is_ground(held.base)) {
+    for (const DimensionValue<SceneNumber>& value : values) {
+      if (held.is_fixed(solver)) {
         of_inputs.add(value);
       } else {
-        of_inputs.add_moving();
+        of_inputs.add_input();
       }
+      input_moves.push_back(!solver.is_ground(held.base));
     }
   }
   return {&derived_model(solver.group(group)),
           unit,
           solver.derivative_order,
-          dimensions,
+          of_dimensions.values(),
           of_dimensions.gradient(),
           of_inputs.values(),
           of_inputs.gradient(),
+          input_moves,
           frame_needs(solver, group),
           solver.holds_groups(group)};
 }

@@ -13,13 +13,16 @@ struct ExternalJoint {
   const mechanism::ElementaryJoint* joint;
   mechanism::LinkIndex base;
 
-  [[nodiscard]] LinkFeature<mechanism::Dual> feature(const SolverScene& solver) const {
-    return solver.values.feature(joint->on(base), joint->prismatic);
+  [[nodiscard]] LinkFeature<SceneNumber> feature(const SolverScene& solver) const {
+    return solver.numbers.feature(joint->on(base), joint->prismatic);
   }
+  /// Whether the group is held where the ground has the joint at every time and with any
+  /// parameters.
+  [[nodiscard]] bool is_fixed(const SolverScene& solver) const;
 };
 
 /// The links of a group in normal form. Throws MechanismError for a degenerate group.
-[[nodiscard]] const mechanism::GroupGeometry<mechanism::Dual>& normal_group(
+[[nodiscard]] const mechanism::GroupGeometry<SceneNumber>& normal_group(
     const SolverScene& solver, mechanism::GroupIndex group);
 
 /// The external joints of a group in its order.

@@ -1,8 +1,9 @@
 #include "emission/scene/scene_lines.hpp"
 
 #include <algorithm>
+#include <array>
+#include <assur/directions.hpp>
 #include <assur/text/identifiers.hpp>
-#include <assur/variables.hpp>
 
 #include "emission/cpp/cpp_text.hpp"
 
@@ -19,48 +20,57 @@ Eigen::VectorXd ModelledParameters::gradient(const mechanism::Dual& quantity) co
   return result;
 }
 
-std::string SceneLines::point(const std::string& name, const mechanism::Dual& x,
-                              const mechanism::Dual& y) {
-  const std::string values =
-      emission::cpp::round_trip(x.value()) + ", " + emission::cpp::round_trip(y.value());
-  if (!varies({x, y})) {
-    const bool origin = x.value() == 0 && y.value() == 0;
-    return origin ? "LinkPoint{}" : "LinkPoint{" + values + "}";
+std::vector<std::string> SceneLines::lines() const {
+  std::vector<std::string> lines = lines_;
+  if (has_formulas_) {
+    lines.insert(lines.begin(), "const Parameters<double>& p = placed.parameters;");
+  }
+  return lines;
+}
+
+std::string SceneLines::number(const SceneNumber& number) {
+  if (!numbers_.varies(number)) {
+    return cpp::round_trip(number.value());
+  }
+  has_formulas_ = true;
+  return numbers_.text(number);
+}
+
+std::string SceneLines::direction(const Direction<SceneNumber>& direction) {
+  return "{" + number(direction.cos) + ", " + number(direction.sin) + "}";
+}
+
+std::string SceneLines::point(const std::string& name, const SceneNumber& x, const SceneNumber& y) {
+  const std::vector<Gradient> gradients = {gradient_of(x), gradient_of(y)};
+  const std::array<std::string, 2> values = {number(x), number(y)};
+  if (std::all_of(gradients.begin(), gradients.end(), is_zero)) {
+    const bool is_origin = values[0] == "0.0" && values[1] == "0.0";
+    return is_origin ? "LinkPoint{}" : "LinkPoint{" + values[0] + ", " + values[1] + "}";
   }
   std::string point = declared(name);
   add("LinkPoint " + point + ";");
-  add(point + ".x = " + emission::cpp::round_trip(x.value()) + ";");
-  add(point + ".y = " + emission::cpp::round_trip(y.value()) + ";");
-  add_gradients(point, {x, y});
+  add(point + ".x = " + values[0] + ";");
+  add(point + ".y = " + values[1] + ";");
+  add_gradients(point, gradients);
   return point;
 }
 
-std::string SceneLines::frame(const std::string& name, const Pose<mechanism::Dual>& pose) {
-  const mechanism::Dual angle = angle_of(pose.direction);
-  const bool constant = !varies({pose.x, pose.y, angle});
-  if (constant && pose.x.value() == 0 && pose.y.value() == 0 && angle.value() == 0) {
+std::string SceneLines::frame(const std::string& name, const Pose<SceneNumber>& pose) {
+  const std::vector<Gradient> gradients = {gradient_of(pose.x), gradient_of(pose.y),
+                                           gradient_of(pose.direction)};
+  const bool has_gradient = !std::all_of(gradients.begin(), gradients.end(), is_zero);
+  const std::string values =
+      number(pose.x) + ", " + number(pose.y) + ", " + direction(pose.direction);
+  if (!has_gradient && values == "0.0, 0.0, {1.0, 0.0}") {
     return "";
   }
   std::string frame = declared(name);
   add("LinkFrame " + frame + ";");
-  add(frame + ".pose = {" + emission::cpp::round_trip(pose.x.value()) + ", " +
-      emission::cpp::round_trip(pose.y.value()) + ", {" +
-      emission::cpp::round_trip(pose.direction.cos.value()) + ", " +
-      emission::cpp::round_trip(pose.direction.sin.value()) + "}};");
-  if (!constant) {
-    add_gradients(frame, {pose.x, pose.y, angle});
+  add(frame + ".pose = {" + values + "};");
+  if (has_gradient) {
+    add_gradients(frame, gradients);
   }
   return frame;
-}
-
-std::string SceneLines::gradient(const std::string& name, const mechanism::Dual& number) {
-  if (!varies({number})) {
-    return "";
-  }
-  std::string row = declared(name);
-  add("ParameterRow " + row + " = ParameterRow::Zero();");
-  add_gradient(row + "(", number);
-  return row;
 }
 
 std::string SceneLines::declared(const std::string& name) {
@@ -68,29 +78,59 @@ std::string SceneLines::declared(const std::string& name) {
   return taken_.back();
 }
 
-void SceneLines::add_gradient(const std::string& target, const mechanism::Dual& quantity) {
-  const Eigen::VectorXd gradient = parameters_.gradient(quantity);
-  Eigen::Index place = 0;
-  for (const std::string& parameter : parameters_.names()) {
-    if (gradient(place) != 0) {
-      add(target + std::to_string(place) + ") = " + emission::cpp::round_trip(gradient(place)) +
-          ";  // " + parameter);
+SceneLines::Gradient SceneLines::gradient_of(const SceneNumber& number) {
+  if (!numbers_.varies(number)) {
+    return constant_gradient(number.number());
+  }
+  has_formulas_ = true;
+  return numbers_.gradient(number);
+}
+
+SceneLines::Gradient SceneLines::gradient_of(const Direction<SceneNumber>& direction) {
+  if (!numbers_.varies(direction)) {
+    return constant_gradient(
+        angle_of(Direction<mechanism::Dual>{direction.cos.number(), direction.sin.number()}));
+  }
+  has_formulas_ = true;
+  return numbers_.gradient(direction);
+}
+
+SceneLines::Gradient SceneLines::constant_gradient(const mechanism::Dual& number) const {
+  Gradient texts;
+  for (const double slope : parameters_.gradient(number)) {
+    texts.push_back(slope == 0 ? "" : cpp::round_trip(slope));
+  }
+  return texts;
+}
+
+bool SceneLines::is_zero(const Gradient& gradient) {
+  return std::all_of(gradient.begin(), gradient.end(),
+                     [](const std::string& slope) { return slope.empty(); });
+}
+
+std::string SceneLines::declared_gradient(const std::string& name, const Gradient& gradient) {
+  if (is_zero(gradient)) {
+    return "";
+  }
+  std::string row = declared(name);
+  add("ParameterRow " + row + " = ParameterRow::Zero();");
+  add_gradient(row + "(", gradient);
+  return row;
+}
+
+void SceneLines::add_gradient(const std::string& target, const Gradient& gradient) {
+  for (std::size_t place = 0; place < gradient.size(); ++place) {
+    if (!gradient[place].empty()) {
+      add(target + std::to_string(place) + ") = " + gradient[place] + ";  // " +
+          parameters_.names()[place]);
     }
-    ++place;
   }
 }
 
-void SceneLines::add_gradients(const std::string& target,
-                               const std::vector<mechanism::Dual>& rows) {
+void SceneLines::add_gradients(const std::string& target, const std::vector<Gradient>& rows) {
   for (std::size_t row = 0; row < rows.size(); ++row) {
     add_gradient(target + ".gradient(" + std::to_string(row) + ", ", rows[row]);
   }
-}
-
-bool SceneLines::varies(const std::vector<mechanism::Dual>& quantities) const {
-  return std::any_of(quantities.begin(), quantities.end(), [&](const mechanism::Dual& quantity) {
-    return !parameters_.gradient(quantity).isZero(0.0);
-  });
 }
 
 std::string nested_frames(const std::vector<std::string>& frames) {

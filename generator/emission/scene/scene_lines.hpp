@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "emission/scene/scene_numbers.hpp"
+
 namespace assur::generator::emission::scene {
 
 /// The parameters of a scene to which derivatives are modelled.
@@ -31,28 +33,46 @@ class ModelledParameters {
 /// The statements of one function, with constants declared as they are needed.
 class SceneLines {
  public:
-  explicit SceneLines(const ModelledParameters& parameters) : parameters_(parameters) {}
+  SceneLines(const ModelledParameters& parameters, const SceneNumbers& numbers)
+      : parameters_(parameters), numbers_(numbers) {}
 
   void add(const std::string& line) { lines_.push_back(line); }
-  [[nodiscard]] const std::vector<std::string>& lines() const { return lines_; }
+  /// With the variable parameters as `p`, where formulas read them.
+  [[nodiscard]] std::vector<std::string> lines() const;
+
+  /// A number, or its formula in variable parameters.
+  [[nodiscard]] std::string number(const SceneNumber& number);
+  /// `{cos, sin}`.
+  [[nodiscard]] std::string direction(const Direction<SceneNumber>& direction);
 
   /// A point of a link, as an expression; `name` is for the case that it needs a declaration.
-  [[nodiscard]] std::string point(const std::string& name, const mechanism::Dual& x,
-                                  const mechanism::Dual& y);
+  [[nodiscard]] std::string point(const std::string& name, const SceneNumber& x,
+                                  const SceneNumber& y);
   /// A frame of a link, likewise; empty for the link's own.
-  [[nodiscard]] std::string frame(const std::string& name, const Pose<mechanism::Dual>& pose);
-  /// The derivatives of a number, likewise; empty where there are none.
-  [[nodiscard]] std::string gradient(const std::string& name, const mechanism::Dual& number);
+  [[nodiscard]] std::string frame(const std::string& name, const Pose<SceneNumber>& pose);
+  /// The derivatives of a number or of a direction's angle, likewise; empty where there are none.
+  template <typename Quantity>
+  [[nodiscard]] std::string gradient(const std::string& name, const Quantity& quantity) {
+    return declared_gradient(name, gradient_of(quantity));
+  }
   /// A name of the function's own, like `name`.
   [[nodiscard]] std::string declared(const std::string& name);
 
  private:
+  /// A text for each modelled parameter; empty where the derivative is zero.
+  using Gradient = std::vector<std::string>;
+  [[nodiscard]] Gradient gradient_of(const SceneNumber& number);
+  [[nodiscard]] Gradient gradient_of(const Direction<SceneNumber>& direction);
+  [[nodiscard]] Gradient constant_gradient(const mechanism::Dual& number) const;
+  [[nodiscard]] static bool is_zero(const Gradient& gradient);
+  [[nodiscard]] std::string declared_gradient(const std::string& name, const Gradient& gradient);
   /// Assigns the derivatives that are not zero to an entry each; `target` is `row(` of `row(0)`.
-  void add_gradient(const std::string& target, const mechanism::Dual& quantity);
-  void add_gradients(const std::string& target, const std::vector<mechanism::Dual>& rows);
-  [[nodiscard]] bool varies(const std::vector<mechanism::Dual>& quantities) const;
+  void add_gradient(const std::string& target, const Gradient& gradient);
+  void add_gradients(const std::string& target, const std::vector<Gradient>& rows);
 
   const ModelledParameters& parameters_;
+  const SceneNumbers& numbers_;
+  bool has_formulas_ = false;
   std::vector<std::string> lines_;
   std::vector<std::string> taken_;
 };

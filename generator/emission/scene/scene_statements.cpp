@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <assur/text/names.hpp>
+#include <deque>
 
 #include "emission/cpp/cpp_text.hpp"
 #include "emission/scene/group_numbers.hpp"
@@ -15,9 +16,9 @@ std::string on(const SolverScene& solver, const std::string& feature, mechanism:
 }
 
 /// A joint's feature as a frame of the link: a line along its x-axis, a point in the link's axes.
-Pose<mechanism::Dual> feature_frame(const SolverScene& solver, const mechanism::ElementaryJoint& at,
-                                    mechanism::LinkIndex link) {
-  const LinkFeature<mechanism::Dual> feature = solver.values.feature(at.on(link), at.prismatic);
+Pose<SceneNumber> feature_frame(const SolverScene& solver, const mechanism::ElementaryJoint& at,
+                                mechanism::LinkIndex link) {
+  const LinkFeature<SceneNumber> feature = solver.numbers.feature(at.on(link), at.prismatic);
   return {feature.x, feature.y, feature.along};
 }
 
@@ -33,13 +34,11 @@ std::string rates_of(const SolverScene& solver, const std::string& state) {
   }
 }
 
-/// A direction that is turned by a number.
-std::string turned_direction(const std::string& direction, const Direction<mechanism::Dual>& by) {
-  const double cos = by.cos.value();
-  const double sin = by.sin.value();
-  return cos == 1 && sin == 0 ? direction
-                              : "turned(" + direction + ", {" + cpp::round_trip(cos) + ", " +
-                                    cpp::round_trip(sin) + "})";
+/// A direction that is turned by another.
+std::string turned_direction(SceneLines& lines, const std::string& direction,
+                             const Direction<SceneNumber>& by) {
+  const std::string angle = lines.direction(by);
+  return angle == "{1.0, 0.0}" ? direction : "turned(" + direction + ", " + angle + ")";
 }
 
 /// The values of a state's members, those of a part that is wanted: `{pose, velocity}`.
@@ -63,19 +62,43 @@ std::string state_of(const mechanism::Want& want, const std::string& position,
   return "{" + text::joined(values, ", ", [](const std::string& value) { return value; }) + "}";
 }
 
+/// The dimensions that variable parameters change, inputs of the group from `first` on.
+void add_varying_dimensions(const SolverScene& solver, mechanism::GroupIndex group, int first,
+                            SceneLines& held) {
+  const structure::Model& model = derived_model(solver.group(group));
+  const std::deque<equations::Variable> dimensions = equations::closure_equations(model).dimensions;
+  std::size_t index = 0;
+  for (const DimensionValue<SceneNumber>& value : solver.numbers.group(group).dimensions()) {
+    const std::string name = dimensions[index++].name;
+    const auto hold = [&](const std::string& function, const std::string& text,
+                          const std::string& gradient) {
+      held.add("held." + function + "<" + std::to_string(first++) + ">(" + text +
+               (gradient.empty() ? "" : ", " + gradient) + ");");
+    };
+    if (value.is_angle && solver.numbers.varies(value.angle)) {
+      const std::string gradient = held.gradient(name + "_gradient", value.angle);
+      hold("hold_angle", held.direction(value.angle), gradient);
+    } else if (!value.is_angle && solver.numbers.varies(value.length)) {
+      const std::string gradient = held.gradient(name + "_gradient", value.length);
+      hold("hold_length", held.number(value.length), gradient);
+    }
+  }
+}
+
 }  // namespace
 
 PlacingStatements driving_statements(const SolverScene& solver) {
-  SceneLines lines(solver.parameters);
+  SceneLines lines(solver.parameters, solver.numbers);
   std::vector<std::string> slides;
   for (const mechanism::DrivenLink& link : solver.plan.structure().driven) {
     const mechanism::ElementaryJoint& at = solver.joint(link.joint);
     const std::string sign = at.first == link.from ? "" : "-";
     const double sense = at.first == link.from ? 1 : -1;
-    const mechanism::Dual& position =
-        solver.values.number(solver.mechanism().drivers()[link.driver].position);
+    const SceneNumber position =
+        solver.numbers.number(solver.mechanism().drivers()[link.driver].position);
     const std::string state = "drivers." + solver.members.drivers[link.driver];
-    const std::string gradient = lines.gradient(at.name + "_gradient", sense * position);
+    const std::string gradient =
+        lines.gradient(at.name + "_gradient", SceneNumber(sense) * position);
     const std::string rates = rates_of(solver, state);
     std::string law = sign + state + ".position";
     if (!rates.empty() || !gradient.empty()) {
@@ -104,34 +127,38 @@ PlacingStatements driving_statements(const SolverScene& solver) {
 
 std::vector<std::string> holding_statements(const SolverScene& solver,
                                             mechanism::GroupIndex group) {
-  SceneLines held(solver.parameters);
+  SceneLines held(solver.parameters, solver.numbers);
   int first = 0;
   for (const ExternalJoint& external : external_joints(solver, group)) {
     const mechanism::ElementaryJoint& at = *external.joint;
     const mechanism::LinkIndex base = external.base;
-    if (solver.is_ground(base)) {
+    if (external.is_fixed(solver)) {
       continue;
     }
     const std::string place = "<" + std::to_string(first) + ">(";
-    const LinkFeature<mechanism::Dual> feature = external.feature(solver);
+    const LinkFeature<SceneNumber> feature = external.feature(solver);
     if (at.prismatic) {
       const std::string line =
           held.frame(on(solver, at.name, base), feature_frame(solver, at, base));
       held.add("held.hold_line" + place + nested_frames({solver.placed(base), line}) + ");");
     } else {
       const std::string point = held.point(on(solver, at.name, base), feature.x, feature.y);
-      held.add("held.hold_point" + place + "support::point_in(" + solver.placed(base) + ", " +
-               point + "));");
+      held.add("held.hold_point" + place +
+               (solver.is_ground(base)
+                    ? point
+                    : "support::point_in(" + solver.placed(base) + ", " + point + ")") +
+               ");");
     }
     first += at.prismatic ? 3 : 2;
   }
+  add_varying_dimensions(solver, group, first, held);
   return held.lines();
 }
 
 PlacingStatements placing_statements(const SolverScene& solver, mechanism::GroupIndex group) {
-  SceneLines lines(solver.parameters);
+  SceneLines lines(solver.parameters, solver.numbers);
   std::vector<std::string> slides;
-  const mechanism::GroupGeometry<mechanism::Dual>& geometry = solver.values.group(group);
+  const mechanism::GroupGeometry<SceneNumber>& geometry = solver.numbers.group(group);
   const std::vector<FrameNeed> needs = frame_needs(solver, group);
   std::size_t place = 0;
   for (const std::size_t link : framed_links(needs)) {
@@ -140,7 +167,7 @@ PlacingStatements placing_statements(const SolverScene& solver, mechanism::Group
     if (!solver.lists(played)) {
       continue;
     }
-    const Pose<mechanism::Dual> own = mechanism::inverse(geometry.links[link].frame);
+    const Pose<SceneNumber> own = mechanism::inverse(geometry.links[link].frame);
     const std::string& member = "placed." + solver.members.links[played];
     if (needs[link] == FrameNeed::everything) {
       lines.add(member + " = " +
@@ -148,7 +175,8 @@ PlacingStatements placing_statements(const SolverScene& solver, mechanism::Group
                     {frame, lines.frame(solver.link_name(played) + "_in_its_normal_frame", own)}) +
                 ";");
     } else {
-      lines.add(member + " = " + turned_direction(frame + ".pose.direction", own.direction) + ";");
+      lines.add(member + " = " + turned_direction(lines, frame + ".pose.direction", own.direction) +
+                ";");
     }
   }
   const std::vector<ModelUnknown>& unknowns = solver.group(group).model->unknowns;
@@ -157,13 +185,13 @@ PlacingStatements placing_statements(const SolverScene& solver, mechanism::Group
       continue;
     }
     const mechanism::ElementaryJoint& at = solver.played_joint(group, unknowns[index].owner);
-    const auto [sense, shift] = solver.values.slide_measure(group, unknowns[index].owner);
+    const auto [sense, shift] = solver.numbers.slide_measure(group, unknowns[index].owner);
     const std::string sign = sense < 0 ? "-" : "";
     const std::string slide = "placed.slide_" + solver.slide_member(at);
     const std::string unknown =
         solver.group_struct(group) + "::unit * group.q." + unknowns[index].name;
-    const std::string shifted =
-        shift.value() == 0 ? unknown : "(" + unknown + " + " + cpp::round_trip(shift.value()) + ")";
+    const std::string by = lines.number(shift);
+    const std::string shifted = by == "0.0" ? unknown : "(" + unknown + " + " + by + ")";
     lines.add(slide + ".displacement = " + sign + shifted + ";");
     if (solver.derivative_order > 0 && solver.reports(at.joint)) {
       lines.add(slide + ".rates = " + sign + solver.group_struct(group) +
@@ -177,7 +205,7 @@ PlacingStatements placing_statements(const SolverScene& solver, mechanism::Group
 std::vector<std::string> listing_statements(const SolverScene& solver,
                                             const std::vector<std::string>& slides) {
   const mechanism::Want& want = solver.plan.request().want;
-  SceneLines lines(solver.parameters);
+  SceneLines lines(solver.parameters, solver.numbers);
   for (const mechanism::LinkIndex link : solver.mechanism().links().keys()) {
     if (solver.reports(link)) {
       const std::string& member = solver.members.links[link];
@@ -194,7 +222,7 @@ std::vector<std::string> listing_statements(const SolverScene& solver,
   for (const mechanism::OutputIndex index : solver.mechanism().outputs().keys()) {
     const mechanism::FeatureIndex output = solver.mechanism().outputs()[index].point;
     const mechanism::Feature& feature = solver.mechanism().features()[output];
-    const LinkFeature<mechanism::Dual> place = solver.values.feature(output, false);
+    const LinkFeature<SceneNumber> place = solver.numbers.feature(output, false);
     const std::string point = lines.point(on(solver, feature.name, feature.link), place.x, place.y);
     const std::string base = solver.placed(feature.link);
     const std::string name = lines.declared("point_" + solver.members.outputs[index]);

@@ -4,30 +4,64 @@
 #include <assur/text/identifiers.hpp>
 #include <filesystem>
 
+#include "emission/scene/variable_parameters.hpp"
+
 namespace assur::generator::emission::scene {
 
 namespace {
 
-/// Those that have a tolerance, all if none has, and none if no output's sensitivity is wanted.
-ModelledParameters modelled_parameters(const mechanism::Plan& plan,
-                                       const mechanism::Values& values) {
+std::vector<VariableParameter> variable_parameters(const mechanism::Plan& plan) {
+  std::vector<mechanism::ParameterIndex> indices = plan.request().variable;
+  std::sort(indices.begin(), indices.end());
+  expect_arguments(plan, indices);
+  std::vector<std::string> names;
+  for (const mechanism::ParameterIndex index : indices) {
+    names.push_back(plan.mechanism().parameters()[index].name);
+  }
+  const std::vector<std::string> members = text::member_names(names, {"values"});
+  std::vector<VariableParameter> variable;
+  for (std::size_t place = 0; place < indices.size(); ++place) {
+    variable.push_back({indices[place], members[place]});
+  }
+  return variable;
+}
+
+/// Those that have a tolerance or are variable, all if none is so, and none if no output's
+/// sensitivity is wanted.
+ModelledParameters modelled_parameters(const mechanism::Plan& plan, const mechanism::Values& values,
+                                       const std::vector<VariableParameter>& variable) {
   const auto& parameters = plan.mechanism().parameters();
-  const bool any =
-      std::any_of(parameters.begin(), parameters.end(),
-                  [](const mechanism::Parameter& one) { return one.tolerance.exists(); });
+  const auto is_variable = [&](mechanism::ParameterIndex index) {
+    return std::any_of(variable.begin(), variable.end(),
+                       [&](const VariableParameter& one) { return one.index == index; });
+  };
+  const bool any = !variable.empty() || std::any_of(parameters.begin(), parameters.end(),
+                                                    [](const mechanism::Parameter& one) {
+                                                      return one.tolerance.exists();
+                                                    });
   const bool wanted = plan.request().want.sensitivity && !plan.mechanism().outputs().empty();
   std::vector<Eigen::Index> columns;
   std::vector<std::string> names;
   Eigen::Index column = 0;
   for (const mechanism::ParameterIndex index : values.columns()) {
     const mechanism::Parameter& parameter = parameters[index];
-    if (wanted && (parameter.tolerance.exists() || !any)) {
+    if (wanted && (parameter.tolerance.exists() || is_variable(index) || !any)) {
       columns.push_back(column);
       names.push_back(parameter.name);
     }
     ++column;
   }
   return {columns, names};
+}
+
+/// The variable parameters as the statements of a solver call them.
+std::vector<std::pair<mechanism::ParameterIndex, std::string>> spelled(
+    const std::vector<VariableParameter>& variable) {
+  std::vector<std::pair<mechanism::ParameterIndex, std::string>> list;
+  for (const VariableParameter& parameter : variable) {
+    list.emplace_back(parameter.index, "p." + parameter.member);
+  }
+  return list;
 }
 
 /// Members for the items of a table, by their names.
@@ -45,7 +79,7 @@ SceneMembers scene_members(const mechanism::Mechanism& described) {
   SceneMembers members;
   members.joints = members_of<mechanism::JointIndex>(names_of(described.joints()), {});
   // In what is placed so far, slides and other things stand among the links.
-  std::vector<std::string> taken = {"order", "regularity"};
+  std::vector<std::string> taken = {"order", "parameters", "regularity"};
   for (const std::string& member : members.joints) {
     taken.push_back("slide_" + member);
   }
@@ -109,7 +143,9 @@ int order_of(const mechanism::Want& want) { return want.acceleration ? 2 : want.
 SolverScene::SolverScene(const mechanism::Scene& described)
     : plan(described),
       values(plan.values()),
-      parameters(modelled_parameters(plan, values)),
+      variable(variable_parameters(plan)),
+      parameters(modelled_parameters(plan, values, variable)),
+      numbers(plan, values, spelled(variable), parameters.columns()),
       members(scene_members(plan.mechanism())),
       needs(frame_needs(*this)),
       derivative_order(order_of(described.request.want)),
@@ -118,7 +154,7 @@ SolverScene::SolverScene(const mechanism::Scene& described)
 
 const mechanism::ElementaryJoint& SolverScene::played_joint(mechanism::GroupIndex group,
                                                             int joint) const {
-  const mechanism::RoleAssignment& roles = *values.group(group).roles;
+  const mechanism::RoleAssignment& roles = *numbers.group(group).roles;
   return this->joint(roles.joints[static_cast<std::size_t>(joint)]);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "emission/scene/scene_lines.hpp"
+#include "emission/scene/scene_numbers.hpp"
 #include "emission/scene/specialised_group.hpp"
 #include "structure/kind.hpp"
 
@@ -19,14 +20,23 @@ struct SceneMembers {
   mechanism::Table<mechanism::OutputIndex, std::string> outputs;
 };
 
+/// A parameter that is an argument of the solver, and the member that stands for it.
+struct VariableParameter {
+  mechanism::ParameterIndex index;
+  std::string member;
+};
+
 /// A scene as its solver sees it.
 struct SolverScene {
-  /// Throws MechanismError for a scene that cannot be taken apart into known groups.
+  /// Throws MechanismError for a scene that cannot be taken apart into known groups, and for
+  /// variable parameters that cannot be arguments.
   explicit SolverScene(const mechanism::Scene& described);
 
   mechanism::Plan plan;
   mechanism::Values values;
+  std::vector<VariableParameter> variable;
   ModelledParameters parameters;
+  SceneNumbers numbers;
   SceneMembers members;
   /// What is needed of the links' frames, blocks of pins in slots among them.
   mechanism::Table<mechanism::LinkIndex, FrameNeed> needs;

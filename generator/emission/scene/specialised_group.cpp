@@ -29,7 +29,7 @@ class GroupSpecialiser {
   }
 
   SpecialisedGroup run(const std::string& struct_name, const std::string& title) {
-    const model::ModelSpelling spelling(equations_.unknowns, equations_.dimensions, moving_inputs_);
+    const model::ModelSpelling spelling(equations_.unknowns, equations_.dimensions, inputs_);
     SpecialisedGroup result;
     cpp::View::List functions;
     std::vector<std::string> operations;
@@ -149,15 +149,27 @@ class GroupSpecialiser {
   }
 
   void collect_values() {
-    for (std::size_t index = 0; index < equations_.dimensions.size(); ++index) {
-      put_dimension(equations_.dimensions[index], numbers_.dimensions[index]);
-    }
     for (std::size_t index = 0; index < equations_.inputs.size(); ++index) {
       if (numbers_.inputs[index]) {
         put(equations_.inputs[index], *numbers_.inputs[index]);
       } else {
-        moving_inputs_.push_back(equations_.inputs[index]);
+        add_input(equations_.inputs[index], numbers_.input_moves[index]);
       }
+    }
+    for (std::size_t index = 0; index < equations_.dimensions.size(); ++index) {
+      if (numbers_.dimensions[index]) {
+        put_dimension(equations_.dimensions[index], *numbers_.dimensions[index]);
+      } else {
+        add_input(equations_.dimensions[index], false);
+      }
+    }
+  }
+
+  void add_input(const equations::Variable& variable, bool moves) {
+    inputs_.push_back(variable);
+    if (!moves) {
+      values_[variable.rate] = 0;
+      values_[variable.second_rate] = 0;
     }
   }
 
@@ -246,22 +258,27 @@ class GroupSpecialiser {
     }
   }
 
-  /// The entries of `of_inputs` in the columns of the inputs that move.
-  [[nodiscard]] std::vector<program::Result> moving_columns(
-      const std::string& target, const derivatives::ExpressionMatrix& of_inputs) const {
+  /// The derivatives to what is an input of the solver's group.
+  [[nodiscard]] std::vector<program::Result> input_columns(
+      const std::string& target, const derivatives::ExpressionMatrix& of_dimensions,
+      const derivatives::ExpressionMatrix& of_inputs) const {
     std::vector<program::Result> results;
     for (std::size_t row = 0; row < of_inputs.size(); ++row) {
       std::size_t place = 0;
-      for (std::size_t column = 0; column < of_inputs[row].size(); ++column) {
-        if (!numbers_.inputs[column]) {
-          results.push_back({entry(target, row, place++), of_inputs[row][column]});
+      const auto add = [&](const std::vector<GiNaC::ex>& partials, const auto& numbers) {
+        for (std::size_t column = 0; column < partials.size(); ++column) {
+          if (!numbers[column]) {
+            results.push_back({entry(target, row, place++), partials[column]});
+          }
         }
-      }
+      };
+      add(of_inputs[row], numbers_.inputs);
+      add(of_dimensions[row], numbers_.dimensions);
     }
     return results;
   }
 
-  /// of_dimensions d_a + of_inputs u_a, for the inputs that are held.
+  /// of_dimensions d_a + of_inputs u_a, for those that are numbers.
   [[nodiscard]] std::vector<program::Result> parameter_columns(
       const std::string& target, const derivatives::ExpressionMatrix& of_dimensions,
       const derivatives::ExpressionMatrix& of_inputs) const {
@@ -302,7 +319,7 @@ class GroupSpecialiser {
          {"F_u = df/du; the sensitivities solve J dq/da = -(F_a + F_u du/da)."},
          place,
          {{"Matrix<Scalar, equation_count, input_count>&", "F_u"}},
-         moving_columns("F_u", derivatives_.input_jacobian)},
+         input_columns("F_u", derivatives_.dimension_jacobian, derivatives_.input_jacobian)},
         {"pose_jacobians",
          {"Partial derivatives of the link frames p, rows (x, y, theta) link by link:",
           "P_q = dp/dq, P_a = dp/da, P_u = dp/du, each with the other two held."},
@@ -313,8 +330,8 @@ class GroupSpecialiser {
          parameter_columns("P_a", derivatives_.pose_dimension_jacobian,
                            derivatives_.pose_input_jacobian)}};
     std::vector<program::Result>& poses = functions.back().results;
-    const std::vector<program::Result> inputs =
-        moving_columns("P_u", derivatives_.pose_input_jacobian);
+    const std::vector<program::Result> inputs = input_columns(
+        "P_u", derivatives_.pose_dimension_jacobian, derivatives_.pose_input_jacobian);
     poses.insert(poses.end(), inputs.begin(), inputs.end());
     for (std::size_t row = 0; row < derivatives_.pose_unknown_jacobian.size(); ++row) {
       for (std::size_t column = 0; column < equations_.unknowns.size(); ++column) {
@@ -343,7 +360,7 @@ class GroupSpecialiser {
     view.set("holds_groups", cpp::boolean(numbers_.holds_groups));
     view.set("equation_count", std::to_string(2 * equations_.loops.size()));
     model::show_variables(equations_.unknowns, "unknown", view, equations_.owners);
-    model::show_variables(moving_inputs_, "input", view);
+    model::show_variables(inputs_, "input", view);
     return view;
   }
 
@@ -354,7 +371,7 @@ class GroupSpecialiser {
   elimination::Elimination elimination_;
   GiNaC::exmap values_;
   std::vector<NamedConstant> constants_;
-  std::deque<equations::Variable> moving_inputs_;
+  std::deque<equations::Variable> inputs_;
 };
 
 }  // namespace

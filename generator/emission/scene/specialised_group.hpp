@@ -25,12 +25,15 @@ struct GroupNumbers {
   const structure::Model* model;
   double unit;
   int order;  ///< of the time derivatives that are wanted: 0, 1 or 2
-  std::vector<DimensionValue<double>> dimensions;
+  /// A dimension that variable parameters change is none: it is an input, behind the model's own.
+  std::vector<std::optional<DimensionValue<double>>> dimensions;
   Eigen::MatrixXd dimension_gradient;  ///< one column a parameter; none: no sensitivity is wanted
-  std::vector<std::optional<DimensionValue<double>>> inputs;  ///< those that the ground holds
-  Eigen::MatrixXd input_gradient;                             ///< of these; zero for the others
-  std::vector<FrameNeed> frames;  ///< of the links, in the group's order
-  bool holds_groups;              ///< whether other groups are held by its links
+  /// Those that the ground holds where no variable parameter moves them.
+  std::vector<std::optional<DimensionValue<double>>> inputs;
+  Eigen::MatrixXd input_gradient;  ///< of these; zero for the others
+  std::vector<bool> input_moves;   ///< with time; false for all that the ground holds
+  std::vector<FrameNeed> frames;   ///< of the links, in the group's order
+  bool holds_groups;               ///< whether other groups are held by its links
 };
 
 /// The view that templates/specialised_group.hpp.mustache shows, and how many configurations it has

@@ -63,6 +63,13 @@ std::string text_of(const SceneJson& value, const std::string& part) {
   return value.get<std::string>();
 }
 
+bool truth_of(const SceneJson& value, const std::string& part) {
+  if (!value.is_boolean()) {
+    throw MechanismError(part, "expected true or false");
+  }
+  return value.get<bool>();
+}
+
 Mechanism::Given number_of(const SceneJson& value, const std::string& part) {
   if (value.is_string()) {
     return value.get<std::string>();

@@ -23,6 +23,7 @@ void expect_keys(const SceneJson& value, const std::string& part,
 [[nodiscard]] const SceneJson& required(const SceneJson& value, const std::string& key,
                                         const std::string& part);
 [[nodiscard]] std::string text_of(const SceneJson& value, const std::string& part);
+[[nodiscard]] bool truth_of(const SceneJson& value, const std::string& part);
 /// A number, or the text of an expression.
 [[nodiscard]] Mechanism::Given number_of(const SceneJson& value, const std::string& part);
 [[nodiscard]] std::array<Mechanism::Given, 2> pair_of(const SceneJson& value,

@@ -52,12 +52,15 @@ class SceneReader {
         mechanism_.set_parameter(name, number_of(value, part), part);
         continue;
       }
-      expect_keys(value, part, {"value", "tolerance"});
+      expect_keys(value, part, {"value", "tolerance", "variable"});
       const std::string value_part = part + ".value";
       mechanism_.set_parameter(name, number_of(required(value, "value", part), value_part),
                                value_part);
       if (value.contains("tolerance")) {
         mechanism_.set_tolerance(name, number_of(value["tolerance"], part + ".tolerance"));
+      }
+      if (value.contains("variable") && truth_of(value["variable"], part + ".variable")) {
+        request_.variable.push_back(mechanism_.parameter_named(name));
       }
     }
   }

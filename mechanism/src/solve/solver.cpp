@@ -81,7 +81,7 @@ class MechanismSolver {
       motion.velocity(moved) = sense * velocity;
       motion.acceleration(moved) = sense * acceleration;
       const LinkFeature<Dual> far = values_.feature(at.on(link.to), at.prismatic);
-      const Frame back = Frame::at(inverse(
+      const Frame back = Frame::at(inverse<Dual>(
           {far.x, far.y, at.prismatic ? far.along : Direction<Dual>{values_.constant(1.0), zero}}));
       placed_.links[link.to] = composed(
           composed(composed(placed_.links[link.from], values_.frame(at.on(link.from))), motion),

@@ -195,17 +195,12 @@ void Values::evaluate_feature(FeatureIndex index) {
   if (feature.is_line) {
     const Dual& dx = numbers_[feature.along_x];
     const Dual& dy = numbers_[feature.along_y];
-    // Scaled first, so that no length overflows or underflows when squared.
-    const double scale = std::max(std::abs(dx.value()), std::abs(dy.value()));
-    if (scale == 0) {
+    if (dx.value() == 0 && dy.value() == 0) {
       const std::string link = plan_->mechanism.links()[feature.link].name;
       throw MechanismError("links." + link + "." + feature.name + ".along",
                            "a direction [0, 0] has no sense");
     }
-    const Dual unit_x = dx / scale;
-    const Dual unit_y = dy / scale;
-    const Dual length = sqrt(unit_x * unit_x + unit_y * unit_y);
-    result.along = {unit_x / length, unit_y / length};
+    result.along = unit_direction(dx, dy);
   }
   frames_[index] = Frame::at({result.x, result.y, result.along});
   features_[index] = std::move(result);

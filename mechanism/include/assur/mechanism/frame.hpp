@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <assur/directions.hpp>
 #include <assur/mechanism/dual.hpp>
 #include <assur/model.hpp>
 #include <vector>
@@ -55,6 +56,10 @@ void compose(const Frame& frame, const Frame& inner, Frame& result);
 void carry(const Frame& frame, const Frame& inner, Point& result);
 
 /// A frame's own outer frame, seen from it.
-[[nodiscard]] Pose<Dual> inverse(const Pose<Dual>& pose);
+template <typename Scalar>
+[[nodiscard]] Pose<Scalar> inverse(const Pose<Scalar>& pose) {
+  return {-(pose.direction.cos * pose.x) - pose.direction.sin * pose.y,
+          pose.direction.sin * pose.x - pose.direction.cos * pose.y, reversed(pose.direction)};
+}
 
 }  // namespace assur::mechanism

@@ -36,6 +36,18 @@ struct GroupGeometry {
   }
 };
 
+/// The direction of a line along (dx, dy), which are not both zero. Scaled first, so that no length
+/// overflows or underflows when squared.
+template <typename Scalar>
+[[nodiscard]] Direction<Scalar> unit_direction(const Scalar& dx, const Scalar& dy) {
+  const double scale =
+      std::ldexp(1.0, std::ilogb(std::max(std::abs(dx.value()), std::abs(dy.value()))));
+  const Scalar x = dx / scale;
+  const Scalar y = dy / scale;
+  const Scalar length = sqrt(x * x + y * y);
+  return {x / length, y / length};
+}
+
 /// How a mechanism measures a slide of a group: sense * (displacement + shift).
 template <typename Scalar>
 struct SlideMeasure {

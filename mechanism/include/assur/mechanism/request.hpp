@@ -52,6 +52,8 @@ struct Request {
   Reported reported;
   std::optional<Sweep> sweep;
   std::optional<Covariance> covariance;
+  /// What stays an argument of an emitted solver; the other parameters become numbers there.
+  std::vector<ParameterIndex> variable;
 };
 
 }  // namespace assur::mechanism

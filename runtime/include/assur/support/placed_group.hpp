@@ -18,8 +18,9 @@ struct Slide {
   Matrix<double, 1, Order> rates = Matrix<double, 1, Order>::Zero();
 };
 
-/// Where placed links hold the external joints of a specialised group, and how these move; lengths
-/// in the group's unit.
+/// Where placed links hold the external joints of a specialised group, and how these move; and the
+/// group's dimensions that the solver's parameters change, which do not move. Lengths in the
+/// group's unit.
 template <typename Group, int Order, int Parameters>
 struct HeldJoints {
   typename Group::template Inputs<double> u;
@@ -44,6 +45,22 @@ struct HeldJoints {
     std::get<First + 2>(u.members()) = frame.pose.direction;
     rates.row(First + 2) = frame.rates.row(2);
     gradient.row(First + 2) = frame.gradient.row(2);
+  }
+  using ParameterRow = Matrix<double, 1, Parameters>;
+  /// A length of the group that the solver's parameters change, whose input stands at `Place`.
+  template <int Place>
+  void hold_length(double length, const ParameterRow& of_parameters = ParameterRow::Zero()) {
+    std::get<Place>(u.members()) = length / Group::unit;
+    rates.row(Place).setZero();
+    gradient.row(Place) = of_parameters / Group::unit;
+  }
+  /// An angle, likewise.
+  template <int Place>
+  void hold_angle(const Direction<double>& angle,
+                  const ParameterRow& of_parameters = ParameterRow::Zero()) {
+    std::get<Place>(u.members()) = angle;
+    rates.row(Place).setZero();
+    gradient.row(Place) = of_parameters;
   }
 };
 

@@ -7,6 +7,7 @@
 #include <assur/assembly.hpp>
 #include <assur/support/configuration_order.hpp>
 #include <assur/support/placed_group.hpp>
+#include <cmath>
 #include <cstddef>
 #include <tuple>
 #include <utility>
@@ -24,9 +25,40 @@ struct Solution {
   int mobility = 0;  ///< of the freest of them
 };
 
+/// Whether parameters of a solver are arguments of it.
+template <typename Solver>
+concept HasParameters = requires {
+  typename Solver::template Parameters<double>;
+};
+
+/// What a solver is given: where its drivers stand.
+template <typename Solver>
+struct GivenTo {
+  using Type = typename Solver::template Drivers<double>;
+};
+/// And its parameters.
+template <HasParameters Solver>
+struct GivenTo<Solver> {
+  struct Type {
+    typename Solver::template Drivers<double> drivers;
+    typename Solver::template Parameters<double> parameters;
+
+    /// Of all that changes on a way; drivers that turn come first.
+    [[nodiscard]] auto positions() {
+      const auto of_drivers = drivers.positions();
+      const auto values = parameters.values();
+      std::array<double*, of_drivers.size() + values.size()> all;
+      std::copy(values.begin(), values.end(),
+                std::copy(of_drivers.begin(), of_drivers.end(), all.begin()));
+      return all;
+    }
+  };
+};
+
 /// The private parts of a solver that its search and its tracking use.
 template <typename Solver>
 struct Access {
+  using Given = typename GivenTo<Solver>::Type;
   using Groups = typename Solver::Groups;
   using Placed = typename Solver::Placed;
   static constexpr std::size_t lengths_from = turning_key_size(Solver::keyed_links);
@@ -34,8 +66,17 @@ struct Access {
   using Key = std::array<double, lengths_from + Solver::keyed_slides>;
 
   /// Places what drivers move.
-  static void drive(const typename Solver::template Drivers<double>& drivers, Placed& placed) {
-    Solver::drive(drivers, placed);
+  static void drive(const Given& given, Placed& placed) {
+    if constexpr (HasParameters<Solver>) {
+      Solver::drive(given.drivers, given.parameters, placed);
+    } else {
+      Solver::drive(given, placed);
+    }
+  }
+  [[nodiscard]] static bool is_finite(Given given) {
+    const auto positions = given.positions();
+    return std::all_of(positions.begin(), positions.end(),
+                       [](const double* position) { return std::isfinite(*position); });
   }
   /// Where a group's external joints are held.
   template <typename Held>
@@ -80,9 +121,13 @@ class Search {
   explicit Search(States& states) : states_(states) {}
 
   /// Every configuration, in the order of `assur solve`.
-  [[nodiscard]] Solution run(const typename Solver::template Drivers<double>& drivers) {
+  [[nodiscard]] Solution run(const typename Own::Given& given) {
+    if (HasParameters<Solver> && !Own::is_finite(given)) {
+      solution_.status = AssemblyStatus::not_finite;
+      return solution_;
+    }
     Placed placed;
-    Own::drive(drivers, placed);
+    Own::drive(given, placed);
     descend<0>(placed);
     if (solution_.status != AssemblyStatus::ok) {
       solution_.count = 0;

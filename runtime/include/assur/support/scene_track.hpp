@@ -31,7 +31,7 @@ struct GroupPoints<std::tuple<Group...>> {
 /// Where a branch of an emitted solver has been followed to.
 template <typename Solver>
 struct Branch {
-  typename Solver::template Drivers<double> drivers;
+  typename Access<Solver>::Given given;
   typename GroupPoints<typename Access<Solver>::Groups>::Type groups;
   /// ok or near_singular; with any other status nothing can be followed from here.
   Status status = Status::singular;
@@ -52,9 +52,9 @@ struct Track {
 template <typename Solver>
 class Tracker {
   using Branch = support::Branch<Solver>;
-  using Drivers = typename Solver::template Drivers<double>;
   using State = typename Solver::template State<double>;
   using Own = Access<Solver>;
+  using Given = typename Own::Given;
   using Groups = typename Own::Groups;
   using Placed = typename Own::Placed;
   /// The least step, as a part of the way. The last step that is refused is at most two of these,
@@ -64,19 +64,19 @@ class Tracker {
  public:
   /// The branch of a configuration, by its number in the solver's list, from 0; no_convergence
   /// where there is none of that number.
-  static Branch begin(const Drivers& drivers, int configuration) {
+  static Branch begin(const Given& given, int configuration) {
     Branch branch;
-    branch.drivers = drivers;
+    branch.given = given;
     typename Search<Solver>::States states;
     Search<Solver, true> search(states);
-    const Solution solution = search.run(drivers);
+    const Solution solution = search.run(given);
     if (solution.status == AssemblyStatus::not_finite) {
       branch.status = Status::not_finite;
     } else if (configuration < 0 || configuration >= solution.count) {
       branch.status = Status::no_convergence;
     } else {
       Placed placed;
-      Own::drive(drivers, placed);
+      Own::drive(given, placed);
       branch.status = Status::ok;
       settle<0>(search.kept(configuration), branch, placed);
     }
@@ -85,16 +85,16 @@ class Tracker {
 
   /// Follows a branch to where the drivers stand at `to`, and fills the state there; it is not
   /// changed where the branch is not followed to the end.
-  [[nodiscard]] static Track run(const Drivers& to, Branch& branch, State& state) {
+  [[nodiscard]] static Track run(const Given& to, Branch& branch, State& state) {
     Track way{branch.status, 0};
     if (!is_solvable(branch.status)) {
       return way;
     }
-    if (!is_given(to)) {
+    if (!Own::is_finite(to)) {
       way.status = Status::not_finite;
       return way;
     }
-    const double widest = widest_step(branch.drivers, to);
+    const double widest = widest_step(branch.given, to);
     Branch start = branch;
     for (double width = widest; way.reached < 1;) {
       if (!(width > shortest)) {
@@ -103,9 +103,9 @@ class Tracker {
       }
       const double next = std::min(way.reached + width, 1.0);
       Branch end;
-      end.drivers = next < 1 ? between(branch.drivers, to, next) : to;
+      end.given = next < 1 ? between(branch.given, to, next) : to;
       Placed placed;
-      Own::drive(end.drivers, placed);
+      Own::drive(end.given, placed);
       end.status = Status::ok;
       if (!step<0>(start, end, placed)) {
         width = (next - way.reached) / 2;
@@ -125,8 +125,8 @@ class Tracker {
   }
 
  private:
-  [[nodiscard]] static Drivers between(Drivers from, const Drivers& to, double part) {
-    Drivers result = to;
+  [[nodiscard]] static Given between(Given from, const Given& to, double part) {
+    Given result = to;
     const auto starts = from.positions();
     const auto positions = result.positions();
     for (std::size_t index = 0; index < positions.size(); ++index) {
@@ -136,7 +136,7 @@ class Tracker {
   }
   /// The part of the way in which no driver turns by more than a radian: the groups are held alike
   /// after a full turn.
-  [[nodiscard]] static double widest_step(Drivers from, Drivers to) {
+  [[nodiscard]] static double widest_step(Given from, Given to) {
     const auto starts = from.positions();
     const auto ends = to.positions();
     double turn = 1;
@@ -144,11 +144,6 @@ class Tracker {
       turn = std::max(turn, std::abs(*ends[index] - *starts[index]));
     }
     return 1 / turn;
-  }
-  [[nodiscard]] static bool is_given(Drivers drivers) {
-    const auto positions = drivers.positions();
-    return std::all_of(positions.begin(), positions.end(),
-                       [](const double* position) { return std::isfinite(*position); });
   }
 
   template <typename Group>

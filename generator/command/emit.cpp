@@ -1,0 +1,93 @@
+#include "command/emit.hpp"
+
+#include <algorithm>
+#include <assur/mechanism/error.hpp>
+#include <iostream>
+#include <iterator>
+
+#include "emission/closures/emit_closures.hpp"
+#include "emission/model/emit.hpp"
+#include "emission/scene/emit_scene.hpp"
+#include "emission/scene/scene_warnings.hpp"
+#include "emission/scene/variable_parameters.hpp"
+
+namespace assur::generator::command {
+
+using emission::cpp::EmittedFile;
+using text::InputError;
+
+namespace {
+
+/// Adds what `--variable` names to what the scene says itself.
+void add_variables(const std::vector<std::string>& names, assur::mechanism::Scene& scene) {
+  std::vector<assur::mechanism::ParameterIndex>& variable = scene.request.variable;
+  std::vector<assur::mechanism::ParameterIndex> added;
+  if (names == std::vector<std::string>{"all"}) {
+    added = emission::scene::independent_parameters(scene);
+  } else {
+    std::transform(names.begin(), names.end(), std::back_inserter(added),
+                   [&](const std::string& name) {
+                     return scene.mechanism.parameter_named(name, "--variable");
+                   });
+  }
+  for (const assur::mechanism::ParameterIndex parameter : added) {
+    if (std::find(variable.begin(), variable.end(), parameter) == variable.end()) {
+      variable.push_back(parameter);
+    }
+  }
+}
+
+EmittedFile emitted_scene(const std::string& file, const std::vector<std::string>& variables) {
+  assur::mechanism::Scene scene = assur::mechanism::read_scene(file);
+  try {
+    add_variables(variables, scene);
+    EmittedFile emitted = emission::scene::emit_scene(scene);
+    for (const std::string& warning : emission::scene::scene_warnings(scene)) {
+      std::cerr << "warning: " << file << ": " << warning << '\n';
+    }
+    return emitted;
+  } catch (const assur::mechanism::MechanismError& error) {
+    throw InputError(file + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+bool run_emit(const EmitOptions& options) {
+  if (!options.variables.empty() && options.scene.empty()) {
+    throw InputError("--variable: parameters are a scene's; give it with --scene");
+  }
+  std::vector<EmittedFile> files;
+  if (options.all) {
+    files = emission::model::emit_all();
+  } else if (!options.scene.empty()) {
+    files.push_back(emitted_scene(options.scene, options.variables));
+  } else if (!options.closures.empty()) {
+    files.push_back(
+        emission::closures::emit_closures(closures::read_typed_closures(options.closures)));
+  } else {
+    const std::vector<structure::Model>& models =
+        structure::models_of(structure::group_named(options.group));
+    for (const structure::Model& model : models) {
+      if (model.number == options.model) {
+        files.push_back(emission::model::emit_model(model));
+      }
+    }
+    if (files.empty()) {
+      throw InputError("--model: no " + options.group + " model " + std::to_string(options.model) +
+                       "; the models are 1 to " + std::to_string(models.size()));
+    }
+  }
+  if (!options.check) {
+    emission::cpp::write_files(files, options.output);
+    return true;
+  }
+  bool same = true;
+  for (const std::filesystem::path& path : emission::cpp::differing_files(files, options.output)) {
+    std::cerr << "differs: " << path.generic_string() << '\n';
+    same = false;
+  }
+  return same;
+}
+
+}  // namespace assur::generator::command

@@ -1,0 +1,24 @@
+// Turns the options of `assur emit` into files of C++.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace assur::generator::command {
+
+struct EmitOptions {
+  bool all = false;
+  int model = 0;
+  std::string group = "tetrad";
+  std::string scene;
+  std::vector<std::string> variables;  ///< of the scene's parameters
+  std::string closures;
+  std::string output;
+  bool check = false;
+};
+
+/// Writes the files, or prints which of those that are there differ: then false. Throws InputError
+/// for what cannot be emitted.
+[[nodiscard]] bool run_emit(const EmitOptions& options);
+
+}  // namespace assur::generator::command

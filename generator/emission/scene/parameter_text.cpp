@@ -1,0 +1,148 @@
+#include "emission/scene/parameter_text.hpp"
+
+#include <algorithm>
+#include <assur/text/names.hpp>
+#include <cmath>
+#include <iterator>
+#include <tuple>
+#include <vector>
+
+#include "emission/cpp/cpp_text.hpp"
+
+namespace assur::generator::emission::scene {
+
+namespace {
+
+/// A product without its sign, and the sign.
+struct SignedText {
+  bool negative;
+  std::string text;
+};
+
+class FormulaText {
+ public:
+  /// A sum; its terms stand in the order of their texts, so that they do so in every process.
+  static SignedText sum(const GiNaC::ex& formula) {
+    if (is_constant(formula)) {
+      return number(formula);
+    }
+    if (!GiNaC::is_a<GiNaC::add>(formula)) {
+      return product(formula);
+    }
+    std::vector<SignedText> terms;
+    GiNaC::ex rest;
+    for (const GiNaC::ex& term : formula) {
+      if (is_constant(term)) {
+        rest += term;
+      } else {
+        terms.push_back(product(term));
+      }
+    }
+    std::sort(terms.begin(), terms.end(), [](const SignedText& one, const SignedText& other) {
+      return std::tie(one.negative, one.text) < std::tie(other.negative, other.text);
+    });
+    if (!rest.is_zero()) {
+      const SignedText number = FormulaText::number(rest);
+      const bool leads = terms.front().negative && !number.negative;
+      terms.insert(leads ? terms.begin() : terms.end(), number);
+    }
+    const bool negative = terms.front().negative;
+    std::string text = terms.front().text;
+    for (auto term = std::next(terms.begin()); term != terms.end(); ++term) {
+      text += (term->negative == negative ? " + " : " - ") + term->text;
+    }
+    return {negative, text};
+  }
+
+  static std::string whole(const GiNaC::ex& formula) {
+    const SignedText text = sum(formula);
+    const bool is_sum = text.negative && GiNaC::is_a<GiNaC::add>(formula);
+    return (text.negative ? "-" : "") + (is_sum ? "(" + text.text + ")" : text.text);
+  }
+
+ private:
+  static SignedText number(const GiNaC::ex& formula) {
+    const double value = GiNaC::ex_to<GiNaC::numeric>(formula.evalf()).to_double();
+    return {value < 0, cpp::round_trip(std::abs(value))};
+  }
+
+  static SignedText product(const GiNaC::ex& formula) {
+    Product product;
+    if (GiNaC::is_a<GiNaC::mul>(formula)) {
+      for (const GiNaC::ex& factor : formula) {
+        product.multiply(factor);
+      }
+    } else {
+      product.multiply(formula);
+    }
+    return product.text();
+  }
+
+  class Product {
+   public:
+    void multiply(const GiNaC::ex& factor) {
+      if (is_constant(factor)) {
+        number_ *= factor;
+      } else if (!GiNaC::is_a<GiNaC::power>(factor)) {
+        above_.push_back(atom(factor, true));
+      } else {
+        const GiNaC::ex& base = factor.op(0);
+        const bool divides = factor.op(1).info(GiNaC::info_flags::negative);
+        const GiNaC::ex exponent = divides ? GiNaC::ex(-factor.op(1)) : factor.op(1);
+        std::vector<std::string>& side = divides ? below_ : above_;
+        if (exponent.is_equal(GiNaC::numeric(1, 2))) {
+          side.push_back("std::sqrt(" + whole(base) + ")");
+        } else if (exponent.is_equal(1) || exponent.is_equal(2)) {
+          const std::string text = atom(base, exponent.is_equal(1));
+          side.insert(side.end(), exponent.is_equal(1) ? 1 : 2, text);
+        } else {
+          side.push_back("std::pow(" + whole(base) + ", " + whole(exponent) + ")");
+        }
+      }
+    }
+
+    [[nodiscard]] SignedText text() {
+      const SignedText number = FormulaText::number(number_);
+      std::sort(above_.begin(), above_.end());
+      std::sort(below_.begin(), below_.end());
+      if (number.text != "1.0" || above_.empty()) {
+        above_.insert(above_.begin(), number.text);
+      }
+      const auto times = [](const std::vector<std::string>& factors) {
+        return text::joined(factors, " * ", [](const std::string& factor) { return factor; });
+      };
+      const std::string divisor = below_.size() > 1 ? "(" + times(below_) + ")" : times(below_);
+      return {number.negative, times(above_) + (below_.empty() ? "" : " / " + divisor)};
+    }
+
+   private:
+    /// A factor that is no power; the sign of a sum is taken out where it counts.
+    std::string atom(const GiNaC::ex& factor, bool has_sign) {
+      if (GiNaC::is_a<GiNaC::symbol>(factor)) {
+        return GiNaC::ex_to<GiNaC::symbol>(factor).get_name();
+      }
+      if (GiNaC::is_a<GiNaC::function>(factor)) {
+        std::vector<std::string> arguments;
+        std::transform(factor.begin(), factor.end(), std::back_inserter(arguments), whole);
+        return "std::" + GiNaC::ex_to<GiNaC::function>(factor).get_name() + "(" +
+               text::joined(arguments, ", ", [](const std::string& one) { return one; }) + ")";
+      }
+      const SignedText inner = sum(factor);
+      if (inner.negative && has_sign) {
+        number_ = -number_;
+      }
+      return "(" + inner.text + ")";
+    }
+
+    GiNaC::ex number_ = 1;
+    std::vector<std::string> above_, below_;
+  };
+};
+
+}  // namespace
+
+bool is_constant(const GiNaC::ex& formula) { return GiNaC::is_a<GiNaC::numeric>(formula.evalf()); }
+
+std::string cpp_formula(const GiNaC::ex& formula) { return FormulaText::whole(formula); }
+
+}  // namespace assur::generator::emission::scene

@@ -1,0 +1,147 @@
+#include "emission/scene/scene_number.hpp"
+
+#include <assur/mechanism/error.hpp>
+#include <optional>
+#include <vector>
+
+#include "emission/cpp/cpp_text.hpp"
+#include "emission/scene/parameter_text.hpp"
+
+namespace assur::generator::emission::scene {
+
+namespace {
+
+template <typename Of>
+SceneNumber unary(mechanism::Dual number, const SceneNumber& a, const Of& of) {
+  return a.has_formula() ? SceneNumber(std::move(number), of(a.formula()), *a.symbols())
+                         : SceneNumber(std::move(number));
+}
+
+template <typename Of>
+SceneNumber binary(mechanism::Dual number, const SceneNumber& a, const SceneNumber& b,
+                   const Of& of) {
+  const GiNaC::exmap* symbols = a.has_formula() ? a.symbols() : b.symbols();
+  return symbols != nullptr ? SceneNumber(std::move(number), of(a.formula(), b.formula()), *symbols)
+                            : SceneNumber(std::move(number));
+}
+
+/// What was squared, if the formula is a square; its sign is not known.
+std::optional<GiNaC::ex> squared(const GiNaC::ex& formula) {
+  const GiNaC::ex factored =
+      formula.info(GiNaC::info_flags::polynomial) ? GiNaC::factor(formula) : formula;
+  std::vector<GiNaC::ex> factors = {factored};
+  if (GiNaC::is_a<GiNaC::mul>(factored)) {
+    factors.assign(factored.begin(), factored.end());
+  }
+  GiNaC::ex root = 1;
+  for (const GiNaC::ex& factor : factors) {
+    const bool is_power = GiNaC::is_a<GiNaC::power>(factor);
+    if (is_power && factor.op(1).info(GiNaC::info_flags::even)) {
+      root *= GiNaC::pow(factor.op(0), factor.op(1) / 2);
+    } else if (factor.info(GiNaC::info_flags::rational) &&
+               GiNaC::sqrt(factor).info(GiNaC::info_flags::rational)) {
+      root *= GiNaC::sqrt(factor);
+    } else {
+      return std::nullopt;
+    }
+  }
+  return root;
+}
+
+}  // namespace
+
+SceneNumber::SceneNumber(mechanism::Dual number, GiNaC::ex formula, const GiNaC::exmap& symbols)
+    : number_(std::move(number)) {
+  if (!is_constant(formula)) {
+    formula_ = std::move(formula);
+    symbols_ = &symbols;
+  }
+}
+
+GiNaC::ex SceneNumber::formula() const {
+  return has_formula() ? formula_ : GiNaC::ex(cpp::exact(value()));
+}
+
+bool operator>(const SceneNumber& a, const SceneNumber& b) {
+  if (a.value() == b.value() && (a.has_formula() || b.has_formula())) {
+    throw mechanism::MechanismError(
+        "",
+        "a length that variable parameters change is zero at the scene's own numbers; give "
+        "them other values");
+  }
+  return a.value() > b.value();
+}
+
+GiNaC::ex shortened(const GiNaC::ex& formula) {
+  const GiNaC::ex expanded = formula.expand();
+  const GiNaC::ex any = GiNaC::wild();
+  const GiNaC::ex in_cosines =
+      expanded.subs(GiNaC::pow(GiNaC::sin(any), 2) == 1 - GiNaC::pow(GiNaC::cos(any), 2)).expand();
+  return is_constant(in_cosines) || in_cosines.nops() < expanded.nops() ? in_cosines : formula;
+}
+
+SceneNumber operator-(const SceneNumber& a) {
+  return unary(-a.number(), a, [](const GiNaC::ex& f) { return -f; });
+}
+SceneNumber operator+(const SceneNumber& a, const SceneNumber& b) {
+  return binary(a.number() + b.number(), a, b,
+                [](const GiNaC::ex& f, const GiNaC::ex& g) { return f + g; });
+}
+SceneNumber operator-(const SceneNumber& a, const SceneNumber& b) {
+  return binary(a.number() - b.number(), a, b,
+                [](const GiNaC::ex& f, const GiNaC::ex& g) { return f - g; });
+}
+SceneNumber operator*(const SceneNumber& a, const SceneNumber& b) {
+  return binary(a.number() * b.number(), a, b,
+                [](const GiNaC::ex& f, const GiNaC::ex& g) { return f * g; });
+}
+SceneNumber operator/(const SceneNumber& a, const SceneNumber& b) {
+  return binary(a.number() / b.number(), a, b,
+                [](const GiNaC::ex& f, const GiNaC::ex& g) { return (f / g).normal(); });
+}
+SceneNumber operator/(const SceneNumber& a, double b) { return a / SceneNumber(b); }
+
+SceneNumber sqrt(const SceneNumber& a) {
+  return unary(sqrt(a.number()), a, [&a](const GiNaC::ex& f) -> GiNaC::ex {
+    const GiNaC::ex radicand = shortened(f);
+    const std::optional<GiNaC::ex> root = squared(radicand);
+    if (!root) {
+      return GiNaC::sqrt(radicand);
+    }
+    return root->subs(*a.symbols()).evalf() < 0 ? GiNaC::ex(-*root) : *root;
+  });
+}
+SceneNumber exp(const SceneNumber& a) {
+  return unary(exp(a.number()), a, [](const GiNaC::ex& f) { return GiNaC::exp(f); });
+}
+SceneNumber log(const SceneNumber& a) {
+  return unary(log(a.number()), a, [](const GiNaC::ex& f) { return GiNaC::log(f); });
+}
+SceneNumber sin(const SceneNumber& a) {
+  return unary(sin(a.number()), a, [](const GiNaC::ex& f) { return GiNaC::sin(f); });
+}
+SceneNumber cos(const SceneNumber& a) {
+  return unary(cos(a.number()), a, [](const GiNaC::ex& f) { return GiNaC::cos(f); });
+}
+SceneNumber tan(const SceneNumber& a) {
+  return unary(tan(a.number()), a, [](const GiNaC::ex& f) { return GiNaC::tan(f); });
+}
+SceneNumber asin(const SceneNumber& a) {
+  return unary(asin(a.number()), a, [](const GiNaC::ex& f) { return GiNaC::asin(f); });
+}
+SceneNumber acos(const SceneNumber& a) {
+  return unary(acos(a.number()), a, [](const GiNaC::ex& f) { return GiNaC::acos(f); });
+}
+SceneNumber atan(const SceneNumber& a) {
+  return unary(atan(a.number()), a, [](const GiNaC::ex& f) { return GiNaC::atan(f); });
+}
+SceneNumber atan2(const SceneNumber& y, const SceneNumber& x) {
+  return binary(atan2(y.number(), x.number()), y, x,
+                [](const GiNaC::ex& f, const GiNaC::ex& g) { return GiNaC::atan2(f, g); });
+}
+SceneNumber pow(const SceneNumber& a, double exponent) {
+  return unary(pow(a.number(), exponent), a,
+               [exponent](const GiNaC::ex& f) { return GiNaC::pow(f, cpp::exact(exponent)); });
+}
+
+}  // namespace assur::generator::emission::scene

@@ -1,0 +1,147 @@
+#include "emission/scene/scene_numbers.hpp"
+
+#include <algorithm>
+#include <assur/mechanism/error.hpp>
+
+#include "emission/cpp/cpp_text.hpp"
+#include "emission/scene/parameter_text.hpp"
+
+namespace assur::generator::emission::scene {
+
+SceneNumbers::SceneNumbers(
+    const mechanism::Plan& plan, const mechanism::Values& values,
+    const std::vector<std::pair<mechanism::ParameterIndex, std::string>>& variable,
+    const std::vector<Eigen::Index>& modelled)
+    : plan_(plan), values_(values) {
+  const auto& parameters = plan.mechanism().parameters();
+  symbol_of_.assign(parameters.size(), 0);
+  is_variable_.assign(parameters.size(), false);
+  parameters_.resize(parameters.size());
+  for (const auto& [parameter, spelling] : variable) {
+    const GiNaC::symbol symbol(spelling);
+    symbol_of_[parameter] = symbol;
+    is_variable_[parameter] = true;
+    symbols_[symbol] = cpp::exact(values.parameter(parameter));
+  }
+  for (const Eigen::Index column : modelled) {
+    const mechanism::ParameterIndex parameter = values.columns()[static_cast<std::size_t>(column)];
+    if (!variable.empty() && !is_variable_[parameter]) {
+      const GiNaC::symbol symbol(parameters[parameter].name);
+      symbol_of_[parameter] = symbol;
+      symbols_[symbol] = 0;
+      deviations_[symbol] = 0;
+    }
+    modelled_.push_back(symbol_of_[parameter]);
+  }
+  for (const mechanism::ParameterIndex parameter : parameters.keys()) {
+    evaluate(parameter);
+  }
+  const mechanism::Structure& structure = plan.structure();
+  for (const mechanism::FoundGroup& group : structure.groups) {
+    groups_.add(mechanism::group_geometry(
+        structure, group,
+        [this](mechanism::FeatureIndex index, bool is_line) { return feature(index, is_line); },
+        SceneNumber()));
+  }
+}
+
+void SceneNumbers::evaluate(mechanism::ParameterIndex parameter) {
+  const auto& parameters = plan_.mechanism().parameters();
+  std::vector<mechanism::ParameterIndex> pending{parameter};
+  while (!pending.empty()) {
+    const mechanism::ParameterIndex last = pending.back();
+    const mechanism::Number& own = plan_.mechanism().numbers()[parameters[last].value];
+    const std::size_t before = pending.size();
+    if (!is_variable_[last]) {
+      for (const mechanism::ParameterIndex other : own.formula.parameters()) {
+        if (!parameters_[other]) {
+          pending.push_back(other);
+        }
+      }
+    }
+    if (pending.size() > before) {
+      continue;
+    }
+    pending.pop_back();
+    const SceneNumber varied(deviation(last), symbol_of_[last], symbols_);
+    parameters_[last] =
+        is_variable_[last] ? SceneNumber(mechanism::Dual(values_.parameter(last)) + varied.number(),
+                                         symbol_of_[last], symbols_)
+                           : number(parameters[last].value) + varied;
+  }
+}
+
+/// Zero, with its own derivative one.
+mechanism::Dual SceneNumbers::deviation(mechanism::ParameterIndex parameter) const {
+  const std::vector<mechanism::ParameterIndex>& columns = values_.columns();
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(std::ssize(columns));
+  const auto column = std::find(columns.begin(), columns.end(), parameter);
+  if (column != columns.end()) {
+    gradient(column - columns.begin()) = 1;
+  }
+  return {0, std::move(gradient)};
+}
+
+SceneNumber SceneNumbers::number(mechanism::NumberIndex number) const {
+  return plan_.mechanism().numbers()[number].formula.evaluate<SceneNumber>(
+      [this](mechanism::ParameterIndex parameter) -> const SceneNumber& {
+        return *parameters_[parameter];
+      });
+}
+
+LinkFeature<SceneNumber> SceneNumbers::feature(mechanism::FeatureIndex index, bool is_line) const {
+  if (!index.exists()) {  // of a block
+    return {is_line, SceneNumber(), SceneNumber(), {}};
+  }
+  const mechanism::Feature& feature = plan_.mechanism().features()[index];
+  LinkFeature<SceneNumber> result{feature.is_line, number(feature.x), number(feature.y), {}};
+  if (feature.is_line) {
+    result.along = mechanism::unit_direction(number(feature.along_x), number(feature.along_y));
+  }
+  return result;
+}
+
+mechanism::SlideMeasure<SceneNumber> SceneNumbers::slide_measure(mechanism::GroupIndex group,
+                                                                 int model_joint) const {
+  const mechanism::Structure& structure = plan_.structure();
+  return mechanism::slide_measure(structure, structure.groups[group], groups_[group], model_joint,
+                                  SceneNumber());
+}
+
+bool SceneNumbers::varies(const SceneNumber& number) const {
+  return number.has_formula() &&
+         std::any_of(symbols_.begin(), symbols_.end(), [&](const auto& symbol) {
+           return !deviations_.contains(symbol.first) && number.formula().has(symbol.first);
+         });
+}
+
+std::string SceneNumbers::text(const SceneNumber& number) const {
+  return cpp_formula(number.formula().subs(deviations_));
+}
+
+GiNaC::ex SceneNumbers::derivative(const SceneNumber& number, const GiNaC::ex& symbol) const {
+  return number.formula().diff(GiNaC::ex_to<GiNaC::symbol>(symbol)).subs(deviations_);
+}
+
+std::vector<std::string> SceneNumbers::gradient(const SceneNumber& number) const {
+  std::vector<std::string> texts;
+  for (const GiNaC::ex& symbol : modelled_) {
+    const GiNaC::ex slope = derivative(number, symbol);
+    texts.push_back(slope.is_zero() ? "" : cpp_formula(slope));
+  }
+  return texts;
+}
+
+std::vector<std::string> SceneNumbers::gradient(const Direction<SceneNumber>& direction) const {
+  std::vector<std::string> texts;
+  for (const GiNaC::ex& symbol : modelled_) {
+    const GiNaC::ex turn = (direction.cos.formula() * derivative(direction.sin, symbol) -
+                            direction.sin.formula() * derivative(direction.cos, symbol))
+                               .subs(deviations_);
+    const GiNaC::ex slope = shortened(turn);
+    texts.push_back(slope.is_zero() ? "" : cpp_formula(slope));
+  }
+  return texts;
+}
+
+}  // namespace assur::generator::emission::scene

@@ -1,0 +1,69 @@
+// Turns a scene's parameters and formulas into numbers that know their formulas in some parameters.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <assur/mechanism/plan.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "emission/scene/scene_number.hpp"
+
+namespace assur::generator::emission::scene {
+
+/// The numbers that a solver is made from. Those that depend on parameters that vary at run time
+/// have formulas.
+class SceneNumbers {
+ public:
+  /// `variable`: the parameters that vary, each with what C++ calls it; `modelled`: the columns of
+  /// the parameters to which derivatives are modelled. Throws MechanismError for a length that
+  /// these parameters change and that is zero at the scene's own numbers.
+  SceneNumbers(const mechanism::Plan& plan, const mechanism::Values& values,
+               const std::vector<std::pair<mechanism::ParameterIndex, std::string>>& variable,
+               const std::vector<Eigen::Index>& modelled);
+  SceneNumbers(const SceneNumbers&) = delete;
+  SceneNumbers& operator=(const SceneNumbers&) = delete;
+
+  [[nodiscard]] SceneNumber number(mechanism::NumberIndex number) const;
+  [[nodiscard]] LinkFeature<SceneNumber> feature(mechanism::FeatureIndex feature,
+                                                 bool is_line) const;
+  [[nodiscard]] const mechanism::GroupGeometry<SceneNumber>& group(
+      mechanism::GroupIndex group) const {
+    return groups_[group];
+  }
+  [[nodiscard]] mechanism::SlideMeasure<SceneNumber> slide_measure(mechanism::GroupIndex group,
+                                                                   int model_joint) const;
+
+  /// Whether the number depends on a parameter that varies at run time.
+  [[nodiscard]] bool varies(const SceneNumber& number) const;
+  [[nodiscard]] bool varies(const Direction<SceneNumber>& direction) const {
+    return varies(direction.cos) || varies(direction.sin);
+  }
+  /// The formula of a number that varies.
+  [[nodiscard]] std::string text(const SceneNumber& number) const;
+  /// The formulas of its derivatives to the modelled parameters; empty where one is zero.
+  [[nodiscard]] std::vector<std::string> gradient(const SceneNumber& number) const;
+  /// Likewise of the angle of a direction that varies: c ds - s dc.
+  [[nodiscard]] std::vector<std::string> gradient(const Direction<SceneNumber>& direction) const;
+
+ private:
+  /// Evaluates a parameter after those on which it depends.
+  void evaluate(mechanism::ParameterIndex parameter);
+  [[nodiscard]] mechanism::Dual deviation(mechanism::ParameterIndex parameter) const;
+  [[nodiscard]] GiNaC::ex derivative(const SceneNumber& number, const GiNaC::ex& symbol) const;
+
+  const mechanism::Plan& plan_;
+  const mechanism::Values& values_;
+  /// A parameter that varies; of another that is modelled its deviation from its value; else zero.
+  mechanism::Table<mechanism::ParameterIndex, GiNaC::ex> symbol_of_;
+  mechanism::Table<mechanism::ParameterIndex, bool> is_variable_;
+  GiNaC::exmap symbols_;     ///< all of these at the scene's own numbers
+  GiNaC::exmap deviations_;  ///< of these the deviations: zero
+  std::vector<GiNaC::ex> modelled_;
+  mechanism::Table<mechanism::ParameterIndex, std::optional<SceneNumber>> parameters_;
+  mechanism::Table<mechanism::GroupIndex, mechanism::GroupGeometry<SceneNumber>> groups_;
+};
+
+}  // namespace assur::generator::emission::scene

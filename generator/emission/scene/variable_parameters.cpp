@@ -1,0 +1,104 @@
+#include "emission/scene/variable_parameters.hpp"
+
+#include <algorithm>
+#include <assur/mechanism/error.hpp>
+
+namespace assur::generator::emission::scene {
+
+namespace {
+
+using mechanism::ParameterIndex;
+
+/// What some numbers of a mechanism depend on. A parameter that is held follows no others.
+class Dependence {
+ public:
+  Dependence(const mechanism::Mechanism& mechanism, const std::vector<ParameterIndex>& held)
+      : mechanism_(mechanism),
+        on_(mechanism.parameters().size(), false),
+        is_held_(mechanism.parameters().size(), false) {
+    for (const ParameterIndex parameter : held) {
+      is_held_[parameter] = true;
+    }
+  }
+
+  /// The places of joints and of outputs.
+  Dependence& add_places() {
+    for (const mechanism::Joint& joint : mechanism_.joints()) {
+      for (const mechanism::FeatureIndex feature : joint.between) {
+        add(feature);
+      }
+    }
+    for (const mechanism::Output& output : mechanism_.outputs()) {
+      add(output.point);
+    }
+    return *this;
+  }
+  Dependence& add_laws() {
+    for (const mechanism::Driver& driver : mechanism_.drivers()) {
+      add(driver.position);
+    }
+    return *this;
+  }
+
+  [[nodiscard]] bool on(ParameterIndex parameter) const { return on_[parameter]; }
+
+ private:
+  void add(mechanism::FeatureIndex index) {
+    const mechanism::Feature& feature = mechanism_.features()[index];
+    add(feature.x);
+    add(feature.y);
+    if (feature.is_line) {
+      add(feature.along_x);
+      add(feature.along_y);
+    }
+  }
+  void add(mechanism::NumberIndex number) {
+    std::vector<mechanism::NumberIndex> pending{number};
+    while (!pending.empty()) {
+      const mechanism::Formula& formula = mechanism_.numbers()[pending.back()].formula;
+      pending.pop_back();
+      for (const ParameterIndex parameter : formula.parameters()) {
+        if (!on_[parameter] && !is_held_[parameter]) {
+          pending.push_back(mechanism_.parameters()[parameter].value);
+        }
+        on_[parameter] = true;
+      }
+    }
+  }
+
+  const mechanism::Mechanism& mechanism_;
+  mechanism::Table<ParameterIndex, bool> on_, is_held_;
+};
+
+}  // namespace
+
+std::vector<ParameterIndex> independent_parameters(const mechanism::Scene& scene) {
+  const mechanism::Plan plan(scene);
+  const mechanism::Mechanism& mechanism = plan.mechanism();
+  const Dependence places = Dependence(mechanism, {}).add_places();
+  std::vector<ParameterIndex> found;
+  for (const ParameterIndex parameter : mechanism.parameters().keys()) {
+    const mechanism::NumberIndex value = mechanism.parameters()[parameter].value;
+    if (places.on(parameter) && mechanism.numbers()[value].formula.parameters().empty()) {
+      found.push_back(parameter);
+    }
+  }
+  return found;
+}
+
+void expect_arguments(const mechanism::Plan& plan, const std::vector<ParameterIndex>& parameters) {
+  const Dependence places = Dependence(plan.mechanism(), parameters).add_places();
+  const Dependence laws = Dependence(plan.mechanism(), parameters).add_laws();
+  for (const ParameterIndex parameter : parameters) {
+    if (!places.on(parameter)) {
+      throw mechanism::MechanismError(
+          "parameters." + plan.mechanism().parameters()[parameter].name,
+          laws.on(parameter)
+              ? "only the law of a driver depends on it, and drivers are arguments of the solver "
+                "already; do not make it variable"
+              : "nothing that is reported depends on it; do not make it variable");
+    }
+  }
+}
+
+}  // namespace assur::generator::emission::scene
