@@ -110,10 +110,10 @@ class SceneEmitter {
               text::joined(solver_.variable, ", ",
                            [](const VariableParameter& one) { return "&" + one.member; }));
     view_.set("has_variables", !variables.empty());
-    view_.set("given", variables.empty() ? "drivers" : "{drivers, parameters}");
+    view_.set("given", variables.empty() ? "drivers" : "{drivers, values}");
     view_.set("given_list", variables.empty() ? "const Drivers<double>& drivers"
                                               : "const Drivers<double>& drivers, const "
-                                                "Parameters<double>& parameters");
+                                                "Parameters<double>& values");
   }
 
   void show_group(mechanism::GroupIndex group) {

@@ -12,9 +12,10 @@ inline constexpr double agreement = 1e-12;
 inline const std::string warnings_as_errors = " -Wall -Wextra -Wconversion -Wshadow -Werror ";
 
 /// Emits the solver below a directory.
-inline void emit_solver(const EmittedScene& scene, const TemporaryDirectory& directory) {
-  const CommandResult emitted =
-      run_assur("emit --scene '" + scene.file.string() + "' --output " + directory.path().string());
+inline void emit_solver(const EmittedScene& scene, const TemporaryDirectory& directory,
+                        const std::string& options = "") {
+  const CommandResult emitted = run_assur("emit --scene '" + scene.file.string() + "' --output " +
+                                          directory.path().string() + " " + options);
   ASSERT_EQ(emitted.status, 0) << emitted.messages;
 }
 
@@ -54,9 +55,11 @@ double sensitivity(const Matrix& matrix, const char* parameter, int row) {
 }
 )";
 
-/// Prints, for each step, the number of configurations and then every reading of each.
+/// Prints, for each step, the number of configurations and then every reading of each. A solver
+/// with variable parameters gets these.
 inline std::string printing_function(const EmittedScene& scene, const SolveReadings& expected,
-                                     const std::string& name) {
+                                     const std::string& name,
+                                     const std::map<std::string, double>& parameters = {}) {
   std::ostringstream code;
   code.precision(17);
   code << "template <typename S>\nvoid " << name
@@ -76,7 +79,14 @@ inline std::string printing_function(const EmittedScene& scene, const SolveReadi
     for (const auto& [joint, driver] : drivers.items()) {
       code << "    drivers." << scene.member(joint) << ".position += " << step << ";\n";
     }
-    code << "    const S::Solution found = S::solve(drivers, states);\n"
+    if (!parameters.empty()) {
+      code << "    S::Parameters<double> parameters;\n";
+    }
+    for (const auto& [parameter, value] : parameters) {
+      code << "    parameters." << parameter << " = " << value << ";\n";
+    }
+    code << "    const S::Solution found = S::solve(drivers, "
+         << (parameters.empty() ? "" : "parameters, ") << "states);\n"
          << "    std::printf(\"%d\\n\", found.count);\n"
          << "    for (int i = 0; i < found.count; ++i) {\n      " << name
          << "_state<S>(states[static_cast<std::size_t>(i)]);\n    }\n  }\n";

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace assur::support {
@@ -25,20 +26,21 @@ struct Solution {
   int mobility = 0;  ///< of the freest of them
 };
 
-/// Whether parameters of a solver are arguments of it.
+/// Whether a solver has parameters among its arguments.
+template <typename Solver, typename = void>
+inline constexpr bool has_parameters = false;
 template <typename Solver>
-concept HasParameters = requires {
-  typename Solver::template Parameters<double>;
-};
+inline constexpr bool
+    has_parameters<Solver, std::void_t<typename Solver::template Parameters<double>>> = true;
 
 /// What a solver is given: where its drivers stand.
-template <typename Solver>
+template <typename Solver, bool HasParameters = has_parameters<Solver>>
 struct GivenTo {
   using Type = typename Solver::template Drivers<double>;
 };
 /// And its parameters.
-template <HasParameters Solver>
-struct GivenTo<Solver> {
+template <typename Solver>
+struct GivenTo<Solver, true> {
   struct Type {
     typename Solver::template Drivers<double> drivers;
     typename Solver::template Parameters<double> parameters;
@@ -67,7 +69,7 @@ struct Access {
 
   /// Places what drivers move.
   static void drive(const Given& given, Placed& placed) {
-    if constexpr (HasParameters<Solver>) {
+    if constexpr (has_parameters<Solver>) {
       Solver::drive(given.drivers, given.parameters, placed);
     } else {
       Solver::drive(given, placed);
@@ -122,7 +124,7 @@ class Search {
 
   /// Every configuration, in the order of `assur solve`.
   [[nodiscard]] Solution run(const typename Own::Given& given) {
-    if (HasParameters<Solver> && !Own::is_finite(given)) {
+    if (has_parameters<Solver> && !Own::is_finite(given)) {
       solution_.status = AssemblyStatus::not_finite;
       return solution_;
     }
