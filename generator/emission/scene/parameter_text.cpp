@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <assur/text/names.hpp>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <tuple>
@@ -21,13 +22,36 @@ struct SignedText {
 
 class FormulaText {
  public:
-  /// A sum; its terms stand in the order of their texts, so that they do so in every process.
-  static SignedText sum(const GiNaC::ex& formula) {
+  /// A sum; its terms stand in the order of their texts, those that are added first.
+  static SignedText sum(const GiNaC::ex& formula) { return joined(terms_of(formula)); }
+
+  /// A sum as a factor: its sign is that of the term whose text comes first. GiNaC chooses it by
+  /// chance.
+  static SignedText factor(const GiNaC::ex& formula) {
+    std::vector<SignedText> terms = terms_of(formula);
+    const auto first = std::min_element(
+        terms.begin(), terms.end(),
+        [](const SignedText& one, const SignedText& other) { return one.text < other.text; });
+    const bool negative = first->negative;
+    for (SignedText& term : terms) {
+      term.negative = term.negative != negative;
+    }
+    return {negative, joined(std::move(terms)).text};
+  }
+
+  static std::string whole(const GiNaC::ex& formula) {
+    const SignedText text = sum(formula);
+    const bool is_sum = text.negative && GiNaC::is_a<GiNaC::add>(formula);
+    return (text.negative ? "-" : "") + (is_sum ? "(" + text.text + ")" : text.text);
+  }
+
+ private:
+  static std::vector<SignedText> terms_of(const GiNaC::ex& formula) {
     if (is_constant(formula)) {
-      return number(formula);
+      return {number(formula)};
     }
     if (!GiNaC::is_a<GiNaC::add>(formula)) {
-      return product(formula);
+      return {product(formula)};
     }
     std::vector<SignedText> terms;
     GiNaC::ex rest;
@@ -38,14 +62,22 @@ class FormulaText {
         terms.push_back(product(term));
       }
     }
-    std::sort(terms.begin(), terms.end(), [](const SignedText& one, const SignedText& other) {
-      return std::tie(one.negative, one.text) < std::tie(other.negative, other.text);
-    });
     if (!rest.is_zero()) {
-      const SignedText number = FormulaText::number(rest);
-      const bool leads = terms.front().negative && !number.negative;
-      terms.insert(leads ? terms.begin() : terms.end(), number);
+      terms.push_back(number(rest));
     }
+    return terms;
+  }
+
+  /// Negative where all terms are; a number comes last where it can.
+  static SignedText joined(std::vector<SignedText> terms) {
+    const auto is_number = [](const SignedText& term) {
+      return std::isdigit(static_cast<unsigned char>(term.text.front())) != 0 &&
+             term.text.find(' ') == std::string::npos;
+    };
+    std::sort(terms.begin(), terms.end(), [&](const SignedText& one, const SignedText& other) {
+      return std::tuple(one.negative, is_number(one), one.text) <
+             std::tuple(other.negative, is_number(other), other.text);
+    });
     const bool negative = terms.front().negative;
     std::string text = terms.front().text;
     for (auto term = std::next(terms.begin()); term != terms.end(); ++term) {
@@ -54,13 +86,6 @@ class FormulaText {
     return {negative, text};
   }
 
-  static std::string whole(const GiNaC::ex& formula) {
-    const SignedText text = sum(formula);
-    const bool is_sum = text.negative && GiNaC::is_a<GiNaC::add>(formula);
-    return (text.negative ? "-" : "") + (is_sum ? "(" + text.text + ")" : text.text);
-  }
-
- private:
   static SignedText number(const GiNaC::ex& formula) {
     const double value = GiNaC::ex_to<GiNaC::numeric>(formula.evalf()).to_double();
     return {value < 0, cpp::round_trip(std::abs(value))};
@@ -127,7 +152,7 @@ class FormulaText {
         return "std::" + GiNaC::ex_to<GiNaC::function>(factor).get_name() + "(" +
                text::joined(arguments, ", ", [](const std::string& one) { return one; }) + ")";
       }
-      const SignedText inner = sum(factor);
+      const SignedText inner = FormulaText::factor(factor);
       if (inner.negative && has_sign) {
         number_ = -number_;
       }

@@ -4,6 +4,7 @@
 #include <array>
 #include <assur/directions.hpp>
 #include <assur/text/identifiers.hpp>
+#include <regex>
 
 #include "emission/cpp/cpp_text.hpp"
 
@@ -21,11 +22,24 @@ Eigen::VectorXd ModelledParameters::gradient(const mechanism::Dual& quantity) co
 }
 
 std::vector<std::string> SceneLines::lines() const {
-  std::vector<std::string> lines = lines_;
+  std::vector<std::string> all;
   if (has_formulas_) {
-    lines.insert(lines.begin(), "const Parameters<double>& p = placed.parameters;");
+    all.push_back("const Parameters<double>& p = placed.parameters;");
   }
-  return lines;
+  std::vector<std::string> roots;
+  std::vector<std::string> readers = lines_;
+  const std::vector<SceneNumbers::NamedRoot> named = numbers_.roots();
+  for (auto root = named.rbegin(); root != named.rend(); ++root) {
+    const std::regex name("\\b" + root->name + "\\b");
+    if (std::any_of(readers.begin(), readers.end(),
+                    [&](const std::string& line) { return std::regex_search(line, name); })) {
+      roots.push_back("const double " + root->name + " = std::sqrt(" + root->radicand + ");");
+      readers.push_back(roots.back());
+    }
+  }
+  all.insert(all.end(), roots.rbegin(), roots.rend());
+  all.insert(all.end(), lines_.begin(), lines_.end());
+  return all;
 }
 
 std::string SceneLines::number(const SceneNumber& number) {
@@ -121,8 +135,14 @@ std::string SceneLines::declared_gradient(const std::string& name, const Gradien
 void SceneLines::add_gradient(const std::string& target, const Gradient& gradient) {
   for (std::size_t place = 0; place < gradient.size(); ++place) {
     if (!gradient[place].empty()) {
-      add(target + std::to_string(place) + ") = " + gradient[place] + ";  // " +
-          parameters_.names()[place]);
+      const std::string line = target + std::to_string(place) + ") = " + gradient[place] + ";";
+      const std::string comment = "// " + parameters_.names()[place];
+      if (line.size() + comment.size() < 90) {
+        add(line + "  " + comment);
+      } else {
+        add(comment);
+        add(line);
+      }
     }
   }
 }

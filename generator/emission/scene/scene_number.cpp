@@ -2,6 +2,7 @@
 
 #include <assur/mechanism/error.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "emission/cpp/cpp_text.hpp"
@@ -20,7 +21,7 @@ SceneNumber unary(mechanism::Dual number, const SceneNumber& a, const Of& of) {
 template <typename Of>
 SceneNumber binary(mechanism::Dual number, const SceneNumber& a, const SceneNumber& b,
                    const Of& of) {
-  const GiNaC::exmap* symbols = a.has_formula() ? a.symbols() : b.symbols();
+  SceneSymbols* symbols = a.has_formula() ? a.symbols() : b.symbols();
   return symbols != nullptr ? SceneNumber(std::move(number), of(a.formula(), b.formula()), *symbols)
                             : SceneNumber(std::move(number));
 }
@@ -45,14 +46,50 @@ std::optional<GiNaC::ex> squared(const GiNaC::ex& formula) {
       return std::nullopt;
     }
   }
-  return root;
+  return root.expand();
 }
 
 }  // namespace
 
-SceneNumber::SceneNumber(mechanism::Dual number, GiNaC::ex formula, const GiNaC::exmap& symbols)
+GiNaC::ex SceneSymbols::root_of(const GiNaC::ex& radicand) {
+  for (const Root& root : roots_) {
+    if (root.radicand.is_equal(radicand)) {
+      return root.symbol;
+    }
+  }
+  const GiNaC::symbol symbol("root_" + std::to_string(roots_.size() + 1));
+  values_[symbol] = GiNaC::sqrt(value_of(radicand)).evalf();
+  roots_.push_back({symbol, radicand});
+  return symbol;
+}
+
+GiNaC::ex SceneSymbols::value_of(const GiNaC::ex& formula) const {
+  return formula.subs(values_).evalf();
+}
+
+GiNaC::ex SceneSymbols::written_out(const GiNaC::ex& formula) const {
+  GiNaC::ex result = formula;
+  for (auto root = roots_.rbegin(); root != roots_.rend(); ++root) {
+    result = result.subs(root->symbol == GiNaC::sqrt(root->radicand));
+  }
+  return result;
+}
+
+GiNaC::ex SceneSymbols::derivative(const GiNaC::ex& formula, const GiNaC::symbol& symbol) const {
+  GiNaC::ex result = formula.diff(symbol);
+  for (const Root& root : roots_) {
+    if (formula.has(root.symbol)) {
+      result += formula.diff(root.symbol) * derivative(root.radicand, symbol) / (2 * root.symbol);
+    }
+  }
+  return result;
+}
+
+SceneNumber::SceneNumber(mechanism::Dual number, GiNaC::ex formula, SceneSymbols& symbols)
     : number_(std::move(number)) {
-  if (!is_constant(formula)) {
+  if (is_constant(formula)) {  // so it follows none of the symbols
+    number_ = mechanism::Dual(GiNaC::ex_to<GiNaC::numeric>(formula.evalf()).to_double());
+  } else {
     formula_ = std::move(formula);
     symbols_ = &symbols;
   }
@@ -97,7 +134,11 @@ SceneNumber operator*(const SceneNumber& a, const SceneNumber& b) {
 }
 SceneNumber operator/(const SceneNumber& a, const SceneNumber& b) {
   return binary(a.number() / b.number(), a, b,
-                [](const GiNaC::ex& f, const GiNaC::ex& g) { return (f / g).normal(); });
+                [](const GiNaC::ex& f, const GiNaC::ex& g) -> GiNaC::ex {
+                  const GiNaC::ex quotient = f / g;
+                  const GiNaC::ex cancelled = quotient.normal();
+                  return is_constant(cancelled) ? cancelled : quotient;
+                });
 }
 SceneNumber operator/(const SceneNumber& a, double b) { return a / SceneNumber(b); }
 
@@ -106,9 +147,9 @@ SceneNumber sqrt(const SceneNumber& a) {
     const GiNaC::ex radicand = shortened(f);
     const std::optional<GiNaC::ex> root = squared(radicand);
     if (!root) {
-      return GiNaC::sqrt(radicand);
+      return a.symbols()->root_of(radicand.expand());
     }
-    return root->subs(*a.symbols()).evalf() < 0 ? GiNaC::ex(-*root) : *root;
+    return a.symbols()->value_of(*root) < 0 ? GiNaC::ex(-*root) : *root;
   });
 }
 SceneNumber exp(const SceneNumber& a) {

@@ -4,8 +4,34 @@
 #include <ginac/ginac.h>
 
 #include <assur/mechanism/dual.hpp>
+#include <deque>
 
 namespace assur::generator::emission::scene {
+
+/// A square root in formulas, which has a symbol of its own so that they stay short.
+struct Root {
+  GiNaC::symbol symbol;
+  GiNaC::ex radicand;  ///< in symbols that are older
+};
+
+/// The symbols of a scene's formulas, and what they are at the scene's own numbers.
+class SceneSymbols {
+ public:
+  void add(const GiNaC::symbol& symbol, const GiNaC::ex& value) { values_[symbol] = value; }
+  /// The symbol of a root; the same for the same radicand.
+  [[nodiscard]] GiNaC::ex root_of(const GiNaC::ex& radicand);
+  /// In the order in which they depend on one another.
+  [[nodiscard]] const std::deque<Root>& roots() const { return roots_; }
+  [[nodiscard]] GiNaC::ex value_of(const GiNaC::ex& formula) const;
+  /// The formula without roots.
+  [[nodiscard]] GiNaC::ex written_out(const GiNaC::ex& formula) const;
+  /// The derivative to a symbol that is no root's, through the roots.
+  [[nodiscard]] GiNaC::ex derivative(const GiNaC::ex& formula, const GiNaC::symbol& symbol) const;
+
+ private:
+  GiNaC::exmap values_;
+  std::deque<Root> roots_;
+};
 
 /// A number of a scene with its derivatives and, where it depends on symbols, its formula in them.
 /// Values are those of mechanism::Dual, operation by operation, so that whatever is decided by them
@@ -16,10 +42,11 @@ namespace assur::generator::emission::scene {
 /// normal frame round where that becomes negative.
 class SceneNumber {
  public:
-  explicit SceneNumber(double value = 0) : number_(value) {}
+  SceneNumber() = default;
+  explicit SceneNumber(double value) : number_(value) {}
   explicit SceneNumber(mechanism::Dual number) : number_(std::move(number)) {}
-  /// `symbols`: what the symbols are at the scene's own numbers; it must outlive the number.
-  SceneNumber(mechanism::Dual number, GiNaC::ex formula, const GiNaC::exmap& symbols);
+  /// The symbols must outlive the number.
+  SceneNumber(mechanism::Dual number, GiNaC::ex formula, SceneSymbols& symbols);
 
   [[nodiscard]] double value() const { return number_.value(); }
   /// At the scene's own numbers.
@@ -28,7 +55,7 @@ class SceneNumber {
   [[nodiscard]] GiNaC::ex formula() const;
   [[nodiscard]] bool has_formula() const { return symbols_ != nullptr; }
   /// Null without a formula.
-  [[nodiscard]] const GiNaC::exmap* symbols() const { return symbols_; }
+  [[nodiscard]] SceneSymbols* symbols() const { return symbols_; }
 
   friend bool operator==(const SceneNumber& a, const SceneNumber& b) {
     return a.value() == b.value();
@@ -39,7 +66,7 @@ class SceneNumber {
  private:
   mechanism::Dual number_;
   GiNaC::ex formula_;
-  const GiNaC::exmap* symbols_ = nullptr;
+  SceneSymbols* symbols_ = nullptr;
 };
 
 SceneNumber operator-(const SceneNumber& a);

@@ -21,14 +21,15 @@ SceneNumbers::SceneNumbers(
     const GiNaC::symbol symbol(spelling);
     symbol_of_[parameter] = symbol;
     is_variable_[parameter] = true;
-    symbols_[symbol] = cpp::exact(values.parameter(parameter));
+    symbols_.add(symbol, cpp::exact(values.parameter(parameter)));
+    variables_.push_back(symbol);
   }
   for (const Eigen::Index column : modelled) {
     const mechanism::ParameterIndex parameter = values.columns()[static_cast<std::size_t>(column)];
     if (!variable.empty() && !is_variable_[parameter]) {
       const GiNaC::symbol symbol(parameters[parameter].name);
       symbol_of_[parameter] = symbol;
-      symbols_[symbol] = 0;
+      symbols_.add(symbol, 0);
       deviations_[symbol] = 0;
     }
     modelled_.push_back(symbol_of_[parameter]);
@@ -63,11 +64,16 @@ void SceneNumbers::evaluate(mechanism::ParameterIndex parameter) {
       continue;
     }
     pending.pop_back();
-    const SceneNumber varied(deviation(last), symbol_of_[last], symbols_);
-    parameters_[last] =
-        is_variable_[last] ? SceneNumber(mechanism::Dual(values_.parameter(last)) + varied.number(),
-                                         symbol_of_[last], symbols_)
-                           : number(parameters[last].value) + varied;
+    const GiNaC::ex& symbol = symbol_of_[last];
+    const mechanism::Dual varied = deviation(last);
+    if (is_variable_[last]) {
+      parameters_[last] =
+          SceneNumber(mechanism::Dual(values_.parameter(last)) + varied, symbol, symbols_);
+    } else {
+      parameters_[last] =
+          number(parameters[last].value) +
+          (symbol.is_zero() ? SceneNumber(varied) : SceneNumber(varied, symbol, symbols_));
+    }
   }
 }
 
@@ -108,11 +114,24 @@ mechanism::SlideMeasure<SceneNumber> SceneNumbers::slide_measure(mechanism::Grou
                                   SceneNumber());
 }
 
+bool SceneNumbers::varies(const GiNaC::ex& formula) const {
+  const GiNaC::ex whole = symbols_.written_out(formula);
+  return std::any_of(variables_.begin(), variables_.end(),
+                     [&](const GiNaC::symbol& variable) { return whole.has(variable); });
+}
+
 bool SceneNumbers::varies(const SceneNumber& number) const {
-  return number.has_formula() &&
-         std::any_of(symbols_.begin(), symbols_.end(), [&](const auto& symbol) {
-           return !deviations_.contains(symbol.first) && number.formula().has(symbol.first);
-         });
+  return number.has_formula() && varies(number.formula());
+}
+
+std::vector<SceneNumbers::NamedRoot> SceneNumbers::roots() const {
+  std::vector<NamedRoot> named;
+  for (const Root& root : symbols_.roots()) {
+    if (varies(root.radicand)) {
+      named.push_back({root.symbol.get_name(), cpp_formula(root.radicand.subs(deviations_))});
+    }
+  }
+  return named;
 }
 
 std::string SceneNumbers::text(const SceneNumber& number) const {
@@ -120,7 +139,8 @@ std::string SceneNumbers::text(const SceneNumber& number) const {
 }
 
 GiNaC::ex SceneNumbers::derivative(const SceneNumber& number, const GiNaC::ex& symbol) const {
-  return number.formula().diff(GiNaC::ex_to<GiNaC::symbol>(symbol)).subs(deviations_);
+  return symbols_.derivative(number.formula(), GiNaC::ex_to<GiNaC::symbol>(symbol))
+      .subs(deviations_);
 }
 
 std::vector<std::string> SceneNumbers::gradient(const SceneNumber& number) const {
@@ -137,7 +157,8 @@ std::vector<std::string> SceneNumbers::gradient(const Direction<SceneNumber>& di
   for (const GiNaC::ex& symbol : modelled_) {
     const GiNaC::ex turn = (direction.cos.formula() * derivative(direction.sin, symbol) -
                             direction.sin.formula() * derivative(direction.cos, symbol))
-                               .subs(deviations_);
+                               .subs(deviations_)
+                               .expand();
     const GiNaC::ex slope = shortened(turn);
     texts.push_back(slope.is_zero() ? "" : cpp_formula(slope));
   }

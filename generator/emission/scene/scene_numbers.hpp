@@ -41,6 +41,11 @@ class SceneNumbers {
   [[nodiscard]] bool varies(const Direction<SceneNumber>& direction) const {
     return varies(direction.cos) || varies(direction.sin);
   }
+  /// The square roots in formulas that vary, in the order in which they depend on one another.
+  struct NamedRoot {
+    std::string name, radicand;
+  };
+  [[nodiscard]] std::vector<NamedRoot> roots() const;
   /// The formula of a number that varies.
   [[nodiscard]] std::string text(const SceneNumber& number) const;
   /// The formulas of its derivatives to the modelled parameters; empty where one is zero.
@@ -52,6 +57,7 @@ class SceneNumbers {
   /// Evaluates a parameter after those on which it depends.
   void evaluate(mechanism::ParameterIndex parameter);
   [[nodiscard]] mechanism::Dual deviation(mechanism::ParameterIndex parameter) const;
+  [[nodiscard]] bool varies(const GiNaC::ex& formula) const;
   [[nodiscard]] GiNaC::ex derivative(const SceneNumber& number, const GiNaC::ex& symbol) const;
 
   const mechanism::Plan& plan_;
@@ -59,8 +65,9 @@ class SceneNumbers {
   /// A parameter that varies; of another that is modelled its deviation from its value; else zero.
   mechanism::Table<mechanism::ParameterIndex, GiNaC::ex> symbol_of_;
   mechanism::Table<mechanism::ParameterIndex, bool> is_variable_;
-  GiNaC::exmap symbols_;     ///< all of these at the scene's own numbers
-  GiNaC::exmap deviations_;  ///< of these the deviations: zero
+  mutable SceneSymbols symbols_;  ///< formulas that are made later may have new roots
+  std::vector<GiNaC::symbol> variables_;
+  GiNaC::exmap deviations_;  ///< to zero
   std::vector<GiNaC::ex> modelled_;
   mechanism::Table<mechanism::ParameterIndex, std::optional<SceneNumber>> parameters_;
   mechanism::Table<mechanism::GroupIndex, mechanism::GroupGeometry<SceneNumber>> groups_;

@@ -191,7 +191,8 @@ PlacingStatements placing_statements(const SolverScene& solver, mechanism::Group
     const std::string unknown =
         solver.group_struct(group) + "::unit * group.q." + unknowns[index].name;
     const std::string by = lines.number(shift);
-    const std::string shifted = by == "0.0" ? unknown : "(" + unknown + " + " + by + ")";
+    const std::string sum = by.starts_with("-") ? " - " + by.substr(1) : " + " + by;
+    const std::string shifted = by == "0.0" ? unknown : "(" + unknown + sum + ")";
     lines.add(slide + ".displacement = " + sign + shifted + ";");
     if (solver.derivative_order > 0 && solver.reports(at.joint)) {
       lines.add(slide + ".rates = " + sign + solver.group_struct(group) +

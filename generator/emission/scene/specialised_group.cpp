@@ -168,6 +168,7 @@ class GroupSpecialiser {
   void add_input(const equations::Variable& variable, bool moves) {
     inputs_.push_back(variable);
     if (!moves) {
+      has_varying_ = true;
       values_[variable.rate] = 0;
       values_[variable.second_rate] = 0;
     }
@@ -361,6 +362,7 @@ class GroupSpecialiser {
     view.set("equation_count", std::to_string(2 * equations_.loops.size()));
     model::show_variables(equations_.unknowns, "unknown", view, equations_.owners);
     model::show_variables(inputs_, "input", view);
+    view.set("has_varying", has_varying_);
     return view;
   }
 
@@ -372,6 +374,7 @@ class GroupSpecialiser {
   GiNaC::exmap values_;
   std::vector<NamedConstant> constants_;
   std::deque<equations::Variable> inputs_;
+  bool has_varying_ = false;  ///< inputs that variable parameters change
 };
 
 }  // namespace

@@ -25,6 +25,7 @@ struct Call {
 std::vector<Call> calls() {
   std::vector<Call> list = {
       {"EmitModel", "emit --model 2 --output OUTPUT"},
+      {"EmitVariable", "emit --scene HERE/variable.json --output OUTPUT"},
       {"EmitClosures",
        "emit --closures EXAMPLES/audit/own_model/gear_five_bar.audit --output OUTPUT"},
       {"EmitDifferences", "emit --closures HERE/differences.audit --output OUTPUT"}};
