@@ -2,6 +2,7 @@
 // has those values; and what cannot be an argument is refused.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <regex>
 
@@ -167,6 +168,94 @@ std::vector<VariableScene> variable_scenes() {
   return scenes;
 }
 
+/// Follows both configurations of the four-bar while crank and lengths change at once, in three
+/// calls, and beside that from one of many small steps to the nearest configuration of the next;
+/// prints by how much the two differ. Then follows a way on which the bars cannot reach.
+constexpr const char* following = R"(
+namespace following {
+using S = assur::scenes::VariableFourBar;
+struct Stand {
+  S::Drivers<double> drivers;
+  S::Parameters<double> parameters;
+  explicit Stand(double part) {
+    drivers.A.position = 0.7 + 2 * part;
+    parameters.crank = 2 - part;
+    parameters.coupler = 3 + part;
+    parameters.rocker = 3.5 + part / 2;
+    parameters.ground = 4 - part / 4;
+    parameters.bend = part;
+  }
+};
+void run() {
+  std::array<S::State<double>, S::max_configurations> states;
+  for (int configuration = 0; configuration < 2; ++configuration) {
+    const Stand start(0);
+    auto branch = S::branch(start.drivers, start.parameters, configuration);
+    S::State<double> tracked{};
+    bool ok = true;
+    for (const double part : {0.25, 0.75, 1.0}) {
+      const Stand stand(part);
+      ok = ok && S::track(stand.drivers, stand.parameters, branch, tracked).status ==
+                     assur::Status::ok;
+    }
+    (void)S::solve(start.drivers, start.parameters, states);
+    S::State<double> near = states[static_cast<std::size_t>(configuration)];
+    for (int step = 1; step <= 1000; ++step) {
+      const Stand stand(step / 1000.0);
+      const auto found = S::solve(stand.drivers, stand.parameters, states);
+      const auto from = near.outputs.P.position;
+      const bool second = found.count > 1 && (states[1].outputs.P.position - from).norm() <
+                                                 (states[0].outputs.P.position - from).norm();
+      near = states[second ? 1 : 0];
+    }
+    std::printf("%d %.17g\n", ok ? 1 : 0,
+                (near.outputs.P.position - tracked.outputs.P.position).norm());
+  }
+  Stand apart(0);
+  auto branch = S::branch(apart.drivers, apart.parameters, 0);
+  apart.parameters.ground = 9;
+  S::State<double> state{};
+  const auto way = S::track(apart.drivers, apart.parameters, branch, state);
+  std::printf("%d %.17g\n", way.status == assur::Status::no_convergence ? 1 : 0, way.reached);
+  apart.parameters.bend = std::numeric_limits<double>::quiet_NaN();
+  const auto lost = S::solve(apart.drivers, apart.parameters, states);
+  std::printf("%d\n", lost.status == assur::AssemblyStatus::not_finite ? 1 : 0);
+}
+}  // namespace following
+)";
+
+/// How far the ground's length goes from 4 to 9 before the four-bar of `following` cannot reach.
+double reach_of_ground() {
+  const double x = 2 * std::cos(0.7);
+  const double y = 2 * std::sin(0.7);
+  return (x + std::sqrt(6.5 * 6.5 - y * y) - 4) / (9 - 4);
+}
+
+void expect_followed(std::istream& printed) {
+  int ok = 0;
+  double value = 0;
+  for (int configuration = 0; configuration < 2; ++configuration) {
+    printed >> ok >> value;
+    EXPECT_EQ(ok, 1);
+    EXPECT_LE(value, 1e-12);
+  }
+  printed >> ok >> value;
+  EXPECT_EQ(ok, 1);
+  EXPECT_LE(value, reach_of_ground());
+  EXPECT_GE(value, reach_of_ground() - 0.002);
+  printed >> ok;
+  EXPECT_EQ(ok, 1);
+}
+
+/// Each variable parameter is read where something is placed.
+void expect_parameters_are_read(const std::filesystem::path& header, const Values& values) {
+  const std::string text = read_file(header);
+  for (const auto& [name, value] : values) {
+    EXPECT_NE(text.find("Scalar " + name + "{"), std::string::npos) << name;
+    EXPECT_TRUE(std::regex_search(text, std::regex("\\bp\\." + name + "\\b"))) << name;
+  }
+}
+
 TEST(EmitVariable, IsTheSolverOfTheSceneWithTheseValues) {
   const TemporaryDirectory directory;
   const std::string root = directory.path().string();
@@ -180,6 +269,8 @@ TEST(EmitVariable, IsTheSolverOfTheSceneWithTheseValues) {
     const auto file = directory.write(one.name + ".json", one.json.dump());
     emit_solver({file, one.name, one.solver, {}}, directory, "--variable all");
     includes += "#include <assur/scenes/" + one.name + ".hpp>\n";
+    expect_parameters_are_read(directory.path() / "assur" / "scenes" / (one.name + ".hpp"),
+                               one.values.front());
     for (const Values& values : one.values) {
       const std::string name = one.name + "_" + std::to_string(scenes.size());
       scenes.push_back({directory.write(name + ".json", with_values(one.json, values).dump()),
@@ -191,8 +282,9 @@ TEST(EmitVariable, IsTheSolverOfTheSceneWithTheseValues) {
       calls += "  " + name + "();\n";
     }
   }
-  const auto source = directory.write(
-      "driver.cpp", includes + program_head + functions + "int main() {\n" + calls + "}\n");
+  const auto source =
+      directory.write("driver.cpp", includes + program_head + functions + following +
+                                        "int main() {\n" + calls + "  following::run();\n}\n");
   const std::string first = includes.substr(0, includes.find('\n') + 1);
   check_by_clang(directory.write("header.cpp", first), directory);
   compile(ASSUR_COMPILER, "-O0 -o " + root + "/driver", source, directory);
@@ -204,6 +296,7 @@ TEST(EmitVariable, IsTheSolverOfTheSceneWithTheseValues) {
     SCOPED_TRACE(scenes[index].file.stem().string());
     compared += compare_printed(printed, scenes[index], expected[index]);
   }
+  expect_followed(printed);
   std::printf("%d numbers of %zu scenes\n", compared, scenes.size());
   EXPECT_GT(compared, 4000);
 }
