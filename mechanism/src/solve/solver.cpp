@@ -19,7 +19,10 @@ namespace assur::mechanism::solve {
 class ConfigurationWalk {
  public:
   explicit ConfigurationWalk(const Values& values)
-      : plan_(values.shared_plan()), structure_(plan_->structure), values_(values) {
+      : plan_(values.shared_plan()),
+        structure_(plan_->structure),
+        values_(values),
+        order_(plan_->named_parts) {
     const auto parameters = static_cast<Eigen::Index>(values.columns().size());
     placed_.links.resize(structure_.linkage.links.size());
     placed_.links[structure_.linkage.ground] = Frame::identity(parameters, values.second_order());
@@ -364,7 +367,7 @@ class ConfigurationWalk {
       conclude_without_configurations();
       return;
     }
-    put_in_order(solution_->configurations, plan_->named_parts);
+    order_.sort(solution_->configurations);
   }
 
   void conclude_without_configurations() {
@@ -390,6 +393,7 @@ class ConfigurationWalk {
   std::shared_ptr<const PlanData> plan_;
   const Structure& structure_;
   const Values& values_;
+  ConfigurationOrder order_;
   Table<GroupIndex, GroupSolver> solvers_;
   Table<GroupIndex, std::size_t> first_slide_;
   PlacedLinks placed_;
