@@ -153,13 +153,13 @@ Solution Plan::solve(const Values& values) const {
 
 void Plan::solve(const Values& values, Solution& result) const {
   expect_usable(values);
-  solve::solve(data_, values, false, result);
+  solve::MechanismSolver(values).solve(false, result);
 }
 
 std::string Plan::obstacle(const Values& values) const {
   expect_usable(values);
   Solution result;
-  solve::solve(data_, values, true, result);
+  solve::MechanismSolver(values).solve(true, result);
   return result.reason;
 }
 

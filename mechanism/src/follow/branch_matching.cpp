@@ -34,34 +34,47 @@ class Matcher {
       : left_(left), right_(right), step_(right.parameter - left.parameter) {}
 
   BranchMatching run() {
-    pair_up();
-    drop_bent_pairs();
-    list_alone();
-    Table<PointIndex, double> bends(left_.count(), 0.0);
-    for (const PointIndex one : left_.points.keys()) {
-      if (!result_.to_right[one].exists()) {
-        continue;
+    result_.to_right.assign(left_.count(), PointIndex());
+    if (stay_apart()) {
+      for (const PointIndex point : left_.points.keys()) {
+        result_.to_right[point] = point;
       }
-      bends[one] = bend(one);
-      if (is_turned(one)) {
-        result_.turned.push_back(one);
-      }
-      for (const PointIndex other : left_.points.keys()) {
-        if (!(other < one) || !result_.to_right[other].exists()) {
-          continue;
-        }
-        const double limit = bends[one] + bends[other];
-        if (!is_far(one, other, limit) && !(clearance(one, other) > limit)) {
-          result_.touching.push_back({other, one});
-        }
-      }
+    } else {
+      pair_up();
+      drop_bent_pairs();
+      list_alone();
+      list_touching();
     }
+    list_turned();
     return std::move(result_);
   }
 
  private:
+  /// Whether every point's match is that of the same number, and no two come near: the points are
+  /// so far apart that the others need not be looked at. Let every point go as far as r at most and
+  /// bend by b. Then h times a slope is r + b at most, the defect of any other pair is the least
+  /// distance of two points less 2 r + b at least, and the cubics stay as far apart as `is_far`
+  /// asks for where that distance exceeds 3 (r + b).
+  [[nodiscard]] bool stay_apart() const {
+    if (left_.count() != right_.count()) {
+      return false;
+    }
+    double reach = 0;
+    double most_bent = 0;
+    for (const PointIndex point : left_.points.keys()) {
+      const ConfigurationPoint& from = left_.points[point];
+      const ConfigurationPoint& to = right_.points[point];
+      const double bent = bend(from, to);
+      if (!(bent <= longest_bend)) {
+        return false;
+      }
+      most_bent = std::max(most_bent, bent);
+      reach = std::max(reach, (to.at - from.at).norm());
+    }
+    return left_.closest > 3 * (reach + most_bent);
+  }
+
   void pair_up() {
-    result_.to_right.assign(left_.count(), PointIndex());
     if (left_.count() == 0 || right_.count() == 0) {
       return;
     }
@@ -105,6 +118,33 @@ class Matcher {
     for (const PointIndex point : right_.points.keys()) {
       if (!taken[point]) {
         result_.right_alone.push_back(point);
+      }
+    }
+  }
+
+  void list_touching() {
+    Table<PointIndex, double> bends(left_.count(), 0.0);
+    for (const PointIndex one : left_.points.keys()) {
+      if (!result_.to_right[one].exists()) {
+        continue;
+      }
+      bends[one] = bend(one);
+      for (const PointIndex other : left_.points.keys()) {
+        if (!(other < one) || !result_.to_right[other].exists()) {
+          continue;
+        }
+        const double limit = bends[one] + bends[other];
+        if (!is_far(one, other, limit) && !(clearance(one, other) > limit)) {
+          result_.touching.push_back({other, one});
+        }
+      }
+    }
+  }
+
+  void list_turned() {
+    for (const PointIndex point : left_.points.keys()) {
+      if (result_.to_right[point].exists() && is_turned(point)) {
+        result_.turned.push_back(point);
       }
     }
   }

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace assur::mechanism::follow {
 
 namespace {
 
 /// Two configurations this close are not told apart safely: each is known to rounding / distance.
-constexpr double closest = 5e-7;
+constexpr double inseparable = 5e-7;
 /// A near-singular configuration that moves faster with the parameter than this stands on an event.
 constexpr double steepest = 1e6;
 
@@ -34,29 +35,34 @@ double length_of(const Mechanism& mechanism, const Values& values) {
   return longest > 0 ? longest : largest > 0 ? largest : 1;
 }
 
-bool is_separable(const Snapshot& snapshot) {
-  if (snapshot.solution.status == SolutionStatus::degenerate) {
-    return false;
-  }
-  for (const PointIndex one : snapshot.points.keys()) {
-    const Eigen::VectorXd& slope = snapshot.points[one].slope;
-    const bool suspect = snapshot.configuration(one).regularity != Status::ok;
+/// Whether the configurations are known to be on branches of their own, but for their distances.
+bool is_regular(const Snapshot& snapshot) {
+  for (const PointIndex point : snapshot.points.keys()) {
+    const Eigen::VectorXd& slope = snapshot.points[point].slope;
+    const bool suspect = snapshot.configuration(point).regularity != Status::ok;
     if (!slope.allFinite() || (suspect && slope.norm() > steepest)) {
       return false;
     }
-    for (const PointIndex other : snapshot.points.keys()) {
-      if (other < one && (snapshot.points[one].at - snapshot.points[other].at).norm() < closest) {
-        return false;
+  }
+  return snapshot.solution.status != SolutionStatus::degenerate;
+}
+
+double least_distance(const Table<PointIndex, ConfigurationPoint>& points) {
+  double square = std::numeric_limits<double>::infinity();
+  for (const PointIndex one : points.keys()) {
+    for (const PointIndex other : points.keys()) {
+      if (other < one) {
+        square = std::min(square, (points[one].at - points[other].at).squaredNorm());
       }
     }
   }
-  return true;
+  return std::sqrt(square);
 }
 
 }  // namespace
 
 SnapshotSolver::SnapshotSolver(const Plan& plan, const Values& values)
-    : plan_(plan), values_(values) {
+    : plan_(plan), values_(values), solver_(values_) {
   const std::vector<ParameterIndex>& columns = values_.columns();
   column_ = std::find(columns.begin(), columns.end(), sweep().parameter) - columns.begin();
   from_ = values_.value_of(sweep().from);
@@ -69,17 +75,25 @@ const Values& SnapshotSolver::values_at(double parameter) {
   return values_;
 }
 
+std::unique_ptr<Snapshot> SnapshotSolver::spare() const {
+  if (spares_->empty()) {
+    return std::make_unique<Snapshot>();
+  }
+  std::unique_ptr<Snapshot> snapshot = std::move(spares_->back());
+  spares_->pop_back();
+  return snapshot;
+}
+
 SnapshotPointer SnapshotSolver::at_step(double parameter) {
   const Values& values = values_at(parameter);
-  Snapshot snapshot{parameter, values.spread(), {}, {}, {}, true};
-  for (const GroupIndex group : plan_.structure().groups.keys()) {
-    snapshot.roles.add(values.group(group).roles);
+  std::unique_ptr<Snapshot> snapshot = spare();
+  snapshot->parameter = parameter;
+  snapshot->spread = values.spread();
+  snapshot->roles.resize(plan_.structure().groups.size());
+  for (const GroupIndex group : snapshot->roles.keys()) {
+    snapshot->roles[group] = values.group(group).roles;
   }
-  if (!spares_->empty()) {
-    snapshot.solution = std::move(spares_->back());
-    spares_->pop_back();
-  }
-  plan_.solve(values, snapshot.solution);
+  solver_.solve(false, snapshot->solution);
   return completed(std::move(snapshot));
 }
 
@@ -88,39 +102,39 @@ SnapshotPointer SnapshotSolver::at(double parameter) {
     return at_step(parameter);
   } catch (const MechanismError& error) {
     // Between steps a formula may have no value.
-    Snapshot snapshot{parameter, {}, {}, {}, {}, true};
-    snapshot.solution.status = SolutionStatus::degenerate;
-    snapshot.solution.reason = error.what();
+    auto snapshot = std::make_unique<Snapshot>();
+    snapshot->parameter = parameter;
+    snapshot->solution.status = SolutionStatus::degenerate;
+    snapshot->solution.reason = error.what();
     return completed(std::move(snapshot));
   }
 }
 
-SnapshotPointer SnapshotSolver::completed(Snapshot snapshot) const {
-  snapshot.points.reserve(snapshot.solution.configurations.size());
-  for (const Configuration& configuration : snapshot.solution.configurations) {
-    snapshot.points.add(point_of_space(configuration));
+SnapshotPointer SnapshotSolver::completed(std::unique_ptr<Snapshot> snapshot) const {
+  snapshot->points.resize(snapshot->solution.configurations.size());
+  for (const PointIndex point : snapshot->points.keys()) {
+    set_point(snapshot->configuration(point), snapshot->points[point]);
   }
-  snapshot.separable = is_separable(snapshot);
-  return {new Snapshot(std::move(snapshot)), [spares = spares_](Snapshot* gone) {
-            spares->push_back(std::move(gone->solution));
-            delete gone;
-          }};
+  snapshot->closest = least_distance(snapshot->points);
+  snapshot->separable = is_regular(*snapshot) && snapshot->closest >= inseparable;
+  return {snapshot.release(), [spares = spares_](Snapshot* gone) { spares->emplace_back(gone); }};
 }
 
-ConfigurationPoint SnapshotSolver::point_of_space(const Configuration& configuration) const {
+void SnapshotSolver::set_point(const Configuration& configuration,
+                               ConfigurationPoint& point) const {
   const auto size = 4 * static_cast<Eigen::Index>(configuration.links.size());
-  ConfigurationPoint point{Eigen::VectorXd(size), Eigen::VectorXd(size)};
+  point.at.resize(size);
+  point.slope.resize(size);
   Eigen::Index row = 0;
   for (const Frame& link : configuration.links) {
     const Direction<double>& direction = link.pose.direction;
-    const Eigen::Vector3d slope = link.follows.first.col(column_);
+    const auto slope = link.follows.first.col(column_);
     point.at.segment<4>(row) << link.pose.x / length_, link.pose.y / length_, direction.cos,
         direction.sin;
     point.slope.segment<4>(row) << slope(0) / length_, slope(1) / length_,
         -slope(2) * direction.sin, slope(2) * direction.cos;
     row += 4;
   }
-  return point;
 }
 
 }  // namespace assur::mechanism::follow

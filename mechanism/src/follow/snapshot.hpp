@@ -5,6 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "solve/solver.hpp"
+
 namespace assur::mechanism::follow {
 
 /// One configuration as a point: (x / L, y / L, cos theta, sin theta) of every link, with L a
@@ -18,7 +20,7 @@ using PointIndex = Index<ConfigurationPoint>;
 
 /// Every configuration at one value of the swept parameter.
 struct Snapshot {
-  double parameter;
+  double parameter = 0;
   Spread spread;
   Solution solution;
   /// The roles that the links of every group played: determinants are compared where they agree.
@@ -26,6 +28,7 @@ struct Snapshot {
   Table<PointIndex, ConfigurationPoint> points;  ///< in the order of the solution's configurations
   /// Every configuration is known, regular and apart from all others, so that each can be followed.
   bool separable = true;
+  double closest = 0;  ///< least distance between two points; infinite where there are not two
 
   [[nodiscard]] std::size_t count() const { return points.size(); }
   [[nodiscard]] const Configuration& configuration(PointIndex point) const {
@@ -60,16 +63,18 @@ class SnapshotSolver {
   }
 
  private:
-  /// With its configurations' points, and whether these can be told apart.
-  [[nodiscard]] SnapshotPointer completed(Snapshot snapshot) const;
-  [[nodiscard]] ConfigurationPoint point_of_space(const Configuration& configuration) const;
+  using Spares = std::vector<std::unique_ptr<Snapshot>>;
 
-  using Spares = std::vector<Solution>;
+  /// One to be written: whatever it holds is of another value.
+  [[nodiscard]] std::unique_ptr<Snapshot> spare() const;
+  /// With its configurations' points, and whether these can be told apart.
+  [[nodiscard]] SnapshotPointer completed(std::unique_ptr<Snapshot> snapshot) const;
+  void set_point(const Configuration& configuration, ConfigurationPoint& point) const;
 
   const Plan& plan_;
   Values values_;
-  /// Solutions of snapshots that are gone, for the memory that they hold. Snapshots may outlive the
-  /// solver.
+  solve::MechanismSolver solver_;
+  /// Snapshots that nobody holds any more, for their memory. Snapshots may outlive the solver.
   std::shared_ptr<Spares> spares_ = std::make_shared<Spares>();
   Eigen::Index column_;  ///< of the derivatives to the swept parameter
   double from_ = 0;

@@ -4,18 +4,15 @@
 
 namespace assur::mechanism::solve {
 
-namespace {
-
-std::vector<double> order_key(const Configuration& configuration, const NamedParts& parts,
-                              std::vector<Direction<double>>& directions) {
-  directions.clear();
-  for (const LinkIndex link : parts.links) {
-    directions.push_back(configuration.links[link].pose.direction);
+void ConfigurationOrder::set_key(const Configuration& configuration, std::vector<double>& key) {
+  directions_.clear();
+  for (const LinkIndex link : parts_.links) {
+    directions_.push_back(configuration.links[link].pose.direction);
   }
-  std::vector<double> key(support::turning_key_size(directions.size()) + parts.slides.size());
-  support::turning_key(directions, key);
-  std::size_t place = support::turning_key_size(directions.size());
-  for (const NamedSlide& named : parts.slides) {
+  std::size_t place = support::turning_key_size(directions_.size());
+  key.assign(place + parts_.slides.size(), 0);
+  support::turning_key(directions_, key);
+  for (const NamedSlide& named : parts_.slides) {
     for (const SlideState& slide : configuration.slides) {
       if (slide.joint == named.joint) {
         key[place] = named.sense * slide.displacement;
@@ -23,23 +20,18 @@ std::vector<double> order_key(const Configuration& configuration, const NamedPar
     }
     ++place;
   }
-  return key;
 }
 
-}  // namespace
-
-void put_in_order(std::vector<Configuration>& configurations, const NamedParts& parts) {
+void ConfigurationOrder::sort(std::vector<Configuration>& configurations) {
   if (configurations.size() < 2) {
     return;
   }
-  std::vector<Direction<double>> directions;
-  std::vector<std::vector<double>> keys;
-  keys.reserve(configurations.size());
-  for (const Configuration& configuration : configurations) {
-    keys.push_back(order_key(configuration, parts, directions));
+  keys_.resize(configurations.size());
+  for (std::size_t index = 0; index < configurations.size(); ++index) {
+    set_key(configurations[index], keys_[index]);
   }
-  support::put_in_order(keys, static_cast<int>(configurations.size()),
-                        support::turning_key_size(parts.links.size()),
+  support::put_in_order(keys_, static_cast<int>(configurations.size()),
+                        support::turning_key_size(parts_.links.size()),
                         [&configurations](std::size_t one, std::size_t other) {
                           std::swap(configurations[one], configurations[other]);
                         });

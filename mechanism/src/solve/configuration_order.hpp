@@ -2,6 +2,7 @@
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
+#include <assur/model.hpp>
 #include <vector>
 
 namespace assur::mechanism::solve {
@@ -10,6 +11,19 @@ namespace assur::mechanism::solve {
 /// nor on the order in which its parts are listed: sums over all pairs of links that groups place
 /// of the cosines of the angles between them, which do not depend on reflection either. Equal sums
 /// fall back on sines, on the links' angles by name, and on displacements.
-void put_in_order(std::vector<Configuration>& configurations, const NamedParts& parts);
+class ConfigurationOrder {
+ public:
+  /// The parts must outlive the order.
+  explicit ConfigurationOrder(const NamedParts& parts) : parts_(parts) {}
+
+  void sort(std::vector<Configuration>& configurations);
+
+ private:
+  void set_key(const Configuration& configuration, std::vector<double>& key);
+
+  const NamedParts& parts_;
+  std::vector<std::vector<double>> keys_;  ///< room for them
+  std::vector<Direction<double>> directions_;
+};
 
 }  // namespace assur::mechanism::solve

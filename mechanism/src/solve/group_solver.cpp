@@ -1,7 +1,7 @@
 #include "group_solver.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "plan/plan_data.hpp"
@@ -36,12 +36,33 @@ void add_product(const models::SmallMatrix& a, const std::vector<values::Dimensi
   }
 }
 
+/// By elimination with the largest pivot of each column. Eigen's is made for large matrices.
+double determinant_of(models::SmallMatrix& matrix) {
+  double product = 1;
+  for (Eigen::Index column = 0; column < matrix.cols(); ++column) {
+    Eigen::Index pivot = column;
+    for (Eigen::Index row = column + 1; row < matrix.rows(); ++row) {
+      pivot = std::abs(matrix(row, column)) > std::abs(matrix(pivot, column)) ? row : pivot;
+    }
+    if (pivot != column) {
+      matrix.row(pivot).swap(matrix.row(column));
+      product = -product;
+    }
+    product *= matrix(column, column);
+    for (Eigen::Index row = column + 1; row < matrix.rows() && product != 0; ++row) {
+      const double factor = matrix(row, column) / matrix(column, column);
+      for (Eigen::Index k = column + 1; k < matrix.cols(); ++k) {
+        matrix(row, k) -= factor * matrix(column, k);
+      }
+    }
+  }
+  return product;
+}
+
 }  // namespace
 
 GroupSolver::GroupSolver(const Values& values, GroupIndex group)
-    : values_(values),
-      model_(*values.plan().structure.groups[group].model),
-      numbers_(values.numbers_of(group)) {
+    : values_(values), group_(group), model_(*values.plan().structure.groups[group].model) {
   const auto inputs = static_cast<Eigen::Index>(model_.input_count);
   const auto parameters = static_cast<Eigen::Index>(values.columns().size());
   of_u_.first.resize(inputs, parameters);
@@ -66,7 +87,7 @@ void GroupSolver::hold(const PlacedLinks& placed) {
     ++row;
   };
   query_.displaced = 0;
-  for (const values::HeldJoint& joint : numbers_.held) {
+  for (const values::HeldJoint& joint : numbers().held) {
     query_.displaced = std::max(query_.displaced, placed.displaced[joint.base]);
     const Frame& base = placed.links[joint.base];
     const Frame& feature = values_.frame(joint.feature);
@@ -91,11 +112,13 @@ void GroupSolver::hold(const PlacedLinks& placed) {
 }
 
 const models::GroupAssemblies& GroupSolver::assemble() {
-  model_.kernel->assemble(numbers_.d, u_, query_.displaced, found_);
+  model_.kernel->assemble(numbers().d, u_, query_.displaced, found_);
   return found_;
 }
 
-Status GroupSolver::gap(double& result) const { return model_.kernel->gap(numbers_.d, u_, result); }
+Status GroupSolver::gap(double& result) const {
+  return model_.kernel->gap(numbers().d, u_, result);
+}
 
 double GroupSolver::determinant() const {
   models::SmallMatrix inverse = motion_.inverse;
@@ -104,28 +127,28 @@ double GroupSolver::determinant() const {
       inverse.row(row) *= motion_.size;
     }
   }
-  return 1 / Eigen::PartialPivLU<models::SmallMatrix>(inverse).determinant();
+  return 1 / determinant_of(inverse);
 }
 
-bool GroupSolver::is_compatible() const { return model_.kernel->is_compatible(numbers_.d, u_); }
+bool GroupSolver::is_compatible() const { return model_.kernel->is_compatible(numbers().d, u_); }
 
 void GroupSolver::place(std::size_t configuration, std::size_t first_slide, PlacedLinks& placed) {
   const models::FlatVariables& q = found_.configurations[configuration];
-  model_.kernel->move(numbers_.d, u_, q, query_, motion_);
+  model_.kernel->move(numbers().d, u_, q, query_, motion_);
   follow();
   if (values_.second_order()) {
     follow_twice(q);
   }
   place_links(placed);
   place_slides(q, first_slide, placed);
-  const Precision precision = precision_of(model_, numbers_.d, u_, q, motion_);
+  const Precision precision = precision_of(model_, numbers().d, u_, q, motion_);
   if (precision.regularity != Status::ok) {
     placed.regularity = Status::near_singular;
   }
   placed.derivatives_known = placed.derivatives_known && precision.derivatives_known;
   placed.rates_known = placed.rates_known && precision.second_rates_known;
   placed.residual = std::max(placed.residual, motion_.residual);
-  for (const LinkIndex link : numbers_.links) {
+  for (const LinkIndex link : numbers().links) {
     placed.displaced[link] = motion_.displaced;
   }
 }
@@ -136,10 +159,10 @@ void GroupSolver::follow() {
   of_p_.first.setZero(3 * static_cast<Eigen::Index>(model_.group->link_count()),
                       of_u_.first.cols());
   if (query_.derivatives) {
-    add_product(motion_.q_d, numbers_.nonzero_of_d, of_q_.first);
+    add_product(motion_.q_d, numbers().nonzero_of_d, of_q_.first);
     add_product(motion_.q_u, of_u_.first, of_q_.first);
     add_product(motion_.p_q, of_q_.first, of_p_.first);
-    add_product(motion_.p_d, numbers_.nonzero_of_d, of_p_.first);
+    add_product(motion_.p_d, numbers().nonzero_of_d, of_p_.first);
     add_product(motion_.p_u, of_u_.first, of_p_.first);
   }
 }
@@ -155,7 +178,7 @@ void GroupSolver::follow_twice(const models::FlatVariables& q) {
   of_q_.second.assign(static_cast<std::size_t>(of_q_.first.rows()), blank);
   of_p_.second.assign(static_cast<std::size_t>(of_p_.first.rows()), blank);
   const auto& q_a = of_q_.first;
-  const auto& d_a = numbers_.of_d.first;
+  const auto& d_a = numbers().of_d.first;
   const auto& u_a = of_u_.first;
   if (!q_a.allFinite()) {
     return;
@@ -168,14 +191,14 @@ void GroupSolver::follow_twice(const models::FlatVariables& q) {
   };
   const auto curvature = [&](Eigen::Index i, double a, Eigen::Index j, double b) {
     models::Curvature result;
-    model_.kernel->bend(numbers_.d, u_, q, models::SmallVector(a * q_a.col(i) + b * q_a.col(j)),
+    model_.kernel->bend(numbers().d, u_, q, models::SmallVector(a * q_a.col(i) + b * q_a.col(j)),
                         models::SmallVector(a * d_a.col(i) + b * d_a.col(j)),
                         models::SmallVector(a * u_a.col(i) + b * u_a.col(j)), result);
     return result;
   };
   for (Eigen::Index i = 0; i < count; ++i) {
     for (Eigen::Index j = 0; j <= i; ++j) {
-      const models::SmallVector d_ab = numbers_.of_d.mixed(i, j);
+      const models::SmallVector d_ab = numbers().of_d.mixed(i, j);
       const models::SmallVector u_ab = of_u_.mixed(i, j);
       models::SmallVector q_ab = motion_.q_d * d_ab + motion_.q_u * u_ab;
       models::SmallVector p_ab = motion_.p_d * d_ab + motion_.p_u * u_ab;
@@ -204,7 +227,7 @@ void GroupSolver::follow_twice(const models::FlatVariables& q) {
 }
 
 void GroupSolver::place_links(PlacedLinks& placed) {
-  for (std::size_t link = 0; link < numbers_.links.size(); ++link) {
+  for (std::size_t link = 0; link < numbers().links.size(); ++link) {
     const auto row = static_cast<Eigen::Index>(link);
     frame_.pose = motion_.poses[link];
     frame_.velocity = motion_.velocities.row(row).transpose();
@@ -214,14 +237,14 @@ void GroupSolver::place_links(PlacedLinks& placed) {
       frame_.follows.second.assign(of_p_.second.begin() + 3 * row,
                                    of_p_.second.begin() + 3 * row + 3);
     }
-    compose(frame_, numbers_.own[link], placed.links[numbers_.links[link]]);
+    compose(frame_, numbers().own[link], placed.links[numbers().links[link]]);
   }
 }
 
 void GroupSolver::place_slides(const models::FlatVariables& q, std::size_t first_slide,
                                PlacedLinks& placed) const {
-  for (std::size_t index = 0; index < numbers_.slides.size(); ++index) {
-    const values::MeasuredSlide& measured = numbers_.slides[index];
+  for (std::size_t index = 0; index < numbers().slides.size(); ++index) {
+    const values::MeasuredSlide& measured = numbers().slides[index];
     const auto row = static_cast<Eigen::Index>(measured.unknown);
     std::size_t flat = 0;  // of a displacement among flat variables, where angles take two places
     for (int unknown = 0; unknown < measured.unknown; ++unknown) {

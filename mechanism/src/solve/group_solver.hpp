@@ -29,10 +29,11 @@ struct PlacedLinks {
   Table<GroupIndex, double> determinants;  ///< filled in for sweeps
 };
 
-/// The configurations of one group among placed neighbours.
+/// The configurations of one group among placed neighbours, wherever its values are set. What it
+/// holds memory for is as large at each of them.
 class GroupSolver {
  public:
-  /// The group must have a normal form.
+  /// The values must outlive the solver. It can be used where the group has a normal form.
   GroupSolver(const Values& values, GroupIndex group);
 
   /// Takes over where `placed` holds the group's external joints.
@@ -52,9 +53,10 @@ class GroupSolver {
   /// Of a degenerate model: whether its angles are compatible where it is held.
   [[nodiscard]] bool is_compatible() const;
 
-  [[nodiscard]] std::size_t slide_count() const { return numbers_.slides.size(); }
+  [[nodiscard]] bool has_normal_form() const { return values_.group(group_).roles != nullptr; }
 
  private:
+  [[nodiscard]] const Values::GroupNumbers& numbers() const { return values_.numbers_of(group_); }
   void follow();
   void follow_twice(const models::FlatVariables& q);
   void place_links(PlacedLinks& placed);
@@ -62,8 +64,8 @@ class GroupSolver {
                     PlacedLinks& placed) const;
 
   const Values& values_;
+  GroupIndex group_;
   const GroupModel& model_;
-  const Values::GroupNumbers& numbers_;
   models::FlatVariables u_{};
   values::ParameterDerivatives of_u_;  ///< how the inputs follow the parameters
   models::MotionQuery query_;

@@ -3,98 +3,118 @@
 #include <algorithm>
 #include <array>
 #include <assur/text/names.hpp>
+#include <cmath>
 #include <cstdio>
 #include <limits>
-#include <optional>
 
 #include "branch_motions.hpp"
 #include "configuration_order.hpp"
 #include "group_solver.hpp"
+#include "plan/plan_data.hpp"
 
 namespace assur::mechanism::solve {
 
-namespace {
-
 /// Walks depth first through the configurations of the groups: what is placed stays placed while
 /// the groups behind it are solved, and is overwritten by the next configuration.
-class MechanismSolver {
+class ConfigurationWalk {
  public:
-  MechanismSolver(const std::shared_ptr<const PlanData>& plan, const Values& values,
-                  bool measures_gap, Solution& result)
-      : plan_(plan),
-        structure_(plan->structure),
+  explicit ConfigurationWalk(const Values& values)
+      : plan_(values.shared_plan()),
+        structure_(plan_->structure),
         values_(values),
-        measures_gap_(measures_gap),
-        solution_(result) {
-    solution_.status = SolutionStatus::ok;
-    solution_.mobility = 0;
-    solution_.reason.clear();
-    solution_.families.clear();
+        order_(plan_->named_parts) {
+    const auto parameters = static_cast<Eigen::Index>(values.columns().size());
     placed_.links.resize(structure_.linkage.links.size());
+    placed_.links[structure_.linkage.ground] = Frame::identity(parameters, values.second_order());
     placed_.displaced.assign(structure_.linkage.links.size(), 0);
     placed_.groups.resize(structure_.groups.size());
     if (plan_->request.sweep) {
       placed_.determinants.resize(structure_.groups.size());
     }
+    std::size_t slides = 0;
+    for (const DrivenLink& link : structure_.driven) {
+      slides += structure_.linkage.joints[link.joint].prismatic ? 1 : 0;
+    }
     solvers_.reserve(structure_.groups.size());
     for (const GroupIndex group : structure_.groups.keys()) {
-      if (values.group(group).roles == nullptr) {
-        solvers_.add(std::nullopt);
-        continue;
-      }
-      solvers_.add(std::optional<GroupSolver>(std::in_place, values, group));
-    }
-  }
-
-  void run() {
-    place_driven_links();
-    std::size_t slides = placed_.slides.size();
-    for (const GroupIndex group : structure_.groups.keys()) {
+      solvers_.add(GroupSolver(values, group));
       first_slide_.add(slides);
-      slides += solvers_[group] ? solvers_[group]->slide_count() : 0;
+      for (const ModelUnknown& unknown : structure_.groups[group].model->unknowns) {
+        slides += unknown.is_angle ? 0 : 1;
+      }
     }
     placed_.slides.resize(slides);
+  }
+
+  void run(bool measures_gap, Solution& result) {
+    begin(measures_gap, result);
+    place_driven_links();
     descend(0);
-    solution_.configurations.resize(listed_);
+    solution_->configurations.resize(listed_);
     conclude();
   }
 
  private:
-  /// The ground, and what drivers move against placed links.
+  /// Whatever the last position was left in.
+  void begin(bool measures_gap, Solution& result) {
+    measures_gap_ = measures_gap;
+    solution_ = &result;
+    result.status = SolutionStatus::ok;
+    result.mobility = 0;
+    result.reason.clear();
+    result.families.clear();
+    placed_.regularity = Status::ok;
+    placed_.derivatives_known = true;
+    placed_.rates_known = true;
+    placed_.residual = 0;
+    listed_ = 0;
+    unreached_ = GroupIndex();
+    least_gap_ = std::numeric_limits<double>::infinity();
+  }
+
+  /// What drivers move against placed links.
   void place_driven_links() {
-    const auto parameters = static_cast<Eigen::Index>(values_.columns().size());
-    const Frame still = Frame::identity(parameters, values_.second_order());
-    placed_.links[structure_.linkage.ground] = still;
-    for (const DrivenLink& link : structure_.driven) {
+    std::size_t slide = 0;
+    for (std::size_t place = 0; place < structure_.driven.size(); ++place) {
+      const DrivenLink& link = structure_.driven[place];
       const Driver& driver = plan_->mechanism.drivers()[link.driver];
       const ElementaryJoint& at = structure_.linkage.joints[link.joint];
-      const double sense = at.first == link.from ? 1.0 : -1.0;
-      const Dual position = sense * values_.number(driver.position);
-      const double velocity = values_.number(driver.velocity).value();
-      const double acceleration = values_.number(driver.acceleration).value();
-      // The moved frame in that of the joint: turned about its origin, or slid along its x-axis.
-      const int moved = at.prismatic ? 0 : 2;
-      const Dual zero = values_.constant(0.0);
-      Frame motion =
-          Frame::at(at.prismatic ? Pose<Dual>{position, zero, {values_.constant(1.0), zero}}
-                                 : Pose<Dual>{zero, zero, {cos(position), sin(position)}});
-      motion.velocity(moved) = sense * velocity;
-      motion.acceleration(moved) = sense * acceleration;
-      const LinkFeature<Dual> far = values_.feature(at.on(link.to), at.prismatic);
-      const Frame back = Frame::at(inverse<Dual>(
-          {far.x, far.y, at.prismatic ? far.along : Direction<Dual>{values_.constant(1.0), zero}}));
-      placed_.links[link.to] = composed(
-          composed(composed(placed_.links[link.from], values_.frame(at.on(link.from))), motion),
-          back);
+      set_motion(driver, at.prismatic, at.first == link.from ? 1.0 : -1.0);
+      compose(placed_.links[link.from], values_.frame(at.on(link.from)), joint_);
+      compose(joint_, motion_, moved_);
+      compose(moved_, values_.driven_frame(place), placed_.links[link.to]);
       if (at.prismatic) {
-        SlideState slide{
-            at.joint, values_.number(driver.position).value(), velocity, acceleration, {}};
-        slide.follows.first = values_.number(driver.position).derivatives().transpose();
-        if (values_.second_order()) {
-          slide.follows.second = {values_.number(driver.position).hessian()};
-        }
-        placed_.slides.push_back(std::move(slide));
+        place_driven_slide(driver, at.joint, placed_.slides[slide++]);
       }
+    }
+  }
+
+  /// The moved frame in that of the joint: turned about its origin, or slid along its x-axis.
+  void set_motion(const Driver& driver, bool prismatic, double sense) {
+    const Dual& position = values_.number(driver.position);
+    const Eigen::Index moved = prismatic ? 0 : 2;
+    const double by = sense * position.value();
+    motion_.pose =
+        prismatic ? Pose<double>{by, 0, {1, 0}} : Pose<double>{0, 0, {std::cos(by), std::sin(by)}};
+    motion_.velocity(moved) = sense * values_.number(driver.velocity).value();
+    motion_.acceleration(moved) = sense * values_.number(driver.acceleration).value();
+    motion_.velocity(2 - moved) = motion_.acceleration(2 - moved) = 0;
+    motion_.follows.set_zero(position.derivatives().size(), values_.second_order());
+    motion_.follows.first.row(moved) = sense * position.derivatives().transpose();
+    if (values_.second_order()) {
+      motion_.follows.second[static_cast<std::size_t>(moved)] = sense * position.hessian();
+    }
+  }
+
+  void place_driven_slide(const Driver& driver, JointIndex joint, SlideState& slide) const {
+    const Dual& position = values_.number(driver.position);
+    slide.joint = joint;
+    slide.displacement = position.value();
+    slide.velocity = values_.number(driver.velocity).value();
+    slide.acceleration = values_.number(driver.acceleration).value();
+    slide.follows.first = position.derivatives().transpose();
+    if (values_.second_order()) {
+      slide.follows.second = {position.hessian()};
     }
   }
 
@@ -105,20 +125,20 @@ class MechanismSolver {
       return;
     }
     const GroupIndex group(depth);
-    std::optional<GroupSolver>& solver = solvers_[group];
+    GroupSolver& solver = solvers_[group];
     const GroupModel& model = *structure_.groups[group].model;
-    if (!solver) {
+    if (!solver.has_normal_form()) {
       add_family(group, 0, values_.group(group).obstacle, nothing_unplaced());
       return;
     }
-    solver->hold(placed_);
+    solver.hold(placed_);
     if (!model.rigid) {
-      const bool compatible = solver->is_compatible();
+      const bool compatible = solver.is_compatible();
       add_family(group, compatible ? model.mobility : 0, reason_of_model(group, compatible),
                  nothing_unplaced());
       return;
     }
-    const models::GroupAssemblies& found = solver->assemble();
+    const models::GroupAssemblies& found = solver.assemble();
     if (found.status == AssemblyStatus::not_finite) {
       throw MechanismError(
           "links", "the lengths differ by more powers of ten than double precision can hold");
@@ -140,10 +160,10 @@ class MechanismSolver {
       placed_.residual = residual;
       placed_.derivatives_known = derivatives_known;
       placed_.rates_known = rates_known;
-      placed_.groups[group] = {found.configurations[index], solver->displaced()};
-      solver->place(index, first_slide_[group], placed_);
+      placed_.groups[group] = {found.configurations[index], solver.displaced()};
+      solver.place(index, first_slide_[group], placed_);
       if (plan_->request.sweep) {
-        placed_.determinants[group] = solver->determinant();
+        placed_.determinants[group] = solver.determinant();
       }
       descend(depth + 1);
     }
@@ -162,7 +182,7 @@ class MechanismSolver {
                     placed_.links};
       place_what_holds(group, family.is_placed);
       if (!is_listed(family)) {
-        solution_.families.push_back(std::move(family));
+        solution_->families.push_back(std::move(family));
       }
       find_families(group.place() + 1, std::move(unplaced));
     }
@@ -171,7 +191,7 @@ class MechanismSolver {
 
   /// Marks the links of the groups that hold a group, and of those that hold these.
   void place_what_holds(GroupIndex group, Table<LinkIndex, bool>& is_placed) const {
-    if (!solvers_[group]) {
+    if (!solvers_[group].has_normal_form()) {
       return;
     }
     for (const values::HeldJoint& joint : values_.numbers_of(group).held) {
@@ -202,7 +222,7 @@ class MechanismSolver {
       }
       return family.group == other.group;
     };
-    return std::ranges::any_of(solution_.families, stands_as);
+    return std::ranges::any_of(solution_->families, stands_as);
   }
 
   /// Reports the groups from `depth` on that move, whatever becomes of the links left unplaced.
@@ -211,22 +231,22 @@ class MechanismSolver {
       return;
     }
     const GroupIndex group(depth);
-    std::optional<GroupSolver>& solver = solvers_[group];
-    const bool is_asked = solver && structure_.groups[group].model->rigid &&
+    GroupSolver& solver = solvers_[group];
+    const bool is_asked = solver.has_normal_form() && structure_.groups[group].model->rigid &&
                           !values_.numbers_of(group).is_held_by(unplaced);
     if (!is_asked) {
       leave_out(group, unplaced);
       find_families(depth + 1, std::move(unplaced));
       return;
     }
-    solver->hold(placed_);
-    const models::GroupAssemblies& found = solver->assemble();
+    solver.hold(placed_);
+    const models::GroupAssemblies& found = solver.assemble();
     if (found.mobility > 0 || found.status == AssemblyStatus::degenerate) {
       add_family(group, found.mobility, reason_of_freedom(group, found.mobility), unplaced);
     }
     for (std::size_t index = 0; index < found.count; ++index) {
-      placed_.groups[group] = {found.configurations[index], solver->displaced()};
-      solver->place(index, first_slide_[group], placed_);
+      placed_.groups[group] = {found.configurations[index], solver.displaced()};
+      solver.place(index, first_slide_[group], placed_);
       find_families(depth + 1, unplaced);
     }
   }
@@ -248,18 +268,18 @@ class MechanismSolver {
       return true;
     }
     const GroupIndex group(depth);
-    std::optional<GroupSolver>& solver = solvers_[group];
-    const bool is_asked = solver && structure_.groups[group].model->rigid &&
+    GroupSolver& solver = solvers_[group];
+    const bool is_asked = solver.has_normal_form() && structure_.groups[group].model->rigid &&
                           !values_.numbers_of(group).is_held_by(unplaced);
     if (!is_asked) {
       leave_out(group, unplaced);
       return rest_assembles(depth + 1, std::move(unplaced));
     }
-    solver->hold(placed_);
-    const models::GroupAssemblies& found = solver->assemble();
+    solver.hold(placed_);
+    const models::GroupAssemblies& found = solver.assemble();
     for (std::size_t index = 0; index < found.count; ++index) {
-      placed_.groups[group] = {found.configurations[index], solver->displaced()};
-      solver->place(index, first_slide_[group], placed_);
+      placed_.groups[group] = {found.configurations[index], solver.displaced()};
+      solver.place(index, first_slide_[group], placed_);
       if (rest_assembles(depth + 1, unplaced)) {
         return true;
       }
@@ -277,7 +297,7 @@ class MechanismSolver {
   /// Of the groups that cannot be assembled the one that fails by least is told.
   void measure_gap(GroupIndex group) {
     double gap = 0;
-    if (solvers_[group]->gap(gap) == Status::ok && gap < least_gap_) {
+    if (solvers_[group].gap(gap) == Status::ok && gap < least_gap_) {
       least_gap_ = gap;
       unreached_ = group;
     }
@@ -310,10 +330,10 @@ class MechanismSolver {
 
   /// A configuration in which everything is placed.
   void list() {
-    if (listed_ == solution_.configurations.size()) {
-      solution_.configurations.emplace_back();
+    if (listed_ == solution_->configurations.size()) {
+      solution_->configurations.emplace_back();
     }
-    Configuration& result = solution_.configurations[listed_++];
+    Configuration& result = solution_->configurations[listed_++];
     const Mechanism& mechanism = plan_->mechanism;
     result.links.resize(mechanism.links().size());
     for (const LinkIndex link : mechanism.links().keys()) {
@@ -343,51 +363,52 @@ class MechanismSolver {
   }
 
   void conclude() {
-    if (solution_.configurations.empty()) {
+    if (solution_->configurations.empty()) {
       conclude_without_configurations();
       return;
     }
-    put_in_order(solution_.configurations, plan_->named_parts);
+    order_.sort(solution_->configurations);
   }
 
   void conclude_without_configurations() {
-    if (solution_.families.empty()) {
-      solution_.status = SolutionStatus::no_assembly;
+    if (solution_->families.empty()) {
+      solution_->status = SolutionStatus::no_assembly;
       if (!unreached_.exists()) {
         return;
       }
       std::array<char, 32> gap{};
       (void)std::snprintf(gap.data(), gap.size(), "%.3g", least_gap_);
-      solution_.reason = "the joints " + text::listed(joint_names(unreached_, false)) +
-                         " fail to close by " + gap.data() + " at least";
+      solution_->reason = "the joints " + text::listed(joint_names(unreached_, false)) +
+                          " fail to close by " + gap.data() + " at least";
       return;
     }
-    solution_.status = SolutionStatus::degenerate;
+    solution_->status = SolutionStatus::degenerate;
     const auto freest = std::max_element(
-        solution_.families.begin(), solution_.families.end(),
+        solution_->families.begin(), solution_->families.end(),
         [](const Family& one, const Family& other) { return one.mobility < other.mobility; });
-    solution_.mobility = freest->mobility;
-    solution_.reason = freest->reason;
+    solution_->mobility = freest->mobility;
+    solution_->reason = freest->reason;
   }
 
-  const std::shared_ptr<const PlanData>& plan_;
+  std::shared_ptr<const PlanData> plan_;
   const Structure& structure_;
   const Values& values_;
-  bool measures_gap_;
-  Table<GroupIndex, std::optional<GroupSolver>> solvers_;
+  ConfigurationOrder order_;
+  Table<GroupIndex, GroupSolver> solvers_;
   Table<GroupIndex, std::size_t> first_slide_;
   PlacedLinks placed_;
-  Solution& solution_;
-  std::size_t listed_ = 0;  ///< configurations; those behind are of an earlier solution
+  Frame joint_, motion_, moved_;  ///< room for what drivers move
+  bool measures_gap_ = false;
+  Solution* solution_ = nullptr;  ///< that is being written
+  std::size_t listed_ = 0;        ///< configurations; those behind are of an earlier solution
   GroupIndex unreached_;
-  double least_gap_ = std::numeric_limits<double>::infinity();
+  double least_gap_ = 0;
 };
 
-}  // namespace
+MechanismSolver::MechanismSolver(const Values& values)
+    : walk_(std::make_unique<ConfigurationWalk>(values)) {}
+MechanismSolver::~MechanismSolver() = default;
 
-void solve(const std::shared_ptr<const PlanData>& plan, const Values& values, bool measure_gap,
-           Solution& result) {
-  MechanismSolver(plan, values, measure_gap, result).run();
-}
+void MechanismSolver::solve(bool measure_gap, Solution& result) { walk_->run(measure_gap, result); }
 
 }  // namespace assur::mechanism::solve

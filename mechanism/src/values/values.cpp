@@ -56,6 +56,7 @@ void Values::evaluate() {
   for (const FeatureIndex feature : order.features) {
     evaluate_feature(feature);
   }
+  evaluate_driven_frames();
   for (const GroupIndex group : groups_.keys()) {
     evaluate_group(group);
   }
@@ -111,6 +112,9 @@ void Values::evaluate_dependents(ParameterIndex parameter) {
   for (const FeatureIndex feature : dependents.features) {
     evaluate_feature(feature);
   }
+  if (!dependents.features.empty()) {
+    evaluate_driven_frames();
+  }
   for (const GroupIndex group : dependents.groups) {
     evaluate_group(group);
   }
@@ -135,12 +139,14 @@ Dual Values::constant(double value) const {
   return {value, Eigen::VectorXd::Zero(count), Eigen::MatrixXd::Zero(order, order)};
 }
 
-Dual Values::deviation(ParameterIndex parameter) const {
-  Dual zero = constant(0.0);
+Dual Values::independent(ParameterIndex parameter, double value) const {
   const Eigen::Index column = plan_->evaluation.column_of[parameter];
-  return column < 0
-             ? zero
-             : Dual(0.0, Eigen::VectorXd::Unit(zero.derivatives().size(), column), zero.hessian());
+  if (column < 0) {
+    return constant(value);
+  }
+  const auto count = static_cast<Eigen::Index>(columns().size());
+  const Eigen::Index order = second_order() ? count : 0;
+  return {value, Eigen::VectorXd::Unit(count, column), Eigen::MatrixXd::Zero(order, order)};
 }
 
 const std::vector<ParameterIndex>& Values::columns() const { return plan_->evaluation.columns; }
@@ -149,12 +155,12 @@ bool Values::second_order() const { return plan_->evaluation.second_order; }
 void Values::evaluate_parameter(ParameterIndex parameter) {
   for (const auto& [index, value] : replaced_) {
     if (index == parameter) {
-      parameters_[parameter] = constant(value) + deviation(parameter);
+      parameters_[parameter] = independent(parameter, value);
       return;
     }
   }
   parameters_[parameter] =
-      evaluated(plan_->mechanism.parameters()[parameter].value) + deviation(parameter);
+      evaluated(plan_->mechanism.parameters()[parameter].value) + independent(parameter, 0.0);
 }
 
 void Values::evaluate_number(NumberIndex number) { numbers_[number] = evaluated(number); }
@@ -208,6 +214,15 @@ void Values::evaluate_feature(FeatureIndex index) {
 
 LinkFeature<Dual> Values::feature(FeatureIndex feature, bool is_line) const {
   return feature.exists() ? features_[feature] : values::block_feature(*this, is_line);
+}
+
+void Values::evaluate_driven_frames() {
+  driven_frames_.clear();
+  for (const DrivenLink& link : plan_->structure.driven) {
+    const ElementaryJoint& at = plan_->structure.linkage.joints[link.joint];
+    const LinkFeature<Dual> on = feature(at.on(link.to), at.prismatic);
+    driven_frames_.push_back(Frame::at(inverse<Dual>({on.x, on.y, on.along})));
+  }
 }
 
 void Values::evaluate_group(GroupIndex group) {

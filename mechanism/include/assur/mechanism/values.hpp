@@ -53,6 +53,8 @@ class Values {
   [[nodiscard]] const Frame& frame(FeatureIndex feature) const {
     return feature.exists() ? frames_[feature] : block_;
   }
+  /// Of a driven link, by its place among them: its own frame, in that of the driven joint on it.
+  [[nodiscard]] const Frame& driven_frame(std::size_t place) const { return driven_frames_[place]; }
   [[nodiscard]] const GroupGeometry<Dual>& group(GroupIndex group) const { return groups_[group]; }
   [[nodiscard]] SlideMeasure<Dual> slide_measure(GroupIndex group, int model_joint) const;
 
@@ -63,6 +65,7 @@ class Values {
   [[nodiscard]] bool second_order() const;
   [[nodiscard]] const Spread& spread() const { return spread_; }
   [[nodiscard]] const PlanData& plan() const { return *plan_; }
+  [[nodiscard]] const std::shared_ptr<const PlanData>& shared_plan() const { return plan_; }
   /// A number that does not depend on the parameters.
   [[nodiscard]] Dual constant(double value) const;
 
@@ -73,11 +76,12 @@ class Values {
   void evaluate_parameter(ParameterIndex parameter);
   void evaluate_number(NumberIndex number);
   void evaluate_feature(FeatureIndex feature);
+  void evaluate_driven_frames();
   void evaluate_group(GroupIndex group);
   void evaluate_requests();
   [[nodiscard]] Dual evaluated(NumberIndex number) const;
-  /// A parameter's deviation from its formula: zero, with its own derivative one.
-  [[nodiscard]] Dual deviation(ParameterIndex parameter) const;
+  /// A parameter's value, or its deviation from its formula, with its own derivative one.
+  [[nodiscard]] Dual independent(ParameterIndex parameter, double value) const;
 
   std::shared_ptr<const PlanData> plan_;
   std::vector<std::pair<ParameterIndex, double>> replaced_;
@@ -88,6 +92,7 @@ class Values {
   Table<FeatureIndex, LinkFeature<Dual>> features_;
   Table<FeatureIndex, Frame> frames_;
   Frame block_;
+  std::vector<Frame> driven_frames_;
   Table<GroupIndex, GroupGeometry<Dual>> groups_;
   Spread spread_;
   bool usable_ = true;
