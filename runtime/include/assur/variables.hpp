@@ -48,6 +48,18 @@ template <typename Variables>
   return largest;
 }
 
+/// The sum of the squares of the lengths and coordinates among variables.
+template <typename Scalar, typename Variables>
+[[nodiscard]] Scalar square_of_lengths(const Variables& variables) {
+  Scalar sum(0);
+  for_each_member(variables, [&sum](const auto& member, std::size_t) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(member)>, Scalar>) {
+      sum = sum + member * member;
+    }
+  });
+  return sum;
+}
+
 /// Whether no entry is NaN or infinite.
 template <typename Scalar, int Count>
 [[nodiscard]] bool is_finite(const Vector<Scalar, Count>& vector) {

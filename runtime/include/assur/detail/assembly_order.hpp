@@ -10,6 +10,7 @@
 #include <assur/numeric/pair.hpp>
 #include <assur/support/scale.hpp>
 #include <assur/variables.hpp>
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -24,12 +25,11 @@ template <typename Model>
 inline constexpr bool comes_in_any_order<Model, std::void_t<decltype(Model::in_any_order)>> =
     Model::in_any_order;
 
-/// One of two configurations.
-template <typename Model, typename Scalar>
-[[nodiscard]] typename Model::template Configuration<double> lane_of(
-    const typename Model::template Configuration<Scalar>& q, std::size_t index) {
-  typename Model::template Configuration<double> result;
-  for_each_pair(result, q, [index](auto& target, const auto& source) {
+/// Of the variables of two groups or configurations, those of one.
+template <typename To, typename From>
+[[nodiscard]] To lane_of(const From& from, std::size_t index) {
+  To result;
+  for_each_pair(result, from, [index](auto& target, const auto& source) {
     target = numeric::lane(source, index);
   });
   return result;
@@ -46,38 +46,47 @@ template <typename Model>
   return result;
 }
 
-/// Whether the first of two configurations comes before the second, by the cosines, then the sines,
-/// of the angles between each two links; then by the lengths among the unknowns, in the unit given.
-/// The cosines do not change under rigid motion and reflection.
-template <typename Model>
-[[nodiscard]] bool comes_before(const typename Model::template Dimensions<numeric::Pair>& d,
-                                const typename Model::template Inputs<numeric::Pair>& u,
-                                const typename Model::template Configuration<numeric::Pair>& q,
-                                double unit) {
+/// Calls `use` with what puts two configurations in order, its place from 0 and whether it is a
+/// length: the cosines, then the sines, of the angles between each two links; then the lengths
+/// among the unknowns. The cosines do not change under rigid motion and reflection.
+template <typename Model, typename Use>
+void for_each_key(const typename Model::template Dimensions<numeric::Pair>& d,
+                  const typename Model::template Inputs<numeric::Pair>& u,
+                  const typename Model::template Configuration<numeric::Pair>& q, Use use) {
   using numeric::Pair;
   using Link = Pose<Pair>;
   Poses<Pair, Model::link_count> links;
   Model::link_poses(d, u, q, links);
-  int order = 0;
-  const auto compare = [&order](const Pair& entry, double one) {
-    if (order == 0) {
-      order = numeric::order_of(entry[0], entry[1], one);
-    }
-  };
-  const auto compare_links = [&](auto entry_of) {
+  int place = 0;
+  const auto use_links = [&](auto key_of) {
     visit(links, [&](const Link& one, std::size_t first) {
       visit(links, [&](const Link& other, std::size_t second) {
         if (first < second) {
-          compare(entry_of(one.direction, other.direction), 1);
+          use(key_of(one.direction, other.direction), place++, false);
         }
       });
     });
   };
-  compare_links([](const auto& a, const auto& b) { return a.cos * b.cos + a.sin * b.sin; });
-  compare_links([](const auto& a, const auto& b) { return a.cos * b.sin - a.sin * b.cos; });
-  for_each_member(q, [&compare, unit](const auto& member, std::size_t) {
+  use_links([](const auto& a, const auto& b) { return a.cos * b.cos + a.sin * b.sin; });
+  use_links([](const auto& a, const auto& b) { return a.cos * b.sin - a.sin * b.cos; });
+  for_each_member(q, [&](const auto& member, std::size_t) {
     if constexpr (std::is_same_v<std::decay_t<decltype(member)>, Pair>) {
-      compare(member, unit);
+      use(member, place++, true);
+    }
+  });
+}
+
+/// Whether the first of two configurations comes before the second. `square` is that of the unit of
+/// lengths. They do not differ in what comes before the key at `from`.
+template <typename Model>
+[[nodiscard]] bool comes_before(const typename Model::template Dimensions<numeric::Pair>& d,
+                                const typename Model::template Inputs<numeric::Pair>& u,
+                                const typename Model::template Configuration<numeric::Pair>& q,
+                                double square, int from = 0) {
+  int order = 0;
+  for_each_key<Model>(d, u, q, [&](const numeric::Pair& key, int place, bool is_length) {
+    if (order == 0 && place >= from) {
+      order = numeric::order_of(key[0], key[1], is_length ? std::sqrt(square) : 1);
     }
   });
   return order < 0;

@@ -10,11 +10,17 @@
 
 namespace assur::detail {
 
+/// The first unknown of a model's final polynomial.
+template <typename Model, typename Configuration>
+[[nodiscard]] auto& first_of(Configuration& q) {
+  return std::get<size(Model::first_unknown)>(q.members());
+}
+
 /// The unknowns that follow where those of the reduced equations are known. False where what should
 /// be a direction is none: between ends that coincide a bar has no direction, whatever its length.
 /// What is not finite is left to those who close it.
 template <typename Model, typename Scalar>
-[[nodiscard]] bool complete_rest(const typename Model::template Dimensions<Scalar>& d,
+[[nodiscard]] auto complete_rest(const typename Model::template Dimensions<Scalar>& d,
                                  const typename Model::template Inputs<Scalar>& u,
                                  typename Model::template Configuration<Scalar>& q) {
   Model::complete(d, u, q);
@@ -23,7 +29,9 @@ template <typename Model, typename Scalar>
     if constexpr (!std::is_same_v<std::decay_t<decltype(member)>, Scalar>) {
       const Scalar off = member.cos * member.cos + member.sin * member.sin - Scalar(1);
       miss = miss + off * off;
-      member = normalised(member);
+      // Back to the unit circle, to first order, as `normalised` does it.
+      const Scalar scale = Scalar(1) - Scalar(0.5) * off;
+      member = {member.cos * scale, member.sin * scale};
     }
   });
   return miss < Scalar(0.01);
@@ -51,7 +59,7 @@ template <typename Model>
 /// The same where the two reduced equations tell the second unknown well: what comes of it must be
 /// seen to close.
 template <typename Model, typename Scalar>
-[[nodiscard]] bool complete_simple(const typename Model::template Dimensions<Scalar>& d,
+[[nodiscard]] auto complete_simple(const typename Model::template Dimensions<Scalar>& d,
                                    const typename Model::template Inputs<Scalar>& u,
                                    typename Model::template Configuration<Scalar>& q) {
   if constexpr (Model::second_unknown >= 0) {

@@ -67,23 +67,20 @@ class GeneralSearch {
     Configuration& q = entry(result_.configurations, result_.count);
     Status& regularity = entry(result_.regularity, result_.count);
     regularity = Status::no_convergence;
-    first_of(q) = first;
+    first_of<Model>(q) = first;
     if (complete_simple<Model, double>(d_, u_, q)) {
-      regularity =
-          is_settled<Model, double>(d_, u_, q, longest) ? Status::ok : polish<Model>(d_, u_, q);
+      const bool settled = closes<Model, double>(d_, u_, q, longest * longest) &&
+                           is_regular<Model, double>(d_, u_, q);
+      regularity = settled ? Status::ok : polish<Model>(d_, u_, q);
     }
     if (regularity == Status::no_convergence) {
-      first_of(q) = first;
+      first_of<Model>(q) = first;
       if (complete<Model>(d_, u_, q)) {
         regularity = polish<Model>(d_, u_, q);
       }
     }
     result_.count += regularity != Status::no_convergence ? 1 : 0;
     return regularity != Status::no_convergence;
-  }
-
-  [[nodiscard]] static auto& first_of(Configuration& q) {
-    return std::get<size(Model::first_unknown)>(q.members());
   }
 
   const Dimensions& d_;

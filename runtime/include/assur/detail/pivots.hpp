@@ -82,12 +82,12 @@ template <typename Model, typename Scalar>
     core = core * (pivots.values(index) * pivots.values(index));
     lost = lost * pivots.sizes(index);
   }
-  bool regular = lost < core;
+  auto regular = lost < core;
   for (int index = Model::core_pivot_count; index < Model::pivot_count; ++index) {
-    regular &= lost * (pivots.sizes(index) * pivots.sizes(index)) <
-               core * (pivots.values(index) * pivots.values(index));
+    regular = regular & (lost * (pivots.sizes(index) * pivots.sizes(index)) <
+                         core * (pivots.values(index) * pivots.values(index)));
   }
-  return regular;
+  return static_cast<bool>(regular);
 }
 
 /// The sign of det J; zero only where a pivot vanishes.

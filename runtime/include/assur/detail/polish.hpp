@@ -16,12 +16,12 @@
 
 namespace assur::detail {
 
-/// Whether the closures hold as they are to a few roundings, where the longest of the given lengths
-/// is so long.
+/// Whether the closures hold as they are to a few roundings, where the square of the longest of the
+/// given lengths is so much.
 template <typename Model, typename Scalar>
-[[nodiscard]] bool closes(const typename Model::template Dimensions<Scalar>& d,
+[[nodiscard]] auto closes(const typename Model::template Dimensions<Scalar>& d,
                           const typename Model::template Inputs<Scalar>& u,
-                          const typename Model::template Configuration<Scalar>& q, double longest) {
+                          const typename Model::template Configuration<Scalar>& q, double square) {
   constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
   constexpr double farthest = farthest_configuration * farthest_configuration;
   Vector<Scalar, Model::equation_count> f;
@@ -30,29 +30,22 @@ template <typename Model, typename Scalar>
   for (int index = 0; index < Model::equation_count; ++index) {
     miss = miss + f(index) * f(index);
   }
-  const double square = longest * longest;
-  Scalar size(square);
-  for_each_member(q, [&size](const auto& member, std::size_t) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(member)>, Scalar>) {
-      size = size + member * member;
-    }
-  });
-  return miss <= size * Scalar(rounding * rounding) && size < Scalar(farthest * square);
+  const auto lengths = square_of_lengths<Scalar>(q);
+  return (miss <= (Scalar(square) + lengths) * Scalar(rounding * rounding)) &
+         (lengths < Scalar(farthest * square));
 }
 
-/// Whether a configuration is regular and needs no polishing.
+/// Whether a configuration is regular.
 template <typename Model, typename Scalar>
-[[nodiscard]] bool is_settled(const typename Model::template Dimensions<Scalar>& d,
+[[nodiscard]] bool is_regular(const typename Model::template Dimensions<Scalar>& d,
                               const typename Model::template Inputs<Scalar>& u,
-                              const typename Model::template Configuration<Scalar>& q,
-                              double longest) {
-  return closes<Model, Scalar>(d, u, q, longest) &&
-         is_regular<Model>(pivots_at<Model, Scalar>(d, u, q), derivative_rounding<double>());
+                              const typename Model::template Configuration<Scalar>& q) {
+  return is_regular<Model>(pivots_at<Model, Scalar>(d, u, q), derivative_rounding<double>());
 }
 
 /// What polishing leaves of the closures where the longest number among them is so long.
 [[nodiscard]] inline double polished_rounding(double longest) {
-  return 16 * std::numeric_limits<double>::epsilon() * longest;
+  return 18 * std::numeric_limits<double>::epsilon() * longest;
 }
 
 /// A small step without trigonometric functions.

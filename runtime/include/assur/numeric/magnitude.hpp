@@ -42,10 +42,15 @@ struct Magnitude {
   friend Magnitude operator*(const Magnitude& a, const Magnitude& b) {
     return {a.size * b.size, a.size * b.units + a.units * b.size + a.size * b.size};
   }
-  /// By an exact number only: the constants of generated code.
+  /// By a constant of generated code; what else divides has no least size.
   friend Magnitude operator/(const Magnitude& a, const Magnitude& b) {
+    if (b.units > b.size) {
+      constexpr double none = std::numeric_limits<double>::infinity();
+      return {none, none};
+    }
     return {a.size / b.size, (a.units + a.size) / b.size};
   }
+  friend Magnitude abs(const Magnitude& a) { return a; }
 };
 
 }  // namespace assur::numeric

@@ -8,8 +8,17 @@
 
 namespace assur::numeric {
 
-/// Two numbers, for what is computed alike of both. A comparison holds where it holds for both, and
-/// not where one of them is no number.
+/// What holds or does not of each of two numbers; of both, as a bool.
+struct PairTruth {
+  typedef long long Both __attribute__((vector_size(2 * sizeof(long long))));
+  Both both;
+
+  explicit operator bool() const { return (both[0] & both[1]) != 0; }
+  friend PairTruth operator&(const PairTruth& a, const PairTruth& b) { return {a.both & b.both}; }
+};
+
+/// Two numbers, for what is computed alike of both. A comparison does not hold where one of them is
+/// no number.
 class Pair {
   typedef double Both __attribute__((vector_size(2 * sizeof(double))));
   Both both_{};
@@ -35,14 +44,14 @@ class Pair {
   }
   friend Pair abs(const Pair& a) { return max(a, -a); }
 
-  friend bool operator==(const Pair& a, const Pair& b) {
-    return (a.both_[0] == b.both_[0]) & (a.both_[1] == b.both_[1]);
+  friend PairTruth operator==(const Pair& a, const Pair& b) {
+    return {PairTruth::Both(a.both_ == b.both_)};
   }
-  friend bool operator<(const Pair& a, const Pair& b) {
-    return (a.both_[0] < b.both_[0]) & (a.both_[1] < b.both_[1]);
+  friend PairTruth operator<(const Pair& a, const Pair& b) {
+    return {PairTruth::Both(a.both_ < b.both_)};
   }
-  friend bool operator<=(const Pair& a, const Pair& b) {
-    return (a.both_[0] <= b.both_[0]) & (a.both_[1] <= b.both_[1]);
+  friend PairTruth operator<=(const Pair& a, const Pair& b) {
+    return {PairTruth::Both(a.both_ <= b.both_)};
   }
 };
 

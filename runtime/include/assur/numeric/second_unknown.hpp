@@ -143,7 +143,7 @@ template <typename Unknown, typename Scalar>
   if constexpr (std::is_same_v<Unknown, Direction<Scalar>>) {
     const Scalar inverse = Scalar(1) / determinant;
     return {(e(0, 1) * e(1, 2) - e(0, 2) * e(1, 1)) * inverse, second * inverse};
-  } else if (e(0, 0) == Scalar(0) && e(1, 0) == Scalar(0)) {
+  } else if (static_cast<bool>((e(0, 0) == Scalar(0)) & (e(1, 0) == Scalar(0)))) {
     return -(e(0, 1) * e(0, 2) + e(1, 1) * e(1, 2)) / (e(0, 1) * e(0, 1) + e(1, 1) * e(1, 1));
   } else {
     return second / determinant;

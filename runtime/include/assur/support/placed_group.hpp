@@ -74,6 +74,18 @@ struct PlacedGroup {
   Status regularity = Status::ok;
 };
 
+/// The regularity of a configuration where rounding has displaced what holds the group.
+template <typename Group, int Order, int Parameters>
+[[nodiscard, gnu::noinline]] Status regularity_among_displaced(
+    const HeldJoints<Group, Order, Parameters>& held,
+    const typename Group::template Configuration<double>& q, Status regularity) {
+  using Model = Specialised<Group>;
+  const typename Model::template Dimensions<double> d;
+  const Status among =
+      DisplacedGroup<Model>(d, held.u, held.displaced).regularity(d, held.u, q).status;
+  return among == Status::ok ? regularity : among;
+}
+
 /// Places a group's links in a configuration of known regularity. Where the Jacobian has no
 /// inverse, rates and gradients are NaN.
 template <typename Group, int Order, int Parameters>
@@ -88,9 +100,7 @@ template <typename Group, int Order, int Parameters>
   placed.q = q;
   placed.regularity = regularity;
   if (held.displaced > 0) {
-    const Status among =
-        DisplacedGroup<Model>(d, held.u, held.displaced).regularity(d, held.u, q).status;
-    placed.regularity = among == Status::ok ? regularity : among;
+    placed.regularity = regularity_among_displaced(held, q, regularity);
   }
   const bool solvable = is_solvable(placed.regularity);
   Poses<double, links> poses;

@@ -107,7 +107,8 @@ struct GroupConfigurations<std::tuple<Group...>> {
 };
 
 /// The search of an emitted solver, depth first: where the groups before one are placed, each of
-/// its configurations places its links. `Keeps`: it remembers the configurations of the groups.
+/// its configurations places its links, over those of the one before. `Keeps`: it remembers the
+/// configurations of the groups.
 template <typename Solver, bool Keeps = false>
 class Search {
   using State = typename Solver::template State<double>;
@@ -155,7 +156,7 @@ class Search {
 
  private:
   template <std::size_t Place>
-  void descend(const Placed& placed) {
+  void descend(Placed& placed) {
     if constexpr (Place == std::tuple_size_v<Groups>) {
       const auto slot = static_cast<std::size_t>(solution_.count++);
       Own::list(placed, states_[slot]);
@@ -176,18 +177,16 @@ class Search {
         ++solution_.families;
         solution_.mobility = std::max(solution_.mobility, found.mobility);
       }
+      const Status before = placed.regularity;
       for (int index = 0; index < found.count; ++index) {
         const auto group = place_group(held, detail::entry(found.configurations, index),
                                        detail::entry(found.regularity, index));
-        Placed next = placed;
-        if (group.regularity != Status::ok) {
-          next.regularity = Status::near_singular;
-        }
-        Own::place(group, next);
+        placed.regularity = group.regularity == Status::ok ? before : Status::near_singular;
+        Own::place(group, placed);
         if constexpr (Keeps) {
           std::get<Place>(current_) = group.q;
         }
-        descend<Place + 1>(next);
+        descend<Place + 1>(placed);
         if (solution_.status != AssemblyStatus::ok) {
           return;
         }

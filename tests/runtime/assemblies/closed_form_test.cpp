@@ -1,0 +1,242 @@
+// Laws of what is certain of all groups of a model with at most two configurations, in
+// double-double: no discriminant is off by more than is said, no group is less regular, and no key
+// differs that is passed over.
+#include <assur/detail/closed_form.hpp>
+#include <assur/detail/pivots.hpp>
+#include <assur/numeric/double_double.hpp>
+#include <cmath>
+#include <iostream>
+
+#include "largest.hpp"
+#include "runtime/exact.hpp"
+#include "runtime/model_types.hpp"
+
+namespace assur::test::closed_form_test {
+namespace {
+
+using numeric::DoubleDouble;
+using numeric::Pair;
+
+constexpr unsigned seed = 57722;
+
+template <typename Model>
+struct Group {
+  typename Model::template Dimensions<double> d;
+  typename Model::template Inputs<double> u;
+
+  [[nodiscard]] double square() const {
+    return square_of_lengths<double>(d) + square_of_lengths<double>(u);
+  }
+  [[nodiscard]] detail::FinalPolynomial<Model, double> polynomial() const {
+    detail::FinalPolynomial<Model, double> T;
+    Model::position_polynomial(d, u, T);
+    return T;
+  }
+};
+
+/// A length is an integer from -3 to 3, a direction a multiple of 90 degrees or of a Pythagorean
+/// triangle.
+struct Lattice {
+  RandomInputs random;
+
+  void fill(double& length) { length = random.integer(-3, 3); }
+  void fill(Direction<double>& direction) {
+    constexpr std::array<Direction<double>, 4> corners = {
+        {{1, 0}, {0.6, 0.8}, {5.0 / 13, 12.0 / 13}, {0.28, 0.96}}};
+    direction = corners[static_cast<std::size_t>(random.integer(0, 3))];
+    for (int turns = random.integer(0, 3); turns > 0; --turns) {
+      direction = {-direction.sin, direction.cos};
+    }
+  }
+};
+
+template <typename Model, typename Filler>
+Group<Model> filled_by(Filler& filler) {
+  Group<Model> group;
+  const auto fill = [&filler](auto& member, std::size_t) { filler.fill(member); };
+  for_each_member(group.d, fill);
+  for_each_member(group.u, fill);
+  return group;
+}
+
+/// Between a group that can be assembled and one that cannot: as near to the end of the first's
+/// configurations as its discriminant is `part` of what vouches for a regular group.
+template <typename Model>
+bool bring_near_end(Group<Model>& group, const Group<Model>& other, double part) {
+  const auto& form = detail::closed_form<Model>;
+  const auto over = [&](const Group<Model>& at) {
+    return detail::discriminants_of(at.polynomial()).discriminant * form.regularity / part -
+           form.discriminant.power(at.square());
+  };
+  const auto between = [&](double way) {
+    Group<Model> result = group;
+    for_each_pair(result.u, other.u, [way](auto& target, const auto& source) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(target)>, double>) {
+        target += way * (source - target);
+      }
+    });
+    return result;
+  };
+  double low = 0;
+  double high = 1;
+  if (!(over(between(low)) > 0 && over(between(high)) < 0)) {
+    return false;
+  }
+  for (int halving = 0; halving < 60; ++halving) {
+    const double middle = (low + high) / 2;
+    (over(between(middle)) > 0 ? low : high) = middle;
+  }
+  group = between(low);
+  return true;
+}
+
+/// The variables in double-double, moved by less than the few roundings that are taken for granted.
+template <typename To, typename From>
+To moved(const From& from, double length, RandomInputs& random) {
+  const double most = numeric::Magnitude::given_rounding();
+  const auto by = [&random, most](double size) {
+    return DoubleDouble(size) * DoubleDouble(random.between(-most, most));
+  };
+  To result;
+  for_each_pair(result, from, [&](auto& target, const auto& source) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(source)>, double>) {
+      target = DoubleDouble(source) + by(length);
+    } else {
+      target = {DoubleDouble(source.cos) + by(1), DoubleDouble(source.sin) + by(1)};
+    }
+  });
+  return result;
+}
+
+/// The configurations of a group whose first unknown is an angle, and how regular they are, without
+/// any of the search's own functions but the formula.
+template <typename Model>
+double least_margin(const Group<Model>& group) {
+  using Scalar = DoubleDouble;
+  const auto d = support::scaled_to<typename Model::template Dimensions<Scalar>>(group.d, 1.0);
+  const auto u = support::scaled_to<typename Model::template Inputs<Scalar>>(group.u, 1.0);
+  TrigonometricPolynomial<Scalar, 1> T;
+  Model::position_polynomial(d, u, T);
+  const auto found = detail::discriminants_of(T);
+  const Scalar root = sqrt(found.discriminant);
+  double least = 1;
+  for (const Scalar& reach : {root, -root}) {
+    typename Model::template Configuration<Scalar> q;
+    detail::first_of<Model>(q) = {
+        (-(T.cosine[0] * T.cosine[1]) - reach * T.sine[1]) / found.leading,
+        (reach * T.cosine[1] - T.cosine[0] * T.sine[1]) / found.leading};
+    Model::complete(d, u, q);
+    const auto regularity = detail::regularity_of(detail::pivots_at<Model, Scalar>(d, u, q),
+                                                  detail::derivative_rounding<Scalar>());
+    least = std::min(least, static_cast<double>(regularity.margin));
+  }
+  return least;
+}
+
+struct Largest {
+  double error = 0;  ///< of the discriminant, in parts of what is said
+  double lost = 0;   ///< what a group loses at most, in parts of what a regular one may
+  double key = 0;    ///< difference of keys that are passed over
+  int regular = 0;   ///< groups
+};
+
+template <typename Model>
+void examine(const Group<Model>& group, RandomInputs& random, Largest& largest_of) {
+  using Certified = detail::Discriminants<DoubleDouble>;
+  const auto& form = detail::closed_form<Model>;
+  const double square = group.square();
+  if (!(square > 0)) {
+    return;
+  }
+  const auto T = group.polynomial();
+  const auto found = detail::discriminants_of(T);
+  detail::FinalPolynomial<Model, DoubleDouble> exact_T;
+  Model::position_polynomial(
+      moved<typename Model::template Dimensions<DoubleDouble>>(group.d, std::sqrt(square), random),
+      moved<typename Model::template Inputs<DoubleDouble>>(group.u, std::sqrt(square), random),
+      exact_T);
+  const Certified exact = detail::discriminants_of(exact_T);
+  const auto part = [square](double value, const DoubleDouble& truth,
+                             const detail::Certainty& certainty) {
+    return std::abs(static_cast<double>(DoubleDouble(value) - truth)) * certainty.firmness /
+           certainty.power(square);
+  };
+  largest_of.error =
+      largest(largest_of.error, part(found.discriminant, exact.discriminant, form.discriminant));
+  largest_of.error = largest(largest_of.error, part(found.leading, exact.leading, form.leading));
+  if constexpr (Model::max_configurations == 2) {
+    const double power = form.discriminant.power(square);
+    if (found.discriminant * form.regularity > power) {
+      ++largest_of.regular;
+      if constexpr (detail::is_angle<Model>(Model::first_unknown)) {
+        largest_of.lost = largest(largest_of.lost, detail::derivative_rounding<double>() /
+                                                       (detail::six_digits * least_margin(group)));
+      }
+    }
+    if (found.discriminant * form.discriminant.firmness > 1e8 * power) {
+      const auto d = support::scaled_to<typename Model::template Dimensions<Pair>>(group.d, 1.0);
+      const auto u = support::scaled_to<typename Model::template Inputs<Pair>>(group.u, 1.0);
+      typename Model::template Configuration<Pair> q;
+      detail::first_of<Model>(q) = detail::roots_of(T, found);
+      if (static_cast<bool>(detail::complete_simple<Model, Pair>(d, u, q))) {
+        detail::for_each_key<Model>(d, u, q, [&](const Pair& key, int place, bool) {
+          if (place < form.first_key) {
+            largest_of.key = largest(largest_of.key, std::abs(key[0] - key[1]));
+          }
+        });
+      }
+    }
+  }
+}
+
+template <typename Model>
+class ClosedForm : public testing::Test {};
+TYPED_TEST_SUITE(ClosedForm, AllModels, ModelNames);
+
+TYPED_TEST(ClosedForm, HoldsOfAllGroups) {
+  using Model = TypeParam;
+  if constexpr (!Model::rigid) {
+    GTEST_SKIP() << "has no configurations";
+  } else if constexpr (!detail::has_closed_form<Model>) {
+    GTEST_SKIP() << "has more than two configurations";
+  } else {
+    constexpr int groups = 4000;
+    RandomInputs random(seed + static_cast<unsigned>(Model::number));
+    Lattice lattice{random};
+    Largest largest_of;
+    int near_end = 0;
+    for (int index = 0; index < groups; ++index) {
+      const auto group = filled_by<Model>(random);
+      examine(group, random, largest_of);
+      examine(filled_by<Model>(lattice), random, largest_of);
+      if (detail::closed_form<Model>.regularity > 0) {
+        Group<Model> there = group;
+        if (bring_near_end(there, filled_by<Model>(random), 1 + 1e-6)) {
+          ++near_end;
+          examine(there, random, largest_of);
+        }
+      }
+    }
+    std::cout << model_name<Model>() << ", seed " << seed << ": of the bound " << largest_of.error
+              << ", of what a regular group may lose " << largest_of.lost << " in "
+              << largest_of.regular << " groups, " << near_end << " of them near their end, keys "
+              << largest_of.key << '\n';
+    EXPECT_LT(largest_of.error, 1);
+    EXPECT_LT(largest_of.lost, 1);
+    EXPECT_LT(largest_of.key, 1e-6);
+    EXPECT_EQ(near_end > 200, detail::closed_form<Model>.regularity > 0);
+  }
+}
+
+TEST(ClosedFormReport, VouchesForTheDyads) {
+  // The determinants are these parts of the root of the discriminant in every textbook.
+  EXPECT_GT(detail::closed_form<dyad::Model01>.regularity, 0);
+  EXPECT_GT(detail::closed_form<dyad::Model02>.regularity, 0);
+  EXPECT_GT(detail::closed_form<dyad::Model03>.regularity, 0);
+  EXPECT_EQ(detail::closed_form<dyad::Model01>.first_key, 1);
+  EXPECT_EQ(detail::closed_form<dyad::Model02>.first_key, 0);
+  EXPECT_EQ(detail::closed_form<dyad::Model03>.first_key, 2);
+}
+
+}  // namespace
+}  // namespace assur::test::closed_form_test
