@@ -14,7 +14,7 @@ constexpr unsigned seed = 14142;
 
 template <typename Model>
 class Tracking : public testing::Test {
- protected:
+ public:
   using Configuration = typename Model::template Configuration<double>;
 
   struct Drive {
@@ -165,6 +165,11 @@ TEST(TrackingReport, IsGivenWhereABranchEnds) {
       const auto way = track<Model>(d, away, 0, 1, start);
       EXPECT_EQ(way.status, Status::no_convergence);
       EXPECT_LT(way.reached, 1);
+      // Within 0.2% of the way no configuration goes on where this one was heading.
+      auto q_there = way.point.q;
+      const Tracking<Model>::Drive on{d, away(way.reached).u, {0, 0, 100, 0}};
+      EXPECT_FALSE(Tracking<Model>::follow(on, 2e-3, q_there))
+          << "seed " << seed << ", group " << group << ", configuration " << index;
       ++ended;
     }
   }

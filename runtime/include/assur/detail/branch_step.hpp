@@ -48,13 +48,62 @@ void move_slightly(typename Model::template Configuration<double>& q,
 
 /// What a step may be for its end to be taken for the same branch.
 struct StepLimits {
-  double prediction = 0.4;   ///< of the way, radians
-  double correction = 0.2;   ///< the first, of the prediction, radians
-  double contraction = 0.3;  ///< of a correction to the one before
-  double defect = 0.03;      ///< of the way against both ends' derivatives, radians
-  double settled = 1e-7;     ///< the last correction; its square is left
-  double shortest = 2e-3;    ///< a step, as a part of the way asked for
+  double prediction = 0.4;       ///< of the way, radians
+  double correction = 0.2;       ///< the first, of the prediction, radians
+  double contraction = 0.3;      ///< of a correction to the one before
+  double defect = 0.03;          ///< of the way against both ends' derivatives, radians
+  double settled = 1e-7;         ///< the last correction; its square is left
+  double nearly_settled = 2e-5;  ///< a correction whose inverse does for the last, too
+  /// A step, as a part of the way asked for. The last step that is refused is at most two of these,
+  /// and a branch has ended within twice that step wherever it was measured: within 0.2%.
+  double shortest = 5e-4;
 };
+
+/// Moves a configuration as predicted and corrects it by Newton's steps; `way` is all that it has
+/// moved by then, `inverse` J^-1 before the last step. False where prediction or steps are too long
+/// to stay on a branch.
+template <typename Model>
+[[nodiscard, gnu::always_inline]] inline bool predict_and_correct(
+    const typename Model::template Dimensions<double>& d,
+    const typename Model::template Inputs<double>& u, double inverse_size,
+    const Vector<double, Model::unknown_count>& predicted,
+    typename Model::template Configuration<double>& q, Vector<double, Model::unknown_count>& way,
+    Matrix<double, Model::unknown_count, Model::equation_count>& inverse) {
+  constexpr StepLimits limits;
+  using Unknowns = Vector<double, Model::unknown_count>;
+  if (!(turn_of<Model>(predicted, inverse_size) < limits.prediction)) {
+    return false;
+  }
+  move_slightly<Model>(q, predicted);
+  way = predicted;
+  Vector<double, Model::equation_count> f;
+  for (double limit = limits.correction;;) {
+    Model::residual(d, u, q, f);
+    Model::inverse_jacobian(d, u, q, inverse);
+    const Unknowns step = -(inverse * f);
+    const double turn = turn_of<Model>(step, inverse_size);
+    if (!(turn <= std::max(limit, limits.settled))) {
+      return false;
+    }
+    move_slightly<Model>(q, step);
+    way += step;
+    if (turn <= limits.settled) {
+      return true;
+    }
+    limit = limits.contraction * turn;
+    if (turn <= limits.nearly_settled) {
+      // The same inverse once more leaves of what it finds as much as it has found of this step.
+      Model::residual(d, u, q, f);
+      const Unknowns rest = -(inverse * f);
+      const double found = turn_of<Model>(rest, inverse_size);
+      move_slightly<Model>(q, rest);
+      way += rest;
+      if (found * found <= limits.settled * limits.settled * turn) {
+        return true;
+      }
+    }
+  }
+}
 
 /// One step: predicted to second order, corrected by Newton's steps. False if anything speaks
 /// against the end being of the same branch.
@@ -62,34 +111,14 @@ template <typename Model>
 [[nodiscard]] bool step_along(const typename Model::template Dimensions<double>& d,
                               const InputMotion<Model>& inputs, double width, double inverse_size,
                               const BranchPoint<Model>& start, BranchPoint<Model>& end) {
-  constexpr StepLimits limits;
   using Unknowns = Vector<double, Model::unknown_count>;
   const Unknowns predicted =
       width * start.motion.velocity + width * width / 2 * start.motion.acceleration;
-  if (!(turn_of<Model>(predicted, inverse_size) < limits.prediction)) {
-    return false;
-  }
+  Unknowns way;
+  Matrix<double, Model::unknown_count, Model::equation_count> inverse;
   end.q = start.q;
-  move_slightly<Model>(end.q, predicted);
-  Unknowns way = predicted;
-  double previous = 0;
-  for (int correction = 0;; ++correction) {
-    Vector<double, Model::equation_count> f;
-    Matrix<double, Model::unknown_count, Model::equation_count> inverse;
-    Model::residual(d, inputs.u, end.q, f);
-    Model::inverse_jacobian(d, inputs.u, end.q, inverse);
-    const Unknowns step = -(inverse * f);
-    const double turn = turn_of<Model>(step, inverse_size);
-    const double limit = correction == 0 ? limits.correction : limits.contraction * previous;
-    if (!(turn <= std::max(limit, limits.settled))) {
-      return false;
-    }
-    move_slightly<Model>(end.q, step);
-    way += step;
-    if (turn <= limits.settled) {
-      break;
-    }
-    previous = turn;
+  if (!predict_and_correct<Model>(d, inputs.u, inverse_size, predicted, end.q, way, inverse)) {
+    return false;
   }
   const Pivots<Model, double> pivots = pivots_at<Model, double>(d, inputs.u, end.q);
   end.status = regularity_of(pivots, derivative_rounding<double>()).status;
@@ -102,7 +131,7 @@ template <typename Model>
   const Unknowns defect =
       way - width / 2 * (start.motion.velocity + end.motion.velocity) -
       width * width * (1.0 / 12) * (start.motion.acceleration - end.motion.acceleration);
-  return turn_of<Model>(defect, inverse_size) <= limits.defect;
+  return turn_of<Model>(defect, inverse_size) <= StepLimits().defect;
 }
 
 }  // namespace assur::detail

@@ -32,7 +32,8 @@ template <typename Key>
 /// Sorts `count` entries, given by their places, by insertion: equal ones keep their places, and
 /// a comparison that is not transitive, as of keys with a tolerance, does no harm.
 template <typename Before, typename Exchange>
-void insertion_sort(std::size_t count, Before before, Exchange exchange) {
+[[gnu::always_inline]] inline void insertion_sort(std::size_t count, Before before,
+                                                  Exchange exchange) {
   for (std::size_t last = 1; last < count; ++last) {
     for (std::size_t at = last; at > 0 && before(at, at - 1); --at) {
       exchange(at, at - 1);

@@ -168,8 +168,12 @@ template <typename Group, int Order, int Parameters>
       Group::parameter_jacobian(held.u, q, F_a);
       Group::input_jacobian(held.u, q, F_u);
       Group::pose_jacobians(held.u, q, P_q, P_a, P_u);
+      // Products of a few rows and columns do not pay for Eigen's blocks of large ones.
+      const Matrix<double, Group::equation_count, Parameters> rhs =
+          F_a + F_u.lazyProduct(held.gradient);
+      const Matrix<double, Group::unknown_count, Parameters> q_a = J_inverse.lazyProduct(rhs);
       const Matrix<double, 3 * links, Parameters> gradient =
-          P_a + P_u * held.gradient - P_q * (J_inverse * (F_a + F_u * held.gradient));
+          P_a + P_u.lazyProduct(held.gradient) - P_q.lazyProduct(q_a);
       for (int link = 0; link < links; ++link) {
         Frame<double, Order, Parameters>& frame = detail::entry(placed.frames, link);
         frame.gradient = gradient.template middleRows<3>(3 * link);

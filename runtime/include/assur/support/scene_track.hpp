@@ -57,9 +57,6 @@ class Tracker {
   using Given = typename Own::Given;
   using Groups = typename Own::Groups;
   using Placed = typename Own::Placed;
-  /// The least step, as a part of the way. The last step that is refused is at most two of these,
-  /// and a branch has ended within twice that step wherever it was measured: within 0.2%.
-  static constexpr double shortest = 5e-4;
 
  public:
   /// The branch of a configuration, by its number in the solver's list, from 0; no_convergence
@@ -95,23 +92,24 @@ class Tracker {
       return way;
     }
     const double widest = widest_step(branch.given, to);
-    Branch start = branch;
+    std::array<Branch, 2> ends;
+    const Branch* start = &branch;
     for (double width = widest; way.reached < 1;) {
-      if (!(width > shortest)) {
+      if (!(width > detail::StepLimits().shortest)) {
         way.status = Status::no_convergence;
         return way;
       }
       const double next = std::min(way.reached + width, 1.0);
-      Branch end;
+      Branch& end = start == &ends[0] ? ends[1] : ends[0];
       end.given = next < 1 ? between(branch.given, to, next) : to;
       Placed placed;
       Own::drive(end.given, placed);
       end.status = Status::ok;
-      if (!step<0>(start, end, placed)) {
+      if (!step<0>(*start, end, placed)) {
         width = (next - way.reached) / 2;
         continue;
       }
-      start = end;
+      start = &end;
       width = std::min(2 * (next - way.reached), widest);
       way.reached = next;
       if (next == 1) {
@@ -119,7 +117,7 @@ class Tracker {
         Own::list(placed, state);
       }
     }
-    branch = start;
+    branch = *start;
     way.status = branch.status;
     return way;
   }
@@ -220,40 +218,21 @@ class Tracker {
   [[nodiscard]] static bool advance(const GroupPoint<Group>& start, GroupPoint<Group>& end) {
     using Model = Specialised<Group>;
     using Unknowns = Vector<double, Group::unknown_count>;
-    constexpr detail::StepLimits limits;
-    const auto turn_of = [](const Unknowns& step) {
-      return detail::turn_of<Model>(step, 1);  // the group's lengths are near one
-    };
+    constexpr double inverse_size = 1;  // the group's lengths are near one
     const typename Model::template Dimensions<double> d;
     Vector<double, Group::equation_count> f;
     Group::residual(end.u, start.q, f);
     const Unknowns predicted = -(start.inverse * f);
-    if (!(turn_of(predicted) < limits.prediction)) {
-      return false;
-    }
+    Unknowns way;
     end.q = start.q;
-    detail::move_slightly<Model>(end.q, predicted);
-    Unknowns way = predicted;
-    double previous = 0;
-    for (bool first = true;; first = false) {
-      Group::residual(end.u, end.q, f);
-      Model::inverse_jacobian(d, end.u, end.q, end.inverse);
-      const Unknowns step = -(end.inverse * f);
-      const double turn = turn_of(step);
-      const double limit = first ? limits.correction : limits.contraction * previous;
-      if (!(turn <= std::max(limit, limits.settled))) {
-        return false;
-      }
-      detail::move_slightly<Model>(end.q, step);
-      way += step;
-      if (turn <= limits.settled) {
-        break;
-      }
-      previous = turn;
+    if (!detail::predict_and_correct<Model>(d, end.u, inverse_size, predicted, end.q, way,
+                                            end.inverse)) {
+      return false;
     }
     Group::residual(start.u, end.q, f);
     const Unknowns back = -(end.inverse * f);
-    return turn_of(way - (predicted - back) / 2) <= limits.defect;
+    const Unknowns defect = way - (predicted - back) / 2;
+    return detail::turn_of<Model>(defect, inverse_size) <= detail::StepLimits().defect;
   }
 };
 
