@@ -40,29 +40,64 @@ struct FirstValues {
   }
 };
 
+/// Of T = c0 + c1 cos x + s1 sin x by formula. Where it may touch zero or miss it, the place where
+/// it comes nearest.
+[[nodiscard]] inline FirstValues first_values_of_first_degree(
+    const TrigonometricPolynomial<numeric::Bounded<numeric::DoubleDouble>, 1>& T) {
+  using numeric::DoubleDouble;
+  FirstValues result;
+  const auto leading = T.cosine[1] * T.cosine[1] + T.sine[1] * T.sine[1];
+  const auto inside = leading - T.cosine[0] * T.cosine[0];
+  if (inside.sign_is_certain() && inside.value < DoubleDouble(0)) {
+    return result;
+  }
+  if (!T.cosine[1].sign_is_certain() && !T.sine[1].sign_is_certain()) {
+    result.vanishing = true;
+    return result;
+  }
+  const bool simple = inside.sign_is_certain();
+  const DoubleDouble reach = simple ? sqrt(inside.value) : DoubleDouble(0);
+  const DoubleDouble foot =
+      simple ? -T.cosine[0].value
+             : DoubleDouble(T.cosine[0].value < DoubleDouble(0) ? 1 : -1) * sqrt(leading.value);
+  const auto add = [&](DoubleDouble across) {
+    result.add({(foot * T.cosine[1].value - across * T.sine[1].value) / leading.value,
+                (foot * T.sine[1].value + across * T.cosine[1].value) / leading.value, simple});
+  };
+  add(reach);
+  if (simple) {
+    add(-reach);
+  }
+  return result;
+}
+
 template <std::size_t Degree>
 [[nodiscard]] FirstValues first_values(
     const TrigonometricPolynomial<numeric::Bounded<numeric::DoubleDouble>, Degree>& bounded) {
   using numeric::DoubleDouble;
-  TrigonometricPolynomial<DoubleDouble, Degree> polynomial;
-  double error = 0;
-  for (std::size_t k = 0; k <= Degree; ++k) {
-    polynomial.cosine[k] = bounded.cosine[k].value;
-    polynomial.sine[k] = bounded.sine[k].value;
-    error = std::max({error, bounded.cosine[k].certain_bound(), bounded.sine[k].certain_bound()});
+  if constexpr (Degree == 1) {
+    return first_values_of_first_degree(bounded);
+  } else {
+    TrigonometricPolynomial<DoubleDouble, Degree> polynomial;
+    double error = 0;
+    for (std::size_t k = 0; k <= Degree; ++k) {
+      polynomial.cosine[k] = bounded.cosine[k].value;
+      polynomial.sine[k] = bounded.sine[k].value;
+      error = std::max({error, bounded.cosine[k].certain_bound(), bounded.sine[k].certain_bound()});
+    }
+    const auto roots =
+        numeric::trigonometric_roots<DoubleDouble, Degree>(polynomial, DoubleDouble(error));
+    FirstValues result;
+    result.vanishing = roots.status == numeric::RootStatus::vanishing;
+    for (std::size_t root = 0; root < roots.root_count; ++root) {
+      result.add({roots.roots[root].cosine, roots.roots[root].sine, true});
+    }
+    for (std::size_t cluster = 0; cluster < roots.cluster_count; ++cluster) {
+      const double angle = roots.clusters[cluster].angle;
+      result.add({DoubleDouble(std::cos(angle)), DoubleDouble(std::sin(angle)), false});
+    }
+    return result;
   }
-  const auto roots =
-      numeric::trigonometric_roots<DoubleDouble, Degree>(polynomial, DoubleDouble(error));
-  FirstValues result;
-  result.vanishing = roots.status == numeric::RootStatus::vanishing;
-  for (std::size_t root = 0; root < roots.root_count; ++root) {
-    result.add({roots.roots[root].cosine, roots.roots[root].sine, true});
-  }
-  for (std::size_t cluster = 0; cluster < roots.cluster_count; ++cluster) {
-    const double angle = roots.clusters[cluster].angle;
-    result.add({DoubleDouble(std::cos(angle)), DoubleDouble(std::sin(angle)), false});
-  }
-  return result;
 }
 
 /// Of a polynomial of degree one or two in a displacement. A leading coefficient that may be zero
