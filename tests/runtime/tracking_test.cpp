@@ -2,7 +2,9 @@
 // lead; otherwise a report is given.
 #include <assur/assemblies.hpp>
 #include <assur/tracking.hpp>
+#include <iostream>
 
+#include "largest.hpp"
 #include "runtime/compiled_models.hpp"
 #include "runtime/exact.hpp"
 #include "runtime/model_types.hpp"
@@ -14,7 +16,7 @@ constexpr unsigned seed = 14142;
 
 template <typename Model>
 class Tracking : public testing::Test {
- public:
+ protected:
   using Configuration = typename Model::template Configuration<double>;
 
   struct Drive {
@@ -165,15 +167,62 @@ TEST(TrackingReport, IsGivenWhereABranchEnds) {
       const auto way = track<Model>(d, away, 0, 1, start);
       EXPECT_EQ(way.status, Status::no_convergence);
       EXPECT_LT(way.reached, 1);
-      // Within 0.2% of the way no configuration goes on where this one was heading.
-      auto q_there = way.point.q;
-      const Tracking<Model>::Drive on{d, away(way.reached).u, {0, 0, 100, 0}};
-      EXPECT_FALSE(Tracking<Model>::follow(on, 2e-3, q_there))
-          << "seed " << seed << ", group " << group << ", configuration " << index;
       ++ended;
     }
   }
   EXPECT_GT(ended, 50);
+}
+
+TEST(TrackingReport, IsWithinAFifthOfAPercentOfTheEnd) {
+  // B leaves along a line; the dyad's branches meet where B first is as far from D as the sum or
+  // the difference of the links. Left out are lines that nearly touch the inner of the circles
+  // before.
+  using Model = dyad::Model01;
+  RandomInputs random(seed);
+  int ended = 0;
+  double farthest = 0;
+  for (int group = 0; group < 1000; ++group) {
+    const Model::Dimensions<double> d{random.between(0.5, 2), random.between(0.5, 2)};
+    const auto u = random.variables<Model::Inputs<double>>();
+    const auto v = direction_of(random.angle());
+    const double way_length = random.between(0.5, 20);
+    const auto away = [&](double time) {
+      const double x = way_length * v.cos;
+      const double y = way_length * v.sin;
+      return InputMotion<Model>{
+          {u.x_B + x * time, u.y_B + y * time, u.x_D, u.y_D}, {x, y, 0, 0}, {0, 0, 0, 0}};
+    };
+    // |B - D + t v|^2 = r^2.
+    const double along = (u.x_B - u.x_D) * v.cos + (u.y_B - u.y_D) * v.sin;
+    const double across = (u.x_B - u.x_D) * v.sin - (u.y_B - u.y_D) * v.cos;
+    double end = 1;
+    for (const double reach : {d.BC + d.CD, std::abs(d.BC - d.CD)}) {
+      const double root = std::sqrt(reach * reach - across * across);
+      for (const double length : {-along - root, -along + root}) {
+        if (length > 0 && length / way_length < end) {
+          end = length / way_length;
+        }
+      }
+    }
+    const double passed = std::abs(across) - std::abs(d.BC - d.CD);
+    if (passed > 0 && passed < 0.05 * way_length) {
+      continue;
+    }
+    const auto set = compiled::assemblies<Model>(d, u);
+    for (int index = 0; end < 1 && index < set.count; ++index) {
+      const auto start =
+          branch_point<Model>(d, away(0), set.configurations[static_cast<std::size_t>(index)]);
+      const auto way = track<Model>(d, away, 0, 1, start);
+      EXPECT_EQ(way.status, Status::no_convergence) << "seed " << seed << ", group " << group;
+      EXPECT_LE(way.reached, end) << "seed " << seed << ", group " << group;
+      farthest = largest(farthest, end - way.reached);
+      ++ended;
+    }
+  }
+  std::cout << ended << " branches end, at most " << 100 * farthest
+            << "% of the way from where they were followed to; seed " << seed << '\n';
+  EXPECT_LT(farthest, 2e-3);
+  EXPECT_GT(ended, 300);
 }
 
 }  // namespace

@@ -50,15 +50,10 @@ void put_in_order(Keys& keys, int count, std::size_t lengths_from, const Exchang
       longest = std::max(longest, std::abs(keys[index][place]));
     }
   }
-  for (std::size_t index = 0; longest > 0 && index < size; ++index) {
-    for (std::size_t place = lengths_from; place < keys[index].size(); ++place) {
-      keys[index][place] /= longest;
-    }
-  }
   numeric::insertion_sort(
       size,
-      [&keys](std::size_t one, std::size_t other) {
-        return numeric::comes_before(keys[one], keys[other]);
+      [&keys, lengths_from, longest](std::size_t one, std::size_t other) {
+        return numeric::comes_before(keys[one], keys[other], lengths_from, longest);
       },
       [&keys, &exchange](std::size_t one, std::size_t other) {
         std::swap(keys[one], keys[other]);
