@@ -4,6 +4,7 @@
 
 #include <assur/mechanism/solution.hpp>
 #include <assur/mechanism/values.hpp>
+#include <assur/support/displaced_frame.hpp>
 
 #include "models/model_kernel.hpp"
 #include "values/group_numbers.hpp"
@@ -18,8 +19,8 @@ struct PlacedGroup {
 
 /// What is placed so far of one configuration.
 struct PlacedLinks {
-  Table<LinkIndex, Frame> links;       ///< blocks behind the mechanism's links
-  Table<LinkIndex, double> displaced;  ///< how far rounding may have moved each
+  Table<LinkIndex, Frame> links;  ///< blocks behind the mechanism's links
+  Table<LinkIndex, support::Displacement> displaced;  ///< of each, by rounding
   std::vector<SlideState> slides;
   Table<GroupIndex, PlacedGroup> groups;
   Status regularity = Status::ok;
@@ -69,6 +70,7 @@ class GroupSolver {
   models::FlatVariables u_{};
   values::ParameterDerivatives of_u_;  ///< how the inputs follow the parameters
   models::MotionQuery query_;
+  double reach_ = 0;  ///< of the lengths from which the inputs were computed
   models::GroupAssemblies found_;
   models::GroupMotion motion_;
   values::ParameterDerivatives of_q_, of_p_;  ///< how the unknowns and the link poses follow them

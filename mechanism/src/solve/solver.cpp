@@ -26,7 +26,7 @@ class ConfigurationWalk {
     const auto parameters = static_cast<Eigen::Index>(values.columns().size());
     placed_.links.resize(structure_.linkage.links.size());
     placed_.links[structure_.linkage.ground] = Frame::identity(parameters, values.second_order());
-    placed_.displaced.assign(structure_.linkage.links.size(), 0);
+    placed_.displaced.assign(structure_.linkage.links.size(), {});
     placed_.groups.resize(structure_.groups.size());
     if (plan_->request.sweep) {
       placed_.determinants.resize(structure_.groups.size());
@@ -83,6 +83,16 @@ class ConfigurationWalk {
       compose(placed_.links[link.from], values_.frame(at.on(link.from)), joint_);
       compose(joint_, motion_, moved_);
       compose(moved_, values_.driven_frame(place), placed_.links[link.to]);
+      const Pose<double>& near = values_.frame(at.on(link.from)).pose;
+      const Pose<double>& back = values_.driven_frame(place).pose;
+      const double position = values_.number(driver.position).value();
+      placed_.displaced[link.to] =
+          placed_.displaced[link.from]
+              .carries(near.x, near.y)
+              .carries(0, 0,
+                       at.prismatic ? support::Displacement::of_slide(position)
+                                    : support::Displacement::of_turn(position))
+              .carries(back.x, back.y);
       if (at.prismatic) {
         place_driven_slide(driver, at.joint, placed_.slides[slide++]);
       }

@@ -167,7 +167,7 @@ class Search {
       using Group = std::tuple_element_t<Place, Groups>;
       HeldJoints<Group, Solver::order, Solver::parameter_count> held;
       Own::hold(placed, held);
-      const auto found = assemblies<Specialised<Group>>({}, held.u, held.displaced);
+      const auto found = assemblies<Specialised<Group>>({}, held.u, held.displaced, held.reach);
       if (found.status == AssemblyStatus::not_finite) {
         solution_.status = found.status;
         return;
