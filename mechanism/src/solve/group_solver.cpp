@@ -87,13 +87,14 @@ void GroupSolver::hold(const PlacedLinks& placed) {
     ++row;
   };
   query_.displaced = 0;
-  reach_ = 0;
+  reach_ = support::Displacement::of_rounding(numbers().rounding).reach;
   for (const values::HeldJoint& joint : numbers().held) {
     const Frame& base = placed.links[joint.base];
     const Frame& feature = values_.frame(joint.feature);
-    const support::Displacement displaced =
-        placed.displaced[joint.base].carries(feature.pose.x, feature.pose.y);
-    query_.displaced = std::max(query_.displaced, displaced.moved);
+    const support::Displacement displaced = placed.displaced[joint.base].carries(
+        feature.pose.x, feature.pose.y,
+        support::Displacement::of_rounding(values_.rounding(joint.feature)));
+    query_.displaced = std::max(query_.displaced, numbers().rounding + displaced.moved);
     reach_ = std::max(reach_, displaced.reach);
     if (joint.prismatic) {
       compose(base, feature, line_);

@@ -24,6 +24,10 @@ struct Displacement {
     const double length = std::abs(displacement);
     return {std::numeric_limits<double>::epsilon() * length, 0, length};
   }
+  /// What is computed with an error.
+  [[nodiscard]] static Displacement of_rounding(double error) {
+    return {error, 0, error / std::numeric_limits<double>::epsilon()};
+  }
   /// Of what stands at (x, y) in this frame.
   [[nodiscard]] Displacement carries(double x, double y) const {
     const double arm = std::abs(x) + std::abs(y);
