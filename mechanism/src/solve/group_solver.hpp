@@ -11,7 +11,8 @@
 
 namespace assur::mechanism::solve {
 
-/// A configuration of a group, and how far rounding may have moved its neighbours.
+/// A configuration of a group, and how far rounding may have moved its neighbours, in parts of the
+/// group's size.
 struct PlacedGroup {
   models::FlatVariables q;
   double displaced;
@@ -41,8 +42,9 @@ class GroupSolver {
   void hold(const PlacedLinks& placed);
   /// Finds all configurations of the group where it is held.
   [[nodiscard]] const models::GroupAssemblies& assemble();
-  /// How far rounding may have moved what holds the group.
-  [[nodiscard]] double displaced() const { return query_.displaced; }
+  /// How far rounding may have moved what holds the group where it was placed last, in parts of the
+  /// group's size.
+  [[nodiscard]] double displaced() const { return query_.displaced / motion_.size; }
   /// By how much the closures fail at least where it is held, if there are no configurations. Set
   /// where the status is ok; not_finite.
   [[nodiscard]] Status gap(double& result) const;

@@ -272,7 +272,8 @@ struct ChainTruth {
   /// of rounding, nor of slides that are parallel and do not close.
   bool known = true;
   std::vector<ChainConfiguration> configurations;
-  int families = 0;
+  /// Of each family the links that stand: the ground, the cranks, and the dyads that hold it.
+  std::multiset<std::set<std::string>> families;
   int mobility = 0;
 };
 
@@ -316,8 +317,27 @@ class DyadChain {
     }
     std::set<std::vector<int>> families;
     descend(0, walk, families, truth);
-    truth.families = static_cast<int>(families.size());
+    for (const std::vector<int>& family : families) {
+      truth.families.insert(placed_links(family));
+    }
     return truth;
+  }
+
+  /// The links that stand where a dyad moves, which is named by its number and by the choices of
+  /// those that hold it.
+  [[nodiscard]] std::set<std::string> placed_links(const std::vector<int>& family) const {
+    std::set<std::string> placed;
+    for (std::size_t link = 0; link < driven_; ++link) {
+      placed.insert(links_[link].name);
+    }
+    for (std::size_t dyad = 0; dyad + 1 < family.size(); ++dyad) {
+      for (const std::size_t link : dyads_[dyad].links) {
+        if (family[dyad + 1] >= 0) {
+          placed.insert(links_[link].name);
+        }
+      }
+    }
+    return placed;
   }
 
   /// The pose of the ground's frame in that of the scene.

@@ -103,7 +103,7 @@ class DyadChainRun {
       return;
     }
     tally_.configurations += static_cast<int>(truth.configurations.size());
-    tally_.families += truth.families;
+    tally_.families += static_cast<int>(truth.families.size());
     tally_.singular += static_cast<int>(
         std::count_if(truth.configurations.begin(), truth.configurations.end(),
                       [](const ChainConfiguration& at) { return !at.regular; }));
@@ -262,14 +262,24 @@ class DyadChainRun {
     }
     faults.invented = static_cast<int>(std::count(met.begin(), met.end(), false));
     const auto& families = solved.solution.families;
+    const int known = static_cast<int>(truth.families.size());
     const int told = static_cast<int>(families.size());
-    faults.no_family = std::max(0, truth.families - told);
-    faults.false_family = std::max(0, told - truth.families);
+    faults.no_family = std::max(0, known - told);
+    faults.false_family = std::max(0, told - known);
     int mobility = 0;
+    std::multiset<std::set<std::string>> placed;
     for (const mechanism::Family& family : families) {
       mobility = std::max(mobility, family.mobility);
+      std::set<std::string> links;
+      for (const mechanism::LinkIndex link : solved.plan.mechanism().links().keys()) {
+        if (family.is_placed[link]) {
+          links.insert(solved.plan.mechanism().links()[link].name);
+        }
+      }
+      placed.insert(links);
     }
-    faults.wrong_mobility = truth.families == told && mobility != truth.mobility ? 1 : 0;
+    faults.wrong_mobility = known == told && mobility != truth.mobility ? 1 : 0;
+    faults.wrong_after = known == told && placed != truth.families ? 1 : 0;
     return faults;
   }
 

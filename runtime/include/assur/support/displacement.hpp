@@ -23,7 +23,7 @@ class DisplacedGroup {
   DisplacedGroup(const Dimensions& d, const Inputs& u, double displaced)
       : size_(1 / unit_scale<Model>(d, u, displaced)),
         longest_(Model::dimension_count == 0 ? 1 : size_of<Model>(d, u)),
-        held_(displaced + epsilon * longest_length(u)) {}
+        held_(std::max(displaced, epsilon * longest_length(u))) {}
 
   /// The regularity of a configuration, counting the neighbours' displacement.
   [[nodiscard]] Regularity<double> regularity(const Dimensions& d, const Inputs& u,
