@@ -17,7 +17,7 @@ struct Displacement {
 
   /// A frame that turns about its origin by an angle, which is rounded as its cosine and sine are.
   [[nodiscard]] static Displacement of_turn(double angle) {
-    return {0, std::numeric_limits<double>::epsilon() / 2 * (1 + std::abs(angle)), 0};
+    return {0, std::numeric_limits<double>::epsilon() * (1 + std::abs(angle)), 0};
   }
   /// A frame that slides along an axis.
   [[nodiscard]] static Displacement of_slide(double displacement) {
