@@ -20,7 +20,7 @@ struct PlacedGroup {
 
 /// What is placed so far of one configuration.
 struct PlacedLinks {
-  Table<LinkIndex, Frame> links;  ///< blocks behind the mechanism's links
+  Table<LinkIndex, Frame> links;                      ///< blocks behind the mechanism's links
   Table<LinkIndex, support::Displacement> displaced;  ///< of each, by rounding
   std::vector<SlideState> slides;
   Table<GroupIndex, PlacedGroup> groups;

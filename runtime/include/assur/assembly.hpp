@@ -33,7 +33,8 @@ template <typename Model>
   const double scale = support::unit_scale<Model>(dimensions, inputs, displaced, reach);
   const auto d = support::scaled_to<Dimensions>(dimensions, scale);
   const auto u = support::scaled_to<Inputs>(inputs, scale);
-  const double held = support::counted_displacement(displaced * scale, std::max(1.0, reach * scale));
+  const double held =
+      support::counted_displacement(displaced * scale, std::max(1.0, reach * scale));
   bool found = false;
   if constexpr (!has_closed_form<Model>) {
     found = GeneralSearch<Model>(d, u, held, result).run();
@@ -61,8 +62,7 @@ template <typename Model>
 template <typename Model>
 [[nodiscard]] Assemblies<Model> assemblies(
     const typename Model::template Dimensions<double>& dimensions,
-    const typename Model::template Inputs<double>& inputs, double displaced = 0,
-    double reach = 0) {
+    const typename Model::template Inputs<double>& inputs, double displaced = 0, double reach = 0) {
   static_assert(Model::rigid, "a degenerate model has no closed form");
   Assemblies<Model> result;
   bool found = false;

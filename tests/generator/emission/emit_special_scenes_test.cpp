@@ -115,8 +115,8 @@ SceneMaker parallel_guides() {
   return scene;
 }
 
-/// A crank with two dyads. Two bars, equal if they are to move, stand between the first of these and
-/// the ground, on pins that coincide in one of its two configurations.
+/// A crank with two dyads. Two bars, equal if they are to move, stand between the first of these
+/// and the ground, on pins that coincide in one of its two configurations.
 SceneMaker dyads_before_a_kite(double bar, double reach) {
   SceneMaker scene;
   scene.bar("ground", {{"A", 0}, {"D", 5}, {"E", -2}})
@@ -201,7 +201,8 @@ std::vector<SpecialScene> special_scenes() {
   // does not move; none told, for the second dyad cannot be assembled.
   add_every_order("kite_behind", dyads_before_a_kite(4, 2).scene(), scenes);
   add_every_order("no_kite_behind", dyads_before_a_kite(3, 2).scene(), scenes);
-  scenes.push_back({"kite_beside_what_cannot_reach", dyads_before_a_kite(4, 0.1).scene(), {0, 0.5}});
+  scenes.push_back(
+      {"kite_beside_what_cannot_reach", dyads_before_a_kite(4, 0.1).scene(), {0, 0.5}});
   return scenes;
 }
 
@@ -321,6 +322,19 @@ int compare(const Json& configuration, const EmittedScene& scene,
   return compared;
 }
 
+TEST(EmitSpecialScenes, AreWarnedOfInOneLine) {
+  for (const SceneMaker& scene : {bars_on_one_pin(), parallel_guides()}) {
+    const TemporaryDirectory directory;
+    const auto file = directory.write("scene.json", scene.scene().dump());
+    const CommandResult emitted =
+        run_assur("emit --scene '" + file.string() + "' --output " + directory.path().string());
+    EXPECT_EQ(emitted.status, 0) << emitted.messages;
+    EXPECT_EQ(std::count(emitted.messages.begin(), emitted.messages.end(), '\n'), 1);
+    EXPECT_NE(emitted.messages.find("degenerate at the scene's own numbers"), std::string::npos)
+        << emitted.messages;
+  }
+}
+
 TEST(EmitSpecialScenes, AgreeWithSolve) {
   const TemporaryDirectory directory;
   const std::string root = directory.path().string();
@@ -380,7 +394,7 @@ TEST(EmitSpecialScenes, AgreeWithSolve) {
     std::printf("%s: %d\n", verdict.c_str(), count);
   }
   std::printf("%d numbers\n", compared);
-  EXPECT_EQ(verdicts.size(), 3U);
+  EXPECT_EQ(verdicts.size(), 4U);
   EXPECT_GT(compared, 500);
 }
 

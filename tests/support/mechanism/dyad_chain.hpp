@@ -162,8 +162,8 @@ class ExactDyad {
         position.exact = completed<Gaussian>(Gaussian{Rational(sign) * root}, Gaussian{given});
         position.rounded = rounded(*position.exact);
       } else {
-        position.rounded = completed<std::complex<double>>(sign * std::sqrt(square.rounded()),
-                                                           given.rounded());
+        position.rounded =
+            completed<std::complex<double>>(sign * std::sqrt(square.rounded()), given.rounded());
       }
       answer.positions.push_back(position);
       if (!regular) {
@@ -432,7 +432,8 @@ class DyadChain {
   }
   void add_joint(ChainJoint::Type type, std::size_t one, const ChainFeature& on_one,
                  std::size_t other, const ChainFeature& on_other) {
-    joints_.push_back({type, {one, other}, {add_feature(one, on_one), add_feature(other, on_other)}});
+    joints_.push_back(
+        {type, {one, other}, {add_feature(one, on_one), add_feature(other, on_other)}});
   }
 
   void add_crank(std::size_t base) {
@@ -449,7 +450,8 @@ class DyadChain {
     if (which == 0 && base == 0) {
       pivot.at = pivot.at + by * own;
     }
-    links_.push_back({"crank" + std::to_string(driven_), {direction, pivot.at - direction * own}, {}});
+    links_.push_back(
+        {"crank" + std::to_string(driven_), {direction, pivot.at - direction * own}, {}});
     add_joint(ChainJoint::Type::revolute, base, feature(base, pivot), driven_,
               feature(driven_, pivot));
     ++driven_;
@@ -478,7 +480,9 @@ class DyadChain {
     const std::string kind = spellings[static_cast<std::size_t>(dyad.kind)];
     std::array<Gaussian, 3> places = {place(), place(), place()};
     // A bar without a length has no direction.
-    const auto coincide = [&places](std::size_t a, std::size_t b) { return places[a] == places[b]; };
+    const auto coincide = [&places](std::size_t a, std::size_t b) {
+      return places[a] == places[b];
+    };
     while (((kind == "RRR" || kind == "RRP") && coincide(0, 1)) ||
            (kind == "RRR" && coincide(1, 2))) {
       places[1] = place();
@@ -499,8 +503,8 @@ class DyadChain {
         dyad.features[2 * joint + side] = feature(chain[joint + side], sides[side]);
       }
       if (slot > 2) {
-        add_joint(line ? Type::prismatic : Type::revolute, chain[joint],
-                  dyad.features[2 * joint], chain[joint + 1], dyad.features[2 * joint + 1]);
+        add_joint(line ? Type::prismatic : Type::revolute, chain[joint], dyad.features[2 * joint],
+                  chain[joint + 1], dyad.features[2 * joint + 1]);
       }
     }
     if (slot == 1) {  // the second base's pin in a slot of the link
@@ -654,10 +658,9 @@ class DyadChain {
     }
     const std::string place = vector_text(feature.at, listing.unit);
     // A direction has no size: five of it have no denominator.
-    return !feature.line
-               ? place
-               : R"({"through": )" + place + R"(, "along": )" +
-                     vector_text(Gaussian{25} * feature.along, 0) + "}";
+    return !feature.line ? place
+                         : R"({"through": )" + place + R"(, "along": )" +
+                               vector_text(Gaussian{25} * feature.along, 0) + "}";
   }
 
   unsigned seed_;

@@ -104,9 +104,9 @@ class DyadChainRun {
     }
     tally_.configurations += static_cast<int>(truth.configurations.size());
     tally_.families += static_cast<int>(truth.families.size());
-    tally_.singular += static_cast<int>(
-        std::count_if(truth.configurations.begin(), truth.configurations.end(),
-                      [](const ChainConfiguration& at) { return !at.regular; }));
+    tally_.singular +=
+        static_cast<int>(std::count_if(truth.configurations.begin(), truth.configurations.end(),
+                                       [](const ChainConfiguration& at) { return !at.regular; }));
     std::mt19937 engine(seed);
     ChainListing listing;
     std::vector<std::complex<double>> first = solve(chain, truth, listing);
@@ -180,9 +180,10 @@ class DyadChainRun {
   }
   static Poses poses_of(const DyadChain& chain, const ChainListing& listing,
                         const Configuration& configuration) {
-    return poses_of(chain, listing, [&configuration](const std::string& name) -> const auto& {
-      return configuration.link(name);
-    });
+    return poses_of(
+        chain, listing, [&configuration](const std::string& name) -> const auto& {
+          return configuration.link(name);
+        });
   }
 
   /// Of what is placed; those of families with them, of those that are not placed nothing.
@@ -224,7 +225,8 @@ class DyadChainRun {
     return true;
   }
 
-  /// On the lattice others are further apart; where two meet they are known to the root of rounding.
+  /// On the lattice others are further apart; where two meet they are known to the root of
+  /// rounding.
   static constexpr double same_configuration = 5e-3;
 
   static double difference(const Poses& one, const Poses& other) {
@@ -249,8 +251,8 @@ class DyadChainRun {
       bool found = false;
       for (std::size_t index = 0; index < met.size() && !found; ++index) {
         const Configuration& listed = solved.configurations()[index];
-        found = !met[index] &&
-                difference(poses, poses_of(chain, listing, listed)) < same_configuration;
+        found =
+            !met[index] && difference(poses, poses_of(chain, listing, listed)) < same_configuration;
         if (found) {
           met[index] = true;
           const bool regular = listed.regularity == Status::ok;

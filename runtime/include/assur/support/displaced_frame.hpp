@@ -36,8 +36,7 @@ struct Displacement {
   /// Of a frame that stands there and is displaced against this one.
   [[nodiscard]] Displacement carries(double x, double y, const Displacement& inner) const {
     const Displacement origin = carries(x, y);
-    return {origin.moved + inner.moved, turned + inner.turned,
-            std::max(origin.reach, inner.reach)};
+    return {origin.moved + inner.moved, turned + inner.turned, std::max(origin.reach, inner.reach)};
   }
 };
 

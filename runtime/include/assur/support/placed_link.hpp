@@ -68,9 +68,11 @@ template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Frame<Scalar, Order, Parameters> frame_in(
     const Frame<Scalar, Order, Parameters>& frame, const Frame<Scalar, Order, Parameters>& inner) {
   const Point<Scalar, Order, Parameters> origin =
-      point_in(frame, Point<Scalar, Order, Parameters>{inner.pose.x, inner.pose.y,
+      point_in(frame, Point<Scalar, Order, Parameters>{inner.pose.x,
+                                                       inner.pose.y,
                                                        inner.rates.template topRows<2>(),
-                                                       inner.gradient.template topRows<2>(), {}});
+                                                       inner.gradient.template topRows<2>(),
+                                                       {}});
   Frame<Scalar, Order, Parameters> result;
   result.pose = {origin.x, origin.y, turned(frame.pose.direction, inner.pose.direction)};
   result.rates.template topRows<2>() = origin.rates;
