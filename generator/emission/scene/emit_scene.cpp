@@ -169,6 +169,28 @@ class SceneEmitter {
     view_.set("listing", shown(listing_statements(solver_, reported)));
   }
 
+  /// Of each group those that hold it, directly or through others, as a number of a bit each.
+  [[nodiscard]] std::vector<std::string> holders() const {
+    const auto& groups = solver_.plan.structure().groups;
+    std::vector<std::uint64_t> sets;
+    for (const mechanism::GroupIndex group : groups.keys()) {
+      std::uint64_t holders = 0;
+      for (const ExternalJoint& external : external_joints(solver_, group)) {
+        for (std::size_t before = 0; before < sets.size(); ++before) {
+          const auto& links = groups[mechanism::GroupIndex(before)].links;
+          if (std::find(links.begin(), links.end(), external.base) != links.end()) {
+            holders |= sets[before] | std::uint64_t{1} << before;
+          }
+        }
+      }
+      sets.push_back(holders);
+    }
+    std::vector<std::string> numbers;
+    std::transform(sets.begin(), sets.end(), std::back_inserter(numbers),
+                   [](std::uint64_t set) { return std::to_string(set) + "U"; });
+    return numbers;
+  }
+
   /// How configurations are told apart.
   void show_order() {
     const mechanism::NamedParts parts = solver_.plan.structure().named_parts(solver_.mechanism());
@@ -199,6 +221,8 @@ class SceneEmitter {
     std::transform(steps_.begin(), steps_.end(), std::back_inserter(steps), cpp::comment_text);
     view_.set("groups", groups_);
     view_.set("group_list", text::joined(structs_, ", "));
+    view_.set("group_count", std::to_string(structs_.size()));
+    view_.set("holders", text::joined(holders(), ", "));
     view_.set("steps", cpp::line_list(steps, ""));
     view_.set("max_configurations", std::to_string(max_configurations_));
     view_.set("file", cpp::comment_text(solver_.file));

@@ -1,7 +1,6 @@
 #include "emission/scene/specialise.hpp"
 
 #include <algorithm>
-#include <assur/text/error.hpp>
 #include <iterator>
 #include <optional>
 
@@ -37,7 +36,10 @@ class Specialiser {
       }
       const std::optional<GiNaC::numeric> number = order_.number(quantity.definition);
       if (number && quantity.form == Form::reciprocal) {
-        values_[quantity.symbol] = 1 / quantity.definition;
+        // What zero would divide is not determined: any number will do, as what comes of it must be
+        // seen to close.
+        values_[quantity.symbol] =
+            quantity.definition.is_zero() ? GiNaC::ex(0) : 1 / quantity.definition;
       } else if (number && quantity.form == Form::itself &&
                  is_quotient(quantity.definition, *number)) {
         order_.set_constant(quantity.symbol, *number);
@@ -98,8 +100,7 @@ class Specialiser {
   /// which often cancels.
   void invert(equations::NamedQuantity& reciprocal) {
     if (reciprocal.definition.is_zero()) {
-      throw text::InputError("the group has no closed form with these dimensions (" +
-                             reciprocal.meaning + ")");
+      return;
     }
     for (const equations::NamedQuantity& quantity : special_.quantities) {
       if (quantity.form == Form::itself && reciprocal.definition.is_equal(quantity.symbol) &&

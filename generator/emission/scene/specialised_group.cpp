@@ -1,7 +1,6 @@
 #include "emission/scene/specialised_group.hpp"
 
 #include <algorithm>
-#include <assur/text/error.hpp>
 #include <assur/text/names.hpp>
 #include <cmath>
 #include <iterator>
@@ -53,7 +52,6 @@ class GroupSpecialiser {
           specialised(vocabulary.quantities(), function.results, order, values_);
       model::ModelFunction folded = without_dimensions(function);
       folded.results = special.results;
-      expect_positions(folded);
       const program::Program program(order, special.quantities, special.results,
                                      specialised(known, {}, order, values_).quantities);
       operations.push_back(function.name + " " + counted(program.count()));
@@ -248,15 +246,6 @@ class GroupSpecialiser {
            (numbers_.order == 1 && function == "velocity") ||
            (numbers_.order == 2 && any_of({"motion", "link_accelerations"})) ||
            (numbers_.order > 0 && function == "link_velocities");
-  }
-
-  static void expect_positions(const model::ModelFunction& function) {
-    const bool vanishes =
-        std::all_of(function.results.begin(), function.results.end(),
-                    [](const program::Result& result) { return result.value.is_zero(); });
-    if (function.name == "position_polynomial" && vanishes) {
-      throw text::InputError("the group's position is not determined with these dimensions");
-    }
   }
 
   /// The derivatives to what is an input of the solver's group.

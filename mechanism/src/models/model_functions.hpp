@@ -24,9 +24,9 @@ class ModelFunctions {
 
  public:
   static void assemble(const FlatVariables& d, const FlatVariables& u, double displaced,
-                       GroupAssemblies& result) {
+                       double reach, GroupAssemblies& result) {
     const Assemblies<Model> found =
-        assemblies<Model>(read<Dimensions>(d), read<Inputs>(u), displaced);
+        assemblies<Model>(read<Dimensions>(d), read<Inputs>(u), displaced, reach);
     result.status = found.status;
     result.mobility = found.mobility;
     result.count = static_cast<std::size_t>(found.count);

@@ -77,9 +77,10 @@ namespace assur::mechanism {
 
 /// The functions of one model behind plain numbers: d, u and q are flat.
 struct ModelKernel {
-  /// `displaced`: how far rounding may have moved the neighbours.
+  /// `displaced`: how far rounding may have moved the neighbours; `reach`: the longest length from
+  /// which their places were computed.
   void (*assemble)(const models::FlatVariables& d, const models::FlatVariables& u, double displaced,
-                   models::GroupAssemblies& found);
+                   double reach, models::GroupAssemblies& found);
   /// By how much the closures fail at least, where there are no configurations.
   Status (*gap)(const models::FlatVariables& d, const models::FlatVariables& u, double& result);
   void (*move)(const models::FlatVariables& d, const models::FlatVariables& u,

@@ -4,13 +4,15 @@
 
 #include <assur/mechanism/solution.hpp>
 #include <assur/mechanism/values.hpp>
+#include <assur/support/displaced_frame.hpp>
 
 #include "models/model_kernel.hpp"
 #include "values/group_numbers.hpp"
 
 namespace assur::mechanism::solve {
 
-/// A configuration of a group, and how far rounding may have moved its neighbours.
+/// A configuration of a group, and how far rounding may have moved its neighbours, in parts of the
+/// group's size.
 struct PlacedGroup {
   models::FlatVariables q;
   double displaced;
@@ -18,8 +20,8 @@ struct PlacedGroup {
 
 /// What is placed so far of one configuration.
 struct PlacedLinks {
-  Table<LinkIndex, Frame> links;       ///< blocks behind the mechanism's links
-  Table<LinkIndex, double> displaced;  ///< how far rounding may have moved each
+  Table<LinkIndex, Frame> links;                      ///< blocks behind the mechanism's links
+  Table<LinkIndex, support::Displacement> displaced;  ///< of each, by rounding
   std::vector<SlideState> slides;
   Table<GroupIndex, PlacedGroup> groups;
   Status regularity = Status::ok;
@@ -40,8 +42,9 @@ class GroupSolver {
   void hold(const PlacedLinks& placed);
   /// Finds all configurations of the group where it is held.
   [[nodiscard]] const models::GroupAssemblies& assemble();
-  /// How far rounding may have moved what holds the group.
-  [[nodiscard]] double displaced() const { return query_.displaced; }
+  /// How far rounding may have moved what holds the group where it was placed last, in parts of the
+  /// group's size.
+  [[nodiscard]] double displaced() const { return query_.displaced / motion_.size; }
   /// By how much the closures fail at least where it is held, if there are no configurations. Set
   /// where the status is ok; not_finite.
   [[nodiscard]] Status gap(double& result) const;
@@ -69,6 +72,7 @@ class GroupSolver {
   models::FlatVariables u_{};
   values::ParameterDerivatives of_u_;  ///< how the inputs follow the parameters
   models::MotionQuery query_;
+  double reach_ = 0;  ///< of the lengths from which the inputs were computed
   models::GroupAssemblies found_;
   models::GroupMotion motion_;
   values::ParameterDerivatives of_q_, of_p_;  ///< how the unknowns and the link poses follow them

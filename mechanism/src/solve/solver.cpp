@@ -26,7 +26,7 @@ class ConfigurationWalk {
     const auto parameters = static_cast<Eigen::Index>(values.columns().size());
     placed_.links.resize(structure_.linkage.links.size());
     placed_.links[structure_.linkage.ground] = Frame::identity(parameters, values.second_order());
-    placed_.displaced.assign(structure_.linkage.links.size(), 0);
+    placed_.displaced.assign(structure_.linkage.links.size(), {});
     placed_.groups.resize(structure_.groups.size());
     if (plan_->request.sweep) {
       placed_.determinants.resize(structure_.groups.size());
@@ -83,6 +83,19 @@ class ConfigurationWalk {
       compose(placed_.links[link.from], values_.frame(at.on(link.from)), joint_);
       compose(joint_, motion_, moved_);
       compose(moved_, values_.driven_frame(place), placed_.links[link.to]);
+      const Pose<double>& near = values_.frame(at.on(link.from)).pose;
+      const Pose<double>& back = values_.driven_frame(place).pose;
+      const double position = values_.number(driver.position).value();
+      const auto of_feature = [this](FeatureIndex feature) {
+        return support::Displacement::of_rounding(values_.rounding(feature));
+      };
+      placed_.displaced[link.to] =
+          placed_.displaced[link.from]
+              .carries(near.x, near.y, of_feature(at.on(link.from)))
+              .carries(0, 0,
+                       at.prismatic ? support::Displacement::of_slide(position)
+                                    : support::Displacement::of_turn(position))
+              .carries(back.x, back.y, of_feature(at.on(link.to)));
       if (at.prismatic) {
         place_driven_slide(driver, at.joint, placed_.slides[slide++]);
       }
@@ -160,8 +173,8 @@ class ConfigurationWalk {
       placed_.residual = residual;
       placed_.derivatives_known = derivatives_known;
       placed_.rates_known = rates_known;
-      placed_.groups[group] = {found.configurations[index], solver.displaced()};
       solver.place(index, first_slide_[group], placed_);
+      placed_.groups[group] = {found.configurations[index], solver.displaced()};
       if (plan_->request.sweep) {
         placed_.determinants[group] = solver.determinant();
       }
@@ -191,20 +204,23 @@ class ConfigurationWalk {
 
   /// Marks the links of the groups that hold a group, and of those that hold these.
   void place_what_holds(GroupIndex group, Table<LinkIndex, bool>& is_placed) const {
-    if (!solvers_[group].has_normal_form()) {
-      return;
-    }
-    for (const values::HeldJoint& joint : values_.numbers_of(group).held) {
-      for (const GroupIndex before : structure_.groups.keys()) {
-        const std::vector<LinkIndex>& links = structure_.groups[before].links;
-        if (!is_placed[joint.base] && std::ranges::find(links, joint.base) != links.end()) {
-          for (const LinkIndex link : links) {
+    for (const ElementaryJoint& joint : structure_.linkage.joints) {
+      for (std::size_t place = 0; place < group.place(); ++place) {
+        const GroupIndex before(place);
+        const bool holds = (is_of(before, joint.first) && is_of(group, joint.second)) ||
+                           (is_of(before, joint.second) && is_of(group, joint.first));
+        if (holds && !is_placed[structure_.groups[before].links.front()]) {
+          for (const LinkIndex link : structure_.groups[before].links) {
             is_placed[link] = true;
           }
           place_what_holds(before, is_placed);
         }
       }
     }
+  }
+  [[nodiscard]] bool is_of(GroupIndex group, LinkIndex link) const {
+    const std::vector<LinkIndex>& links = structure_.groups[group].links;
+    return std::ranges::find(links, link) != links.end();
   }
 
   /// Whether the group's family is listed with the same links where they are now: the choices of
@@ -245,8 +261,8 @@ class ConfigurationWalk {
       add_family(group, found.mobility, reason_of_freedom(group, found.mobility), unplaced);
     }
     for (std::size_t index = 0; index < found.count; ++index) {
-      placed_.groups[group] = {found.configurations[index], solver.displaced()};
       solver.place(index, first_slide_[group], placed_);
+      placed_.groups[group] = {found.configurations[index], solver.displaced()};
       find_families(depth + 1, unplaced);
     }
   }
@@ -278,8 +294,8 @@ class ConfigurationWalk {
     solver.hold(placed_);
     const models::GroupAssemblies& found = solver.assemble();
     for (std::size_t index = 0; index < found.count; ++index) {
-      placed_.groups[group] = {found.configurations[index], solver.displaced()};
       solver.place(index, first_slide_[group], placed_);
+      placed_.groups[group] = {found.configurations[index], solver.displaced()};
       if (rest_assembles(depth + 1, unplaced)) {
         return true;
       }

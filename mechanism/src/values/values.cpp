@@ -4,6 +4,7 @@
 #include "covariance.hpp"
 #include "group_numbers.hpp"
 #include "plan/plan_data.hpp"
+#include "rounded_number.hpp"
 
 namespace assur::mechanism::values {
 
@@ -34,6 +35,8 @@ Values::Values(std::shared_ptr<const PlanData> plan,
   numbers_.resize(mechanism.numbers().size());
   features_.resize(mechanism.features().size());
   frames_.resize(mechanism.features().size());
+  parameter_roundings_.assign(mechanism.parameters().size(), 0);
+  roundings_.resize(mechanism.features().size());
   groups_.resize(plan_->structure.groups.size());
   group_numbers_.resize(plan_->structure.groups.size());
   for (const auto& [parameter, value] : replaced_) {
@@ -156,11 +159,13 @@ void Values::evaluate_parameter(ParameterIndex parameter) {
   for (const auto& [index, value] : replaced_) {
     if (index == parameter) {
       parameters_[parameter] = independent(parameter, value);
+      parameter_roundings_[parameter] = 0;
       return;
     }
   }
-  parameters_[parameter] =
-      evaluated(plan_->mechanism.parameters()[parameter].value) + independent(parameter, 0.0);
+  const NumberIndex formula = plan_->mechanism.parameters()[parameter].value;
+  parameters_[parameter] = evaluated(formula) + independent(parameter, 0.0);
+  parameter_roundings_[parameter] = rounding(formula);
 }
 
 void Values::evaluate_number(NumberIndex number) { numbers_[number] = evaluated(number); }
@@ -187,6 +192,16 @@ Dual Values::evaluated(NumberIndex index) const {
   return result;
 }
 
+double Values::rounding(NumberIndex index) const {
+  return plan_->mechanism.numbers()[index]
+      .formula
+      .evaluate<values::RoundedNumber>([&](ParameterIndex parameter) {
+        return values::RoundedNumber(parameters_[parameter].value(),
+                                     parameter_roundings_[parameter]);
+      })
+      .error;
+}
+
 void Values::evaluate_feature(FeatureIndex index) {
   const Feature& feature = plan_->mechanism.features()[index];
   LinkFeature<Dual> result = values::block_feature(*this, feature.is_line);
@@ -209,6 +224,7 @@ void Values::evaluate_feature(FeatureIndex index) {
     result.along = unit_direction(dx, dy);
   }
   frames_[index] = Frame::at({result.x, result.y, result.along});
+  roundings_[index] = std::max(rounding(feature.x), rounding(feature.y));
   features_[index] = std::move(result);
 }
 

@@ -26,6 +26,10 @@ class Rational {
   [[nodiscard]] bool is_positive() const noexcept { return cln::plusp(value_); }
 
   friend Rational abs(const Rational& a) noexcept { return Rational(cln::abs(a.value_)); }
+  /// Whether a number that is not negative is the square of a rational one, which is then set.
+  friend bool is_square(const Rational& a, Rational& root) noexcept {
+    return bool(cln::sqrtp(a.value_, &root.value_));
+  }
   friend Rational operator+(const Rational& a, const Rational& b) noexcept {
     return Rational(a.value_ + b.value_);
   }

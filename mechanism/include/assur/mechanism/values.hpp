@@ -55,6 +55,10 @@ class Values {
   }
   /// Of a driven link, by its place among them: its own frame, in that of the driven joint on it.
   [[nodiscard]] const Frame& driven_frame(std::size_t place) const { return driven_frames_[place]; }
+  /// How far rounding may have moved a feature on its link, beyond that of its own coordinates.
+  [[nodiscard]] double rounding(FeatureIndex feature) const {
+    return feature.exists() ? roundings_[feature] : 0;
+  }
   [[nodiscard]] const GroupGeometry<Dual>& group(GroupIndex group) const { return groups_[group]; }
   [[nodiscard]] SlideMeasure<Dual> slide_measure(GroupIndex group, int model_joint) const;
 
@@ -80,6 +84,7 @@ class Values {
   void evaluate_group(GroupIndex group);
   void evaluate_requests();
   [[nodiscard]] Dual evaluated(NumberIndex number) const;
+  [[nodiscard]] double rounding(NumberIndex number) const;
   /// A parameter's value, or its deviation from its formula, with its own derivative one.
   [[nodiscard]] Dual independent(ParameterIndex parameter, double value) const;
 
@@ -88,9 +93,11 @@ class Values {
   /// Of each parameter that was set; null for the others.
   Table<ParameterIndex, std::shared_ptr<const Dependents>> dependents_;
   Table<ParameterIndex, Dual> parameters_;
+  Table<ParameterIndex, double> parameter_roundings_;
   Table<NumberIndex, Dual> numbers_;
   Table<FeatureIndex, LinkFeature<Dual>> features_;
   Table<FeatureIndex, Frame> frames_;
+  Table<FeatureIndex, double> roundings_;
   Frame block_;
   std::vector<Frame> driven_frames_;
   Table<GroupIndex, GroupGeometry<Dual>> groups_;

@@ -23,7 +23,8 @@ class DisplacedGroup {
   DisplacedGroup(const Dimensions& d, const Inputs& u, double displaced)
       : size_(1 / unit_scale<Model>(d, u, displaced)),
         longest_(Model::dimension_count == 0 ? 1 : size_of<Model>(d, u)),
-        held_(displaced + epsilon * longest_length(u)) {}
+        held_(std::max(displaced, epsilon * longest_length(u))),
+        moved_(displaced + epsilon * longest_length(u)) {}
 
   /// The regularity of a configuration, counting the neighbours' displacement.
   [[nodiscard]] Regularity<double> regularity(const Dimensions& d, const Inputs& u,
@@ -50,7 +51,7 @@ class DisplacedGroup {
       const double sum = J_inverse.row(row).cwiseAbs().sum();
       largest = std::max(largest, (is_angle ? size_ : 1) * sum);
     }
-    return held_ + largest * (2 * held_ + epsilon * size_);
+    return moved_ + largest * (2 * moved_ + epsilon * size_);
   }
 
   /// What one radian moves points by.
@@ -63,6 +64,7 @@ class DisplacedGroup {
   double size_;
   double longest_;
   double held_;
+  double moved_;  ///< and by its own rounding once more, for what stands behind
 };
 
 }  // namespace assur::support

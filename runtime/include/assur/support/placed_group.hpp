@@ -27,6 +27,7 @@ struct HeldJoints {
   Matrix<double, Group::input_count, Order> rates;
   Matrix<double, Group::input_count, Parameters> gradient;
   double displaced = 0;  ///< by rounding, the joints, at most
+  double reach = 0;      ///< of the lengths that their places were computed from
 
   /// A revolute joint, whose inputs (x, y) stand from `First` on.
   template <int First>
@@ -35,7 +36,8 @@ struct HeldJoints {
     std::get<First + 1>(u.members()) = point.y / Group::unit;
     rates.template middleRows<2>(First) = point.rates / Group::unit;
     gradient.template middleRows<2>(First) = point.gradient / Group::unit;
-    displaced = std::max(displaced, point.displaced / Group::unit);
+    displaced = std::max(displaced, point.displaced.moved / Group::unit);
+    reach = std::max(reach, point.displaced.reach / Group::unit);
   }
   /// A prismatic joint along the x-axis of a frame, whose inputs (x, y, phi) stand from `First` on.
   template <int First>
@@ -99,7 +101,9 @@ template <typename Group, int Order, int Parameters>
   PlacedGroup<Group, Order, Parameters> placed;
   placed.q = q;
   placed.regularity = regularity;
-  if (held.displaced > 0) {
+  // Less is little beside the rounding that every verdict counts.
+  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+  if (held.displaced > rounding) {
     placed.regularity = regularity_among_displaced(held, q, regularity);
   }
   const bool solvable = is_solvable(placed.regularity);
@@ -152,10 +156,10 @@ template <typename Group, int Order, int Parameters>
       J_inverse.setConstant(none);
     }
     if constexpr (Group::holds_groups) {
-      const double displaced =
-          DisplacedGroup<Model>(d, held.u, held.displaced).displaced(J_inverse) * Group::unit;
+      const DisplacedGroup<Model> among(d, held.u, held.displaced);
       for (auto& frame : placed.frames) {
-        frame.displaced = displaced;
+        frame.displaced = {among.displaced(J_inverse) * Group::unit, 0,
+                           std::max(held.reach, among.size()) * Group::unit};
       }
     }
     if constexpr (Parameters > 0) {

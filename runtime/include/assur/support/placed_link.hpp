@@ -4,6 +4,7 @@
 #include <array>
 #include <assur/directions.hpp>
 #include <assur/model.hpp>
+#include <assur/support/displaced_frame.hpp>
 #include <assur/support/rigid_motion.hpp>
 #include <cstddef>
 
@@ -16,7 +17,7 @@ struct Frame {
   Pose<Scalar> pose{};
   Matrix<Scalar, 3, Order> rates = Matrix<Scalar, 3, Order>::Zero();
   Matrix<Scalar, 3, Parameters> gradient = Matrix<Scalar, 3, Parameters>::Zero();
-  double displaced = 0;  ///< by rounding, at most
+  Displacement displaced{};  ///< by rounding
 };
 
 /// A point in a frame, likewise.
@@ -26,11 +27,11 @@ struct Point {
   Scalar y{};
   Matrix<Scalar, 2, Order> rates = Matrix<Scalar, 2, Order>::Zero();
   Matrix<Scalar, 2, Parameters> gradient = Matrix<Scalar, 2, Parameters>::Zero();
-  double displaced = 0;  ///< by rounding, at most
+  Displacement displaced{};  ///< by rounding
 };
 
 /// A point that is given in a moving frame, in the frame in which that one moves: see `carried` and
-/// `carried_twice`. It is displaced as the frame is.
+/// `carried_twice`.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Point<Scalar, Order, Parameters> point_in(
     const Frame<Scalar, Order, Parameters>& frame, const Point<Scalar, Order, Parameters>& point) {
@@ -41,7 +42,8 @@ template <typename Scalar, int Order, int Parameters>
   Point<Scalar, Order, Parameters> result;
   result.x = frame.pose.x + arm(0);
   result.y = frame.pose.y + arm(1);
-  result.displaced = frame.displaced;
+  result.displaced =
+      frame.displaced.carries(static_cast<double>(point.x), static_cast<double>(point.y));
   // Eigen has no columns of a matrix without columns.
   if constexpr (Order > 0) {
     const Vector<Scalar, 2> sliding = turn(point.rates.col(0));
@@ -66,16 +68,19 @@ template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Frame<Scalar, Order, Parameters> frame_in(
     const Frame<Scalar, Order, Parameters>& frame, const Frame<Scalar, Order, Parameters>& inner) {
   const Point<Scalar, Order, Parameters> origin =
-      point_in(frame, Point<Scalar, Order, Parameters>{inner.pose.x, inner.pose.y,
+      point_in(frame, Point<Scalar, Order, Parameters>{inner.pose.x,
+                                                       inner.pose.y,
                                                        inner.rates.template topRows<2>(),
-                                                       inner.gradient.template topRows<2>(), 0});
+                                                       inner.gradient.template topRows<2>(),
+                                                       {}});
   Frame<Scalar, Order, Parameters> result;
   result.pose = {origin.x, origin.y, turned(frame.pose.direction, inner.pose.direction)};
   result.rates.template topRows<2>() = origin.rates;
   result.rates.row(2) = frame.rates.row(2) + inner.rates.row(2);
   result.gradient.template topRows<2>() = origin.gradient;
   result.gradient.row(2) = frame.gradient.row(2) + inner.gradient.row(2);
-  result.displaced = frame.displaced;
+  result.displaced = frame.displaced.carries(static_cast<double>(inner.pose.x),
+                                             static_cast<double>(inner.pose.y), inner.displaced);
   return result;
 }
 
@@ -87,6 +92,7 @@ template <typename Scalar, int Order, int Parameters>
     const Matrix<Scalar, 1, Parameters>& gradient = Matrix<Scalar, 1, Parameters>::Zero()) {
   Frame<Scalar, Order, Parameters> frame;
   frame.pose.direction = direction_of(angle);
+  frame.displaced = Displacement::of_turn(static_cast<double>(angle));
   frame.rates.row(2) = rates;
   frame.gradient.row(2) = gradient;
   return frame;
@@ -99,6 +105,7 @@ template <typename Scalar, int Order, int Parameters>
     const Matrix<Scalar, 1, Parameters>& gradient = Matrix<Scalar, 1, Parameters>::Zero()) {
   Frame<Scalar, Order, Parameters> frame;
   frame.pose.x = displacement;
+  frame.displaced = Displacement::of_slide(static_cast<double>(displacement));
   frame.rates.row(0) = rates;
   frame.gradient.row(0) = gradient;
   return frame;

@@ -45,9 +45,11 @@ template <typename To, typename From, typename Scale>
 inline constexpr double rounding_of_one = 2 * std::numeric_limits<double>::epsilon();
 
 /// In a chain of groups the bound of a displacement grows much faster than the displacement itself.
-/// A bound beyond this part of a length would make one of two configurations that are close
-/// together, so it counts as this much.
-inline constexpr double most_displaced = 0x1p-46;
+/// A bound beyond some part of the longest length would make one of two configurations that are
+/// close together, so it counts as this much.
+[[nodiscard]] inline double counted_displacement(double displaced, double longest) {
+  return std::min(displaced, 0x1p-46 * longest);
+}
 
 /// How far rounding may have moved the inputs of a group whose neighbours it has `displaced`. The
 /// rounding of a coordinate grows with the coordinate.
@@ -92,19 +94,22 @@ template <typename Model>
 
 /// The power of two that brings the longest length of a group near one. A length that is no
 /// longer than the rounding of the external joints' places, or than these are `displaced`, does not
-/// count.
+/// count: then the group is measured by the length of which that is a rounding. `reach` is the
+/// longest length from which the places were computed.
 template <typename Model>
 [[nodiscard]] double unit_scale(const typename Model::template Dimensions<double>& d,
                                 const typename Model::template Inputs<double>& u,
-                                double displaced = 0) {
+                                double displaced = 0, double reach = 0) {
   if constexpr (Model::dimension_count == 0) {  // folded, and in units of the longest already
     return 1;
   }
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   const double own = size_of<Model>(d, u);
   const double places = longest_length(u);
-  const bool tells = own > rounding * places + (std::isfinite(displaced) ? displaced : 0);
-  const double size = std::max(own, tells ? 0x1p-44 * places : places);
+  const double moved = counted_displacement(displaced, std::max({own, places, reach}));
+  const bool tells = own > rounding * places + moved;
+  const double untold = std::max(places, moved / std::numeric_limits<double>::epsilon());
+  const double size = std::max(own, tells ? 0x1p-44 * places : untold);
   return size > 0 && std::isfinite(size) ? inverse_power_of_two(size) : 1.0;
 }
 

@@ -9,6 +9,7 @@
 #include <assur/support/placed_group.hpp>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -21,7 +22,8 @@ struct Solution {
   /// that moves freely or is inconsistent; not_finite.
   AssemblyStatus status = AssemblyStatus::ok;
   int count = 0;  ///< of the configurations
-  /// Choices of earlier groups for which a group moves freely or is inconsistent.
+  /// Choices of the groups that hold a group, directly or through others, for which it moves freely
+  /// or is inconsistent, if what does not depend on it can be assembled.
   int families = 0;
   int mobility = 0;  ///< of the freest of them
 };
@@ -66,6 +68,8 @@ struct Access {
   static constexpr std::size_t lengths_from = turning_key_size(Solver::keyed_links);
   static constexpr std::size_t turning_drivers = Solver::turning_drivers;  ///< the first ones
   using Key = std::array<double, lengths_from + Solver::keyed_slides>;
+  /// Of each group the set of the groups that hold it, directly or through others.
+  static constexpr auto holders = Solver::holders;
 
   /// Places what drivers move.
   static void drive(const Given& given, Placed& placed) {
@@ -116,6 +120,10 @@ class Search {
   using Groups = typename Own::Groups;
   using Placed = typename Own::Placed;
   static constexpr auto capacity = static_cast<std::size_t>(Solver::max_configurations);
+  static constexpr std::size_t group_count = std::tuple_size_v<Groups>;
+  /// Of groups, a bit each.
+  using Set = std::uint64_t;
+  static_assert(group_count <= 64, "a set of groups is a word");
 
  public:
   using States = std::array<State, capacity>;
@@ -124,14 +132,14 @@ class Search {
   explicit Search(States& states) : states_(states) {}
 
   /// Every configuration, in the order of `assur solve`.
-  [[nodiscard]] Solution run(const typename Own::Given& given) {
+  [[nodiscard, gnu::flatten]] Solution run(const typename Own::Given& given) {
     if (has_parameters<Solver> && !Own::is_finite(given)) {
       solution_.status = AssemblyStatus::not_finite;
       return solution_;
     }
     Placed placed;
     Own::drive(given, placed);
-    descend<0>(placed);
+    descend<0>(placed, {});
     if (solution_.status != AssemblyStatus::ok) {
       solution_.count = 0;
     } else if (solution_.count == 0 && solution_.families > 0) {
@@ -155,9 +163,19 @@ class Search {
   }
 
  private:
+  /// Groups that have no configuration on the way through the search.
+  struct Loose {
+    Set moving = 0;  ///< freely, or inconsistent
+    Set all = 0;     ///< and those that such hold
+  };
+
   template <std::size_t Place>
-  void descend(Placed& placed) {
-    if constexpr (Place == std::tuple_size_v<Groups>) {
+  void descend(Placed& placed, Loose loose) {
+    if constexpr (Place == group_count) {
+      if (loose.moving != 0) {
+        count_families(loose.moving);
+        return;
+      }
       const auto slot = static_cast<std::size_t>(solution_.count++);
       Own::list(placed, states_[slot]);
       Own::key(placed, keys_[slot]);
@@ -166,18 +184,24 @@ class Search {
       }
     } else {
       using Group = std::tuple_element_t<Place, Groups>;
+      constexpr Set itself = Set{1} << Place;
+      if ((Own::holders[Place] & loose.all) != 0) {
+        loose.all |= itself;
+        descend<Place + 1>(placed, loose);
+        return;
+      }
       HeldJoints<Group, Solver::order, Solver::parameter_count> held;
       Own::hold(placed, held);
-      const auto found = assemblies<Specialised<Group>>({}, held.u, held.displaced);
+      const auto found = assemblies<Specialised<Group>>({}, held.u, held.displaced, held.reach);
       if (found.status == AssemblyStatus::not_finite) {
         solution_.status = found.status;
         return;
       }
-      if (found.mobility > 0 || found.status == AssemblyStatus::degenerate) {
-        ++solution_.families;
-        solution_.mobility = std::max(solution_.mobility, found.mobility);
-      }
       const Status before = placed.regularity;
+      if (found.mobility > 0 || found.status == AssemblyStatus::degenerate) {
+        mobilities_[Place] = found.mobility;
+        descend<Place + 1>(placed, {loose.moving | itself, loose.all | itself});
+      }
       for (int index = 0; index < found.count; ++index) {
         const auto group = place_group(held, detail::entry(found.configurations, index),
                                        detail::entry(found.regularity, index));
@@ -186,7 +210,8 @@ class Search {
         if constexpr (Keeps) {
           std::get<Place>(current_) = group.q;
         }
-        descend<Place + 1>(placed);
+        choices_[Place] = static_cast<std::size_t>(index);
+        descend<Place + 1>(placed, loose);
         if (solution_.status != AssemblyStatus::ok) {
           return;
         }
@@ -194,10 +219,47 @@ class Search {
     }
   }
 
+  /// Counts the families of groups that move while all others are assembled, each once for the
+  /// choices of the groups that hold it.
+  void count_families(Set moving) {
+    for (std::size_t group = 0; group < group_count; ++group) {
+      if ((moving >> group & 1U) == 0) {
+        continue;
+      }
+      const std::size_t choice = choice_of_holders(Own::holders[group]);
+      Set& counted = counted_[group][choice / 64];
+      const Set bit = Set{1} << choice % 64;
+      if ((counted & bit) == 0) {
+        counted |= bit;
+        ++solution_.families;
+        solution_.mobility = std::max(solution_.mobility, mobilities_[group]);
+      }
+    }
+  }
+  /// A number for the configurations in which some groups stand.
+  [[nodiscard]] std::size_t choice_of_holders(Set holders) const {
+    std::size_t choice = 0;
+    for (std::size_t group = 0; group < group_count; ++group) {
+      choice = choice * most_choices[group] + ((holders >> group & 1U) != 0 ? choices_[group] : 0);
+    }
+    return choice;
+  }
+  template <typename Tuple>
+  struct MostChoices;
+  template <typename... Group>
+  struct MostChoices<std::tuple<Group...>> {
+    static constexpr std::array<std::size_t, group_count> value = {
+        static_cast<std::size_t>(Group::max_configurations)...};
+  };
+  static constexpr std::array<std::size_t, group_count> most_choices = MostChoices<Groups>::value;
+
   States& states_;
   std::array<typename Own::Key, capacity> keys_;
   Solution solution_;
   Configurations current_;
+  std::array<std::size_t, group_count> choices_{};  ///< the numbers of the groups' configurations
+  std::array<int, group_count> mobilities_{};       ///< of groups that move
+  std::array<std::array<Set, capacity / 64 + 1>, group_count> counted_{};  ///< families
   std::array<Configurations, Keeps ? capacity : 0> kept_;
 };
 

@@ -1,0 +1,82 @@
+// Turns an expression's operations into its value and a bound of what rounding may have done to it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace assur::mechanism::values {
+
+/// A number and how far it may be from what its expression means, to first order. Numbers of the
+/// text are taken as they are: what counts is the rounding of longer ones that cancel, as in
+/// 1 + cos(180*deg).
+struct RoundedNumber {
+  double value = 0;
+  double error = 0;
+
+  RoundedNumber(double number = 0) : value(number) {}
+  RoundedNumber(double number, double within) : value(number), error(within) {}
+};
+
+/// The result of an operation, itself rounded, on numbers that leave an error of it.
+[[nodiscard]] inline RoundedNumber rounded_to(double value, double error) {
+  return {value, error + std::numeric_limits<double>::epsilon() * std::abs(value)};
+}
+
+[[nodiscard]] inline RoundedNumber operator-(const RoundedNumber& a) { return {-a.value, a.error}; }
+[[nodiscard]] inline RoundedNumber operator+(const RoundedNumber& a, const RoundedNumber& b) {
+  return rounded_to(a.value + b.value, a.error + b.error);
+}
+[[nodiscard]] inline RoundedNumber operator-(const RoundedNumber& a, const RoundedNumber& b) {
+  return rounded_to(a.value - b.value, a.error + b.error);
+}
+[[nodiscard]] inline RoundedNumber operator*(const RoundedNumber& a, const RoundedNumber& b) {
+  return rounded_to(a.value * b.value, std::abs(a.value) * b.error + std::abs(b.value) * a.error);
+}
+[[nodiscard]] inline RoundedNumber operator/(const RoundedNumber& a, const RoundedNumber& b) {
+  const double quotient = a.value / b.value;
+  return rounded_to(quotient, (a.error + std::abs(quotient) * b.error) / std::abs(b.value));
+}
+[[nodiscard]] inline RoundedNumber sin(const RoundedNumber& a) {
+  return rounded_to(std::sin(a.value), std::abs(std::cos(a.value)) * a.error);
+}
+[[nodiscard]] inline RoundedNumber cos(const RoundedNumber& a) {
+  return rounded_to(std::cos(a.value), std::abs(std::sin(a.value)) * a.error);
+}
+[[nodiscard]] inline RoundedNumber tan(const RoundedNumber& a) {
+  const double value = std::tan(a.value);
+  return rounded_to(value, (1 + value * value) * a.error);
+}
+/// Where a root begins, its argument may be off by as much as it is.
+[[nodiscard]] inline double root_slope(double inside, double error) {
+  return 1 / std::sqrt(std::max({inside, error, std::numeric_limits<double>::min()}));
+}
+[[nodiscard]] inline RoundedNumber sqrt(const RoundedNumber& a) {
+  return rounded_to(std::sqrt(a.value), root_slope(a.value, a.error) * a.error);
+}
+[[nodiscard]] inline RoundedNumber asin(const RoundedNumber& a) {
+  return rounded_to(std::asin(a.value), root_slope(1 - a.value * a.value, a.error) * a.error);
+}
+[[nodiscard]] inline RoundedNumber acos(const RoundedNumber& a) {
+  return rounded_to(std::acos(a.value), root_slope(1 - a.value * a.value, a.error) * a.error);
+}
+[[nodiscard]] inline RoundedNumber atan(const RoundedNumber& a) {
+  return rounded_to(std::atan(a.value), a.error / (1 + a.value * a.value));
+}
+[[nodiscard]] inline RoundedNumber atan2(const RoundedNumber& y, const RoundedNumber& x) {
+  const double length = std::hypot(x.value, y.value);
+  return rounded_to(std::atan2(y.value, x.value), (x.error + y.error) / length);
+}
+[[nodiscard]] inline RoundedNumber exp(const RoundedNumber& a) {
+  const double value = std::exp(a.value);
+  return rounded_to(value, value * a.error);
+}
+[[nodiscard]] inline RoundedNumber log(const RoundedNumber& a) {
+  return rounded_to(std::log(a.value), a.error / std::abs(a.value));
+}
+[[nodiscard]] inline RoundedNumber pow(const RoundedNumber& a, double exponent) {
+  const double value = std::pow(a.value, exponent);
+  return rounded_to(value, std::abs(exponent * std::pow(a.value, exponent - 1)) * a.error);
+}
+
+}  // namespace assur::mechanism::values

@@ -1,0 +1,43 @@
+// Turns how far rounding has displaced a frame into how far it has displaced what the frame holds.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace assur::support {
+
+/// By how much rounding may have moved the origin of a frame, and turned the frame, at most. What
+/// is computed from lengths that cancel is not known to a rounding of its own value, but to one of
+/// theirs: `reach` is the longest of them.
+struct Displacement {
+  double moved = 0;
+  double turned = 0;
+  double reach = 0;
+
+  /// A frame that turns about its origin by an angle, which is rounded as its cosine and sine are.
+  [[nodiscard]] static Displacement of_turn(double angle) {
+    return {0, std::numeric_limits<double>::epsilon() * (1 + std::abs(angle)), 0};
+  }
+  /// A frame that slides along an axis.
+  [[nodiscard]] static Displacement of_slide(double displacement) {
+    const double length = std::abs(displacement);
+    return {std::numeric_limits<double>::epsilon() * length, 0, length};
+  }
+  /// What is computed with an error.
+  [[nodiscard]] static Displacement of_rounding(double error) {
+    return {error, 0, error / std::numeric_limits<double>::epsilon()};
+  }
+  /// Of what stands at (x, y) in this frame.
+  [[nodiscard]] Displacement carries(double x, double y) const {
+    const double arm = std::abs(x) + std::abs(y);
+    return {moved + turned * arm, turned, std::max(reach, arm)};
+  }
+  /// Of a frame that stands there and is displaced against this one.
+  [[nodiscard]] Displacement carries(double x, double y, const Displacement& inner) const {
+    const Displacement origin = carries(x, y);
+    return {origin.moved + inner.moved, turned + inner.turned, std::max(origin.reach, inner.reach)};
+  }
+};
+
+}  // namespace assur::support
