@@ -223,6 +223,7 @@ class SceneEmitter {
     view_.set("group_list", text::joined(structs_, ", "));
     view_.set("group_count", std::to_string(structs_.size()));
     view_.set("holders", text::joined(holders(), ", "));
+    view_.set("has_holders", structs_.size() > 1);
     view_.set("steps", cpp::line_list(steps, ""));
     view_.set("max_configurations", std::to_string(max_configurations_));
     view_.set("file", cpp::comment_text(solver_.file));

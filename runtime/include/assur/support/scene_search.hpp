@@ -69,7 +69,14 @@ struct Access {
   static constexpr std::size_t turning_drivers = Solver::turning_drivers;  ///< the first ones
   using Key = std::array<double, lengths_from + Solver::keyed_slides>;
   /// Of each group the set of the groups that hold it, directly or through others.
-  static constexpr auto holders = Solver::holders;
+  static constexpr auto holders = [] {
+    constexpr std::size_t groups = std::tuple_size_v<Groups>;
+    if constexpr (groups > 1) {
+      return Solver::holders;
+    } else {
+      return std::array<std::uint64_t, groups>{};
+    }
+  }();
 
   /// Places what drivers move.
   static void drive(const Given& given, Placed& placed) {
