@@ -4,11 +4,26 @@
 #include <array>
 #include <assur/directions.hpp>
 #include <assur/text/identifiers.hpp>
-#include <regex>
+#include <cctype>
 
 #include "emission/cpp/cpp_text.hpp"
 
 namespace assur::generator::emission::scene {
+
+namespace {
+
+/// Whether a line names a root: `root_1`, not `root_12`.
+bool names(const std::string& line, const std::string& root) {
+  for (std::size_t at = line.find(root); at != std::string::npos; at = line.find(root, at + 1)) {
+    const std::size_t end = at + root.size();
+    if (end == line.size() || std::isdigit(static_cast<unsigned char>(line[end])) == 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
 
 Eigen::VectorXd ModelledParameters::gradient(const mechanism::Dual& quantity) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(count());

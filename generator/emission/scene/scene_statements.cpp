@@ -160,23 +160,26 @@ PlacingStatements placing_statements(const SolverScene& solver, mechanism::Group
   std::vector<std::string> slides;
   const mechanism::GroupGeometry<SceneNumber>& geometry = solver.numbers.group(group);
   const std::vector<FrameNeed> needs = frame_needs(solver, group);
-  std::size_t place = 0;
+  std::size_t frames = 0;
+  std::size_t directions = 0;
   for (const std::size_t link : framed_links(needs)) {
     const mechanism::LinkIndex played = geometry.roles->links[link];
-    const std::string frame = "group.frames[" + std::to_string(place++) + "]";
+    const bool whole = needs[link] == FrameNeed::everything;
+    const std::string place = "[" + std::to_string(whole ? frames++ : directions++) + "]";
     if (!solver.lists(played)) {
       continue;
     }
     const Pose<SceneNumber> own = mechanism::inverse(geometry.links[link].frame);
     const std::string& member = "placed." + solver.members.links[played];
-    if (needs[link] == FrameNeed::everything) {
-      lines.add(member + " = " +
-                nested_frames(
-                    {frame, lines.frame(solver.link_name(played) + "_in_its_normal_frame", own)}) +
-                ";");
+    if (whole) {
+      lines.add(
+          member + " = " +
+          nested_frames({"group.frames" + place,
+                         lines.frame(solver.link_name(played) + "_in_its_normal_frame", own)}) +
+          ";");
     } else {
-      lines.add(member + " = " + turned_direction(lines, frame + ".pose.direction", own.direction) +
-                ";");
+      lines.add(member + " = " +
+                turned_direction(lines, "group.directions" + place, own.direction) + ";");
     }
   }
   const std::vector<ModelUnknown>& unknowns = solver.group(group).model->unknowns;

@@ -87,7 +87,13 @@ class GroupSpecialiser {
   }
 
  private:
-  [[nodiscard]] Eigen::Index parameter_count() const { return numbers_.dimension_gradient.cols(); }
+  /// Of the parameters to which frames have derivatives.
+  [[nodiscard]] Eigen::Index parameter_count() const {
+    return count_of(FrameNeed::everything) > 0 ? numbers_.dimension_gradient.cols() : 0;
+  }
+  [[nodiscard]] std::ptrdiff_t count_of(FrameNeed need) const {
+    return std::count(numbers_.frames.begin(), numbers_.frames.end(), need);
+  }
 
   /// A dimension, or the cosine or sine of one, that the functions know by its name.
   struct NamedConstant {
@@ -197,7 +203,9 @@ class GroupSpecialiser {
         "link_poses",
         {"Frames of links in the fixed frame."},
         {{"const Inputs<Scalar>&", "u"}, {"const Configuration<Scalar>&", "q"}},
-        {{"Poses<Scalar, link_count>&", "poses"}},
+        {{count_of(FrameNeed::direction) > 0 ? "Poses<Scalar, link_count + direction_count>&"
+                                             : "Poses<Scalar, link_count>&",
+          "poses"}},
         {}};
     std::size_t place = 0;
     for (const std::size_t link : framed_links(numbers_.frames)) {
@@ -238,14 +246,16 @@ class GroupSpecialiser {
     const auto any_of = [&](const std::vector<std::string>& names) {
       return std::find(names.begin(), names.end(), function) != names.end();
     };
+    const bool has_rates = numbers_.order > 0 && count_of(FrameNeed::everything) > 0;
     const bool has_inverse =
         parameter_count() > 0 || numbers_.holds_groups || equations_.unknowns.size() > 2;
     return any_of({"residual", "degeneracies"}) ||
            (function == "jacobian" && !elimination_.is_closed()) ||
            (has_inverse && function == "inverse_jacobian") ||
            (numbers_.order == 1 && function == "velocity") ||
-           (numbers_.order == 2 && any_of({"motion", "link_accelerations"})) ||
-           (numbers_.order > 0 && function == "link_velocities");
+           (numbers_.order == 2 && function == "motion") ||
+           (numbers_.order == 2 && has_rates && function == "link_accelerations") ||
+           (has_rates && function == "link_velocities");
   }
 
   /// The derivatives to what is an input of the solver's group.
@@ -346,7 +356,8 @@ class GroupSpecialiser {
     view.set("frames", model::link_list(equations_));
     model::show_solution(structured_, equations_, elimination_, view);
     view.set("has_second_unknown", elimination_.second != nullptr);
-    view.set("link_count", std::to_string(framed_links(numbers_.frames).size()));
+    view.set("link_count", std::to_string(count_of(FrameNeed::everything)));
+    view.set("direction_count", std::to_string(count_of(FrameNeed::direction)));
     view.set("holds_groups", cpp::boolean(numbers_.holds_groups));
     view.set("equation_count", std::to_string(2 * equations_.loops.size()));
     model::show_variables(equations_.unknowns, "unknown", view, equations_.owners);

@@ -72,6 +72,7 @@ template <typename Group, int Order, int Parameters>
 struct PlacedGroup {
   typename Group::template Configuration<double> q;
   std::array<Frame<double, Order, Parameters>, detail::size(Group::link_count)> frames;
+  std::array<Direction<double>, detail::size(Group::direction_count)> directions;
   Matrix<double, Group::unknown_count, Order> rates;  ///< lengths in the group's unit
   Status regularity = Status::ok;
 };
@@ -107,7 +108,7 @@ template <typename Group, int Order, int Parameters>
     placed.regularity = regularity_among_displaced(held, q, regularity);
   }
   const bool solvable = is_solvable(placed.regularity);
-  Poses<double, links> poses;
+  Poses<double, links + Group::direction_count> poses;
   Group::link_poses(held.u, q, poses);
   for (int link = 0; link < links; ++link) {
     Frame<double, Order, Parameters>& frame = detail::entry(placed.frames, link);
@@ -115,9 +116,11 @@ template <typename Group, int Order, int Parameters>
     frame.pose.x *= Group::unit;
     frame.pose.y *= Group::unit;
   }
+  for (int link = 0; link < Group::direction_count; ++link) {
+    detail::entry(placed.directions, link) = detail::entry(poses, links + link).direction;
+  }
 
   if constexpr (Order > 0) {
-    // Of a link whose direction alone is needed, a group has no rates.
     Matrix<double, links, 3> velocity = Matrix<double, links, 3>::Zero();
     Vector<double, Group::unknown_count> q_rate;
     q_rate.setConstant(none);
@@ -130,8 +133,10 @@ template <typename Group, int Order, int Parameters>
       if (solvable) {
         Group::motion(held.u, q, u_rate, u_second_rate, q_rate, q_second_rate);
       }
-      Group::link_accelerations(held.u, q, q_rate, q_second_rate, u_rate, u_second_rate,
-                                acceleration);
+      if constexpr (links > 0) {
+        Group::link_accelerations(held.u, q, q_rate, q_second_rate, u_rate, u_second_rate,
+                                  acceleration);
+      }
       placed.rates.col(1) = q_second_rate;
       for (int link = 0; link < links; ++link) {
         detail::entry(placed.frames, link).rates.col(1) = acceleration.row(link).transpose();
@@ -139,7 +144,9 @@ template <typename Group, int Order, int Parameters>
     } else if (solvable) {
       Group::velocity(held.u, q, u_rate, q_rate);
     }
-    Group::link_velocities(held.u, q, q_rate, u_rate, velocity);
+    if constexpr (links > 0) {
+      Group::link_velocities(held.u, q, q_rate, u_rate, velocity);
+    }
     placed.rates.col(0) = q_rate;
     for (int link = 0; link < links; ++link) {
       Frame<double, Order, Parameters>& frame = detail::entry(placed.frames, link);
@@ -148,7 +155,7 @@ template <typename Group, int Order, int Parameters>
     }
   }
 
-  if constexpr (Parameters > 0 || Group::holds_groups) {
+  if constexpr (links > 0 && (Parameters > 0 || Group::holds_groups)) {
     Matrix<double, Group::unknown_count, Group::equation_count> J_inverse;
     if (solvable) {
       Model::inverse_jacobian(d, held.u, q, J_inverse);
