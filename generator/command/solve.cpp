@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <assur/mechanism/report.hpp>
+#include <assur/mechanism/scene_file.hpp>
 #include <assur/text/error.hpp>
 #include <iostream>
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <assur/mechanism/plan.hpp>
+#include <assur/mechanism/scene_file.hpp>
 #include <assur/text/suggestion.hpp>
 
 #include "plan/plan_data.hpp"

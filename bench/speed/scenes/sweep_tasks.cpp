@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include <array>
+#include <assur/mechanism/scene_file.hpp>
 #include <assur/mechanism/sweep.hpp>
 #include <assur/scenes/jansen_leg.hpp>
 #include <memory>

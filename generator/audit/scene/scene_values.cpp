@@ -2,6 +2,7 @@
 
 #include <assur/directions.hpp>
 #include <assur/mechanism/plan.hpp>
+#include <assur/mechanism/scene_file.hpp>
 #include <iterator>
 
 namespace assur::generator::audit::scene {

@@ -108,7 +108,7 @@ std::vector<mechanism::LinkIndex> bases_of(const mechanism::Structure& structure
   return bases;
 }
 
-mechanism::Table<mechanism::LinkIndex, FrameNeed> frame_needs(const SolverScene& solver) {
+mechanism::Table<mechanism::LinkIndex, FrameNeed> needs_of_links(const SolverScene& solver) {
   const mechanism::Mechanism& described = solver.mechanism();
   const mechanism::Structure& structure = solver.plan.structure();
   mechanism::Table<mechanism::LinkIndex, FrameNeed> needs(structure.linkage.links.size(),
@@ -147,7 +147,7 @@ SolverScene::SolverScene(const mechanism::Scene& described)
       parameters(modelled_parameters(plan, values, variable)),
       numbers(plan, values, spelled(variable), parameters.columns()),
       members(scene_members(plan.mechanism())),
-      needs(frame_needs(*this)),
+      needs(needs_of_links(*this)),
       derivative_order(order_of(described.request.want)),
       file(std::filesystem::path(described.file).filename().string()),
       structure(text::struct_name(std::filesystem::path(described.file).stem().string())) {}

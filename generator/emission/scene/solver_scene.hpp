@@ -2,6 +2,7 @@
 #pragma once
 
 #include <assur/mechanism/plan.hpp>
+#include <assur/mechanism/scene_file.hpp>
 #include <string>
 #include <vector>
 

@@ -189,7 +189,7 @@ class ModelFunctions {
 
   template <typename Variables>
   static Variables read(const FlatVariables& flat) {
-    return support::unflattened<Variables>(flat, [](double value) { return value; });
+    return support::unflattened<Variables>(flat);
   }
 };
 
@@ -251,10 +251,19 @@ template <typename Model>
   return structure;
 }
 
-/// A group with all its models, in the order of their numbers.
-template <typename First, typename... Rest>
-[[nodiscard]] GroupModels models_of(const std::tuple<First, Rest...>&) {
-  return {structure_of<First>(), {row_of<First>(), row_of<Rest>()...}};
+/// A group with its models from one place on, in the order of their numbers.
+template <typename Models, std::size_t First, std::size_t... Place>
+[[nodiscard]] GroupModels models_from(std::index_sequence<Place...>) {
+  return {structure_of<std::tuple_element_t<0, Models>>(),
+          {row_of<std::tuple_element_t<First + Place, Models>>()...}};
+}
+
+/// The group with one of `parts` parts of its models: the parts are compiled side by side.
+template <typename Models, std::size_t part, std::size_t parts>
+[[nodiscard]] GroupModels part_of() {
+  constexpr std::size_t count = std::tuple_size_v<Models>;
+  constexpr std::size_t first = count * part / parts;
+  return models_from<Models, first>(std::make_index_sequence<count*(part + 1) / parts - first>());
 }
 
 }  // namespace assur::mechanism::models

@@ -1,14 +1,48 @@
 # Turns each header of the runtime into a file of its own, and fails where it needs another first:
 #   cmake -DHEADERS=runtime/include -DFLAGS="-I..." -DCOMPILERS="g++;clang++" -P headers_alone.cmake
+#
+# Most of a header's time is Eigen's. A header that comes to include Eigen sees it before its own
+# code, so it is compiled with Eigen precompiled; what it includes before Eigen is compiled alone
+# here too, and without Eigen where it includes none.
+cmake_minimum_required(VERSION 3.25)
 file(GLOB_RECURSE headers RELATIVE ${HEADERS} ${HEADERS}/assur/*.hpp)
 separate_arguments(flags UNIX_COMMAND "${FLAGS}")
+set(flags -std=c++17 -Wall -Wextra -Wconversion -Wshadow -Werror -I${HEADERS} ${flags})
 set(source ${CMAKE_CURRENT_BINARY_DIR}/header_alone.cpp)
+set(eigen ${CMAKE_CURRENT_BINARY_DIR}/eigen_before.hpp)
+
+# Those that include Eigen, themselves or by another header of the runtime.
+set(with_eigen "")
+set(before -1)
+list(LENGTH with_eigen found)
+while(NOT found EQUAL before)
+  set(before ${found})
+  foreach(header IN LISTS headers)
+    file(STRINGS ${HEADERS}/${header} includes REGEX "^#include <(Eigen/.*|assur/.*)>$")
+    list(TRANSFORM includes REPLACE "^#include <(.*)>$" "\\1")
+    foreach(included IN LISTS includes)
+      if(included MATCHES "^Eigen/" OR included IN_LIST with_eigen)
+        list(APPEND with_eigen ${header})
+        break()
+      endif()
+    endforeach()
+  endforeach()
+  list(REMOVE_DUPLICATES with_eigen)
+  list(LENGTH with_eigen found)
+endwhile()
+
 set(failed FALSE)
-foreach(header IN LISTS headers)
-  file(WRITE ${source} "#include <${header}>\n")
-  foreach(compiler IN LISTS COMPILERS)
-    execute_process(COMMAND ${compiler} -std=c++17 -Wall -Wextra -Wconversion -Wshadow -Werror
-        -fsyntax-only -I${HEADERS} ${flags} ${source}
+foreach(compiler IN LISTS COMPILERS)
+  file(WRITE ${eigen} "#include <Eigen/Core>\n")
+  execute_process(COMMAND ${compiler} ${flags} -x c++-header ${eigen} -o ${eigen}.gch
+    COMMAND_ERROR_IS_FATAL ANY)
+  foreach(header IN LISTS headers)
+    file(WRITE ${source} "#include <${header}>\n")
+    set(first "")
+    if(header IN_LIST with_eigen)
+      set(first -Winvalid-pch -include ${eigen})
+    endif()
+    execute_process(COMMAND ${compiler} ${flags} -fsyntax-only ${first} ${source}
       RESULT_VARIABLE result ERROR_VARIABLE messages)
     if(NOT result EQUAL 0)
       message(STATUS "${compiler}, ${header} alone:\n${messages}")

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <assur/mechanism/scene_file.hpp>
 #include <assur/mechanism/sweep.hpp>
 #include <map>
 #include <string>

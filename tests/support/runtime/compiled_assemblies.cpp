@@ -38,8 +38,7 @@ Assemblies<Model> assemblies(const typename Model::template Dimensions<double>& 
   result.mobility = found.mobility;
   for (std::size_t index = 0; index < found.count; ++index) {
     using Configuration = typename Model::template Configuration<double>;
-    result.configurations[index] = support::unflattened<Configuration>(
-        found.configurations[index], [](double value) { return value; });
+    result.configurations[index] = support::unflattened<Configuration>(found.configurations[index]);
     result.regularity[index] = found.regularity[index];
   }
   return result;

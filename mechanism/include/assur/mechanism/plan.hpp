@@ -2,7 +2,6 @@
 #pragma once
 
 #include <assur/mechanism/request.hpp>
-#include <assur/mechanism/scene_file.hpp>
 #include <assur/mechanism/solution.hpp>
 #include <assur/mechanism/structure.hpp>
 #include <assur/mechanism/values.hpp>
@@ -12,6 +11,8 @@
 #include <vector>
 
 namespace assur::mechanism {
+
+struct Scene;
 
 /// The order in which a mechanism's formulas are evaluated and its links are placed.
 ///

@@ -14,6 +14,43 @@
 
 namespace assur::detail {
 
+using CertifiedVariables = FlatVariables<numeric::Bounded<numeric::DoubleDouble>>;
+
+/// Variables that are known to `within`.
+[[nodiscard]] inline CertifiedVariables in_bounds(const PreciseVariables& variables,
+                                                  double within) {
+  CertifiedVariables result;
+  for (std::size_t place = 0; place < variables.size(); ++place) {
+    result[place] = {variables[place], within};
+  }
+  return result;
+}
+
+/// Lists a completion, if it is finite. A bar of no length has any direction, and along parallel
+/// slides any place will do to start from.
+inline void add_completion(const PreciseVariables& q, const ModelUnknown* unknowns, int count,
+                           Completions& completions) {
+  FlatVariables<double>& found = completions.list[completions.count];
+  bool finite = true;
+  const auto add = [&](std::size_t place, const numeric::DoubleDouble& value) {
+    found[place] = static_cast<double>(value);
+    finite = finite && std::isfinite(found[place]);
+  };
+  std::size_t place = 0;
+  for (int unknown = 0; unknown < count; ++unknown) {
+    if (unknowns[unknown].is_angle) {
+      const bool known = is_number(q[place]) && is_number(q[place + 1]);
+      add(place, known ? q[place] : 1);
+      add(place + 1, known ? q[place + 1] : 0);
+      place += 2;
+    } else {
+      add(place, is_number(q[place]) ? q[place] : 0);
+      ++place;
+    }
+  }
+  completions.count += finite ? 1 : 0;
+}
+
 /// A group of a model, scaled so that its longest length is near one.
 template <typename Model>
 class SpecialGroupOf {
@@ -68,16 +105,15 @@ class SpecialGroupOf {
   }
   template <typename Variables>
   [[nodiscard]] static Variables in_double(const FlatVariables<double>& flat) {
-    return support::unflattened<Variables>(flat, [](double value) { return value; });
+    return support::unflattened<Variables>(flat);
   }
   template <typename Variables>
   [[nodiscard]] static Variables precise(const PreciseVariables& flat) {
-    return support::unflattened<Variables>(flat, [](const Precise& value) { return value; });
+    return support::unflattened<Variables>(flat);
   }
   template <typename Variables>
   [[nodiscard]] static Variables certified(const PreciseVariables& flat, double within) {
-    return support::unflattened<Variables>(
-        flat, [within](const Precise& value) { return Certified(value, within); });
+    return support::unflattened<Variables>(in_bounds(flat, within));
   }
 
   static void evaluate(const void* group, const FlatVariables<double>& q, numeric::Vector4& f) {
@@ -128,22 +164,9 @@ class SpecialGroupOf {
     Completions result;
     const auto add = [&] {
       Model::complete(d, u, q);
-      for_each_member(q, [](auto& member, std::size_t) {
-        // A bar of no length has any direction, and along parallel slides any place will do to
-        // start from.
-        if constexpr (!std::is_same_v<std::decay_t<decltype(member)>, Precise>) {
-          if (!is_number(member.cos) || !is_number(member.sin)) {
-            member = {Precise(1), Precise(0)};
-          }
-        } else if (!is_number(member)) {
-          member = Precise(0);
-        }
-      });
-      FlatVariables<double> flat{};
+      PreciseVariables flat{};
       support::flatten(q, flat);
-      if (is_finite(in_double<Configuration<double>>(flat))) {
-        result.list[result.count++] = flat;
-      }
+      add_completion(flat, Model::unknowns.data(), Model::unknown_count, result);
     };
     if constexpr (Model::second_unknown >= 0) {
       auto& second = std::get<size(Model::second_unknown)>(q.members());
@@ -178,8 +201,7 @@ void search_in_special_position(const typename Model::template Dimensions<double
   result.count = 0;
   for (std::size_t index = 0; index < found.count && result.count < Model::max_configurations;
        ++index) {
-    const auto q =
-        support::unflattened<Configuration>(found.list[index], [](double value) { return value; });
+    const auto q = support::unflattened<Configuration>(found.list[index]);
     const Status regularity = assur::regularity<Model, double>(d, u, q).status;
     entry(result.configurations, result.count) = q;
     entry(result.regularity, result.count) =

@@ -3,8 +3,8 @@
 
 #include <array>
 #include <assur/model.hpp>
-#include <assur/variables.hpp>
 #include <cstddef>
+#include <cstring>
 #include <type_traits>
 
 namespace assur::support {
@@ -14,36 +14,45 @@ namespace assur::support {
 template <typename Scalar>
 using FlatVariables = std::array<Scalar, 24>;
 
-/// The variables that stand in `flat`; `convert` turns its numbers into theirs.
-template <typename Variables, typename Flat, typename Convert>
-[[nodiscard]] Variables unflattened(const Flat& flat, const Convert& convert) {
+/// How many numbers a model's variables are. They hold nothing else and are copied as they are: a
+/// loop over their members would be compiled anew for every model.
+template <typename Variables, typename Scalar>
+inline constexpr std::size_t number_count = std::is_empty_v<Variables>
+                                                ? 0
+                                                : sizeof(Variables) / sizeof(Scalar);
+
+/// The variables that stand in `flat`.
+template <typename Variables, typename Scalar>
+[[nodiscard]] Variables unflattened(const FlatVariables<Scalar>& flat) {
+  static_assert(std::is_trivially_copyable_v<Variables>);
   Variables result;
-  std::size_t place = 0;
-  for_each_member(result, [&](auto& member, std::size_t) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(member)>,
-                                 std::decay_t<decltype(convert(flat[0]))>>) {
-      member = convert(flat[place++]);
-    } else {
-      member.cos = convert(flat[place++]);
-      member.sin = convert(flat[place++]);
-    }
-  });
+  std::memcpy(static_cast<void*>(&result), flat.data(),
+              number_count<Variables, Scalar> * sizeof(Scalar));
   return result;
 }
 
+/// The variables that stand in `flat` as numbers of another scalar; `convert` turns those into
+/// theirs.
+template <typename Variables, typename Scalar, typename Convert>
+[[nodiscard]] Variables unflattened(const FlatVariables<Scalar>& flat, const Convert& convert) {
+  using Own = std::decay_t<decltype(convert(flat[0]))>;
+  FlatVariables<Own> converted;
+  for (std::size_t place = 0; place < number_count<Variables, Own>; ++place) {
+    converted[place] = convert(flat[place]);
+  }
+  return unflattened<Variables>(converted);
+}
+
 /// The variables as `flat` numbers of another scalar.
-template <typename Variables, typename Flat>
-void flatten(const Variables& variables, Flat& flat) {
-  using Scalar = std::decay_t<decltype(flat[0])>;
-  std::size_t place = 0;
-  for_each_member(variables, [&](const auto& member, std::size_t) {
-    if constexpr (std::is_constructible_v<Scalar, std::decay_t<decltype(member)>>) {
-      flat[place++] = Scalar(member);
-    } else {
-      flat[place++] = Scalar(member.cos);
-      flat[place++] = Scalar(member.sin);
-    }
-  });
+template <template <typename> class Variables, typename Own, typename Scalar>
+void flatten(const Variables<Own>& variables, FlatVariables<Scalar>& flat) {
+  static_assert(std::is_trivially_copyable_v<Variables<Own>>);
+  constexpr std::size_t count = number_count<Variables<Own>, Own>;
+  FlatVariables<Own> own;
+  std::memcpy(static_cast<void*>(own.data()), &variables, count * sizeof(Own));
+  for (std::size_t place = 0; place < count; ++place) {
+    flat[place] = Scalar(own[place]);
+  }
 }
 
 }  // namespace assur::support
