@@ -45,9 +45,8 @@ std::vector<std::string> SceneLines::lines() const {
   std::vector<std::string> readers = lines_;
   const std::vector<SceneNumbers::NamedRoot> named = numbers_.roots();
   for (auto root = named.rbegin(); root != named.rend(); ++root) {
-    const std::regex name("\\b" + root->name + "\\b");
     if (std::any_of(readers.begin(), readers.end(),
-                    [&](const std::string& line) { return std::regex_search(line, name); })) {
+                    [&](const std::string& line) { return names(line, root->name); })) {
       roots.push_back("const double " + root->name + " = std::sqrt(" + root->radicand + ");");
       readers.push_back(roots.back());
     }
