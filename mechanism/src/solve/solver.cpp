@@ -159,8 +159,6 @@ class ConfigurationWalk {
     if (found.mobility > 0 || found.status == AssemblyStatus::degenerate) {
       add_family(group, found.mobility, reason_of_freedom(group, found.mobility),
                  nothing_unplaced());
-    } else if (found.count == 0 && !values_.group(group).flaw.empty()) {
-      add_family(group, 0, values_.group(group).flaw, nothing_unplaced());
     } else if (found.count == 0 && measures_gap_ && listed_ == 0) {
       measure_gap(group);
     }
@@ -396,6 +394,9 @@ class ConfigurationWalk {
       (void)std::snprintf(gap.data(), gap.size(), "%.3g", least_gap_);
       solution_->reason = "the joints " + text::listed(joint_names(unreached_, false)) +
                           " fail to close by " + gap.data() + " at least";
+      if (const std::string& flaw = values_.group(unreached_).flaw; !flaw.empty()) {
+        solution_->reason += "; " + flaw;
+      }
       return;
     }
     solution_->status = SolutionStatus::degenerate;

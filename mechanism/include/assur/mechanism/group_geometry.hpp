@@ -21,8 +21,7 @@ template <typename Scalar>
 struct GroupGeometry {
   const RoleAssignment* roles = nullptr;  ///< null where no assignment has a normal form
   std::string obstacle;                   ///< then: which link has none, and why
-  std::string
-      flaw;  ///< which link has no length, if one has none: it turns, or cannot be assembled
+  std::string flaw;                       ///< which link has no length, if one has none
   std::vector<NormalForm<Scalar>> links;  ///< of each link of the model
 
   /// The dimensions of the model, in its order.
