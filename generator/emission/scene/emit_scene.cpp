@@ -109,11 +109,20 @@ class SceneEmitter {
     view_.set("variable_list",
               text::joined(solver_.variable, ", ",
                            [](const VariableParameter& one) { return "&" + one.member; }));
+    view_.set("variable_option", variables.empty() ? "" : " --variable " + variable_names());
     view_.set("has_variables", !variables.empty());
     view_.set("given", variables.empty() ? "drivers" : "{drivers, values}");
     view_.set("given_list", variables.empty() ? "const Drivers<double>& drivers"
                                               : "const Drivers<double>& drivers, const "
                                                 "Parameters<double>& values");
+  }
+
+  /// As the command takes them.
+  [[nodiscard]] std::string variable_names() const {
+    return cpp::comment_text(
+        text::joined(solver_.variable, ",", [this](const VariableParameter& one) {
+          return solver_.mechanism().parameters()[one.index].name;
+        }));
   }
 
   void show_group(mechanism::GroupIndex group) {

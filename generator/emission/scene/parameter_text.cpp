@@ -121,7 +121,7 @@ class FormulaText {
           const std::string text = atom(base, exponent.is_equal(1));
           side.insert(side.end(), exponent.is_equal(1) ? 1 : 2, text);
         } else {
-          side.push_back("std::pow(" + whole(base) + ", " + whole(exponent) + ")");
+          side.push_back("std::pow(" + power_base(base, exponent) + ", " + whole(exponent) + ")");
         }
       }
     }
@@ -157,6 +157,18 @@ class FormulaText {
         number_ = -number_;
       }
       return "(" + inner.text + ")";
+    }
+
+    /// The base of a power. GiNaC chooses the sign of one with a whole exponent by chance.
+    std::string power_base(const GiNaC::ex& base, const GiNaC::ex& exponent) {
+      if (!exponent.info(GiNaC::info_flags::integer)) {
+        return whole(base);
+      }
+      const SignedText inner = FormulaText::factor(base);
+      if (inner.negative && exponent.info(GiNaC::info_flags::odd)) {
+        number_ = -number_;
+      }
+      return inner.text;
     }
 
     GiNaC::ex number_ = 1;

@@ -12,11 +12,17 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// Whether a line names a root: `root_1`, not `root_12`.
-bool names(const std::string& line, const std::string& root) {
-  for (std::size_t at = line.find(root); at != std::string::npos; at = line.find(root, at + 1)) {
+/// Whether a line reads a root: `root_1`, not `root_12`, a member or a parameter in a comment that
+/// is called like it.
+bool reads(const std::string& line, const std::string& root) {
+  const std::string code = line.substr(0, line.find("//"));
+  const auto belongs = [](char c) {
+    return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0;
+  };
+  for (std::size_t at = code.find(root); at != std::string::npos; at = code.find(root, at + 1)) {
     const std::size_t end = at + root.size();
-    if (end == line.size() || std::isdigit(static_cast<unsigned char>(line[end])) == 0) {
+    const bool begins = at == 0 || (code[at - 1] != '.' && !belongs(code[at - 1]));
+    if (begins && (end == code.size() || !belongs(code[end]))) {
       return true;
     }
   }
@@ -46,7 +52,7 @@ std::vector<std::string> SceneLines::lines() const {
   const std::vector<SceneNumbers::NamedRoot> named = numbers_.roots();
   for (auto root = named.rbegin(); root != named.rend(); ++root) {
     if (std::any_of(readers.begin(), readers.end(),
-                    [&](const std::string& line) { return names(line, root->name); })) {
+                    [&](const std::string& line) { return reads(line, root->name); })) {
       roots.push_back("const double " + root->name + " = std::sqrt(" + root->radicand + ");");
       readers.push_back(roots.back());
     }

@@ -53,7 +53,7 @@ std::optional<GiNaC::ex> squared(const GiNaC::ex& formula) {
 
 GiNaC::ex SceneSymbols::root_of(const GiNaC::ex& radicand) {
   for (const Root& root : roots_) {
-    if (root.radicand.is_equal(radicand)) {
+    if ((root.radicand - radicand).expand().is_zero()) {
       return root.symbol;
     }
   }
@@ -147,7 +147,7 @@ SceneNumber sqrt(const SceneNumber& a) {
     const GiNaC::ex radicand = shortened(f);
     const std::optional<GiNaC::ex> root = squared(radicand);
     if (!root) {
-      return a.symbols()->root_of(radicand.expand());
+      return a.symbols()->root_of(radicand);
     }
     return a.symbols()->value_of(*root) < 0 ? GiNaC::ex(-*root) : *root;
   });

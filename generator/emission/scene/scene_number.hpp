@@ -69,6 +69,9 @@ class SceneNumber {
   SceneSymbols* symbols_ = nullptr;
 };
 
+/// Whether the number stands for other values too.
+[[nodiscard]] inline bool may_change(const SceneNumber& number) { return number.has_formula(); }
+
 SceneNumber operator-(const SceneNumber& a);
 SceneNumber operator+(const SceneNumber& a, const SceneNumber& b);
 SceneNumber operator-(const SceneNumber& a, const SceneNumber& b);

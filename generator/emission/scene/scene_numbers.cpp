@@ -128,38 +128,59 @@ std::vector<SceneNumbers::NamedRoot> SceneNumbers::roots() const {
   std::vector<NamedRoot> named;
   for (const Root& root : symbols_.roots()) {
     if (varies(root.radicand)) {
-      named.push_back({root.symbol.get_name(), cpp_formula(root.radicand.subs(deviations_))});
+      named.push_back({root.symbol.get_name(), cpp_formula(at_run_time(root.radicand))});
     }
   }
   return named;
 }
 
 std::string SceneNumbers::text(const SceneNumber& number) const {
-  return cpp_formula(number.formula().subs(deviations_));
+  return cpp_formula(at_run_time(number.formula()));
 }
 
-GiNaC::ex SceneNumbers::derivative(const SceneNumber& number, const GiNaC::ex& symbol) const {
-  return symbols_.derivative(number.formula(), GiNaC::ex_to<GiNaC::symbol>(symbol))
-      .subs(deviations_);
+GiNaC::ex SceneNumbers::at_run_time(const GiNaC::ex& formula) const {
+  GiNaC::ex result = formula;
+  const std::deque<Root>& roots = symbols_.roots();
+  for (auto root = roots.rbegin(); root != roots.rend(); ++root) {
+    if (!varies(root->radicand)) {
+      result = result.subs(root->symbol == GiNaC::sqrt(root->radicand));
+    }
+  }
+  return result.subs(deviations_);
+}
+
+GiNaC::ex SceneNumbers::derivative(const GiNaC::ex& formula, const GiNaC::ex& symbol) const {
+  return at_run_time(symbols_.derivative(formula, GiNaC::ex_to<GiNaC::symbol>(symbol)));
 }
 
 std::vector<std::string> SceneNumbers::gradient(const SceneNumber& number) const {
   std::vector<std::string> texts;
   for (const GiNaC::ex& symbol : modelled_) {
-    const GiNaC::ex slope = derivative(number, symbol);
+    const GiNaC::ex slope = derivative(number.formula(), symbol);
     texts.push_back(slope.is_zero() ? "" : cpp_formula(slope));
   }
   return texts;
 }
 
 std::vector<std::string> SceneNumbers::gradient(const Direction<SceneNumber>& direction) const {
+  // Of (x, y) / r the angle has the slope (x dy - y dx) / r^2, whatever r is.
+  GiNaC::ex x = direction.cos.formula();
+  GiNaC::ex y = direction.sin.formula();
+  GiNaC::ex divisor = 1;
+  for (const Root& root : symbols_.roots()) {
+    const bool occurs = x.has(root.symbol) || y.has(root.symbol);
+    const GiNaC::ex longer_x = x * root.symbol;
+    const GiNaC::ex longer_y = y * root.symbol;
+    if (occurs && !longer_x.has(root.symbol) && !longer_y.has(root.symbol)) {
+      x = longer_x;
+      y = longer_y;
+      divisor *= GiNaC::pow(root.symbol, 2);
+    }
+  }
   std::vector<std::string> texts;
   for (const GiNaC::ex& symbol : modelled_) {
-    const GiNaC::ex turn = (direction.cos.formula() * derivative(direction.sin, symbol) -
-                            direction.sin.formula() * derivative(direction.cos, symbol))
-                               .subs(deviations_)
-                               .expand();
-    const GiNaC::ex slope = shortened(turn);
+    const GiNaC::ex slope =
+        shortened(at_run_time((x * derivative(y, symbol) - y * derivative(x, symbol)) / divisor));
     texts.push_back(slope.is_zero() ? "" : cpp_formula(slope));
   }
   return texts;

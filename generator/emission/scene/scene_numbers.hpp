@@ -58,7 +58,9 @@ class SceneNumbers {
   void evaluate(mechanism::ParameterIndex parameter);
   [[nodiscard]] mechanism::Dual deviation(mechanism::ParameterIndex parameter) const;
   [[nodiscard]] bool varies(const GiNaC::ex& formula) const;
-  [[nodiscard]] GiNaC::ex derivative(const SceneNumber& number, const GiNaC::ex& symbol) const;
+  /// The formula in what varies: deviations are zero, and so roots of nothing else are numbers.
+  [[nodiscard]] GiNaC::ex at_run_time(const GiNaC::ex& formula) const;
+  [[nodiscard]] GiNaC::ex derivative(const GiNaC::ex& formula, const GiNaC::ex& symbol) const;
 
   const mechanism::Plan& plan_;
   const mechanism::Values& values_;

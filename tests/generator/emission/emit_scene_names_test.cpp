@@ -17,12 +17,13 @@ void check_syntax(const fs::path& source, const TemporaryDirectory& directory) {
   check_by_clang(source, directory);
 }
 
-/// The identifiers in the code of a solver that has groups, slides and tolerances.
+/// The identifiers in the code of a solver that has groups, slides, tolerances and variable
+/// parameters.
 std::set<std::string> words_of_a_solver() {
   const TemporaryDirectory directory;
   const EmittedScene scene{
       fs::path(ASSUR_EXAMPLES) / "quintero_2011_rrp_rrr.json", "quintero_2011_rrp_rrr", "", {}};
-  emit_solver(scene, directory);
+  emit_solver(scene, directory, "--variable all");
   const std::string text =
       std::regex_replace(read_file(directory.path() / "assur/scenes/quintero_2011_rrp_rrr.hpp"),
                          std::regex("//[^\n]*|\"[^\"\n]*\""), "");

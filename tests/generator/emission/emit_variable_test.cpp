@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <regex>
+#include <set>
 
 #include "generator/solver_comparison.hpp"
 #include "mechanism/scene_maker.hpp"
@@ -20,6 +21,7 @@ struct VariableScene {
   std::string solver;
   Json json;
   std::vector<Values> values;  ///< of all variable parameters
+  std::string variable = "all";
 };
 
 /// With a point off the coupler's line, and a length that is a formula.
@@ -123,6 +125,56 @@ VariableScene parallel_slides() {
            {{"distance", 2.5}, {"turn", 1.2}, {"place", 2}}}};
 }
 
+/// A link on three slides whose directions vary; they cross as the scene has them.
+VariableScene turning_slides() {
+  SceneMaker scene;
+  scene.parameter("turn", 0.3).parameter("other", 1.2).parameter("distance", 1.5);
+  scene.point("ground", "P0", 0, 0).point("ground", "P1", 0.5, 2).point("ground", "P2", 2, 1);
+  scene.json["links"]["frame"] = {
+      {"s0", {{"through", {0, 0}}, {"along", {1, 0}}}},
+      {"s1", {{"through", {0, "distance"}}, {"along", {"cos(turn)", "sin(turn)"}}}},
+      {"s2", {{"through", {1, 0}}, {"along", {"cos(other)", "sin(other)"}}}}};
+  for (const std::string number : {"0", "1", "2"}) {
+    scene.slot("S" + number, "frame.s" + number, "ground.P" + number);
+  }
+  const auto values = [](double turn, double other) {
+    return Values{{"turn", turn}, {"other", other}, {"distance", 1.5}};
+  };
+  return {"variable_turning_slides",
+          "VariableTurningSlides",
+          scene.scene(),
+          {values(0.3, 1.2), values(0, 1.2), values(1e-8, 1.2), values(3.141592653589793, 1.2),
+           values(0.3, 0), values(0.3, 0.3)}};
+}
+
+/// Its coupler is drawn far from the origin, its rocker, called like a root, has a tolerance below
+/// a root that does not vary.
+VariableScene drawn_bars() {
+  SceneMaker scene;
+  scene.parameter("bx", 500)
+      .parameter("by", 800)
+      .parameter("cx", 503)
+      .parameter("cy", 800.5)
+      .parameter("area", {{"value", 10}, {"tolerance", 0.1}})
+      .parameter("rise", 1)
+      .bar("ground", {{"A", 0}, {"D", 4}})
+      .bar("crank", {{"A", 0}, {"B", 2}})
+      .point("coupler", "B", "bx", "by")
+      .point("coupler", "C", "cx", "cy")
+      .point("coupler", "P", "bx+1", "by+(cx-bx)^3/20")
+      .point("root_1", "D", 0, 0)
+      .point("root_1", "C", "sqrt(area)", "rise")
+      .drive("A", 0.7, 1.5, 0.5);
+  const auto values = [](double bx, double cy, double rise) {
+    return Values{{"bx", bx}, {"by", 800}, {"cx", 503}, {"cy", cy}, {"rise", rise}};
+  };
+  return {"variable_drawn_bars",
+          "VariableDrawnBars",
+          scene.scene(),
+          {values(500, 800.5, 1), values(500.25, 799.5, -0.5)},
+          "bx,by,cx,cy,rise"};
+}
+
 Json with_values(Json scene, const Values& values) {
   for (const auto& [name, value] : values) {
     Json& parameter = scene["parameters"][name];
@@ -151,7 +203,8 @@ VariableScene example(const std::filesystem::path& file, const std::string& solv
 }
 
 std::vector<VariableScene> variable_scenes() {
-  std::vector<VariableScene> scenes = {four_bar(), quick_return(), platform(), parallel_slides()};
+  std::vector<VariableScene> scenes = {four_bar(),        quick_return(),   platform(),
+                                       parallel_slides(), turning_slides(), drawn_bars()};
   if (std::getenv("ASSUR_WHOLE_CAMPAIGN") != nullptr) {
     const std::filesystem::path examples = ASSUR_EXAMPLES;
     for (const auto& [file, solver] :
@@ -267,7 +320,7 @@ TEST(EmitVariable, IsTheSolverOfTheSceneWithTheseValues) {
   const std::vector<VariableScene> variable = variable_scenes();
   for (const VariableScene& one : variable) {
     const auto file = directory.write(one.name + ".json", one.json.dump());
-    emit_solver({file, one.name, one.solver, {}}, directory, "--variable all");
+    emit_solver({file, one.name, one.solver, {}}, directory, "--variable " + one.variable);
     includes += "#include <assur/scenes/" + one.name + ".hpp>\n";
     expect_parameters_are_read(directory.path() / "assur" / "scenes" / (one.name + ".hpp"),
                                one.values.front());
@@ -344,6 +397,20 @@ std::vector<Refused> refused() {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, EmitVariableRefuses, testing::ValuesIn(refused()),
                          [](const auto& entry) { return entry.param.name; });
+
+TEST(EmitVariable, TheTextIsTheSameInEveryProcess) {
+  const TemporaryDirectory directory;
+  const VariableScene scene = drawn_bars();
+  const auto file = directory.write(scene.name + ".json", scene.json.dump());
+  std::set<std::string> texts;
+  for (int process = 0; process < 16; ++process) {
+    emit_solver({file, "", "", {}}, directory, "--variable " + scene.variable);
+    texts.insert(read_file(directory.path() / "assur" / "scenes" / (scene.name + ".hpp")));
+  }
+  EXPECT_EQ(texts.size(), 1U);
+  EXPECT_NE(texts.begin()->find("std::pow"), std::string::npos);
+  EXPECT_NE(texts.begin()->find("--variable " + scene.variable), std::string::npos);
+}
 
 TEST(EmitVariable, TheKeyDoesTheSameAsTheOption) {
   const TemporaryDirectory directory;

@@ -78,6 +78,9 @@ class Dual {
   Eigen::MatrixXd hessian_;
 };
 
+/// Whether the number stands for other values too.
+[[nodiscard]] inline bool may_change(const Dual&) { return false; }
+
 inline Dual operator-(const Dual& a) { return Dual::chained(-a.value(), a, -1, 0); }
 inline Dual operator+(const Dual& a, const Dual& b) {
   return Dual::chained(a.value() + b.value(), a, b, {1, 1, 0, 0, 0});

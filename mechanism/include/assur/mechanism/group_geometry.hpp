@@ -78,16 +78,24 @@ namespace values {
 inline constexpr double parallel = 1e-3;
 
 template <typename Scalar>
-[[nodiscard]] double sine_between(const LinkFeature<Scalar>& one,
+[[nodiscard]] Scalar sine_between(const LinkFeature<Scalar>& one,
                                   const LinkFeature<Scalar>& other) {
-  return turned(other.along, reversed(one.along)).sin.value();
+  return turned(other.along, reversed(one.along)).sin;
+}
+
+/// Whether two lines are parallel, or a scalar that stands for other values too may make them so.
+template <typename Scalar>
+[[nodiscard]] bool may_be_parallel(const LinkFeature<Scalar>& one,
+                                   const LinkFeature<Scalar>& other) {
+  const Scalar sine = sine_between(one, other);
+  return std::abs(sine.value()) < parallel || may_change(sine);
 }
 
 /// Brings the links of a group into normal form under one assignment of roles.
 ///
-/// A link whose features are lines alone has its origin where the first two cross. Where these are
-/// parallel, the origin stands on one of them at will, and the other's offset from it is given to
-/// the link that slides there: its line is moved back by as much. The closures do not change.
+/// A link whose features are lines alone has its origin where the first two cross. Where these may
+/// be parallel, the origin stands on one of them at will, and the other's offset from it is given
+/// to the link that slides there: its line is moved back by as much. The closures do not change.
 template <typename Scalar>
 class NormalForms {
  public:
@@ -124,9 +132,9 @@ class NormalForms {
     const auto is_first = [&](std::size_t link) {
       return joints_of(*group_.model, link).size() == first_size;
     };
-    add([&](std::size_t link) { return has_parallel_lines(link) && is_first(link); });
-    add([&](std::size_t link) { return has_parallel_lines(link) && !is_first(link); });
-    add([&](std::size_t link) { return !has_parallel_lines(link); });
+    add([&](std::size_t link) { return may_have_parallel_lines(link) && is_first(link); });
+    add([&](std::size_t link) { return may_have_parallel_lines(link) && !is_first(link); });
+    add([&](std::size_t link) { return !may_have_parallel_lines(link); });
     return std::all_of(links.begin(), links.end(),
                        [this](std::size_t link) { return bring(link); });
   }
@@ -161,7 +169,8 @@ class NormalForms {
       const auto lines = std::count_if(features_[link].begin(), features_[link].begin() + count,
                                        [](const auto& feature) { return feature.line; });
       if (lines == static_cast<std::ptrdiff_t>(count)) {
-        least = std::min(least, std::abs(sine_between(features_[link][0], features_[link][1])));
+        least =
+            std::min(least, std::abs(sine_between(features_[link][0], features_[link][1]).value()));
       } else if (lines == 0 && count == 3) {
         const auto& dimensions = forms_[link].dimensions;
         const double length = dimensions[0].length.value();
@@ -181,20 +190,23 @@ class NormalForms {
     return names;
   }
 
-  [[nodiscard]] bool has_parallel_lines(std::size_t link) const {
+  /// Of lines alone, the first two of which are parallel or may be.
+  [[nodiscard]] bool may_have_parallel_lines(std::size_t link) const {
     const auto& features = features_[link];
     const std::size_t count = joints_of(*group_.model, link).size();
     return std::all_of(features.begin(), features.begin() + count,
                        [](const auto& feature) { return feature.line; }) &&
-           std::abs(sine_between(features[0], features[1])) < parallel;
+           may_be_parallel(features[0], features[1]);
   }
 
   bool bring(std::size_t link) {
     const std::vector<int>& joints = joints_of(*group_.model, link);
-    const bool brought = has_parallel_lines(link)
-                             ? bring_parallel(link)
-                             : normal_form(features_[link], static_cast<int>(joints.size()),
-                                           forms_[link]) == Status::ok;
+    const auto& features = features_[link];
+    const bool is_apart = !may_have_parallel_lines(link) ||
+                          std::abs(sine_between(features[0], features[1]).value()) >= parallel;
+    const bool brought = (may_have_parallel_lines(link) && bring_parallel(link)) ||
+                         (is_apart && normal_form(features, static_cast<int>(joints.size()),
+                                                  forms_[link]) == Status::ok);
     is_done_[link] = true;
     if (!brought) {
       obstacle_ = "link " + structure_.linkage.links[roles_.links[link]] +
@@ -224,7 +236,7 @@ class NormalForms {
       const LinkFeature<Scalar>& kept = features[1 - moved];
       NormalForm<Scalar>& form = forms_[link];
       form.frame = {kept.x, kept.y, features[0].along};
-      if (joints.size() == 3 && std::abs(sine_between(kept, features[2])) > parallel) {
+      if (joints.size() == 3 && !may_be_parallel(kept, features[2])) {
         const Scalar along = ((features[2].x - kept.x) * features[2].along.sin -
                               (features[2].y - kept.y) * features[2].along.cos) /
                              turned(features[2].along, reversed(kept.along)).sin;
