@@ -29,12 +29,20 @@ struct BranchMatching {
 };
 
 /// For a configuration (X, X') on the left and (Y, Y') on the right of an interval h, the defect
+/// The cubic with the values and derivatives of `left` and `right`, at a part of the interval.
+[[nodiscard]] Eigen::VectorXd cubic(const ConfigurationPoint& left, const ConfigurationPoint& right,
+                                    double step, double part);
+
 /// |Y - X - h (X' + Y') / 2| vanishes to third order on a branch, and the turn h |Y' - X'| to
 /// second. Two are matched if their turn + defect is the least of all, seen from both sides. The
 /// defect alone would not tell two branches that cross half-way from two that turn back there. A
 /// match is accepted where turn + defect is small, and less than the distance between the cubics
 /// through the values and derivatives of this match and any other, throughout the interval.
 [[nodiscard]] BranchMatching match(const Snapshot& left, const Snapshot& right);
+
+/// The cubic with the values and derivatives of `left` and `right`, at a part of the interval.
+[[nodiscard]] Eigen::VectorXd cubic(const ConfigurationPoint& left, const ConfigurationPoint& right,
+                                    double step, double part);
 
 /// |Y - X - h (X' + Y') / 2|.
 [[nodiscard]] double defect(const ConfigurationPoint& left, const ConfigurationPoint& right,

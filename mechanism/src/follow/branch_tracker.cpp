@@ -101,7 +101,7 @@ void BranchTracker::adopt(const SnapshotPointer& set, const Table<PointIndex, Po
     }
   }
   for (SingularEvent& event : events) {
-    BranchEvent named{event.kind, event.parameter, {}, {}, 0, std::move(event.configuration),
+    BranchEvent named{event.kind,       event.parameter, {}, {}, 0, std::move(event.configuration),
                       event.uncertainty};
     for (const PointIndex point : event.left) {
       named.ended.push_back(branches_[point]);

@@ -6,6 +6,8 @@
 #include <limits>
 #include <span>
 
+#include "branch_matching.hpp"
+
 namespace assur::mechanism::follow {
 
 namespace {
@@ -181,8 +183,8 @@ std::optional<FoldEstimate> fold_at_separation(SnapshotSolver& solver,
   if (!(std::abs(shift) < 0.1 * std::abs(widest))) {
     return std::nullopt;
   }
-  const double uncertainty = std::abs(change_of_shift) + 16 * std::numeric_limits<double>::epsilon() *
-                                                             std::abs(estimate);
+  const double uncertainty =
+      std::abs(change_of_shift) + 16 * std::numeric_limits<double>::epsilon() * std::abs(estimate);
   return FoldEstimate{{estimate + shift, blend.result(), uncertainty},
                       change_of_place.norm() + std::abs(change_of_shift / widest) * target};
 }
@@ -253,11 +255,11 @@ std::optional<EventLocation> locate_fold(SnapshotSolver& solver, const Configura
 
 namespace {
 
-/// Branches about their crossing, as straight lines.
+/// Branches about their crossing, as straight lines that touch cubics.
 struct CrossingLines {
   double centre;
   std::vector<Eigen::VectorXd> places;     ///< at the centre
-  std::vector<Eigen::VectorXd> slopes;     ///< across the interval
+  std::vector<Eigen::VectorXd> slopes;     ///< there
   std::vector<Eigen::VectorXd> spreading;  ///< directions from the middle, of length one together
 
   CrossingLines(const ConfigurationBundle& left, const ConfigurationBundle& right) {
@@ -275,8 +277,13 @@ struct CrossingLines {
     const double move = meets / spread * step;
     centre = left.set->parameter + move;
     for (std::size_t index = 0; index < left.count(); ++index) {
-      slopes.emplace_back((right.at(index).at - left.at(index).at) / step);
-      places.emplace_back(left.at(index).at + slopes.back() * move);
+      const auto at = [&](double part) {
+        return cubic(left.at(index), right.at(index), step, part);
+      };
+      constexpr double nearby = 1e-3;
+      const double part = move / step;
+      slopes.emplace_back((at(part + nearby) - at(part - nearby)) / (2 * nearby * step));
+      places.emplace_back(at(part));
       spreading[index] /= std::sqrt(spread);
     }
   }
@@ -343,8 +350,7 @@ Eigen::VectorXd smooth_place(const CrossingSamples& samples, std::size_t branch,
     }
     const double away = place - crossing_places[one];
     const ConfigurationPoint& point = samples[one].at(branch);
-    sum += basis * basis *
-           ((1 - 2 * slope * away) * point.at + width * away * point.slope);
+    sum += basis * basis * ((1 - 2 * slope * away) * point.at + width * away * point.slope);
   }
   return sum;
 }
@@ -378,8 +384,7 @@ std::optional<CrossingEstimate> crossing_at_width(SnapshotSolver& solver,
     estimate.parameter += weight * (bundle.set->parameter - lines.centre);
     estimate.place += weight * bundle.middle();
     for (const PointIndex point : bundle.points) {
-      blend.add(bundle.set->configuration(point),
-                weight / static_cast<double>(bundle.count()));
+      blend.add(bundle.set->configuration(point), weight / static_cast<double>(bundle.count()));
     }
   }
   for (std::size_t branch = 0; branch < lines.count(); ++branch) {
@@ -398,8 +403,8 @@ std::optional<CrossingEstimate> crossing_at_width(SnapshotSolver& solver,
 }  // namespace
 
 std::optional<EventLocation> locate_crossing(SnapshotSolver& solver,
-                                                const ConfigurationBundle& left,
-                                                const ConfigurationBundle& right, double limit) {
+                                             const ConfigurationBundle& left,
+                                             const ConfigurationBundle& right, double limit) {
   const CrossingLines lines(left, right);
   double fastest = 0;
   for (const Eigen::VectorXd& slope : lines.slopes) {
@@ -407,7 +412,7 @@ std::optional<EventLocation> locate_crossing(SnapshotSolver& solver,
   }
   constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
   constexpr int widths = 28;
-  constexpr int most_in_vain = 4;
+  constexpr int most_in_vain = 6;
   std::optional<CrossingEstimate> best;
   std::optional<CrossingEstimate> last;
   double least = std::numeric_limits<double>::infinity();
@@ -415,22 +420,21 @@ std::optional<EventLocation> locate_crossing(SnapshotSolver& solver,
   int in_vain = 0;  // widths since anything became better
   double width = (right.set->parameter - left.set->parameter) / 16;
   for (int index = 0; index < widths && in_vain < most_in_vain; ++index, width *= 2) {
+    in_vain += last ? 1 : 0;
     const auto estimate = crossing_at_width(solver, lines, width);
     if (!estimate) {
-      if (last) {
-        break;
-      }
-      continue;  // So close to one another the branches cannot be told apart.
+      continue;  // So close to one another the branches cannot be told apart, or so far.
     }
-    ++in_vain;
     if (estimate->opening < opening / 2) {
       in_vain = 0;
       opening = estimate->opening;
     }
     if (last) {
+      // Rounding grows as configurations come closer, and two widths may agree by chance.
+      const double spread = fastest * std::abs(width);
       const double error = std::max({(estimate->place - last->place).norm() / fastest,
                                      std::abs(estimate->parameter - last->parameter),
-                                     estimate->opening / (fastest * std::abs(width))});
+                                     estimate->opening / spread, rounding / (fastest * spread)});
       if (error < least) {
         in_vain = opening < limit ? 0 : in_vain;
         least = error;

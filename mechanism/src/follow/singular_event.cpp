@@ -222,7 +222,7 @@ class Explanation {
   [[nodiscard]] bool explain_crossings(const SnapshotPointer& left, const SnapshotPointer& right) {
     for (const std::vector<PointIndex>& bundle : bundles(left->count())) {
       const auto [before, after] = bundles_of(left, right, bundle);
-      const auto found = go_straight(before, after)
+      const auto found = change_sides(before, after)
                              ? locate_crossing(solver_, before, after, crossing_limit)
                              : std::nullopt;
       if (!found && crossings_only_) {
@@ -351,20 +351,14 @@ class Explanation {
     return bundles;
   }
 
-  /// Whether all branches go nearly straight, and the difference of any two turns round.
-  [[nodiscard]] static bool go_straight(const ConfigurationBundle& before,
-                                        const ConfigurationBundle& after) {
-    const double step = std::abs(after.set->parameter - before.set->parameter);
-    const auto turn = [&](std::size_t index) {
-      return step * (after.at(index).slope - before.at(index).slope).norm();
-    };
+  /// Whether the difference of any two branches turns round.
+  [[nodiscard]] static bool change_sides(const ConfigurationBundle& before,
+                                         const ConfigurationBundle& after) {
     for (std::size_t one = 0; one < before.count(); ++one) {
       for (std::size_t other = 0; other < one; ++other) {
         const Eigen::VectorXd earlier = before.at(other).at - before.at(one).at;
         const Eigen::VectorXd later = after.at(other).at - after.at(one).at;
-        const double separation = std::max(earlier.norm(), later.norm());
-        if (!(std::max(turn(one), turn(other)) < 0.1 * separation) ||
-            !((later - earlier).norm() > 0.9 * (earlier.norm() + later.norm()))) {
+        if (!((later - earlier).norm() > 0.9 * (earlier.norm() + later.norm()))) {
           return false;
         }
       }

@@ -168,7 +168,8 @@ TEST(NamedMechanisms, FoldsBesideAChangePointAreLocated) {
 /// Where pivot B of a kite passes pivot D beside it, coupler and rocker swing round by half a turn
 /// while the crank hardly moves: C stays on its side of the line from B to D, which turns round.
 TEST(NamedMechanisms, AKiteThatPassesBesideItsPivotSwingsRound) {
-  for (const double beside : {1e-2, 1e-4, 1e-6, 1e-7, 1e-8, -1e-8, -1e-7, -1e-5}) {
+  for (const double beside :
+       {1e-2, 1e-4, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, -1e-10, -1e-9, -1e-8, -1e-7, -1e-5}) {
     for (const double half : {1.0, 0.1, 0.01}) {
       for (const int count : {2, 20, 361}) {
         SCOPED_TRACE(testing::Message() << beside << " " << half << " " << count);
