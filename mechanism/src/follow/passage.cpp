@@ -33,10 +33,12 @@ Passage::Passage(PassageEnd before, PassageEnd after, double length)
       later = PointIndex(static_cast<std::size_t>(same - after_.branches.begin()));
       continues[later] = true;
     }
-    leads_.push_back({before_.branches[point], &before_, point, later});
+    if (before_.branches[point] > 0) {
+      leads_.push_back({before_.branches[point], &before_, point, later});
+    }
   }
   for (const PointIndex point : after_.branches.keys()) {
-    if (!continues[point]) {
+    if (!continues[point] && after_.branches[point] > 0) {
       leads_.push_back({after_.branches[point], &after_, point, {}});
     }
   }

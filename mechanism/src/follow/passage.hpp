@@ -11,7 +11,7 @@ namespace assur::mechanism::follow {
 /// One end of a passage: a set that can be followed, and the numbers of its branches.
 struct PassageEnd {
   SnapshotPointer set;
-  Table<PointIndex, int> branches;
+  Table<PointIndex, int> branches;  ///< 0 of those that are not to be told
 };
 
 /// A row of a step: a configuration, as one branch has it.

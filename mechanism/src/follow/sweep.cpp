@@ -142,6 +142,8 @@ class Sweeper {
     if (after) {
       to = {after, tracker_.branches()};
     }
+    forget_outside(from);
+    forget_outside(to);
     passage_.emplace(std::move(from), std::move(to), solver_.length());
     pass_within(step, *set);
   }
@@ -239,8 +241,8 @@ class Sweeper {
   }
 
   void report_row(int step, const Snapshot& set, PointIndex point, int branch,
-                  const Configuration& state) const {
-    observer_.record({step, static_cast<int>(point.place()) + 1, branch, "", set.parameter,
+                  const Configuration& state) {
+    observer_.record({step, static_cast<int>(point.place()) + 1, shown(branch), "", set.parameter,
                       &set.spread, &state});
   }
 
@@ -254,10 +256,39 @@ class Sweeper {
       if (std::abs(event.parameter - step) <= event.uncertainty) {
         event.parameter = step;
       }
-      if ((event.parameter - solver_.from()) * (event.parameter - solver_.to()) <= 0) {
+      if (is_within(event)) {
         later_.push_back(std::move(event));
+      } else {
+        if (event.kind != EventKind::crossing) {
+          outside_.insert(outside_.end(), event.ended.begin(), event.ended.end());
+        }
+        outside_.insert(outside_.end(), event.begun.begin(), event.begun.end());
       }
     }
+  }
+
+  /// Whether an event lies within the sweep and befalls branches that do.
+  [[nodiscard]] bool is_within(const BranchEvent& event) const {
+    const bool only_ends = event.kind == EventKind::fold || event.kind == EventKind::escape;
+    const bool only_begins = event.kind == EventKind::birth || event.kind == EventKind::arrival;
+    return (event.parameter - solver_.from()) * (event.parameter - solver_.to()) <= 0 &&
+           !(only_ends && event.parameter == solver_.from()) &&
+           !(only_begins && event.parameter == solver_.to());
+  }
+  /// What an event outside the sweep ends or begins is no branch of it.
+  void forget_outside(PassageEnd& end) const {
+    for (int& branch : end.branches) {
+      branch = std::ranges::find(outside_, branch) == outside_.end() ? branch : 0;
+    }
+  }
+  /// Numbers are given as branches appear: others may have ended before the sweep's first value.
+  [[nodiscard]] int shown(int branch) {
+    const auto place = static_cast<std::size_t>(branch);
+    numbers_.resize(std::max(numbers_.size(), place + 1), 0);
+    if (branch > 0 && numbers_[place] == 0) {
+      numbers_[place] = ++last_shown_;
+    }
+    return numbers_[place];
   }
 
   /// Fills in an event's residual; returns how the parameters vary there. Where a formula has no
@@ -279,6 +310,11 @@ class Sweeper {
     while (!later_.empty() && (!until || sense() * (later_.front().parameter - *until) < 0)) {
       BranchEvent& event = later_.front();
       const Spread spread = complete(event);
+      event.through = shown(event.through);
+      for (std::vector<int>* list : {&event.ended, &event.begun}) {
+        std::ranges::transform(*list, list->begin(), [this](int branch) { return shown(branch); });
+        std::ranges::sort(*list);
+      }
       observer_.record(
           {step, 0, 0, event_text(event), event.parameter, &spread, &event.configuration});
       later_.erase(later_.begin());
@@ -289,6 +325,9 @@ class Sweeper {
   SnapshotSolver solver_;
   BranchTracker tracker_;
   std::vector<BranchEvent> later_;  ///< not yet reported
+  std::vector<int> outside_;        ///< numbers of branches that are not within the sweep
+  std::vector<int> numbers_;        ///< as shown, by the tracker's; 0 if not yet
+  int last_shown_ = 0;
   std::optional<EventKind> gap_;    ///< why no branch is followed at present
   std::optional<Passage> passage_;  ///< the last that was not followed step by step
 };
