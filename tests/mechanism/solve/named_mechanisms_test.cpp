@@ -196,9 +196,8 @@ TEST(NamedMechanisms, AKiteThatPassesBesideItsPivotSwingsRound) {
   }
 }
 
-/// With a shorter rocker B cannot pass at all. What double precision does not tell is `unresolved`,
-/// and no silent change of places.
-TEST(NamedMechanisms, AKiteThatCannotBeFollowedPastItsPivotIsToldSo) {
+/// With a shorter rocker B cannot pass at all.
+TEST(NamedMechanisms, AKiteThatCannotPassItsPivotFolds) {
   for (const double shorter : {1e-5, 1e-6, 1e-7}) {
     Json scene = four_bar(0.66, 0.9, 0.9 - shorter, 0.66, "0");
     scene["sweep"] = {{"parameter", "phi"}, {"from", -1}, {"to", 0.8}, {"count", 20}};
@@ -208,21 +207,12 @@ TEST(NamedMechanisms, AKiteThatCannotBeFollowedPastItsPivotIsToldSo) {
     EXPECT_EQ(kept.events[1].text, "birth 3 4");
     EXPECT_NEAR(kept.events[0].parameter, -2 * std::asin(shorter / 1.32), 1e-4 * shorter);
   }
-  for (const double beside : {1e-10, 1e-11, 1e-12}) {
-    Json scene = four_bar(0.66, 0.9, 0.9, 0.66 + beside, "0");
-    scene["sweep"] = {{"parameter", "phi"}, {"from", -1}, {"to", 0.8}, {"count", 20}};
-    EXPECT_EQ(run_sweep(mechanism::parse_scene(scene.dump(), "scene")).count_of("unresolved"), 1);
-  }
 }
 
-/// Each of several parallelograms in a row may fold over at their common change point. Each loses
-/// as many digits again as the one before it, so in short sweeps only two of them can be followed.
+/// Each of several parallelograms in a row may fold over at their common change point.
 TEST(NamedMechanisms, ChangePointsOfParallelogramsInARowAreCrossings) {
   for (const double half : {1.0, 0.1, 0.01}) {
     for (const int parallelograms : {1, 2, 3}) {
-      if (parallelograms == 3 && half < 1) {
-        continue;
-      }
       SCOPED_TRACE(testing::Message() << parallelograms << " parallelograms, " << half);
       Json scene = {
           {"parameters", {{"phi", 0}}},
