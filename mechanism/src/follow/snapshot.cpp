@@ -110,7 +110,7 @@ SnapshotPointer SnapshotSolver::completed(std::unique_ptr<Snapshot> snapshot) co
     set_point(snapshot->configuration(point), snapshot->points[point]);
   }
   snapshot->closest = least_distance(snapshot->points);
-  snapshot->separable = is_regular(*snapshot) && snapshot->closest >= inseparable;
+  snapshot->separable = is_regular(*snapshot);
   return {snapshot.release(), [spares = spares_](Snapshot* gone) { spares->emplace_back(gone); }};
 }
 
