@@ -180,13 +180,13 @@ std::optional<FoldEstimate> fold_at_separation(SnapshotSolver& solver,
     change_of_place += of_pair(change_of_weights)(0) * pair.first().at +
                        of_pair(change_of_weights)(1) * pair.second().at;
   }
-  if (!(std::abs(shift) < 0.1 * std::abs(widest))) {
-    return std::nullopt;
-  }
   const double uncertainty =
       std::abs(change_of_shift) + 16 * std::numeric_limits<double>::epsilon() * std::abs(estimate);
-  return FoldEstimate{{estimate + shift, blend.result(), uncertainty},
-                      change_of_place.norm() + std::abs(change_of_shift / widest) * target};
+  const double change = change_of_place.norm() + std::abs(change_of_shift / widest) * target;
+  if (!(std::abs(shift) < 0.1 * std::abs(widest) && change < 0.01 * target)) {
+    return std::nullopt;
+  }
+  return FoldEstimate{{estimate + shift, blend.result(), uncertainty}, change};
 }
 
 }  // namespace
@@ -236,7 +236,7 @@ std::optional<EventLocation> locate_fold(SnapshotSolver& solver, const Configura
                                          bool through) {
   // Narrower where the branches bend sharply, as they do beside another fold, at the cost of some
   // rounding; wider where rounding leaves nothing else.
-  constexpr std::array usual{1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 1e-2, 6e-2};
+  constexpr std::array usual{1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 3e-7, 1e-2, 6e-2};
   constexpr std::array wide{6e-2, 2e-2, 6e-3, 2e-3, 6e-4, 2e-4, 6e-5};
   constexpr double settled = 1e-10;
   constexpr double lessened = 0.1;  // What lessens by chance is rounding.
@@ -427,8 +427,8 @@ std::optional<EventLocation> locate_crossing(SnapshotSolver& solver,
     }
     if (estimate->opening < opening / 2) {
       in_vain = 0;
-      opening = estimate->opening;
     }
+    opening = std::min(opening, estimate->opening);
     if (last) {
       // Rounding grows as configurations come closer, and two widths may agree by chance.
       const double spread = fastest * std::abs(width);

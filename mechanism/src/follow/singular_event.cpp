@@ -15,7 +15,7 @@ using Events = std::vector<SingularEvent>;
 
 /// The square of a gap between branches that pass one another. What is below this is a change of
 /// the lengths by rounding.
-constexpr double crossing_limit = 5e-13;
+constexpr double crossing_limit = 1e-13;
 /// A third branch within a fold: the pair must be as close, and the third as near to its middle.
 constexpr double through_separation = 2e-3;
 constexpr double through_offset = 0.02;
