@@ -29,10 +29,6 @@ struct BranchMatching {
 };
 
 /// For a configuration (X, X') on the left and (Y, Y') on the right of an interval h, the defect
-/// The cubic with the values and derivatives of `left` and `right`, at a part of the interval.
-[[nodiscard]] Eigen::VectorXd cubic(const ConfigurationPoint& left, const ConfigurationPoint& right,
-                                    double step, double part);
-
 /// |Y - X - h (X' + Y') / 2| vanishes to third order on a branch, and the turn h |Y' - X'| to
 /// second. Two are matched if their turn + defect is the least of all, seen from both sides. The
 /// defect alone would not tell two branches that cross half-way from two that turn back there. A
