@@ -2,6 +2,7 @@
 // short it is, on the point or beside it, and in every order of listing.
 #include <gtest/gtest.h>
 
+#include <assur/mechanism/scene_file.hpp>
 #include <assur/mechanism/sweep.hpp>
 #include <cmath>
 #include <complex>

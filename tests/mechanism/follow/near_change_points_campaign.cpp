@@ -2,6 +2,7 @@
 // against the triangle between coupler and rocker, whose lengths are taken exactly.
 #include <algorithm>
 #include <array>
+#include <assur/mechanism/scene_file.hpp>
 #include <assur/mechanism/sweep.hpp>
 #include <assur/numeric/double_double.hpp>
 #include <cmath>
