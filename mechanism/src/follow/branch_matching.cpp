@@ -12,14 +12,6 @@ namespace {
 /// on one branch can be and yet be taken for a straight piece.
 constexpr double longest_bend = 0.01;
 
-/// The cubic with the values and derivatives of `left` and `right`, at a part of the interval.
-Eigen::VectorXd cubic(const ConfigurationPoint& left, const ConfigurationPoint& right, double step,
-                      double part) {
-  const double rest = 1 - part;
-  return rest * rest * (1 + 2 * part) * left.at + part * part * (1 + 2 * rest) * right.at +
-         step * part * rest * (rest * left.slope - part * right.slope);
-}
-
 /// Distance of the origin from the segment between two points.
 double distance_to_segment(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
   const Eigen::VectorXd along = to - from;
@@ -212,6 +204,13 @@ class Matcher {
 };
 
 }  // namespace
+
+Eigen::VectorXd cubic(const ConfigurationPoint& left, const ConfigurationPoint& right, double step,
+                      double part) {
+  const double rest = 1 - part;
+  return rest * rest * (1 + 2 * part) * left.at + part * part * (1 + 2 * rest) * right.at +
+         step * part * rest * (rest * left.slope - part * right.slope);
+}
 
 double defect(const ConfigurationPoint& left, const ConfigurationPoint& right, double step) {
   return (right.at - left.at - step / 2 * (left.slope + right.slope)).norm();

@@ -8,7 +8,7 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// The longest interval, as a part of the sweep, that events may explain: beside a singular
+/// The longest interval, as a part of the sweep, that any events may explain: beside a singular
 /// configuration others may be that a longer one does not show.
 constexpr double longest_explained = 1e-4;
 /// Touching branches that are this close may be explained in any sweep. In a short one they can no
@@ -28,6 +28,11 @@ bool touches_closely(const BranchMatching& matching, const Snapshot& left, const
   };
   return matching.left_alone.empty() && matching.right_alone.empty() &&
          std::all_of(matching.touching.begin(), matching.touching.end(), is_close);
+}
+
+/// Whether every branch goes through the interval and some touch: they may cross.
+bool goes_through(const BranchMatching& matching) {
+  return matching.left_alone.empty() && matching.right_alone.empty() && !matching.touching.empty();
 }
 
 }  // namespace
@@ -55,9 +60,10 @@ void BranchTracker::advance(const SnapshotPointer& set) {
     return;
   }
   const double width = std::abs(set->parameter - current_->parameter);
-  if (width <= longest_explained * std::abs(solver_.to() - solver_.from()) ||
-      touches_closely(matching, *current_, *set)) {
-    if (auto events = explain(solver_, current_, set, matching)) {
+  const bool is_short = width <= longest_explained * std::abs(solver_.to() - solver_.from()) ||
+                        touches_closely(matching, *current_, *set);
+  if (is_short || goes_through(matching)) {
+    if (auto events = explain(solver_, current_, set, matching, !is_short)) {
       adopt(set, matching.to_right, std::move(*events));
       return;
     }
@@ -95,7 +101,8 @@ void BranchTracker::adopt(const SnapshotPointer& set, const Table<PointIndex, Po
     }
   }
   for (SingularEvent& event : events) {
-    BranchEvent named{event.kind, event.parameter, {}, {}, 0, std::move(event.configuration)};
+    BranchEvent named{event.kind,       event.parameter, {}, {}, 0, std::move(event.configuration),
+                      event.uncertainty};
     for (const PointIndex point : event.left) {
       named.ended.push_back(branches_[point]);
     }

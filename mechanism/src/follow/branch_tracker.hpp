@@ -16,6 +16,7 @@ struct BranchEvent {
   std::vector<int> begun;
   int through;  ///< 0 if none
   Configuration configuration;
+  double uncertainty = 0;  ///< of the parameter, by rounding
 };
 
 /// Numbers branches from 1 as they appear.

@@ -6,6 +6,8 @@
 #include <limits>
 #include <span>
 
+#include "branch_matching.hpp"
+
 namespace assur::mechanism::follow {
 
 namespace {
@@ -96,9 +98,6 @@ std::optional<ConfigurationPair> pair_near(const SnapshotPointer& set, const Eig
 /// separation is as the root of the distance.
 std::optional<ConfigurationPair> followed(SnapshotSolver& solver, const ConfigurationPair& pair,
                                           double parameter) {
-  if (!solver.covers(parameter)) {
-    return std::nullopt;
-  }
   const double distance = pair.distance_to_fold();
   const double move = parameter - pair.set->parameter;
   const double shrink = std::sqrt((distance - move) / distance);
@@ -181,11 +180,13 @@ std::optional<FoldEstimate> fold_at_separation(SnapshotSolver& solver,
     change_of_place += of_pair(change_of_weights)(0) * pair.first().at +
                        of_pair(change_of_weights)(1) * pair.second().at;
   }
-  if (!(std::abs(shift) < 0.1 * std::abs(widest))) {
+  const double uncertainty =
+      std::abs(change_of_shift) + 16 * std::numeric_limits<double>::epsilon() * std::abs(estimate);
+  const double change = change_of_place.norm() + std::abs(change_of_shift / widest) * target;
+  if (!(std::abs(shift) < 0.1 * std::abs(widest) && change < 0.01 * target)) {
     return std::nullopt;
   }
-  return FoldEstimate{{estimate + shift, blend.result()},
-                      change_of_place.norm() + std::abs(change_of_shift / widest) * target};
+  return FoldEstimate{{estimate + shift, blend.result(), uncertainty}, change};
 }
 
 }  // namespace
@@ -196,6 +197,14 @@ const ConfigurationPoint& ConfigurationPair::second() const { return set->points
 double ConfigurationPair::distance_to_fold() const {
   const Eigen::VectorXd difference = apart();
   return -difference.squaredNorm() / (2 * difference.dot(second().slope - first().slope));
+}
+
+Eigen::VectorXd ConfigurationBundle::middle() const {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(at(0).at.size());
+  for (std::size_t index = 0; index < count(); ++index) {
+    sum += at(index).at;
+  }
+  return sum / static_cast<double>(count());
 }
 
 Configuration unknown_configuration(const Plan& plan) {
@@ -227,7 +236,7 @@ std::optional<EventLocation> locate_fold(SnapshotSolver& solver, const Configura
                                          bool through) {
   // Narrower where the branches bend sharply, as they do beside another fold, at the cost of some
   // rounding; wider where rounding leaves nothing else.
-  constexpr std::array usual{1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 1e-2, 6e-2};
+  constexpr std::array usual{1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 3e-7, 1e-2, 6e-2};
   constexpr std::array wide{6e-2, 2e-2, 6e-3, 2e-3, 6e-4, 2e-4, 6e-5};
   constexpr double settled = 1e-10;
   constexpr double lessened = 0.1;  // What lessens by chance is rounding.
@@ -246,51 +255,146 @@ std::optional<EventLocation> locate_fold(SnapshotSolver& solver, const Configura
 
 namespace {
 
-/// One width of a crossing's interpolation, and the weights that led to it.
+/// Branches about their crossing, as straight lines that touch cubics.
+struct CrossingLines {
+  double centre;
+  std::vector<Eigen::VectorXd> places;     ///< at the centre
+  std::vector<Eigen::VectorXd> slopes;     ///< there
+  std::vector<Eigen::VectorXd> spreading;  ///< directions from the middle, of length one together
+
+  CrossingLines(const ConfigurationBundle& left, const ConfigurationBundle& right) {
+    const double step = right.set->parameter - left.set->parameter;
+    const Eigen::VectorXd before = left.middle();
+    const Eigen::VectorXd after = right.middle();
+    double meets = 0;
+    double spread = 0;
+    for (std::size_t index = 0; index < left.count(); ++index) {
+      const Eigen::VectorXd offset = left.at(index).at - before;
+      spreading.emplace_back(right.at(index).at - after - offset);
+      meets -= spreading.back().dot(offset);
+      spread += spreading.back().squaredNorm();
+    }
+    const double move = meets / spread * step;
+    centre = left.set->parameter + move;
+    for (std::size_t index = 0; index < left.count(); ++index) {
+      const auto at = [&](double part) {
+        return cubic(left.at(index), right.at(index), step, part);
+      };
+      constexpr double nearby = 1e-3;
+      const double part = move / step;
+      slopes.emplace_back((at(part + nearby) - at(part - nearby)) / (2 * nearby * step));
+      places.emplace_back(at(part));
+      spreading[index] /= std::sqrt(spread);
+    }
+  }
+
+  [[nodiscard]] std::size_t count() const { return places.size(); }
+  [[nodiscard]] Eigen::VectorXd place(std::size_t index, double move) const {
+    return places[index] + slopes[index] * move;
+  }
+  /// Least distance of a line from the others, at a distance of one from the centre.
+  [[nodiscard]] double clearance(std::size_t index) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t other = 0; other < count(); ++other) {
+      least = other == index ? least : std::min(least, (slopes[other] - slopes[index]).norm());
+    }
+    return least;
+  }
+  /// The configurations that are nearest to the lines, if each is near its own alone.
+  [[nodiscard]] std::optional<ConfigurationBundle> followed(SnapshotSolver& solver,
+                                                            double move) const {
+    constexpr double tolerance = 0.3;
+    ConfigurationBundle bundle{solver.at(centre + move), {}};
+    for (std::size_t index = 0; index < count(); ++index) {
+      const Eigen::VectorXd expected = place(index, move);
+      const PointIndex point = nearest(*bundle.set, expected);
+      if (!point.exists() || !((bundle.set->points[point].at - expected).norm() <
+                               tolerance * clearance(index) * std::abs(move))) {
+        return std::nullopt;
+      }
+      bundle.points.push_back(point);
+    }
+    return bundle;
+  }
+  /// How far the branches have spread from one another, with the sign of the side.
+  [[nodiscard]] double spread_of(const ConfigurationBundle& bundle) const {
+    const Eigen::VectorXd middle = bundle.middle();
+    double sum = 0;
+    for (std::size_t index = 0; index < count(); ++index) {
+      sum += spreading[index].dot(bundle.at(index).at - middle);
+    }
+    return sum;
+  }
+};
+
+/// The places of a crossing's samples, in parts of the width. The outer ones tell where a smooth
+/// branch is at the inner ones.
+constexpr std::array crossing_places{-1.0, -2.0 / 3, 2.0 / 3, 1.0, -1.0 / 3, 1.0 / 3};
+constexpr std::size_t outer_places = 4;
+using CrossingSamples = std::array<ConfigurationBundle, crossing_places.size()>;
+
+/// Where a branch that is smooth from one side of its crossing to the other would be, by values and
+/// derivatives at the outer places.
+Eigen::VectorXd smooth_place(const CrossingSamples& samples, std::size_t branch, double width,
+                             double place) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(samples[0].at(branch).at.size());
+  for (std::size_t one = 0; one < outer_places; ++one) {
+    double basis = 1;
+    double slope = 0;
+    for (std::size_t other = 0; other < outer_places; ++other) {
+      if (other != one) {
+        const double apart = crossing_places[one] - crossing_places[other];
+        basis *= (place - crossing_places[other]) / apart;
+        slope += 1 / apart;
+      }
+    }
+    const double away = place - crossing_places[one];
+    const ConfigurationPoint& point = samples[one].at(branch);
+    sum += basis * basis * ((1 - 2 * slope * away) * point.at + width * away * point.slope);
+  }
+  return sum;
+}
+
+/// One width of a crossing's interpolation, and the place that led to it.
 struct CrossingEstimate {
   double parameter;
   Configuration configuration;
   Eigen::VectorXd place;
-};
-
-/// Two branches about their crossing, as straight lines.
-struct CrossingLines {
-  double centre;
-  Eigen::VectorXd one, other;              ///< at the centre
-  Eigen::VectorXd one_slope, other_slope;  ///< across the interval
-  Eigen::VectorXd along;                   ///< direction in which their difference changes
+  double opening;
 };
 
 std::optional<CrossingEstimate> crossing_at_width(SnapshotSolver& solver,
                                                   const CrossingLines& lines, double width) {
-  constexpr int half = 3;
-  Eigen::VectorXd nodes(2 * half);
-  std::array<ConfigurationPair, std::size_t{2} * half> found{};
-  for (int index = 0; index < 2 * half; ++index) {
-    const int place = index < half ? index - half : index - half + 1;
-    const double parameter = lines.centre + width * place / half;
-    if (!solver.covers(parameter)) {
+  CrossingSamples samples;
+  Eigen::VectorXd nodes(static_cast<Eigen::Index>(samples.size()));
+  for (std::size_t index = 0; index < samples.size(); ++index) {
+    const auto found = lines.followed(solver, width * crossing_places[index]);
+    if (!found) {
       return std::nullopt;
     }
-    const double move = parameter - lines.centre;
-    const double apart = ((lines.other_slope - lines.one_slope) * move).norm();
-    const auto pair = pair_near(solver.at(parameter), lines.one + lines.one_slope * move,
-                                lines.other + lines.other_slope * move, 0.3 * apart);
-    if (!pair) {
-      return std::nullopt;
-    }
-    nodes(index) = lines.along.dot(pair->apart());
-    found[static_cast<std::size_t>(index)] = *pair;
+    samples[index] = *found;
+    nodes(static_cast<Eigen::Index>(index)) = lines.spread_of(*found);
   }
   const Eigen::VectorXd weights = weights_at_zero(nodes);
-  CrossingEstimate estimate{lines.centre, {}, Eigen::VectorXd::Zero(lines.one.size())};
+  CrossingEstimate estimate{lines.centre, {}, Eigen::VectorXd::Zero(lines.places[0].size()), 0};
   Blend blend(solver.plan());
-  for (int index = 0; index < 2 * half; ++index) {
-    const ConfigurationPair& pair = found[static_cast<std::size_t>(index)];
-    estimate.parameter += weights(index) * (pair.set->parameter - lines.centre);
-    estimate.place += weights(index) / 2 * (pair.first().at + pair.second().at);
-    blend.add(pair.set->configuration(pair.one), weights(index) / 2);
-    blend.add(pair.set->configuration(pair.other), weights(index) / 2);
+  for (std::size_t index = 0; index < samples.size(); ++index) {
+    const double weight = weights(static_cast<Eigen::Index>(index));
+    const ConfigurationBundle& bundle = samples[index];
+    estimate.parameter += weight * (bundle.set->parameter - lines.centre);
+    estimate.place += weight * bundle.middle();
+    for (const PointIndex point : bundle.points) {
+      blend.add(bundle.set->configuration(point), weight / static_cast<double>(bundle.count()));
+    }
+  }
+  for (std::size_t branch = 0; branch < lines.count(); ++branch) {
+    for (std::size_t inner = outer_places; inner < samples.size(); ++inner) {
+      const double miss = (samples[inner].at(branch).at -
+                           smooth_place(samples, branch, width, crossing_places[inner]))
+                              .norm();
+      estimate.opening =
+          std::max(estimate.opening, miss * lines.clearance(branch) * std::abs(width));
+    }
   }
   estimate.configuration = blend.result();
   return estimate;
@@ -298,49 +402,52 @@ std::optional<CrossingEstimate> crossing_at_width(SnapshotSolver& solver,
 
 }  // namespace
 
-std::optional<EventLocation> locate_crossing(SnapshotSolver& solver, const ConfigurationPair& left,
-                                             const ConfigurationPair& right) {
-  const double step = right.set->parameter - left.set->parameter;
-  CrossingLines lines;
-  lines.one_slope = (right.first().at - left.first().at) / step;
-  lines.other_slope = (right.second().at - left.second().at) / step;
-  lines.along = (right.apart() - left.apart()).normalized();
-  const double before = lines.along.dot(left.apart());
-  const double after = lines.along.dot(right.apart());
-  const double move = -before / (after - before) * step;
-  lines.centre = left.set->parameter + move;
-  lines.one = left.first().at + lines.one_slope * move;
-  lines.other = left.second().at + lines.other_slope * move;
-
+std::optional<EventLocation> locate_crossing(SnapshotSolver& solver,
+                                             const ConfigurationBundle& left,
+                                             const ConfigurationBundle& right, double limit) {
+  const CrossingLines lines(left, right);
+  double fastest = 0;
+  for (const Eigen::VectorXd& slope : lines.slopes) {
+    fastest = std::max(fastest, (slope - lines.slopes[0]).norm());
+  }
+  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+  constexpr int widths = 28;
+  constexpr int most_in_vain = 6;
   std::optional<CrossingEstimate> best;
   std::optional<CrossingEstimate> last;
   double least = std::numeric_limits<double>::infinity();
-  constexpr int widths = 16;
-  double width = step;
-  for (int index = 0; index < widths; ++index, width *= 2) {
+  double opening = least;
+  int in_vain = 0;  // widths since anything became better
+  double width = (right.set->parameter - left.set->parameter) / 16;
+  for (int index = 0; index < widths && in_vain < most_in_vain; ++index, width *= 2) {
+    in_vain += last ? 1 : 0;
     const auto estimate = crossing_at_width(solver, lines, width);
     if (!estimate) {
-      if (last) {
-        break;
-      }
-      continue;  // So close to one another the branches cannot be told apart.
+      continue;  // So close to one another the branches cannot be told apart, or so far.
     }
+    if (estimate->opening < opening / 2) {
+      in_vain = 0;
+    }
+    opening = std::min(opening, estimate->opening);
     if (last) {
-      const double change =
-          (estimate->place - last->place).norm() +
-          std::abs(estimate->parameter - last->parameter) * (after - before) / std::abs(step);
-      if (change < least) {
-        least = change;
+      // Rounding grows as configurations come closer, and two widths may agree by chance.
+      const double spread = fastest * std::abs(width);
+      const double error = std::max({(estimate->place - last->place).norm() / fastest,
+                                     std::abs(estimate->parameter - last->parameter),
+                                     estimate->opening / spread, rounding / (fastest * spread)});
+      if (error < least) {
+        in_vain = opening < limit ? 0 : in_vain;
+        least = error;
         best = estimate;
       }
     }
     last = estimate;
   }
-  const std::optional<CrossingEstimate>& chosen = best ? best : last;
-  if (!chosen) {
+  if (!best || !(opening < limit)) {
     return std::nullopt;
   }
-  return EventLocation{chosen->parameter, chosen->configuration};
+  return EventLocation{best->parameter, best->configuration,
+                       least + rounding * (1 / fastest + std::abs(best->parameter))};
 }
 
 double distance_to_escape(const ConfigurationPoint& point) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "snapshot.hpp"
 
@@ -11,6 +12,7 @@ namespace assur::mechanism::follow {
 struct EventLocation {
   double parameter;
   Configuration configuration;
+  double uncertainty = 0;  ///< of the parameter, by rounding
 };
 
 /// Two configurations of one set.
@@ -33,12 +35,27 @@ struct ConfigurationPair {
 [[nodiscard]] std::optional<EventLocation> locate_fold(SnapshotSolver& solver,
                                                        const ConfigurationPair& near, bool through);
 
-/// The crossing of two branches that go from `left` to `right`, first to first. The separation is
+/// Configurations of one set, on branches that meet.
+struct ConfigurationBundle {
+  SnapshotPointer set;
+  std::vector<PointIndex> points;
+
+  [[nodiscard]] std::size_t count() const { return points.size(); }
+  [[nodiscard]] const ConfigurationPoint& at(std::size_t index) const {
+    return set->points[points[index]];
+  }
+  [[nodiscard]] Eigen::VectorXd middle() const;
+};
+
+/// The crossing of branches that go from `left` to `right`, first to first. Their spread is
 /// analytic in the parameter and changes its sign; sampled at several widths, since rounding
 /// spoils what is near and truncation what is far, and the widths that agree best are taken.
+/// Nothing if the branches do not go through smoothly: where a crossing is opened by a gap w, each
+/// differs from a smooth one by w^2 / separation, and the product of both may not exceed `limit`.
 [[nodiscard]] std::optional<EventLocation> locate_crossing(SnapshotSolver& solver,
-                                                           const ConfigurationPair& left,
-                                                           const ConfigurationPair& right);
+                                                           const ConfigurationBundle& left,
+                                                           const ConfigurationBundle& right,
+                                                           double limit);
 
 /// Where a configuration of a set runs to infinity: the zero of 1 / (w . X), w its direction.
 [[nodiscard]] std::optional<EventLocation> locate_escape(SnapshotSolver& solver,

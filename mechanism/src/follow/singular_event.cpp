@@ -13,9 +13,9 @@ namespace {
 
 using Events = std::vector<SingularEvent>;
 
-/// A crossing and a gap d between two branches differ by d^2 / separation over an interval. What
-/// is below this product is a change of the lengths by rounding.
-constexpr double crossing_limit = 5e-13;
+/// The square of a gap between branches that pass one another. What is below this is a change of
+/// the lengths by rounding.
+constexpr double crossing_limit = 1e-13;
 /// A third branch within a fold: the pair must be as close, and the third as near to its middle.
 constexpr double through_separation = 2e-3;
 constexpr double through_offset = 0.02;
@@ -39,8 +39,8 @@ struct Side {
 
 class Explanation {
  public:
-  Explanation(SnapshotSolver& solver, BranchMatching& matching)
-      : solver_(solver), matching_(matching) {}
+  Explanation(SnapshotSolver& solver, BranchMatching& matching, bool crossings_only)
+      : solver_(solver), matching_(matching), crossings_only_(crossings_only) {}
 
   [[nodiscard]] std::optional<Events> run(const SnapshotPointer& left,
                                           const SnapshotPointer& right) {
@@ -105,7 +105,8 @@ class Explanation {
                         {},
                         {},
                         side.is_left || !through.exists() ? through : on_left(through),
-                        found->configuration};
+                        found->configuration,
+                        found->uncertainty};
     (side.is_left ? event.left : event.right) = {pair.one, pair.other};
     events_.push_back(std::move(event));
     return true;
@@ -220,7 +221,14 @@ class Explanation {
   /// Crossings; other bundles of branches may be folds and births at one place.
   [[nodiscard]] bool explain_crossings(const SnapshotPointer& left, const SnapshotPointer& right) {
     for (const std::vector<PointIndex>& bundle : bundles(left->count())) {
-      if (!is_crossing(bundle, left, right)) {
+      const auto [before, after] = bundles_of(left, right, bundle);
+      const auto found = change_sides(before, after)
+                             ? locate_crossing(solver_, before, after, crossing_limit)
+                             : std::nullopt;
+      if (!found && crossings_only_) {
+        return false;
+      }
+      if (!found) {
         for (const PointIndex index : bundle) {
           PointIndex& to = matching_.to_right[index];
           matching_.left_alone.push_back(index);
@@ -229,38 +237,30 @@ class Explanation {
         }
         continue;
       }
-      const auto [before, after] = pairs(left, right, bundle[0], bundle[1]);
-      const auto found = locate_crossing(solver_, before, after);
-      if (!found ||
-          (found->parameter - left->parameter) * (found->parameter - right->parameter) > 0) {
+      if ((found->parameter - left->parameter) * (found->parameter - right->parameter) > 0) {
         return false;
       }
-      events_.push_back(
-          {EventKind::crossing, found->parameter, bundle, {}, PointIndex(), found->configuration});
+      events_.push_back({EventKind::crossing,
+                         found->parameter,
+                         bundle,
+                         {},
+                         PointIndex(),
+                         found->configuration,
+                         found->uncertainty});
     }
     matching_.touching.clear();
     return true;
   }
 
-  /// Two matched configurations on both sides.
-  [[nodiscard]] std::pair<ConfigurationPair, ConfigurationPair> pairs(const SnapshotPointer& left,
-                                                                      const SnapshotPointer& right,
-                                                                      PointIndex one,
-                                                                      PointIndex other) const {
-    return {{left, one, other}, {right, matching_.to_right[one], matching_.to_right[other]}};
-  }
-
-  [[nodiscard]] bool is_crossing(const std::vector<PointIndex>& bundle, const SnapshotPointer& left,
-                                 const SnapshotPointer& right) const {
-    for (const PointIndex one : bundle) {
-      for (const PointIndex other : bundle) {
-        const auto [before, after] = pairs(left, right, one, other);
-        if (one < other && !is_crossing(before, after)) {
-          return false;
-        }
-      }
+  /// Matched configurations on both sides.
+  [[nodiscard]] std::pair<ConfigurationBundle, ConfigurationBundle> bundles_of(
+      const SnapshotPointer& left, const SnapshotPointer& right,
+      const std::vector<PointIndex>& bundle) const {
+    std::vector<PointIndex> matched;
+    for (const PointIndex point : bundle) {
+      matched.push_back(matching_.to_right[point]);
     }
-    return true;
+    return {{left, bundle}, {right, matched}};
   }
 
   /// By parameter; what differs by rounding alone, folds first, and then as the sets are listed.
@@ -351,38 +351,40 @@ class Explanation {
     return bundles;
   }
 
-  /// Both branches go straight through to within rounding, and their difference turns round.
-  [[nodiscard]] static bool is_crossing(const ConfigurationPair& before,
-                                        const ConfigurationPair& after) {
-    const double step = after.set->parameter - before.set->parameter;
-    const double separation = std::max(before.separation(), after.separation());
-    const double miss = std::max(defect(before.first(), after.first(), step),
-                                 defect(before.second(), after.second(), step));
-    const double turn =
-        std::abs(step) * std::max((after.first().slope - before.first().slope).norm(),
-                                  (after.second().slope - before.second().slope).norm());
-    const double change = (after.apart() - before.apart()).norm();
-    return miss * separation < crossing_limit && turn < 0.1 * separation &&
-           change > 0.9 * (before.separation() + after.separation());
+  /// Whether the difference of any two branches turns round.
+  [[nodiscard]] static bool change_sides(const ConfigurationBundle& before,
+                                         const ConfigurationBundle& after) {
+    for (std::size_t one = 0; one < before.count(); ++one) {
+      for (std::size_t other = 0; other < one; ++other) {
+        const Eigen::VectorXd earlier = before.at(other).at - before.at(one).at;
+        const Eigen::VectorXd later = after.at(other).at - after.at(one).at;
+        if (!((later - earlier).norm() > 0.9 * (earlier.norm() + later.norm()))) {
+          return false;
+        }
+      }
+    }
+    return true;
   }
 
   SnapshotSolver& solver_;
   BranchMatching& matching_;
+  bool crossings_only_;
   Events events_;
 };
 
 }  // namespace
 
 std::optional<Events> explain(SnapshotSolver& solver, const SnapshotPointer& left,
-                              const SnapshotPointer& right, BranchMatching& matching) {
-  return Explanation(solver, matching).run(left, right);
+                              const SnapshotPointer& right, BranchMatching& matching,
+                              bool crossings_only) {
+  return Explanation(solver, matching, crossings_only).run(left, right);
 }
 
 Events folds_at_end(SnapshotSolver& solver, const SnapshotPointer& near, double end) {
   const double sense = solver.to() < solver.from() ? -1 : 1;
   const Side side{near, end, sense * (end - near->parameter) > 0};
   BranchMatching nothing;
-  Explanation explanation(solver, nothing);
+  Explanation explanation(solver, nothing, false);
   for (const PointIndex one : near->points.keys()) {
     for (const PointIndex other : near->points.keys()) {
       if (other < one) {

@@ -26,15 +26,17 @@ struct SingularEvent {
   std::vector<PointIndex> right;  ///< configurations of the right set that begin there
   PointIndex through;             ///< of the left set: passes through a fold or birth; or none
   Configuration configuration;
+  double uncertainty = 0;  ///< of the parameter, by rounding
 };
 
 /// The events between two sets, in the order of the sweep; nothing if the interval is too long for
 /// each to be told and located by itself. Matches that turn out to be a fold and a birth at one
-/// place are dissolved.
+/// place are dissolved. `crossings_only` allows no other explanation, as a long interval does.
 [[nodiscard]] std::optional<std::vector<SingularEvent>> explain(SnapshotSolver& solver,
                                                                 const SnapshotPointer& left,
                                                                 const SnapshotPointer& right,
-                                                                BranchMatching& matching);
+                                                                BranchMatching& matching,
+                                                                bool crossings_only);
 
 /// The folds and births that lie where the sweep's range ends: `near` is a set inside, `end` the
 /// parameter value, which has no set of its own that could be matched.

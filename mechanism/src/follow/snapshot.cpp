@@ -8,11 +8,6 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// Two configurations this close are not told apart safely: each is known to rounding / distance.
-constexpr double inseparable = 5e-7;
-/// A near-singular configuration that moves faster with the parameter than this stands on an event.
-constexpr double steepest = 1e6;
-
 /// The longest distance between two features of one link, which no motion changes; where no link
 /// has two, the largest coordinate of a feature.
 double length_of(const Mechanism& mechanism, const Values& values) {
@@ -35,16 +30,15 @@ double length_of(const Mechanism& mechanism, const Values& values) {
   return longest > 0 ? longest : largest > 0 ? largest : 1;
 }
 
-/// Whether the configurations are known to be on branches of their own, but for their distances.
+/// Where branches meet, and only there, derivatives lose their digits before places do: what has
+/// its derivatives is apart from all others.
 bool is_regular(const Snapshot& snapshot) {
-  for (const PointIndex point : snapshot.points.keys()) {
-    const Eigen::VectorXd& slope = snapshot.points[point].slope;
-    const bool suspect = snapshot.configuration(point).regularity != Status::ok;
-    if (!slope.allFinite() || (suspect && slope.norm() > steepest)) {
-      return false;
-    }
-  }
-  return snapshot.solution.status != SolutionStatus::degenerate;
+  const auto& configurations = snapshot.solution.configurations;
+  return snapshot.solution.status != SolutionStatus::degenerate &&
+         std::all_of(configurations.begin(), configurations.end(),
+                     [](const Configuration& one) { return one.path_known; }) &&
+         std::all_of(snapshot.points.begin(), snapshot.points.end(),
+                     [](const ConfigurationPoint& one) { return one.slope.allFinite(); });
 }
 
 double least_distance(const Table<PointIndex, ConfigurationPoint>& points) {
@@ -116,7 +110,7 @@ SnapshotPointer SnapshotSolver::completed(std::unique_ptr<Snapshot> snapshot) co
     set_point(snapshot->configuration(point), snapshot->points[point]);
   }
   snapshot->closest = least_distance(snapshot->points);
-  snapshot->separable = is_regular(*snapshot) && snapshot->closest >= inseparable;
+  snapshot->separable = is_regular(*snapshot);
   return {snapshot.release(), [spares = spares_](Snapshot* gone) { spares->emplace_back(gone); }};
 }
 

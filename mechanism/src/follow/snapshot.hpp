@@ -57,10 +57,6 @@ class SnapshotSolver {
   [[nodiscard]] double to() const { return to_; }
   /// A length of the mechanism, the unit of the points.
   [[nodiscard]] double length() const { return length_; }
-  /// Whether a value lies between the sweep's ends.
-  [[nodiscard]] bool covers(double parameter) const {
-    return (parameter - from_) * (parameter - to_) <= 0;
-  }
 
  private:
   using Spares = std::vector<std::unique_ptr<Snapshot>>;

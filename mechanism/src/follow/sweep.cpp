@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "branch_tracker.hpp"
+#include "passage.hpp"
 #include "solve/closure_error.hpp"
 
 namespace assur::mechanism::follow {
@@ -16,6 +17,9 @@ namespace {
 constexpr int least_intervals = 512;
 /// Beside a step whose configurations cannot be told apart, at first at this part of the sweep.
 constexpr double beside = 1e-5;
+/// And at last where the mechanism has moved by this part of its size, be it beyond the next steps
+/// or the end of a short sweep: what is close to a change point is not a matter of the steps.
+constexpr double farthest_beside = 0.1;
 
 std::string listed(const std::vector<int>& numbers) {
   std::string text;
@@ -58,7 +62,10 @@ class Sweeper {
     for (int step = 0; step < count(); ++step) {
       const SnapshotPointer set = solver_.at_step(value_at(step));
       observer_.solved(set->solution);
-      if (set->separable) {
+      if (passage_ && passage_->covers(value_at(step), sense())) {
+        pass_within(step, *set);
+      } else if (set->separable) {
+        passage_.reset();
         pass(step, set);
       } else {
         pass_beside(step, set);
@@ -69,6 +76,7 @@ class Sweeper {
 
  private:
   [[nodiscard]] double range() const { return solver_.to() - solver_.from(); }
+  [[nodiscard]] double sense() const { return range() < 0 ? -1 : 1; }
   [[nodiscard]] int count() const { return solver_.sweep().count; }
   [[nodiscard]] double value_at(int step) const {
     const int last = count() - 1;
@@ -80,12 +88,8 @@ class Sweeper {
     if (tracker_.running()) {
       advance(set);
     } else {
-      tracker_.begin(set);
-      if (gap_) {
-        later_.push_back(gap_event(*gap_, set->parameter, {}, tracker_.branches().items()));
-      }
+      begin(set);
     }
-    gap_.reset();
     take_events();
     report_events(step - 1, set->parameter);
     for (const PointIndex point : set->points.keys()) {
@@ -100,51 +104,64 @@ class Sweeper {
     const EventKind kind = set->solution.status == SolutionStatus::degenerate
                                ? EventKind::degenerate
                                : EventKind::unresolved;
-    const bool last = step + 1 == count();
-    const SnapshotPointer before = tracker_.running() ? set_beside(value, -1) : nullptr;
-    const SnapshotPointer after = last ? nullptr : set_beside(value, 1);
-    std::vector<Candidate> candidates;
-    if (before) {
+    const SnapshotPointer before = set_beside(step, *set, -1);
+    const SnapshotPointer after = set_beside(step, *set, 1);
+    if (before && tracker_.running()) {
       advance(before);
-      add_candidates(value, candidates);
+    } else if (before) {
+      begin(before);
+    }
+    PassageEnd from;
+    if (tracker_.running()) {
+      from = {tracker_.current(), tracker_.branches()};
     }
     take_events();
     report_events(step - 1, value);
-    if (before && after) {
-      const std::vector<int> numbers = tracker_.branches().items();
+    PassageEnd to;
+    if (after && tracker_.running()) {
       tracker_.advance(after);
       take_events();
       if (later_.empty() && kind == EventKind::degenerate) {
-        later_.push_back(gap_event(kind, value, numbers, tracker_.branches().items()));
+        later_.push_back(
+            gap_event(kind, value, from.branches.items(), tracker_.branches().items()));
       }
-    } else if (before && last) {
-      add_end_events(before, value);
-    } else if (tracker_.running() && kind == EventKind::unresolved) {
-      // The next set that can be followed is connected with the current one, past this step.
-      add_candidates(value, candidates);
-    } else if (tracker_.running()) {
-      later_.push_back(gap_event(kind, value, tracker_.stop(), {}));
-      gap_ = kind;
-    } else if (!gap_ && !after && kind == EventKind::degenerate) {
-      later_.push_back(gap_event(kind, value, {}, {}));
-      gap_ = kind;
-    }
-    if (after && !tracker_.running()) {
-      tracker_.begin(after);
-      if (gap_) {
-        later_.push_back(gap_event(*gap_, value, {}, tracker_.branches().items()));
-        gap_.reset();
-      }
+    } else if (after) {
+      begin(after);
       if (step == 0) {
         add_end_events(after, value);
       }
+    } else if (before && step + 1 == count()) {
+      add_end_events(before, value);
+    } else if (tracker_.running() && kind == EventKind::degenerate) {
+      later_.push_back(gap_event(kind, value, tracker_.stop(), {}));
+      gap_ = kind;
+    } else if (!tracker_.running() && !gap_ && kind == EventKind::degenerate) {
+      later_.push_back(gap_event(kind, value, {}, {}));
+      gap_ = kind;
     }
-    if (after && tracker_.current() == after) {
-      add_candidates(value, candidates);
+    if (after) {
+      to = {after, tracker_.branches()};
     }
-    report_events(step - 1, value);
-    report_nearest(step, *set, candidates);
-    report_events(step, std::nullopt);
+    forget_outside(from);
+    forget_outside(to);
+    passage_.emplace(std::move(from), std::move(to), solver_.length());
+    pass_within(step, *set);
+  }
+
+  void pass_within(int step, const Snapshot& set) {
+    report_events(step - 1, set.parameter);
+    for (const StepRow& row : passage_->rows(set)) {
+      report_row(step, set, row.point, row.branch, *row.state);
+    }
+    report_events(step, step + 1 < count() ? std::optional(value_at(step + 1)) : std::nullopt);
+  }
+
+  void begin(const SnapshotPointer& set) {
+    tracker_.begin(set);
+    if (gap_) {
+      later_.push_back(gap_event(*gap_, set->parameter, {}, tracker_.branches().items()));
+      gap_.reset();
+    }
   }
 
   /// In equal parts, so that few steps see what many do.
@@ -162,21 +179,43 @@ class Sweeper {
     tracker_.advance(set);
   }
 
-  /// The nearest set that can be followed, on one side of a step and nearer than the next.
-  [[nodiscard]] SnapshotPointer set_beside(double value, int side) {
-    const double step = range() / std::max(1, count() - 1);
-    double distance = std::min(beside * std::abs(range()), std::abs(step) / 8);
-    for (; distance > 0 && distance < std::abs(step) / 2; distance *= 4) {
-      const double place = value + std::copysign(distance, step) * side;
-      const bool passed = tracker_.running() && (place - tracker_.current()->parameter) * step <= 0;
+  /// The nearest set that can be followed, on one side of a step. Where the step's set tells no
+  /// configurations, not beyond its neighbours; nor behind what is followed already.
+  [[nodiscard]] SnapshotPointer set_beside(int step, const Snapshot& set, int side) {
+    const double value = set.parameter;
+    const double width = std::abs(range()) / std::max(1, count() - 1);
+    const bool is_at_end = side < 0 ? step == 0 : step + 1 == count();
+    const bool may_go_far = set.solution.status != SolutionStatus::degenerate &&
+                            (side > 0 || step == 0 || tracker_.running());
+    const double nearby = is_at_end ? 0 : width / 2;
+    const double farthest = may_go_far ? std::max(nearby, reach(set)) : nearby;
+    double distance = std::min(beside * std::abs(range()), width / 8);
+    for (; distance > 0 && distance < farthest; distance *= 4) {
+      const double place = value + sense() * side * distance;
+      const bool passed =
+          tracker_.running() && (place - tracker_.current()->parameter) * sense() <= 0;
       if (passed) {
         break;
       }
-      if (SnapshotPointer set = solver_.at(place); set->separable) {
-        return set;
+      if (SnapshotPointer found = solver_.at(place); found->separable) {
+        return found;
       }
     }
     return nullptr;
+  }
+
+  /// How far the parameter goes while its drivers move their links by a part of the mechanism's
+  /// size; the same part of a parameter that moves none.
+  [[nodiscard]] double reach(const Snapshot& set) const {
+    const Table<LinkIndex, bool> is_driven = solver_.plan().structure().placed_by_drivers();
+    double speed = 0;
+    for (const LinkIndex link : is_driven.keys()) {
+      if (is_driven[link] && set.count() > 0) {
+        speed = std::max(speed, set.points[PointIndex(0)].slope.segment<4>(4 * link.row()).norm());
+      }
+    }
+    return set.count() == 0 ? 0
+                            : farthest_beside * (speed > 0 ? 1 / speed : std::abs(set.parameter));
   }
 
   /// A fold at the first or last value itself.
@@ -201,109 +240,55 @@ class Sweeper {
         kind, value, std::move(before), std::move(after), 0, unknown_configuration(solver_.plan())};
   }
 
-  /// Where a branch is expected at a step that could not be matched.
-  struct Candidate {
-    int branch;
-    Eigen::VectorXd place;
-    SnapshotPointer set;  ///< the set beside the step, and its point there
-    PointIndex point;
-  };
-  void add_candidates(double value, std::vector<Candidate>& candidates) const {
-    const Snapshot& set = *tracker_.current();
-    for (const PointIndex index : set.points.keys()) {
-      const ConfigurationPoint& point = set.points[index];
-      candidates.push_back({tracker_.branches()[index],
-                            point.at + (value - set.parameter) * point.slope, tracker_.current(),
-                            index});
-    }
-  }
-
-  /// A row belongs to the branches that expect nothing nearer than it. Each of those that go
-  /// through a crossing has a row, with its own rates where they are known; otherwise the least of
-  /// their numbers is given, or none to a row that exists at this step alone.
-  void report_nearest(int step, const Snapshot& set, const std::vector<Candidate>& candidates) {
-    std::vector<int> used;
-    for (const PointIndex index : set.points.keys()) {
-      std::vector<Candidate> expected;
-      std::vector<int> numbers;
-      for (const Candidate& candidate : candidates) {
-        const bool taken = std::find(used.begin(), used.end(), candidate.branch) != used.end();
-        if (!taken && is_nearest(candidate, index, set)) {
-          expected.push_back(candidate);
-          numbers.push_back(candidate.branch);
-        }
-      }
-      std::sort(numbers.begin(), numbers.end());
-      std::vector<int> through;  // expected from both sides
-      for (auto next = numbers.begin();
-           (next = std::adjacent_find(next, numbers.end())) != numbers.end(); ++next) {
-        through.push_back(*next);
-      }
-      const Configuration& here = set.configuration(index);
-      std::vector<std::pair<int, const Configuration*>> rows;
-      for (const Configuration& branch : here.branches) {
-        const int number = number_of(branch, expected);
-        expected.erase(std::remove_if(expected.begin(), expected.end(),
-                                      [number](const Candidate& candidate) {
-                                        return candidate.branch == number;
-                                      }),
-                       expected.end());
-        rows.emplace_back(number, &branch);
-      }
-      for (const int number : through) {
-        if (here.branches.empty() && through.size() > 1) {
-          rows.emplace_back(number, &here);
-        }
-      }
-      if (rows.empty()) {
-        rows.emplace_back(numbers.empty() ? 0 : numbers.front(), &here);
-      }
-      std::stable_sort(rows.begin(), rows.end(),
-                       [](const auto& one, const auto& other) { return one.first < other.first; });
-      for (const auto& [number, state] : rows) {
-        report_row(step, set, index, number, *state);
-      }
-      used.insert(used.end(), numbers.begin(), numbers.end());
-    }
-  }
-  /// Of the branches that are expected, the one that moves most nearly so.
-  [[nodiscard]] int number_of(const Configuration& branch,
-                              const std::vector<Candidate>& expected) const {
-    double least = std::numeric_limits<double>::infinity();
-    int number = 0;
-    for (const Candidate& candidate : expected) {
-      const Configuration& nearby = candidate.set->configuration(candidate.point);
-      double difference = 0;
-      for (const LinkIndex link : branch.links.keys()) {
-        const Eigen::Vector3d apart = branch.links[link].velocity - nearby.links[link].velocity;
-        difference =
-            std::max({difference, apart.head<2>().norm() / solver_.length(), std::abs(apart(2))});
-      }
-      if (difference < least) {
-        least = difference;
-        number = candidate.branch;
-      }
-    }
-    return number;
-  }
-  /// Two rows that are one to rounding count as equally near.
-  static bool is_nearest(const Candidate& candidate, PointIndex index, const Snapshot& set) {
-    const double distance = (candidate.place - set.points[index].at).norm();
-    return std::all_of(set.points.begin(), set.points.end(), [&](const ConfigurationPoint& other) {
-      return distance <= (candidate.place - other.at).norm() + 1e-6;
-    });
-  }
-
   void report_row(int step, const Snapshot& set, PointIndex point, int branch,
-                  const Configuration& state) const {
-    observer_.record({step, static_cast<int>(point.place()) + 1, branch, "", set.parameter,
+                  const Configuration& state) {
+    observer_.record({step, static_cast<int>(point.place()) + 1, shown(branch), "", set.parameter,
                       &set.spread, &state});
   }
 
+  /// What happens at a step to within rounding happens there, and nothing is told of what happens
+  /// beyond the ends of the sweep.
   void take_events() {
     for (BranchEvent& event : tracker_.take_events()) {
-      later_.push_back(std::move(event));
+      const double place = (event.parameter - solver_.from()) / range() * (count() - 1);
+      const double step =
+          value_at(static_cast<int>(std::clamp<double>(std::round(place), 0, count() - 1)));
+      if (std::abs(event.parameter - step) <= event.uncertainty) {
+        event.parameter = step;
+      }
+      if (is_within(event)) {
+        later_.push_back(std::move(event));
+      } else {
+        if (event.kind != EventKind::crossing) {
+          outside_.insert(outside_.end(), event.ended.begin(), event.ended.end());
+        }
+        outside_.insert(outside_.end(), event.begun.begin(), event.begun.end());
+      }
     }
+  }
+
+  /// Whether an event lies within the sweep and befalls branches that do.
+  [[nodiscard]] bool is_within(const BranchEvent& event) const {
+    const bool only_ends = event.kind == EventKind::fold || event.kind == EventKind::escape;
+    const bool only_begins = event.kind == EventKind::birth || event.kind == EventKind::arrival;
+    return (event.parameter - solver_.from()) * (event.parameter - solver_.to()) <= 0 &&
+           !(only_ends && event.parameter == solver_.from()) &&
+           !(only_begins && event.parameter == solver_.to());
+  }
+  /// What an event outside the sweep ends or begins is no branch of it.
+  void forget_outside(PassageEnd& end) const {
+    for (int& branch : end.branches) {
+      branch = std::ranges::find(outside_, branch) == outside_.end() ? branch : 0;
+    }
+  }
+  /// Numbers are given as branches appear: others may have ended before the sweep's first value.
+  [[nodiscard]] int shown(int branch) {
+    const auto place = static_cast<std::size_t>(branch);
+    numbers_.resize(std::max(numbers_.size(), place + 1), 0);
+    if (branch > 0 && numbers_[place] == 0) {
+      numbers_[place] = ++last_shown_;
+    }
+    return numbers_[place];
   }
 
   /// Fills in an event's residual; returns how the parameters vary there. Where a formula has no
@@ -322,10 +307,14 @@ class Sweeper {
 
   /// Reports the events that lie before a value, or all.
   void report_events(int step, std::optional<double> until) {
-    const double sense = range() < 0 ? -1 : 1;
-    while (!later_.empty() && (!until || sense * (later_.front().parameter - *until) < 0)) {
+    while (!later_.empty() && (!until || sense() * (later_.front().parameter - *until) < 0)) {
       BranchEvent& event = later_.front();
       const Spread spread = complete(event);
+      event.through = shown(event.through);
+      for (std::vector<int>* list : {&event.ended, &event.begun}) {
+        std::ranges::transform(*list, list->begin(), [this](int branch) { return shown(branch); });
+        std::ranges::sort(*list);
+      }
       observer_.record(
           {step, 0, 0, event_text(event), event.parameter, &spread, &event.configuration});
       later_.erase(later_.begin());
@@ -336,7 +325,11 @@ class Sweeper {
   SnapshotSolver solver_;
   BranchTracker tracker_;
   std::vector<BranchEvent> later_;  ///< not yet reported
+  std::vector<int> outside_;        ///< numbers of branches that are not within the sweep
+  std::vector<int> numbers_;        ///< as shown, by the tracker's; 0 if not yet
+  int last_shown_ = 0;
   std::optional<EventKind> gap_;    ///< why no branch is followed at present
+  std::optional<Passage> passage_;  ///< the last that was not followed step by step
 };
 
 }  // namespace

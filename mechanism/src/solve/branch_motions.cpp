@@ -270,6 +270,7 @@ void find_derivatives(const Values& values, const PlacedLinks& placed, Parameter
       BranchWalk(values, placed, configuration, along_parameter(values, column)).run();
   if (found.size() == 1) {
     take_derivatives(found.front(), column, configuration);
+    configuration.path_known = true;
   }
 }
 

@@ -363,6 +363,7 @@ class ConfigurationWalk {
     result.regularity = placed_.regularity;
     result.derivatives_known = placed_.derivatives_known;
     result.rates_known = placed_.rates_known;
+    result.path_known = placed_.derivatives_known;
     result.residual = placed_.residual;
     result.branches.clear();
     result.determinants = placed_.determinants;

@@ -37,6 +37,8 @@ struct Configuration {
   /// digits. Reports leave out what is not; accelerations may be NaN where velocities are known.
   bool derivatives_known = true;
   bool rates_known = true;
+  /// The same of the derivatives to the swept parameter alone, where the request has a sweep.
+  bool path_known = true;
   /// At a crossing, which several motions go through: this configuration in each of them, with
   /// rates that are known.
   std::vector<Configuration> branches;

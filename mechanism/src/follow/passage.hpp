@@ -1,0 +1,63 @@
+// Turns the branches on both sides of steps that cannot be told apart into the branches of their
+// rows.
+#pragma once
+
+#include <vector>
+
+#include "snapshot.hpp"
+
+namespace assur::mechanism::follow {
+
+/// One end of a passage: a set that can be followed, and the numbers of its branches.
+struct PassageEnd {
+  SnapshotPointer set;
+  Table<PointIndex, int> branches;  ///< 0 of those that are not to be told
+};
+
+/// A row of a step: a configuration, as one branch has it.
+struct StepRow {
+  PointIndex point;
+  int branch;  ///< 0 if it belongs to none
+  const Configuration* state;
+};
+
+/// An interval within which sets of configurations are not followed: its steps' rows are told by
+/// the branches that lead into it and out of it.
+class Passage {
+ public:
+  /// Either end may be missing. `length` is the unit of the points.
+  Passage(PassageEnd before, PassageEnd after, double length);
+  Passage(const Passage&) = delete;  // the leads point to the ends
+  Passage& operator=(const Passage&) = delete;
+
+  /// Whether a value lies inside, in the sense of a sweep.
+  [[nodiscard]] bool covers(double parameter, double sense) const {
+    return after_.set != nullptr && sense * (after_.set->parameter - parameter) > 0;
+  }
+  /// The rows of a step. Each configuration goes to the branch that is expected nearest to it, at
+  /// first to one that goes through; then a singular one to all others that have none, for several
+  /// may meet in it. Each of those that go through it has a row, with its own rates where they are
+  /// known; otherwise the least of their numbers is given.
+  [[nodiscard]] std::vector<StepRow> rows(const Snapshot& step) const;
+
+ private:
+  /// A branch at one end of the passage.
+  struct Lead {
+    int branch;
+    const PassageEnd* from;
+    PointIndex point;
+    PointIndex later;  ///< at the other end, if the branch goes through
+    [[nodiscard]] bool goes_through() const { return later.exists(); }
+  };
+  [[nodiscard]] Eigen::VectorXd expected(const Lead& lead, double parameter) const;
+  [[nodiscard]] double difference_of_rates(const Lead& lead, const Configuration& state) const;
+  [[nodiscard]] Table<PointIndex, std::vector<const Lead*>> assigned(const Snapshot& step) const;
+  void add_rows(const Snapshot& step, PointIndex point, std::vector<const Lead*> leads,
+                std::vector<StepRow>& rows) const;
+
+  PassageEnd before_, after_;
+  double length_;
+  std::vector<Lead> leads_;
+};
+
+}  // namespace assur::mechanism::follow

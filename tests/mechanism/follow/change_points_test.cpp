@@ -1,0 +1,188 @@
+// Law: a sweep goes through a change point with its branches joined and says `crossing`, however
+// short it is, on the point or beside it, and in every order of listing.
+#include <gtest/gtest.h>
+
+#include <assur/mechanism/scene_file.hpp>
+#include <assur/mechanism/sweep.hpp>
+#include <cmath>
+#include <complex>
+#include <cstdlib>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "mechanism/scene_maker.hpp"
+
+namespace assur::test::change_points_test {
+namespace {
+
+using Real = long double;
+using Complex = std::complex<Real>;
+
+struct Stage {
+  double coupler, rocker, ground;
+};
+/// Four-bars in a row, each driven by the rocker before it, all flat where the crank is.
+struct Row {
+  const char* name;
+  double crank;
+  std::vector<Stage> stages;
+  bool half_turn;      ///< whether they are flat there, or where the crank is at zero
+  bool parallelogram;  ///< or a kite, whose coupler may lie on its crank
+
+  friend std::ostream& operator<<(std::ostream& out, const Row& row) { return out << row.name; }
+  [[nodiscard]] Real flat() const { return half_turn ? std::numbers::pi_v<Real> : 0; }
+  [[nodiscard]] unsigned modes() const { return 1U << stages.size(); }
+};
+
+SceneMaker::Json scene_of(const Row& row) {
+  SceneMaker scene;
+  scene.parameter("phi", 0.0)
+      .bar("ground", {{"A", 0.0}})
+      .bar("crank", {{"A", 0.0}, {"C0", row.crank}});
+  double place = 0;
+  for (std::size_t index = 0; index < row.stages.size(); ++index) {
+    const Stage& stage = row.stages[index];
+    const std::string here = std::to_string(index);
+    const std::string next = "C" + std::to_string(index + 1);
+    scene.bar("ground", {{"D" + here, place += stage.ground}});
+    scene.bar("coupler" + here, {{"C" + here, 0.0}, {next, stage.coupler}});
+    scene.bar("rocker" + here, {{"D" + here, 0.0}, {next, stage.rocker}});
+  }
+  return scene.drive("A", "phi", 1, 0).scene();
+}
+
+/// The pins between couplers and rockers. Each stage is a parallelogram (or its kite is folded), or
+/// that pin is mirrored at the line through the other two.
+std::vector<Complex> pins(const Row& row, Real phi, unsigned mode) {
+  const Real move = phi - row.flat();
+  Complex b = Complex(std::cos(move), std::sin(move)) * (row.half_turn ? -1.0L : 1.0L) *
+              static_cast<Real>(row.crank);
+  Complex base = 0;
+  std::vector<Complex> result;
+  for (std::size_t index = 0; index < row.stages.size(); ++index) {
+    const Complex d = base + static_cast<Real>(row.stages[index].ground);
+    const Complex plain = row.parallelogram ? d + b - base : base;
+    const Complex along = (d - b) / std::abs(d - b);
+    const bool mirrored = (mode >> index & 1U) != 0;
+    result.push_back(mirrored ? b + along * std::conj((plain - b) / along) : plain);
+    b = result.back();
+    base = d;
+  }
+  return result;
+}
+
+/// Whether a configuration is in a mode, as far as it is known: a stage loses as many digits as the
+/// one before it once more, and what meets to rounding is one configuration.
+bool is_in_mode(const Row& row, unsigned mode, const mechanism::SweepRecord& at) {
+  const Real away = std::abs(static_cast<Real>(at.parameter) - row.flat());
+  const bool merged = at.state->regularity != Status::ok && !at.state->derivatives_known;
+  const std::vector<Complex> truth = pins(row, at.parameter, mode);
+  const auto rate = [&](std::size_t index, Real middle, Real half) {
+    return (pins(row, middle + half, mode)[index] - pins(row, middle - half, mode)[index]) /
+           (2 * half);
+  };
+  for (std::size_t index = 0; index < row.stages.size(); ++index) {
+    Real tolerance =
+        std::min(3e-2L * away + 1e-7L, 1e-13L / std::pow(std::max(away, 1e-12L), Real(index + 1)));
+    if (index > 0) {
+      tolerance = std::max(tolerance, std::min(5 * away + 1e-7L, 1e-4L));
+    }
+    if (merged) {
+      tolerance = std::max(tolerance, row.stages.size() > 2 ? 1.5e-6L : 1e-6L);
+    }
+    const mechanism::Point& pin = at.state->output("C" + std::to_string(index + 1));
+    if (!(std::abs(Complex(pin.position.x(), pin.position.y()) - truth[index]) <= tolerance)) {
+      return false;
+    }
+    const Complex velocity(pin.velocity.x(), pin.velocity.y());
+    if (at.state->rates_known && away > 1e-6L &&
+        !(std::abs(velocity - rate(index, at.parameter, 1e-7L)) < 0.3L)) {
+      return false;
+    }
+    if (at.state->rates_known && away < 1e-8L &&
+        !(std::abs(velocity - rate(index, row.flat(), 1e-4L)) < 0.3L)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void expect_crossing(const Row& row, SceneMaker::Json scene, double from, double to, int count) {
+  scene["sweep"] = {{"parameter", "phi"}, {"from", from}, {"to", to}, {"count", count}};
+  const mechanism::Plan plan(mechanism::parse_scene(scene.dump(), "scene"));
+  std::map<int, std::set<unsigned>> modes;     // of each branch: those that all its rows are in
+  std::map<int, std::multiset<int>> branches;  // of each step
+  int crossings = 0;
+  const auto record = [&](const mechanism::SweepRecord& at) {
+    if (!at.event.empty()) {
+      EXPECT_EQ(at.event.rfind("crossing", 0), 0U) << at.event;
+      EXPECT_EQ(std::count(at.event.begin(), at.event.end(), ' '), row.modes());
+      EXPECT_LT(std::abs(at.parameter - row.flat()), 5e-12L);
+      EXPECT_LT(at.state->residual, 5e-11);
+      ++crossings;
+      return;
+    }
+    branches[at.step].insert(at.branch);
+    std::set<unsigned>& possible = modes[at.branch];
+    for (unsigned mode = 0; mode < row.modes() && branches.size() == 1; ++mode) {
+      possible.insert(mode);
+    }
+    std::erase_if(possible, [&](unsigned mode) { return !is_in_mode(row, mode, at); });
+  };
+  mechanism::sweep(plan, {record, {}, {}});
+  EXPECT_EQ(crossings, 1);
+  std::multiset<int> all;
+  for (unsigned number = 1; number <= row.modes(); ++number) {
+    all.insert(static_cast<int>(number));
+  }
+  for (const auto& [step, numbers] : branches) {
+    EXPECT_EQ(numbers, all) << "step " << step;
+  }
+  std::set<unsigned> taken;
+  for (const auto& [branch, possible] : modes) {
+    EXPECT_FALSE(possible.empty()) << "branch " << branch << " changes its mode";
+    if (possible.size() == 1) {
+      EXPECT_TRUE(taken.insert(*possible.begin()).second) << "branch " << branch;
+    }
+  }
+}
+
+class ChangePoints : public testing::TestWithParam<Row> {};
+
+/// All of these by `ctest -L long`, one in seven by default.
+TEST_P(ChangePoints, AreCrossingsInSweepsOfAnyWidth) {
+  const Row& row = GetParam();
+  const bool all = std::getenv("ASSUR_WHOLE_CAMPAIGN") != nullptr;
+  int number = 0;
+  const auto flat = static_cast<double>(row.flat());
+  for (double width = 1; width > 5e-10; width /= 10) {
+    for (const double before : {1.0, 0.63}) {
+      for (const int count : {2, 3, 4}) {
+        for (int listing = 0; listing < listings; ++listing) {
+          if (number++ % 7 != 0 && !all) {
+            continue;
+          }
+          SCOPED_TRACE(testing::Message()
+                       << width << " " << before << " " << count << " listing " << listing);
+          expect_crossing(row, scene_listed(scene_of(row), listing), flat - before * width,
+                          flat + width, count);
+        }
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , ChangePoints,
+    testing::Values(Row{"parallelogram", 2, {{4, 2, 4}}, false, true},
+                    Row{"antiparallel", 2, {{4, 2, 4}}, true, true},
+                    Row{"lengths that are not dyadic", 1.3, {{0.79, 1.3, 0.79}}, true, true},
+                    Row{"rhombus", 3, {{3, 3, 3}}, true, true},
+                    Row{"kite", 4, {{4, 2, 2}}, false, false},
+                    Row{"kite unfolded", 0.6, {{0.6, 1.25, 1.25}}, true, false},
+                    Row{"two in a row", 6, {{11, 6, 11}, {9, 6, 9}}, true, true},
+                    Row{"three in a row", 6, {{11, 6, 11}, {9, 6, 9}, {7, 6, 7}}, true, true}));
+
+}  // namespace
+}  // namespace assur::test::change_points_test
