@@ -229,7 +229,9 @@ std::vector<std::string> texts(const SweepKept& kept) {
 /// Where E is moved the crossing opens: on one side of it into two branches that pass one another,
 /// on the other the mechanism flattens twice, and there two branches end and two others begin at
 /// one configuration. Few steps must see the same as many.
+/// A third of the openings by default.
 TEST(SweepEvents, CrossingsThatOpenAreSeenAtAnyStep) {
+  const bool all = std::getenv("ASSUR_WHOLE_CAMPAIGN") != nullptr;
   int opened = 0;
   int passing = 0;
   for (const FlatCase& flat : flat_cases) {
@@ -237,7 +239,7 @@ TEST(SweepEvents, CrossingsThatOpenAreSeenAtAnyStep) {
       continue;
     }
     for (const double sign : {-1.0, 1.0}) {
-      for (int power = 2; power <= 11; ++power) {
+      for (int power = 2; power <= 11; power += all ? 1 : 3) {
         SCOPED_TRACE(sign * power);
         const double delta = sign * std::pow(10.0, -power);
         const SweepKept few = run_sweep(flat_scene(flat.x, delta, 20));
@@ -261,8 +263,8 @@ TEST(SweepEvents, CrossingsThatOpenAreSeenAtAnyStep) {
     }
   }
   std::cout << opened << " open, " << passing << " pass\n";
-  EXPECT_GT(opened, 20);
-  EXPECT_GT(passing, 20);
+  EXPECT_GT(opened, all ? 20 : 6);
+  EXPECT_GT(passing, all ? 20 : 6);
 }
 
 /// A group that half a turn maps on itself, its two bars swept: pairs of configurations that the

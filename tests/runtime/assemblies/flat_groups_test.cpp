@@ -9,6 +9,7 @@
 #include <assur/tetrad/model_01.hpp>
 #include <assur/tetrad/model_02.hpp>
 #include <assur/tetrad/model_03.hpp>
+#include <cstdlib>
 #include <iostream>
 #include <vector>
 
@@ -133,6 +134,8 @@ TYPED_TEST(FlatGroups, LoseNoneAndInventNone) {
   Tally tally;
   constexpr int groups = 2000;
   constexpr int steps = 400;
+  // Every step is solved in the long campaign, otherwise those that are counted and an eighth.
+  const int stride = std::getenv("ASSUR_WHOLE_CAMPAIGN") != nullptr ? 1 : 8;
   for (int group = 0; group < groups; ++group) {
     Assembly<Model, Rational> flat;
     if (!draw_flat(random, flat) || !is_generic(flat)) {
@@ -141,10 +144,14 @@ TYPED_TEST(FlatGroups, LoseNoneAndInventNone) {
     const auto at = rounded<double>(flat);
     using Step = Vector<double, Model::input_count>;
     const Step direction = random.vector<Step>();
+    const int counted = 1 + group % steps;
     for (int step = 1; step <= steps; ++step) {
+      if (step % stride != 0 && step != counted) {
+        continue;
+      }
       auto u = at.u;
       advance(u, Step(direction * (0.5 * step / steps)));
-      judge<Model>(at.d, u, step == 1 + group % steps, tally);
+      judge<Model>(at.d, u, step == counted, tally);
     }
   }
   report(("model " + std::to_string(Model::number)).c_str(), tally);
