@@ -219,7 +219,8 @@ struct ClosedForm {
     ClosedForm result;
     result.discriminant = Certainty::of<Model>(&Discriminants<Magnitude>::discriminant);
     result.leading = Certainty::of<Model>(&Discriminants<Magnitude>::leading);
-    if constexpr (Model::max_configurations == 2) {
+    // Of larger groups det J has more factors, and no sample would vouch for them.
+    if constexpr (Model::max_configurations == 2 && Model::unknown_count == 2) {
       result.look_at_samples();
     }
     return result;
