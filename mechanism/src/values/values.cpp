@@ -224,7 +224,12 @@ void Values::evaluate_feature(FeatureIndex index) {
     result.along = unit_direction(dx, dy);
   }
   frames_[index] = Frame::at({result.x, result.y, result.along});
-  roundings_[index] = std::max(rounding(feature.x), rounding(feature.y));
+  roundings_[index] = support::Displacement::of_rounding(
+      std::max(rounding(feature.x), rounding(feature.y)),
+      feature.is_line
+          ? (rounding(feature.along_x) + rounding(feature.along_y)) /
+                std::hypot(numbers_[feature.along_x].value(), numbers_[feature.along_y].value())
+          : 0);
   features_[index] = std::move(result);
 }
 

@@ -1,6 +1,7 @@
 // Turns a model whose configurations follow by formula into what is certain of all its groups.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <assur/detail/assembly_order.hpp>
 #include <assur/detail/completion.hpp>
@@ -8,6 +9,7 @@
 #include <assur/detail/pivots.hpp>
 #include <assur/numeric/magnitude.hpp>
 #include <assur/numeric/pair.hpp>
+#include <assur/support/displaced_frame.hpp>
 #include <assur/support/scale.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
@@ -169,10 +171,11 @@ struct Certainty {
   /// By the square of the longest length and by `power` of it. Where rounding has displaced the
   /// inputs, errors grow as this has grown beyond the rounding that is taken for granted.
   [[nodiscard]] bool has_sign(double discriminant, double square, double power,
-                              double displaced) const {
+                              const support::Displacement& displaced) const {
     double error = power;
-    if (displaced > 0) {
-      error *= 1 + displaced / (numeric::Magnitude::given_rounding() * std::sqrt(square));
+    if (displaced.moved > 0 || displaced.turned > 0) {
+      const double part = std::max(displaced.moved / std::sqrt(square), displaced.turned);
+      error *= 1 + part / numeric::Magnitude::given_rounding();
     }
     return std::abs(discriminant) * firmness > error;
   }

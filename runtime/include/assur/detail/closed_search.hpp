@@ -10,6 +10,7 @@
 #include <assur/detail/polish.hpp>
 #include <assur/numeric/bounded.hpp>
 #include <assur/numeric/pair.hpp>
+#include <assur/support/displaced_frame.hpp>
 #include <assur/support/scale.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
@@ -30,7 +31,8 @@ class ClosedSearch {
  public:
   /// Most groups, as they are. False if a closer look is needed; the list is undefined then.
   [[nodiscard, gnu::flatten]] static bool list(const Dimensions& dimensions, const Inputs& inputs,
-                                               double displaced, Assemblies<Model>& result) {
+                                               const support::Displacement& displaced,
+                                               Assemblies<Model>& result) {
     const ClosedForm<Model>& form = closed_form<Model>;
     const double square = square_of_lengths<double>(dimensions) + square_of_lengths<double>(inputs);
     if (!is_in_range(square, 0x1p64, most_length<Model> * most_length<Model>)) {
@@ -80,10 +82,9 @@ class ClosedSearch {
 
   /// A closer look: with the bounds of these very dimensions and inputs, which are much closer
   /// where many lengths are multiplied, and polished. False if it cannot vouch for its list.
-  [[nodiscard, gnu::noinline, gnu::cold]] static bool list_polished(const Dimensions& dimensions,
-                                                                    const Inputs& inputs,
-                                                                    double displaced,
-                                                                    Assemblies<Model>& result) {
+  [[nodiscard, gnu::noinline, gnu::cold]] static bool list_polished(
+      const Dimensions& dimensions, const Inputs& inputs, const support::Displacement& displaced,
+      Assemblies<Model>& result) {
     const double longest = std::max(longest_length(inputs), longest_length(dimensions));
     if (!is_in_range(longest, 0x1p64, most_length<Model>) || !is_finite(dimensions) ||
         !is_finite(inputs)) {
@@ -95,7 +96,7 @@ class ClosedSearch {
     FinalPolynomial<Model, double> T;
     Model::position_polynomial(d, u, T);
     const Discriminants<double> found = discriminants_of(T);
-    if (!is_certain(d, u, displaced * scale)) {
+    if (!is_certain(d, u, displaced.scaled(scale))) {
       return false;
     }
     if (found.discriminant < 0) {
@@ -135,14 +136,17 @@ class ClosedSearch {
   static constexpr bool has_leading_coefficient =
       !is_angle<Model>(Model::first_unknown) && Model::polynomial_degree == 2;
 
-  [[nodiscard]] static bool is_certain(const Dimensions& d, const Inputs& u, double displaced) {
+  [[nodiscard]] static bool is_certain(const Dimensions& d, const Inputs& u,
+                                       const support::Displacement& displaced) {
     using Certified = numeric::Bounded<double>;
     FinalPolynomial<Model, Certified> T;
-    Model::position_polynomial(support::rounded<typename Model::template Dimensions<Certified>>(
-                                   d, support::rounding_of_one),
-                               support::rounded<typename Model::template Inputs<Certified>>(
-                                   u, support::rounding_of_inputs(u, displaced)),
-                               T);
+    Model::position_polynomial(
+        support::rounded<typename Model::template Dimensions<Certified>>(
+            d, support::rounding_of_one, support::rounding_of_one),
+        support::rounded<typename Model::template Inputs<Certified>>(
+            u, support::rounding_of_inputs(u, displaced.moved),
+            support::rounding_of_inputs(u, std::max(displaced.moved, displaced.turned))),
+        T);
     widen(T, Certified(0, support::rounding_of_numbers<Model>()));
     const Discriminants<Certified> found = discriminants_of(T);
     return found.discriminant.sign_is_certain() && found.leading.sign_is_certain();

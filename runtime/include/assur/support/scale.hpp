@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <assur/model.hpp>
+#include <assur/support/displaced_frame.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
 #include <cstdint>
@@ -58,17 +59,17 @@ template <typename Inputs>
   return rounding_of_one * std::max(1.0, longest_length(u)) + displaced;
 }
 
-/// The same variables with bounds, each known to `within`: where a root of their final polynomial
-/// is certain, it is so however the variables were rounded.
+/// The same variables with bounds, lengths known to `within` and directions to a `turn`: where a
+/// root of their final polynomial is certain, it is so however the variables were rounded.
 template <typename To, typename From>
-[[nodiscard]] To rounded(const From& from, double within) {
+[[nodiscard]] To rounded(const From& from, double within, double turn) {
   To result;
-  for_each_pair(result, from, [within](auto& target, const auto& source) {
+  for_each_pair(result, from, [within, turn](auto& target, const auto& source) {
     if constexpr (std::is_same_v<std::decay_t<decltype(source)>, double>) {
       target = {source, within};
     } else {
-      target.cos = {source.cos, within};
-      target.sin = {source.sin, within};
+      target.cos = {source.cos, turn};
+      target.sin = {source.sin, turn};
     }
   });
   return result;
@@ -94,19 +95,19 @@ template <typename Model>
 
 /// The power of two that brings the longest length of a group near one. A length that is no
 /// longer than the rounding of the external joints' places, or than these are `displaced`, does not
-/// count: then the group is measured by the length of which that is a rounding. `reach` is the
-/// longest length from which the places were computed.
+/// count: then the group is measured by the length of which that is a rounding.
 template <typename Model>
 [[nodiscard]] double unit_scale(const typename Model::template Dimensions<double>& d,
                                 const typename Model::template Inputs<double>& u,
-                                double displaced = 0, double reach = 0) {
+                                const Displacement& displaced = {}) {
   if constexpr (Model::dimension_count == 0) {  // folded, and in units of the longest already
     return 1;
   }
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   const double own = size_of<Model>(d, u);
   const double places = longest_length(u);
-  const double moved = counted_displacement(displaced, std::max({own, places, reach}));
+  const double moved =
+      counted_displacement(displaced.moved, std::max({own, places, displaced.reach}));
   const bool tells = own > rounding * places + moved;
   const double untold = std::max(places, moved / std::numeric_limits<double>::epsilon());
   const double size = std::max(own, tells ? 0x1p-44 * places : untold);

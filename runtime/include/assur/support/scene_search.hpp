@@ -199,7 +199,7 @@ class Search {
       }
       HeldJoints<Group, Solver::order, Solver::parameter_count> held;
       Own::hold(placed, held);
-      const auto found = assemblies<Specialised<Group>>({}, held.u, held.displaced, held.reach);
+      const auto found = assemblies<Specialised<Group>>({}, held.u, held.displaced);
       if (found.status == AssemblyStatus::not_finite) {
         solution_.status = found.status;
         return;
