@@ -70,6 +70,15 @@ struct Model01 {
   static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
   static constexpr int determinant_sign = -1;  ///< of det J against their product
 
+  static constexpr int discriminant_degree = 4;  ///< of the final polynomial, in the lengths
+  /// Where no length exceeds one, of the discriminant: what rounding does to it at most, and from
+  /// which on det J, a multiple of its root, is that of a regular group; zero if it is none.
+  static constexpr double discriminant_error = 4.98e-13, regular_discriminant = 9.1e-07;
+  static constexpr int first_key = 1;  ///< of those that put configurations in order, the first
+                                       ///<     that differs
+  /// Whether what `complete` computes closes wherever the final polynomial vanishes.
+  static constexpr bool completion_closes = true;
+
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "CD_across_BC = 0: theta_CD free to first order",

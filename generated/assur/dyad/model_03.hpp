@@ -70,6 +70,15 @@ struct Model03 {
   static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
   static constexpr int determinant_sign = 1;  ///< of det J against their product
 
+  static constexpr int discriminant_degree = 2;  ///< of the final polynomial, in the lengths
+  /// Where no length exceeds one, of the discriminant: what rounding does to it at most, and from
+  /// which on det J, a multiple of its root, is that of a regular group; zero if it is none.
+  static constexpr double discriminant_error = 1e-13, regular_discriminant = 4.1e-06;
+  static constexpr int first_key = 2;  ///< of those that put configurations in order, the first
+                                       ///<     that differs
+  /// Whether what `complete` computes closes wherever the final polynomial vanishes.
+  static constexpr bool completion_closes = true;
+
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "s_C = 0: theta_BC free to first order",

@@ -76,6 +76,15 @@ struct Model15 {
   static constexpr int core_pivot_count = 2;  ///< the first of them: the core's
   static constexpr int determinant_sign = 1;  ///< of det J against their product
 
+  static constexpr int discriminant_degree = 0;  ///< of the final polynomial, in the lengths
+  /// Where no length exceeds one, of the discriminant: what rounding does to it at most, and from
+  /// which on det J, a multiple of its root, is that of a regular group; zero if it is none.
+  static constexpr double discriminant_error = 1.17e-11, regular_discriminant = 0;
+  static constexpr int first_key = 0;  ///< of those that put configurations in order, the first
+                                       ///<     that differs
+  /// Whether what `complete` computes closes wherever the final polynomial vanishes.
+  static constexpr bool completion_closes = false;
+
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "sin(phi_B - phi_D + psi_C_BC + psi_G_CEG) = 0: s_B, s_C free to first order",
