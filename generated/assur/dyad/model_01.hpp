@@ -72,12 +72,11 @@ struct Model01 {
 
   static constexpr int discriminant_degree = 4;  ///< of the final polynomial, in the lengths
   /// Where no length exceeds one, of the discriminant: what rounding does to it at most, and from
-  /// which on det J, a multiple of its root, is that of a regular group; zero if it is none.
+  /// which on its roots are regular configurations, apart by more than rounding, that close; zero
+  /// where that does not follow.
   static constexpr double discriminant_error = 4.98e-13, regular_discriminant = 9.1e-07;
-  static constexpr int first_key = 1;  ///< of those that put configurations in order, the first
-                                       ///<     that differs
-  /// Whether what `complete` computes closes wherever the final polynomial vanishes.
-  static constexpr bool completion_closes = true;
+  static constexpr int first_key = 1;  ///< then: of those that put them in order, the first that
+                                       ///<     differs
 
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {

@@ -78,15 +78,14 @@ struct Model09 {
 
   static constexpr int discriminant_degree = 2;  ///< of the final polynomial, in the lengths
   /// Where no length exceeds one, of the discriminant: what rounding does to it at most, and from
-  /// which on det J, a multiple of its root, is that of a regular group; zero if it is none.
+  /// which on its roots are regular configurations, apart by more than rounding, that close; zero
+  /// where that does not follow.
   static constexpr double discriminant_error = 1.16e-07, regular_discriminant = 0;
   /// The same of what the formula divides by.
   static constexpr int leading_degree = 0;
   static constexpr double leading_error = 6.58e-13;
-  static constexpr int first_key = 0;  ///< of those that put configurations in order, the first
-                                       ///<     that differs
-  /// Whether what `complete` computes closes wherever the final polynomial vanishes.
-  static constexpr bool completion_closes = false;
+  static constexpr int first_key = 0;  ///< then: of those that put them in order, the first that
+                                       ///<     differs
 
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {

@@ -152,7 +152,8 @@ double most(const GiNaC::ex& polynomial, const Sizes& sizes) {
 }
 
 /// A final polynomial T = c0 + c1 cos x + s1 sin x of a group with two unknowns. Its two roots are
-/// the feet of r = sqrt(discriminant) and of -r, and there r is the derivative of T, up to its sign.
+/// the feet of r = sqrt(discriminant) and of -r, and there r is the derivative of T, up to its
+/// sign.
 class Circle {
  public:
   Circle(const equations::ClosureEquations& equations, const elimination::Elimination& elimination,
@@ -250,14 +251,21 @@ class Circle {
   }
 
   /// Whether the closures hold where T does once the other unknowns are computed, as the square of
-  /// what they miss by is a multiple of the square of T.
+  /// what they miss by is a multiple of the square of T; and whether T would show what is no
+  /// number.
   [[nodiscard]] bool completion_closes() const {
     GiNaC::ex square;
     for (const GiNaC::ex& residual : equations_.residuals) {
       square += GiNaC::pow(expanded(residual), 2);
     }
     const GiNaC::ex T = constant_ + cosine_ * x_.x + sine_ * x_.y;
-    return GiNaC::is_a<GiNaC::numeric>(ratio(square, T * T));
+    const auto shows = [&](const equations::Variable& variable) {
+      return variable.is_angle() ? T.has(variable.cosine) && T.has(variable.sine)
+                                 : T.has(variable.value);
+    };
+    return GiNaC::is_a<GiNaC::numeric>(ratio(square, T * T)) &&
+           std::all_of(equations_.dimensions.begin(), equations_.dimensions.end(), shows) &&
+           std::all_of(equations_.inputs.begin(), equations_.inputs.end(), shows);
   }
 
  private:
@@ -308,14 +316,13 @@ std::string bound_text(double bound) {
 
 }  // namespace
 
-void show_closed_form(const equations::ClosureEquations& equations,
-                      const elimination::Elimination& elimination,
-                      const pivoting::StructuredJacobian& structured,
-                      const program::Program& polynomial, const GroupRange& range,
-                      cpp::View& view) {
+int show_closed_form(const equations::ClosureEquations& equations,
+                     const elimination::Elimination& elimination,
+                     const pivoting::StructuredJacobian& structured,
+                     const program::Program& polynomial, const GroupRange& range, cpp::View& view) {
   view.set("is_closed", elimination.is_closed());
   if (!elimination.is_closed()) {
-    return;
+    return 0;
   }
   const auto up_to = [&](double longest) {
     const Sizes sizes = sizes_up_to(longest, equations, range.numbers);
@@ -340,7 +347,6 @@ void show_closed_form(const equations::ClosureEquations& equations,
   // Of larger groups det J has more factors.
   double regular = 0;
   int first_key = 0;
-  bool closes = false;
   if (elimination.first->is_angle() && equations.unknowns.size() == 2) {
     const Circle circle(equations, elimination, structured);
     const Sizes sizes = sizes_up_to(range.longest, equations, range.numbers);
@@ -348,13 +354,14 @@ void show_closed_form(const equations::ClosureEquations& equations,
     // Ten times what rounding may make of a key.
     constexpr double clear = 1e-5;
     const double from = circle.regular_discriminant(sizes);
-    regular = from > 0 && difference.least > 0 ? std::max(from, clear * clear / difference.least) : 0;
-    first_key = difference.key;
-    closes = circle.completion_closes();
+    if (from > 0 && difference.least > 0 && circle.completion_closes()) {
+      regular = std::max(from, clear * clear / difference.least);
+      first_key = difference.key;
+    }
   }
   view.set("regular_discriminant", bound_text(regular));
   view.set("first_key", std::to_string(first_key));
-  view.set("completion_closes", cpp::boolean(closes));
+  return first_key;
 }
 
 }  // namespace assur::generator::emission::model

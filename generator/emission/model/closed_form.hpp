@@ -23,13 +23,12 @@ struct GroupRange {
 };
 
 /// What the runtime reads of a final polynomial that is solved by formula: when its discriminant
-/// has a certain sign, when it vouches for a regular group, where two configurations differ first,
-/// and whether they close by the formula itself. `polynomial` is the program that computes the
-/// final polynomial.
-void show_closed_form(const equations::ClosureEquations& equations,
-                      const elimination::Elimination& elimination,
-                      const pivoting::StructuredJacobian& structured,
-                      const program::Program& polynomial, const GroupRange& range,
-                      cpp::View& view);
+/// has a certain sign, and when it vouches for configurations that are regular, in order by one
+/// key, and close by the formula itself. `polynomial` is the program that computes the final
+/// polynomial. Returns the place of that key; zero where nothing is vouched for.
+int show_closed_form(const equations::ClosureEquations& equations,
+                     const elimination::Elimination& elimination,
+                     const pivoting::StructuredJacobian& structured,
+                     const program::Program& polynomial, const GroupRange& range, cpp::View& view);
 
 }  // namespace assur::generator::emission::model

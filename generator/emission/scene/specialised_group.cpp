@@ -31,7 +31,7 @@ class GroupSpecialiser {
   }
 
   SpecialisedGroup run(const std::string& struct_name, const std::string& title) {
-    SpecialisedGroup result;
+    SpecialisedGroup result{};
     result.view = view(struct_name, title);
     const model::ModelSpelling spelling(equations_.unknowns, equations_.dimensions, inputs_);
     cpp::View::List functions;
@@ -65,8 +65,8 @@ class GroupSpecialiser {
       if (function.name == "position_polynomial") {
         const model::GroupRange range = {detail::most_length_of_numbers, false, sizes_,
                                          support::rounding_of_named_numbers};
-        model::show_closed_form(equations_, elimination_, structured_, program, range,
-                                result.view);
+        result.first_key = model::show_closed_form(equations_, elimination_, structured_, program,
+                                                   range, result.view);
       }
     };
     for (const model::ModelFunction& function : model::model_functions(equations_, derivatives_)) {

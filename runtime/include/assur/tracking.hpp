@@ -27,9 +27,9 @@ struct Track {
 /// `path(value)` gives the inputs' motion, an InputMotion, at a value between them. `d` is what
 /// `branch_point` had.
 ///
-/// Steps are shortened until prediction, correction and the derivatives at both ends agree. A change
-/// to a branch that this one could meet would show in the sign of det J; that other branches are
-/// far enough away is experience, not proof: docs/performance.md counts.
+/// Steps are shortened until prediction, correction and the derivatives at both ends agree. A
+/// change to a branch that this one could meet would show in the sign of det J; that other branches
+/// are far enough away is experience, not proof: docs/performance.md counts.
 template <typename Model, typename Path>
 [[nodiscard]] Track<Model> track(const typename Model::template Dimensions<double>& d,
                                  const Path& path, double from, double to,

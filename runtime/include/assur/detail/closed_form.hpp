@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <assur/detail/index.hpp>
+#include <assur/model.hpp>
 #include <assur/numeric/magnitude.hpp>
 #include <assur/numeric/pair.hpp>
-#include <assur/model.hpp>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
@@ -124,7 +124,8 @@ struct Certainty {
   [[nodiscard]] double error(double square, double displaced) const {
     const double error = power(square);
     return displaced > 0
-               ? error * (1 + displaced / (numeric::Magnitude::given_rounding() * std::sqrt(square)))
+               ? error *
+                     (1 + displaced / (numeric::Magnitude::given_rounding() * std::sqrt(square)))
                : error;
   }
 };
@@ -134,13 +135,12 @@ template <typename Model>
 struct ClosedForm {
   static constexpr Certainty discriminant = {1 / Model::discriminant_error,
                                              Model::discriminant_degree};
-  /// Whether a discriminant vouches for a regular group, where it is `regularity` times as large as
-  /// the longest length to its degree.
+  /// Whether a large discriminant vouches for configurations that are regular, that differ by
+  /// Model::first_key, and that close.
   static constexpr bool vouches = Model::regular_discriminant > 0;
-  static constexpr double regularity = vouches ? 1 / Model::regular_discriminant : 0;
-  /// One over a discriminant that has a certain sign and, if any does, vouches for a regular group.
+  /// One over a discriminant that has a certain sign and, if any does, vouches.
   static constexpr double firmness =
-      vouches ? std::min(regularity, discriminant.firmness) : discriminant.firmness;
+      1 / std::max(Model::discriminant_error, Model::regular_discriminant);
 };
 
 }  // namespace assur::detail

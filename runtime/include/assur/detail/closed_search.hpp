@@ -134,16 +134,14 @@ class ClosedSearch {
                                       double square) {
     // What the longest length is for the closures: at most 1.8 times as long as it is.
     const auto holds = [&] { return closes<Model, Scalar>(d, u, q, square / 2); };
-    if constexpr (Model::completion_closes) {
+    if constexpr (Form::vouches) {
       const Scalar miss = complete_root<Model, Scalar>(d, u, q);
-      if (completes_angles<Model> && !static_cast<bool>(miss <= Scalar(settled_direction)) &&
-          !static_cast<bool>(holds())) {
-        return false;
-      }
-    } else if (!static_cast<bool>(complete_simple<Model, Scalar>(d, u, q) & holds())) {
-      return false;
+      return !completes_angles<Model> || static_cast<bool>(miss <= Scalar(settled_direction)) ||
+             static_cast<bool>(holds());
+    } else {
+      return static_cast<bool>(complete_simple<Model, Scalar>(d, u, q) & holds()) &&
+             is_regular<Model, Scalar>(d, u, q);
     }
-    return Form::vouches || is_regular<Model, Scalar>(d, u, q);
   }
 
   /// Whether the first configuration comes before the second. A discriminant that vouches for them
