@@ -332,11 +332,12 @@ int show_closed_form(const equations::ClosureEquations& equations,
   const detail::Discriminants<Magnitude> twice = up_to(2 * range.longest);
   const auto show = [&](const std::string& name, const Magnitude& one, const Magnitude& two) {
     const int degree = range.is_scaled ? std::ilogb(two.size / one.size) : 0;
+    // Products of errors are not estimated: of what has no size they are all that there is.
+    const bool is_known = one.rounding() > 0 && degree <= detail::Certainty::highest_degree;
     constexpr double nothing_is_certain = 1e300;
     view.set(name + "_degree", std::to_string(degree));
-    view.set(name + "_error", bound_text(degree <= detail::Certainty::highest_degree
-                                             ? std::min(one.rounding(), nothing_is_certain)
-                                             : nothing_is_certain));
+    view.set(name + "_error", bound_text(is_known ? std::min(one.rounding(), nothing_is_certain)
+                                                  : nothing_is_certain));
   };
   show("discriminant", found.discriminant, twice.discriminant);
   const bool has_leading = !elimination.first->is_angle() && elimination.degree == 2;
