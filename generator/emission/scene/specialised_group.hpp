@@ -36,11 +36,12 @@ struct GroupNumbers {
   bool holds_groups;               ///< whether other groups are held by its links
 };
 
-/// The view that templates/specialised_group.hpp.mustache shows, and how many configurations it has
-/// at most.
+/// The view that templates/specialised_group.hpp.mustache shows.
 struct SpecialisedGroup {
   cpp::View view;
   std::size_t max_configurations;
+  int first_key;  ///< of those that put a group's configurations in order, the first that may
+                  ///< differ
 };
 
 /// The group's links with frames, in the order of the solver's: those of which everything is needed

@@ -77,9 +77,10 @@ template <typename To, typename From>
 
 /// What rounding of its dimensions may have done to a coefficient of a specialised group, whose
 /// functions hold them as numbers: lengths are at most one there, and few of them meet in a term.
+inline constexpr double rounding_of_named_numbers = 32 * std::numeric_limits<double>::epsilon();
 template <typename Model>
 [[nodiscard]] constexpr double rounding_of_numbers() {
-  return Model::dimension_count == 0 ? 32 * std::numeric_limits<double>::epsilon() : 0.0;
+  return Model::dimension_count == 0 ? rounding_of_named_numbers : 0.0;
 }
 
 /// The longest length of a group. Only differences of the external joints' places count, not where
