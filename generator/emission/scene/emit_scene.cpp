@@ -7,8 +7,8 @@
 
 #include "emission/cpp/cpp_text.hpp"
 #include "emission/model/model_view.hpp"
-#include "emission/scene/group_numbers.hpp"
 #include "emission/scene/scene_statements.hpp"
+#include "emission/scene/specialised_numbers.hpp"
 
 namespace assur::generator::emission::scene {
 

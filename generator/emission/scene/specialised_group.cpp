@@ -20,7 +20,7 @@ namespace {
 
 class GroupSpecialiser {
  public:
-  explicit GroupSpecialiser(const GroupNumbers& numbers)
+  explicit GroupSpecialiser(const SpecialisedNumbers& numbers)
       : numbers_(numbers),
         equations_(equations::closure_equations(*numbers.model)),
         derivatives_(derivatives::differentiate(equations_)),
@@ -378,7 +378,7 @@ class GroupSpecialiser {
     return view;
   }
 
-  const GroupNumbers& numbers_;
+  const SpecialisedNumbers& numbers_;
   equations::ClosureEquations equations_;
   derivatives::Derivatives derivatives_;
   pivoting::StructuredJacobian structured_;
@@ -404,8 +404,8 @@ std::vector<std::size_t> framed_links(const std::vector<FrameNeed>& frames) {
   return links;
 }
 
-SpecialisedGroup specialised_group(const GroupNumbers& numbers, const std::string& struct_name,
-                                   const std::string& title) {
+SpecialisedGroup specialised_group(const SpecialisedNumbers& numbers,
+                                   const std::string& struct_name, const std::string& title) {
   return GroupSpecialiser(numbers).run(struct_name, title);
 }
 

@@ -21,7 +21,7 @@ enum class FrameNeed : unsigned char {
 };
 
 /// The numbers of a group. Lengths and the gradients of lengths are in `unit`, a power of two.
-struct GroupNumbers {
+struct SpecialisedNumbers {
   const structure::Model* model;
   double unit;
   int order;  ///< of the time derivatives that are wanted: 0, 1 or 2
@@ -50,7 +50,7 @@ struct SpecialisedGroup {
 
 /// The functions of a rigid model that the runtime needs and the scene wants, with the dimensions
 /// and the held inputs as numbers. Throws InputError if the numbers leave no closed form.
-[[nodiscard]] SpecialisedGroup specialised_group(const GroupNumbers& numbers,
+[[nodiscard]] SpecialisedGroup specialised_group(const SpecialisedNumbers& numbers,
                                                  const std::string& struct_name,
                                                  const std::string& title);
 

@@ -52,8 +52,8 @@ class ClosedSearch {
         return false;
       }
     }
-    const auto d = support::scaled_to<typename Model::template Dimensions<Scalar>>(dimensions, 1.0);
-    const auto u = support::scaled_to<typename Model::template Inputs<Scalar>>(inputs, 1.0);
+    const auto d = support::converted_to<typename Model::template Dimensions<Scalar>>(dimensions);
+    const auto u = support::converted_to<typename Model::template Inputs<Scalar>>(inputs);
     typename Model::template Configuration<Scalar> q;
     first_of<Model>(q) = roots_of(T, found);
     if (!completes(d, u, q, square)) {

@@ -1,4 +1,4 @@
-#include "emission/scene/group_numbers.hpp"
+#include "emission/scene/specialised_numbers.hpp"
 
 #include <algorithm>
 #include <assur/directions.hpp>
@@ -126,7 +126,7 @@ std::vector<FrameNeed> frame_needs(const SolverScene& solver, mechanism::GroupIn
   return needs;
 }
 
-GroupNumbers group_numbers(const SolverScene& solver, mechanism::GroupIndex group) {
+SpecialisedNumbers specialised_numbers(const SolverScene& solver, mechanism::GroupIndex group) {
   const double unit = unit_of(solver, group);
   NumberList of_dimensions(solver.parameters, unit);
   for (const DimensionValue<SceneNumber>& value : normal_group(solver, group).dimensions()) {
@@ -171,7 +171,7 @@ SpecialisedGroup specialised_group_of(const SolverScene& solver, mechanism::Grou
   const std::string title = "Group " + number + ", links " +
                             cpp::comment_text(names_of(solver, group)) + ", " +
                             derived_model(solver.group(group)).title();
-  const GroupNumbers numbers = group_numbers(solver, group);
+  const SpecialisedNumbers numbers = specialised_numbers(solver, group);
   try {
     return specialised_group(numbers, solver.group_struct(group), title);
   } catch (const text::InputError& error) {
