@@ -6,8 +6,8 @@
 #include <charconv>
 #include <map>
 
-#include "audit/code_matrix.hpp"
-#include "audit/code_text.hpp"
+#include "audit/code/cpp_matrix.hpp"
+#include "audit/code/matlab_matrix.hpp"
 #include "audit/kind_audit.hpp"
 #include "closures/read_formula.hpp"
 
@@ -263,18 +263,27 @@ void Auditor::read_printed_code(const closures::PlacedText& label, closures::Pla
   }
   PrintedMatrix matrix = matrix_frame(rest);
   const std::string path = (directory_ / file.text).string();
-  std::string code;
+  std::string source;
   try {
-    code = text::read_input_file(path);
+    source = text::read_input_file(path);
   } catch (const text::InputError& error) {
     reader_.fail(file.place, error.what());
   }
-  matrix.entries = read_code_matrix(code, path, array.text, matrix.rows.size(),
-                                    matrix.columns.size(), reader_.system());
+  const bool matlab = std::filesystem::path(path).extension() == ".m";
+  const code::AuditedMatrix audited{array.text, matrix.rows.size(), matrix.columns.size()};
+  try {
+    for (const code::CodeEntry& entry :
+         matlab ? code::read_matlab_matrix(source, audited, reader_.system())
+                : code::read_cpp_matrix(source, audited, reader_.system())) {
+      matrix.entries.push_back({entry.text, entry.locals, entry.source});
+    }
+  } catch (const code::CodeError& error) {
+    throw closures::AuditSyntaxError(path, code::place_in_code(source, error.place), error.what());
+  }
   std::vector<Finding> findings = audit_matrix(points_, matrix);
   for (std::size_t place = 0; place < findings.size(); ++place) {
     Finding& finding = findings[place];
-    finding.place = place_in_code(code, finding.place);
+    finding.place = code::place_in_code(source, finding.place);
     if (matrix.entries[place].text.empty() && !finding.agrees()) {
       finding.note = "nothing is assigned to it, so it counts as zero";
     }
