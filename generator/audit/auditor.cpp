@@ -311,11 +311,13 @@ ExpectedMatrix Auditor::expected_matrix(const closures::PlacedText& frame) {
     if (!take_keyword(formulas, "of")) {
       reader_.fail(frame.place, "expected of ROWS by COLUMNS, or of FORMULA, FORMULA, ...");
     }
+    // A closure's value says something off the closures alone.
+    expected.on_closures = !reader_.system().closures().empty();
     for (const closures::PlacedText& formula : closures::split(formulas, ',')) {
       expected.items.push_back(formula.text);
       expected.derived.push_back(closures::read_formula(formula, reader_.system()));
       expected.on_closures =
-          expected.on_closures || reader_.system().follows_closures(expected.derived.back());
+          expected.on_closures && reader_.system().closure_named(formula.text) == nullptr;
     }
     expected.size = {expected.items.size(), 1};
     return expected;
