@@ -136,19 +136,15 @@ class ProgramAudit {
     for (const GiNaC::ex& derived : expected_.derived) {
       static_cast<void>(value_at(derived, asked.point));  // solves for what it needs
     }
-    if (expected_.on_closures && moves()) {
+    if (expected_.on_closures) {
       for (const closures::AuditSymbol* unknown : points_.system().unknowns()) {
-        static_cast<void>(value_at(unknown->rate, asked.point));
+        if (mentions("rate_" + unknown->name) || mentions("rate2_" + unknown->name)) {
+          static_cast<void>(value_at(unknown->rate, asked.point));
+        }
       }
     }
     asked.values = symbol_values(points_, asked.point);
     list.push_back(std::move(asked));
-  }
-
-  [[nodiscard]] bool moves() const {
-    const auto& symbols = points_.system().symbols();
-    return std::any_of(symbols.begin(), symbols.end(),
-                       [](const closures::AuditSymbol& symbol) { return symbol.moving; });
   }
 
   /// Exact, as a double; throws NotAlgebraic.
@@ -198,19 +194,20 @@ class ProgramAudit {
   /// The point as far as the program is told of it.
   [[nodiscard]] std::string point_text(const Point& point, std::size_t entry) const {
     std::vector<GiNaC::ex> told = {expected_.derived[entry]};
-    std::string text = run_.program.result;
-    for (const std::string& line : run_.program.before) {
-      text += " " + line;
-    }
     for (const closures::AuditSymbol& symbol : points_.system().symbols()) {
-      if (mentions(text, symbol.name)) {
+      if (mentions(symbol.name)) {
         told.emplace_back(symbol.symbol);
       }
     }
     return points_.point_text(point, told);
   }
 
-  [[nodiscard]] static bool mentions(const std::string& text, const std::string& name) {
+  /// Whether the call of the program has this name in it.
+  [[nodiscard]] bool mentions(const std::string& name) const {
+    std::string text = run_.program.result;
+    for (const std::string& line : run_.program.before) {
+      text += " " + line;
+    }
     const auto in_name = [&](std::size_t at) {
       return at < text.size() &&
              (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
