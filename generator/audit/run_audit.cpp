@@ -138,13 +138,19 @@ class ProgramAudit {
     }
     if (expected_.on_closures) {
       for (const closures::AuditSymbol* unknown : points_.system().unknowns()) {
-        if (mentions("rate_" + unknown->name) || mentions("rate2_" + unknown->name)) {
+        if (has_rates(*unknown)) {
           static_cast<void>(value_at(unknown->rate, asked.point));
         }
       }
     }
     asked.values = symbol_values(points_, asked.point);
     list.push_back(std::move(asked));
+  }
+
+  /// Whether the program is given rates of a symbol: of an unknown where it asks for them.
+  [[nodiscard]] bool has_rates(const closures::AuditSymbol& symbol) const {
+    const bool asked = mentions("rate_" + symbol.name) || mentions("rate2_" + symbol.name);
+    return symbol.moving || (asked && symbol.unknown && expected_.on_closures);
   }
 
   /// Exact, as a double; throws NotAlgebraic.
@@ -164,7 +170,7 @@ class ProgramAudit {
       given.push_back(symbol.symbol);
       for (const auto& [prefix, rate] :
            {std::pair("rate_", symbol.rate), std::pair("rate2_", symbol.second_rate)}) {
-        if (list.front().values.contains(rate)) {
+        if (has_rates(symbol)) {
           table.names.push_back(prefix + symbol.name);
           given.push_back(rate);
         }
