@@ -55,7 +55,11 @@ class ProgramAudit {
  public:
   ProgramAudit(ClosurePoints& points, const ExpectedMatrix& expected, const RunStatement& run,
                const running::RunLimits& limits)
-      : points_(points), expected_(expected), run_(run), limits_(limits) {}
+      : points_(points),
+        expected_(expected),
+        run_(run),
+        limits_(limits),
+        assembled_(expected.on_closures) {}
 
   RunAnswer answer() {
     draw_points();
@@ -71,8 +75,9 @@ class ProgramAudit {
       explain(answer.findings);
     }
     answer.remark = "computed at " + std::to_string(asked_.size()) +
-                    (expected_.on_closures ? " assembled" : "") +
-                    " rational points: evidence, not proof";
+                    (assembled_ ? " assembled" : "") + " rational points" +
+                    (assembled_ == expected_.on_closures ? "" : ", none of them assembled") +
+                    ": evidence, not proof";
     return answer;
   }
 
@@ -108,7 +113,7 @@ class ProgramAudit {
   void draw_points() {
     std::vector<Point> others;
     for (std::size_t index = 0; asked_.size() < run_.points && index < 6 * run_.points; ++index) {
-      Point* const point = points_.point(index, expected_.on_closures);
+      Point* const point = points_.point(index, assembled_);
       if (point == nullptr) {
         break;
       }
@@ -126,9 +131,20 @@ class ProgramAudit {
         add_point(point, asked_);
       }
     }
+    if (asked_.size() < fewest_points && assembled_ && !follows_closures()) {
+      assembled_ = false;  // its entries have values anywhere
+      asked_.clear();
+      draw_points();
+    }
     if (asked_.size() < fewest_points) {
       fail("no points are found at which it can be asked");
     }
+  }
+
+  [[nodiscard]] bool follows_closures() const {
+    return std::any_of(
+        expected_.derived.begin(), expected_.derived.end(),
+        [&](const GiNaC::ex& each) { return points_.system().follows_closures(each); });
   }
 
   void add_point(const Point& point, std::vector<Asked>& list) {
@@ -136,7 +152,7 @@ class ProgramAudit {
     for (const GiNaC::ex& derived : expected_.derived) {
       static_cast<void>(value_at(derived, asked.point));  // solves for what it needs
     }
-    if (expected_.on_closures) {
+    if (assembled_) {
       for (const closures::AuditSymbol* unknown : points_.system().unknowns()) {
         if (has_rates(*unknown)) {
           static_cast<void>(value_at(unknown->rate, asked.point));
@@ -150,7 +166,7 @@ class ProgramAudit {
   /// Whether the program is given rates of a symbol: of an unknown where it asks for them.
   [[nodiscard]] bool has_rates(const closures::AuditSymbol& symbol) const {
     const bool asked = mentions("rate_" + symbol.name) || mentions("rate2_" + symbol.name);
-    return symbol.moving || (asked && symbol.unknown && expected_.on_closures);
+    return symbol.moving || (asked && symbol.unknown && assembled_);
   }
 
   /// Exact, as a double; throws NotAlgebraic.
@@ -315,7 +331,7 @@ class ProgramAudit {
       }
       try {
         std::optional<Point> point =
-            expected_.on_closures ? points_.assembled_from(values) : Point{values, {}};
+            assembled_ ? points_.assembled_from(values) : Point{values, {}};
         if (point && all_lengths_positive(*point) && is_allowed(*point)) {
           add_point(*point, list);
         }
@@ -359,6 +375,7 @@ class ProgramAudit {
   const ExpectedMatrix& expected_;
   const RunStatement& run_;
   const running::RunLimits& limits_;
+  bool assembled_;  ///< whether the closures hold at the points
   std::vector<Asked> asked_;
   std::vector<Asked> simple_;
   std::vector<double> repeated_;  ///< what the first point gives when it is asked again
