@@ -1,7 +1,7 @@
 #include "audit/code/function.hpp"
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 #include "audit/code/directives.hpp"
 #include "audit/code/formula.hpp"

@@ -2,7 +2,10 @@
 // right entry is called wrong: in C++ and MATLAB that are read, in C++, Python and Octave that run.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <functional>
 #include <iostream>
 #include <random>
 
