@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "audit/finding.hpp"
+#include "audit/running/program_values.hpp"
 
 namespace assur::generator::audit {
 
@@ -15,12 +16,20 @@ namespace assur::generator::audit {
 using SceneReader = std::function<std::map<std::string, double>(
     const std::string& file, int configuration, const std::vector<std::string>& settings)>;
 
+/// What may be run of the programs that audit files name.
+struct RunPermission {
+  bool given = false;
+  std::vector<std::string> flags;  ///< beside those of the audit file
+  running::RunLimits limits;
+};
+
 /// Reads and audits one file; docs/audit_format.md tells its form. Other files that it names are
 /// found from its own directory, scenes by `scenes`. Throws InputError with the place of what
 /// cannot be used; a printed formula that cannot be read is a finding.
-[[nodiscard]] AuditReport audit_file(const std::string& file, const SceneReader& scenes);
+[[nodiscard]] AuditReport audit_file(const std::string& file, const SceneReader& scenes,
+                                     const RunPermission& run = {});
 /// The same from text; `file` is its name in messages. Without `scenes` it may name none.
 [[nodiscard]] AuditReport audit_text(const std::string& text, const std::string& file,
-                                     const SceneReader& scenes = {});
+                                     const SceneReader& scenes = {}, const RunPermission& run = {});
 
 }  // namespace assur::generator::audit

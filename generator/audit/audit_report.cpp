@@ -43,6 +43,32 @@ std::string place_text(const std::string& file, closures::Place place) {
   return file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
 }
 
+/// The line with a mark under the place; empty where it is not known.
+std::string quoted_line(const Finding& finding) {
+  if (finding.line.empty()) {
+    return "";
+  }
+  constexpr std::size_t most = 160;
+  const std::size_t column = finding.place.column - 1;
+  // Of a long line, what is around the place.
+  std::size_t from = column > most / 2 && finding.line.size() > most ? column - most / 2 : 0;
+  const auto is_inside_a_letter = [&](std::size_t at) {
+    return at > 0 && at < finding.line.size() && (finding.line[at] & 0xC0) == 0x80;
+  };
+  std::size_t to = std::min(from + most, finding.line.size());
+  for (; is_inside_a_letter(from); --from) {
+  }
+  for (; is_inside_a_letter(to); --to) {
+  }
+  std::string under;
+  for (std::size_t at = from; at < std::min(column, finding.line.size()); ++at) {
+    if (!is_inside_a_letter(at)) {
+      under += finding.line[at] == '\t' ? '\t' : ' ';
+    }
+  }
+  return "    " + finding.line.substr(from, to - from) + "\n    " + under + "^\n";
+}
+
 /// What is known of a disagreement, as pairs of a word and a text.
 std::vector<std::pair<std::string, std::string>> details(const Finding& finding) {
   const Comparison& comparison = finding.comparison;
@@ -66,7 +92,8 @@ std::vector<std::pair<std::string, std::string>> details(const Finding& finding)
 std::string statement_text(const AuditReport& report, const AuditedStatement& statement) {
   const std::size_t agree = agreeing(statement);
   const std::string& file = statement.file.empty() ? report.file : statement.file;
-  std::string text = statement.label + ": " + counted(agree, statement.findings.size()) + "\n";
+  std::string text = statement.label + ": " + counted(agree, statement.findings.size()) +
+                     (statement.remark.empty() ? "" : ", " + statement.remark) + "\n";
   if (agree == statement.findings.size()) {
     return text;
   }
@@ -93,6 +120,7 @@ std::string statement_text(const AuditReport& report, const AuditedStatement& st
       continue;
     }
     told = &finding;
+    text += quoted_line(finding);
     for (const auto& [word, detail] : details(finding)) {
       text += "    " + word + std::string(12 - word.size(), ' ') + detail + "\n";
     }
@@ -108,6 +136,22 @@ std::pair<std::size_t, std::size_t> totals(const AuditReport& report) {
     all += statement.findings.size();
   }
   return {agree, all};
+}
+
+/// A text in a line of GitHub's commands; a property must not hold their own marks either.
+std::string escaped(const std::string& text, bool property) {
+  std::string result;
+  for (const char letter : text) {
+    const bool special = letter == '%' || letter == '\n' || letter == '\r' ||
+                         (property && (letter == ':' || letter == ','));
+    result += special ? letter == '%'    ? "%25"
+                        : letter == '\n' ? "%0A"
+                        : letter == '\r' ? "%0D"
+                        : letter == ':'  ? "%3A"
+                                         : "%2C"
+                      : std::string(1, letter);
+  }
+  return result;
 }
 
 std::string in_cell(std::string text) {
@@ -166,6 +210,32 @@ std::string audit_report_markdown(const std::vector<AuditReport>& reports) {
   return text;
 }
 
+std::string audit_report_github(const std::vector<AuditReport>& reports) {
+  std::string text;
+  for (const AuditReport& report : reports) {
+    for (const AuditedStatement& statement : report.statements) {
+      const std::string& file = statement.file.empty() ? report.file : statement.file;
+      for (const Finding& finding : statement.findings) {
+        if (finding.agrees()) {
+          continue;
+        }
+        std::string message = verdict_text(finding.comparison.verdict);
+        for (const auto& [word, detail] : details(finding)) {
+          message += std::string("\n") + word + ": " + detail;
+        }
+        text += "::error file=" + escaped(file, true) +
+                ",line=" + std::to_string(finding.place.line) +
+                ",col=" + std::to_string(finding.place.column) +
+                ",title=" + escaped(statement.label + " " + finding.item, true) +
+                "::" + escaped(message, false) + "\n";
+      }
+    }
+    const auto [agree, all] = totals(report);
+    text += report.file + ": " + counted(agree, all) + "\n";
+  }
+  return text;
+}
+
 std::string audit_report_json(const std::vector<AuditReport>& reports) {
   Json files = Json::array();
   bool agrees = true;
@@ -187,11 +257,17 @@ std::string audit_report_json(const std::vector<AuditReport>& reports) {
         if (!finding.note.empty()) {
           entry["note"] = finding.note;
         }
+        if (!finding.agrees() && !finding.line.empty()) {
+          entry["text"] = finding.line;
+        }
         findings.push_back(std::move(entry));
       }
       Json audited = {{"statement", statement.label}};
       if (!statement.file.empty()) {
         audited["file"] = statement.file;  // where lines and columns are
+      }
+      if (!statement.remark.empty()) {
+        audited["remark"] = statement.remark;
       }
       audited["findings"] = std::move(findings);
       statements.push_back(std::move(audited));

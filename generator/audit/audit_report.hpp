@@ -1,4 +1,5 @@
-// Turns audit reports into text for people, Markdown for documents, or JSON for programs.
+// Turns audit reports into text for people, Markdown for documents, JSON for programs, or
+// annotations for GitHub.
 #pragma once
 
 #include <string>
@@ -10,6 +11,8 @@ namespace assur::generator::audit {
 
 [[nodiscard]] std::string audit_report_text(const std::vector<AuditReport>& reports);
 [[nodiscard]] std::string audit_report_markdown(const std::vector<AuditReport>& reports);
+/// One `::error file=...,line=...,col=...::` for each finding that does not agree.
+[[nodiscard]] std::string audit_report_github(const std::vector<AuditReport>& reports);
 [[nodiscard]] std::string audit_report_json(const std::vector<AuditReport>& reports);
 
 }  // namespace assur::generator::audit

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <assur/text/input_file.hpp>
 #include <assur/text/suggestion.hpp>
+#include <assur/text/utf8.hpp>
 #include <charconv>
 #include <map>
 
-#include "audit/code_matrix.hpp"
-#include "audit/code_text.hpp"
+#include "audit/code/cpp_matrix.hpp"
+#include "audit/code/matlab_matrix.hpp"
 #include "audit/kind_audit.hpp"
+#include "audit/source_lines.hpp"
 #include "closures/read_formula.hpp"
 
 namespace assur::generator::audit {
@@ -53,9 +55,13 @@ bool AuditReport::agrees() const {
   });
 }
 
-AuditReport audit_text(const std::string& text, const std::string& file,
-                       const SceneReader& scenes) {
-  Auditor auditor(file, scenes);
+AuditReport audit_text(const std::string& text, const std::string& file, const SceneReader& scenes,
+                       const RunPermission& run) {
+  if (const std::size_t at = text::first_byte_outside_utf8(text); at < text.size()) {
+    throw text::InputError(file + ": byte " + std::to_string(at) +
+                           " is not UTF-8; save the file as UTF-8");
+  }
+  Auditor auditor(file, scenes, run);
   for (const closures::Statement& statement : closures::parse_statements(text, file)) {
     auditor.read(statement);
   }
@@ -63,11 +69,13 @@ AuditReport audit_text(const std::string& text, const std::string& file,
   if (report.statements.empty()) {
     throw text::InputError(file + ": nothing to audit; say what the source prints with 'printed'");
   }
+  quote_lines(report, text);
   return report;
 }
 
-AuditReport audit_file(const std::string& file, const SceneReader& scenes) {
-  return audit_text(text::read_input_file(file), file, scenes);
+AuditReport audit_file(const std::string& file, const SceneReader& scenes,
+                       const RunPermission& run) {
+  return audit_text(text::read_input_file(file), file, scenes, run);
 }
 
 AuditReport Auditor::report() const { return {reader_.file(), reader_.source(), statements_}; }
@@ -195,6 +203,8 @@ void Auditor::read_printed(const closures::Statement& statement, closures::Place
   const closures::PlacedText label = closures::take_word(after);
   if (what.text == "matrix") {
     read_printed_matrix(statement, label, after);
+  } else if (what.text == "run") {
+    read_printed_run(statement, label, after);
   } else if (what.text == "kinds") {
     read_printed_kinds(statement, label, after);
   } else {
@@ -206,8 +216,9 @@ void Auditor::read_printed(const closures::Statement& statement, closures::Place
     } else if (what.text == "equation") {
       read_printed_equation(label, after);
     } else {
-      reader_.fail(what.place,
-                   "expected closure, matrix, code, equation, kinds or number after 'printed'");
+      reader_.fail(
+          what.place,
+          "expected closure, matrix, code, run, equation, kinds or number after 'printed'");
     }
   }
 }
@@ -263,18 +274,27 @@ void Auditor::read_printed_code(const closures::PlacedText& label, closures::Pla
   }
   PrintedMatrix matrix = matrix_frame(rest);
   const std::string path = (directory_ / file.text).string();
-  std::string code;
+  std::string source;
   try {
-    code = text::read_input_file(path);
+    source = text::read_input_file(path);
   } catch (const text::InputError& error) {
     reader_.fail(file.place, error.what());
   }
-  matrix.entries = read_code_matrix(code, path, array.text, matrix.rows.size(),
-                                    matrix.columns.size(), reader_.system());
+  const bool matlab = std::filesystem::path(path).extension() == ".m";
+  const code::AuditedMatrix audited{array.text, matrix.rows.size(), matrix.columns.size()};
+  try {
+    for (const code::CodeEntry& entry :
+         matlab ? code::read_matlab_matrix(source, audited, reader_.system())
+                : code::read_cpp_matrix(source, audited, reader_.system())) {
+      matrix.entries.push_back({entry.text, entry.locals, entry.source});
+    }
+  } catch (const code::CodeError& error) {
+    throw closures::AuditSyntaxError(path, code::place_in_code(source, error.place), error.what());
+  }
   std::vector<Finding> findings = audit_matrix(points_, matrix);
   for (std::size_t place = 0; place < findings.size(); ++place) {
     Finding& finding = findings[place];
-    finding.place = place_in_code(code, finding.place);
+    finding.place = code::place_in_code(source, finding.place);
     if (matrix.entries[place].text.empty() && !finding.agrees()) {
       finding.note = "nothing is assigned to it, so it counts as zero";
     }
@@ -282,6 +302,52 @@ void Auditor::read_printed_code(const closures::PlacedText& label, closures::Pla
   answer("code " + label.text + " (" + file.text + ")", label.place, matrix.columns.size(),
          std::move(findings));
   statements_.back().file = path;
+}
+
+/// `of ROWS by COLUMNS`, or `of FORMULA, FORMULA, ...`.
+ExpectedMatrix Auditor::expected_matrix(const closures::PlacedText& frame) {
+  ExpectedMatrix expected;
+  closures::PlacedText formulas = frame;
+  if (cut_at_word(frame, "by").second.empty()) {
+    if (!take_keyword(formulas, "of")) {
+      reader_.fail(frame.place, "expected of ROWS by COLUMNS, or of FORMULA, FORMULA, ...");
+    }
+    // A closure's value says something off the closures alone.
+    expected.on_closures = !reader_.system().closures().empty();
+    for (const closures::PlacedText& formula : closures::split(formulas, ',')) {
+      expected.items.push_back(formula.text);
+      expected.derived.push_back(closures::read_formula(formula, reader_.system()));
+      expected.on_closures =
+          expected.on_closures && reader_.system().closure_named(formula.text) == nullptr;
+    }
+    expected.size = {expected.items.size(), 1};
+    return expected;
+  }
+  const PrintedMatrix matrix = matrix_frame(frame);
+  expected.size = {matrix.rows.size(), matrix.columns.size()};
+  expected.on_closures = !reader_.system().closures().empty();
+  for (std::size_t place = 0; place < matrix.rows.size() * matrix.columns.size(); ++place) {
+    const DerivedEntry entry = derived_entry(reader_.system(), matrix, place);
+    expected.items.push_back(entry.item);
+    expected.derived.push_back(entry.value);
+  }
+  return expected;
+}
+
+void Auditor::read_printed_run(const closures::Statement& statement,
+                               const closures::PlacedText& label, closures::PlacedText rest) {
+  const closures::PlacedText file = closures::take_word(rest);
+  RunStatement run = read_run_statement(directory_, file, statement.rows);
+  if (!run_.given) {
+    reader_.fail(file.place,
+                 "this runs " + file.text + " on your machine, and nothing is run without --run");
+  }
+  run.program.flags.insert(run.program.flags.end(), run_.flags.begin(), run_.flags.end());
+  const ExpectedMatrix expected = expected_matrix(rest);
+  RunAnswer answered = audit_run(points_, expected, run, run_.limits);
+  answer("run " + label.text + " (" + file.text + ")", label.place, expected.size.columns,
+         std::move(answered.findings));
+  statements_.back().remark = answered.remark;
 }
 
 void Auditor::read_printed_equation(const closures::PlacedText& label, closures::PlacedText rest) {

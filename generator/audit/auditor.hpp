@@ -7,6 +7,7 @@
 #include "audit/equation_audit.hpp"
 #include "audit/finding.hpp"
 #include "audit/numeric_example.hpp"
+#include "audit/run_audit.hpp"
 #include "closures/closure_reader.hpp"
 #include "structure/group.hpp"
 
@@ -15,8 +16,11 @@ namespace assur::generator::audit {
 /// Reads statements in their order: each may use what earlier ones declare.
 class Auditor {
  public:
-  Auditor(const std::string& file, const SceneReader& scenes)
-      : directory_(std::filesystem::path(file).parent_path()), scenes_(scenes), reader_(file) {}
+  Auditor(const std::string& file, const SceneReader& scenes, const RunPermission& run)
+      : directory_(std::filesystem::path(file).parent_path()),
+        scenes_(scenes),
+        run_(run),
+        reader_(file) {}
   Auditor(const Auditor&) = delete;
   Auditor& operator=(const Auditor&) = delete;
 
@@ -39,6 +43,9 @@ class Auditor {
   void read_printed_matrix(const closures::Statement& statement, const closures::PlacedText& label,
                            const closures::PlacedText& rest);
   void read_printed_code(const closures::PlacedText& label, closures::PlacedText rest);
+  void read_printed_run(const closures::Statement& statement, const closures::PlacedText& label,
+                        closures::PlacedText rest);
+  [[nodiscard]] ExpectedMatrix expected_matrix(const closures::PlacedText& frame);
   void read_printed_equation(const closures::PlacedText& label, closures::PlacedText rest);
   void read_printed_kinds(const closures::Statement& statement, const closures::PlacedText& label,
                           closures::PlacedText rest);
@@ -49,6 +56,7 @@ class Auditor {
 
   std::filesystem::path directory_;
   const SceneReader& scenes_;
+  const RunPermission& run_;
   closures::ClosureReader reader_;
   closures::ClosurePoints points_{reader_.system()};
   NumericExample numbers_;

@@ -43,24 +43,29 @@ Finding audit_closure(closures::ClosurePoints& points, const std::string& name,
   return finding;
 }
 
+DerivedEntry derived_entry(closures::ClosureSystem& system, const PrintedMatrix& matrix,
+                           std::size_t place) {
+  const std::string& row = matrix.rows[place / matrix.columns.size()];
+  const std::string& column = matrix.columns[place % matrix.columns.size()];
+  const closures::AuditSymbol& by = *system.symbol_named(column);
+  const GiNaC::ex* closure = system.closure_named(row);
+  const std::string item = "(" + std::to_string(place / matrix.columns.size() + 1) + "," +
+                           std::to_string(place % matrix.columns.size() + 1) + ") " +
+                           (closure == nullptr ? "D " : "d ") + row + "/" +
+                           (closure == nullptr ? "D " : "d ") + column;
+  return {item, closure == nullptr ? system.total(*system.meaning_of(row), by)
+                                   : system.partial(*closure, by.symbol)};
+}
+
 std::vector<Finding> audit_matrix(closures::ClosurePoints& points, const PrintedMatrix& matrix) {
   closures::ClosureSystem& system = points.system();
   std::vector<Finding> findings;
   for (std::size_t place = 0; place < matrix.entries.size(); ++place) {
-    const std::string& row = matrix.rows[place / matrix.columns.size()];
-    const std::string& column = matrix.columns[place % matrix.columns.size()];
-    const closures::AuditSymbol& by = *system.symbol_named(column);
-    const GiNaC::ex* closure = system.closure_named(row);
+    const auto [item, derived] = derived_entry(system, matrix, place);
     const PrintedEntry& entry = matrix.entries[place];
-    const std::string item = "(" + std::to_string(place / matrix.columns.size() + 1) + "," +
-                             std::to_string(place % matrix.columns.size() + 1) + ") " +
-                             (closure == nullptr ? "D " : "d ") + row + "/" +
-                             (closure == nullptr ? "D " : "d ") + column;
     try {
       const GiNaC::ex printed =
           entry.text.empty() ? 0 : closures::read_formula(entry.text, system, entry.locals);
-      const GiNaC::ex derived = closure == nullptr ? system.total(*system.meaning_of(row), by)
-                                                   : system.partial(*closure, by.symbol);
       findings.push_back({item, entry.text.place, compare(points, printed, derived, false),
                           entry.printed(), closures::formula_text(derived), ""});
     } catch (const closures::FormulaError& error) {

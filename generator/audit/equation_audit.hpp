@@ -24,6 +24,14 @@ struct PrintedMatrix {
   std::vector<PrintedEntry> entries;  ///< row by row
 };
 
+/// What an entry of a matrix should be, and how a report names it.
+struct DerivedEntry {
+  std::string item;
+  GiNaC::ex value;
+};
+[[nodiscard]] DerivedEntry derived_entry(closures::ClosureSystem& system,
+                                         const PrintedMatrix& matrix, std::size_t place);
+
 /// The printed closure against the derived one of that name. An equation may be printed with all
 /// its signs turned round; the system then takes it as printed.
 [[nodiscard]] Finding audit_closure(closures::ClosurePoints& points, const std::string& name,

@@ -16,9 +16,13 @@ struct Finding {
   Comparison comparison;
   std::string printed;
   std::string derived;
-  std::string note;  ///< what explains a difference, if anything does
+  std::string note;    ///< what explains a difference, if anything does
+  std::string line{};  ///< of the file, at the place, for people
 
   [[nodiscard]] bool agrees() const { return comparison.verdict == Verdict::agrees; }
+  [[nodiscard]] bool is_wrong() const {
+    return comparison.verdict == Verdict::differs || comparison.verdict == Verdict::differs_by_sign;
+  }
 };
 
 /// What one `printed` statement came to. A matrix has its entries row by row.
@@ -27,7 +31,8 @@ struct AuditedStatement {
   closures::Place place;
   std::size_t columns = 0;  ///< of a matrix; zero for anything else
   std::vector<Finding> findings;
-  std::string file;  ///< in which the findings' places are; empty for the audit file itself
+  std::string file;      ///< in which the findings' places are; empty for the audit file itself
+  std::string remark{};  ///< what the answers are worth
 };
 
 struct AuditReport {

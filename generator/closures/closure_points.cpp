@@ -200,6 +200,25 @@ std::optional<ClosurePoints::Point> ClosurePoints::draw(unsigned seed, bool asse
   return point;
 }
 
+std::optional<ClosurePoints::Point> ClosurePoints::assembled_from(const GiNaC::exmap& values) {
+  follow_system();
+  Point point{values, {}};
+  try {
+    if (!algebra_.roots_are_rational(point.values) || !assemble(point.values)) {
+      return std::nullopt;
+    }
+    invert_jacobian(point);
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+  return point;
+}
+
+equations::Vector2 ClosurePoints::direction(const GiNaC::symbol& angle) {
+  follow_system();
+  return algebra_.direction(angle);
+}
+
 ClosurePoints::Point* ClosurePoints::point(std::size_t index, bool assembled) {
   constexpr unsigned most_draws = 400;
   follow_system();

@@ -30,6 +30,11 @@ class ClosurePoints {
   /// the closures hold, or anywhere; nullptr when there are no more. Points where all roots are
   /// rational come first.
   [[nodiscard]] Point* point(std::size_t index, bool assembled);
+  /// The point of these values of all symbols, of which some lengths may take others so that the
+  /// closures hold; nothing where they cannot.
+  [[nodiscard]] std::optional<Point> assembled_from(const GiNaC::exmap& values);
+  /// The symbols of an angle's cosine and sine in a point's values.
+  [[nodiscard]] equations::Vector2 direction(const GiNaC::symbol& angle);
   /// `a3 = 7/10, (cos, sin)(phi1) = (3/5, 4/5)`: the symbols that occur in the expressions.
   [[nodiscard]] std::string point_text(const Point& point,
                                        const std::vector<GiNaC::ex>& shown) const;

@@ -1,6 +1,7 @@
 // The command `assur`: each subcommand is one pass through the pipeline.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <assur/text/error.hpp>
 #include <assur/text/names.hpp>
 #include <assur/text/suggestion.hpp>
 #include <csignal>
@@ -10,9 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "audit/audit.hpp"
-#include "audit/audit_report.hpp"
-#include "audit/scene/scene_values.hpp"
+#include "command/audit.hpp"
 #include "command/catalogue.hpp"
 #include "command/derive.hpp"
 #include "command/emit.hpp"
@@ -48,24 +47,6 @@ int run_derive(const DeriveOptions& options) {
         : options.format == "latex" ? document::derivation_latex(derivation)
                                     : document::derivation_text(derivation));
   return derivation.rigid ? exit_ok : exit_negative;
-}
-
-struct AuditOptions {
-  std::vector<std::string> files;
-  std::string format = "text";
-};
-
-int run_audit(const AuditOptions& options) {
-  std::vector<audit::AuditReport> reports;
-  for (const std::string& file : options.files) {
-    reports.push_back(audit::audit_file(file, audit::scene::scene_values));
-  }
-  print(options.format == "json"       ? audit::audit_report_json(reports)
-        : options.format == "markdown" ? audit::audit_report_markdown(reports)
-                                       : audit::audit_report_text(reports));
-  const bool agree = std::all_of(reports.begin(), reports.end(),
-                                 [](const audit::AuditReport& report) { return report.agrees(); });
-  return agree ? exit_ok : exit_negative;
 }
 
 int run_solve(const SolveOptions& options) {
@@ -175,9 +156,16 @@ int run(int argc, char** argv) {
   command = app.add_subcommand("audit", "what a source prints against what the derivation says");
   command->add_option("files", audit.files, "audit files")->required();
   command->add_option("--format", audit.format)
-      ->check(CLI::IsMember({"text", "markdown", "json"}))
+      ->check(CLI::IsMember({"text", "markdown", "json", "github"}))
       ->capture_default_str();
-  command->callback([&] { chosen = [&] { return run_audit(audit); }; });
+  command->add_flag("--run", audit.run,
+                    "compile and run the programs that 'printed run' names, on this machine");
+  command->add_option("--flags", audit.flags, "with --run: more flags for the compiler")
+      ->allow_extra_args(false);
+  command->add_option("--time-limit", audit.seconds, "with --run: seconds that a program may take")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+  command->callback([&] { chosen = [&] { return run_audit(audit) ? exit_ok : exit_negative; }; });
 
   try {
     app.parse(argc, argv);

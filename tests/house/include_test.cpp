@@ -91,7 +91,12 @@ House house() {
               stage("document",
                     {"structure", "equations", "derivatives", "elimination", "pivoting", "program"},
                     {"ginac"}),
-              stage("audit", {"structure", "equations", "derivatives", "closures"}, {"ginac"}),
+              stage("audit/code", {"equations", "closures"}),
+              stage("audit/running", {}, {"fcntl.h", "poll.h", "sys", "unistd.h"}),
+              stage("audit",
+                    {"structure", "equations", "derivatives", "closures", "audit/code",
+                     "audit/running"},
+                    {"ginac"}),
               stage("audit/scene", {}, {}, {mechanism, runtime}),
               stage("command",
                     {"structure", "equations", "derivatives", "elimination", "pivoting", "closures",
@@ -120,8 +125,9 @@ Files files_of_the_project() {
       }
     }
   }
-  // It is written while the project is built.
+  // They are written while the project is built.
   files["generator/emission/cpp/templates.hpp"] = "";
+  files["generator/audit/running/templates.hpp"] = "";
   return files;
 }
 

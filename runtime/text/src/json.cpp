@@ -1,12 +1,24 @@
 #include <algorithm>
 #include <assur/text/json.hpp>
+#include <assur/text/utf8.hpp>
 #include <string_view>
 
 namespace assur::text {
 
 namespace {
 
-std::string quoted(const std::string& text) {
+/// The text with a mark in place of each byte that is no part of a letter: a line of a file may hold
+/// anything.
+std::string as_utf8(std::string text) {
+  for (std::size_t at = first_byte_outside_utf8(text); at < text.size();
+       at = first_byte_outside_utf8(text)) {
+    text.replace(at, 1, "\xEF\xBF\xBD");
+  }
+  return text;
+}
+
+std::string quoted(const std::string& given) {
+  const std::string text = as_utf8(given);
   constexpr std::string_view hexadecimal = "0123456789abcdef";
   constexpr std::string_view escaped = "\"\\\b\f\n\r\t";
   constexpr std::string_view spelled = "\"\\bfnrt";

@@ -237,7 +237,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"Entries", "length a\nclosure f = a\nprinted matrix J of f by a\n  1, 2\n",
               "f.audit:4:3: expected 1 entries, found 2"},
         Fault{"Printed", "printed matricks J\n",
-              "f.audit:1:9: expected closure, matrix, code, equation, kinds or number after "
+              "f.audit:1:9: expected closure, matrix, code, run, equation, kinds or number after "
               "'printed'"},
         Fault{"NoClosure", "printed closure (1) f : 0\n",
               "f.audit:1:21: no closure named 'f' is derived"},

@@ -338,7 +338,9 @@ TEST(OwnModel, ThePlantedSignIsFoundAndItsCorrectionAgrees) {
   EXPECT_EQ(found.status, 1) << found.messages;
   EXPECT_NE(found.output.find("15 of 16 agree\n    . . . .\n    . - . .\n    . . . .\n"
                               "    . . . .\n  (2,2) d f2/d phi3: differs by sign (" +
-                              source.string() + ":20:13)\n    printed     p.l3 * c3\n"),
+                              source.string() +
+                              ":20:13)\n      J(1, 1) = p.l3 * c3;\n                ^\n"
+                              "    printed     p.l3 * c3\n"),
             std::string::npos)
       << found.output;
 

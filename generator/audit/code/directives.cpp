@@ -1,0 +1,126 @@
+#include "audit/code/directives.hpp"
+
+#include <set>
+
+namespace assur::generator::audit::code {
+
+namespace {
+
+/// What the preprocessor puts in place of these is known.
+bool is_standard_header(const std::string& name) {
+  static const std::set<std::string> known = {"algorithm",
+                                              "array",
+                                              "cassert",
+                                              "cfloat",
+                                              "chrono",
+                                              "climits",
+                                              "cmath",
+                                              "complex",
+                                              "cstddef",
+                                              "cstdint",
+                                              "cstdio",
+                                              "cstdlib",
+                                              "cstring",
+                                              "ctime",
+                                              "deque",
+                                              "float.h",
+                                              "fstream",
+                                              "functional",
+                                              "initializer_list",
+                                              "iomanip",
+                                              "iostream",
+                                              "istream",
+                                              "iterator",
+                                              "limits",
+                                              "list",
+                                              "map",
+                                              "math.h",
+                                              "memory",
+                                              "numbers",
+                                              "numeric",
+                                              "optional",
+                                              "ostream",
+                                              "random",
+                                              "set",
+                                              "span",
+                                              "sstream",
+                                              "stdexcept",
+                                              "stdint.h",
+                                              "stdio.h",
+                                              "stdlib.h",
+                                              "string",
+                                              "string.h",
+                                              "string_view",
+                                              "tuple",
+                                              "type_traits",
+                                              "unordered_map",
+                                              "utility",
+                                              "variant",
+                                              "vector",
+                                              "assert.h",
+                                              "stddef.h",
+                                              "stdbool.h"};
+  return known.contains(name) || name.starts_with("Eigen/");
+}
+
+std::vector<std::string> words_of(const std::string& directive) {
+  std::vector<std::string> words;
+  std::string word;
+  for (const char letter : directive.substr(1) + " ") {
+    if (letter != ' ' && letter != '\t' && letter != '\r') {
+      word += letter;
+    } else if (!word.empty()) {
+      words.push_back(std::move(word));
+      word.clear();
+    }
+  }
+  return words;
+}
+
+}  // namespace
+
+void check_directives(Tokens tokens) {
+  std::vector<const Token*> all;
+  for (const Token& token : tokens) {
+    if (token.kind == Token::Kind::directive) {
+      all.push_back(&token);
+    }
+  }
+  const auto words = [&](std::size_t at) { return words_of(all[at]->spelling); };
+  std::size_t from = 0;
+  std::size_t to = all.size();
+  if (to >= 3 && all[0] == &tokens.front() && all[1] == &tokens[1] &&
+      all[to - 1] == &tokens.back()) {
+    const std::vector<std::string> opened = words(0);
+    const std::vector<std::string> defined = words(1);
+    const std::vector<std::string> closed = words(to - 1);
+    if (opened.size() == 2 && opened[0] == "ifndef" && defined.size() == 2 &&
+        defined[0] == "define" && defined[1] == opened[1] && !closed.empty() &&
+        closed[0] == "endif") {
+      from += 2;
+      to -= 1;
+    }
+  }
+  for (; from < to; ++from) {
+    const std::vector<std::string> line = words(from);
+    const std::string& text = all[from]->spelling;
+    const std::size_t open = text.find('<');
+    const std::size_t close = text.find('>');
+    const bool known = !line.empty() && line[0].starts_with("include") && open < close &&
+                       close != text.npos &&
+                       is_standard_header(text.substr(open + 1, close - open - 1));
+    if (line.size() == 2 && line[0] == "pragma" && line[1] == "once") {
+      continue;
+    }
+    if (!known) {
+      const bool header = !line.empty() && line[0].starts_with("include");
+      throw CodeError(
+          header ? "a header of your own may define macros that change what this says" + by_running
+                 : "'" + text.substr(0, text.find('\n')) + "' may change what the code says" +
+                       by_running,
+          all[from]->place);
+    }
+  }
+}
+
+}  // namespace assur::generator::audit::code

@@ -1,0 +1,12 @@
+// Turns the lines for the preprocessor into a refusal, where they may change what code says.
+#pragma once
+
+#include "audit/code/tokens.hpp"
+
+namespace assur::generator::audit::code {
+
+/// Throws CodeError unless all directives change nothing: known headers, `#pragma once`, and a
+/// guard around the file.
+void check_directives(Tokens tokens);
+
+}  // namespace assur::generator::audit::code

@@ -1,0 +1,52 @@
+// Turns what straight-line code assigns to a matrix into the matrix's entries.
+#pragma once
+
+#include "audit/code/local_values.hpp"
+
+namespace assur::generator::audit::code {
+
+/// One entry: empty text stands for zero.
+struct CodeEntry {
+  closures::PlacedText text;  ///< a formula; its columns count on over the ends of lines
+  closures::LocalNames locals;
+  std::string source;  ///< as it stands in the code
+};
+
+/// What of a code's matrix is audited: its name and size.
+struct AuditedMatrix {
+  std::string array;
+  std::size_t rows;
+  std::size_t columns;
+
+  [[nodiscard]] std::string size_text() const {
+    return std::to_string(rows) + " by " + std::to_string(columns);
+  }
+};
+
+class FilledMatrix {
+ public:
+  FilledMatrix(const AuditedMatrix& matrix, const std::string& code)
+      : matrix_(matrix), code_(code), entries_(matrix.rows * matrix.columns) {}
+
+  [[nodiscard]] const AuditedMatrix& matrix() const { return matrix_; }
+  /// Indices from 0; `name` is how formulas name the entry, which may repeat it from then on.
+  /// Throws CodeError outside the matrix.
+  void assign(std::size_t row, std::size_t column, const CodeName& name, Tokens value,
+              LocalValues& locals);
+  /// All of it, row by row. Throws CodeError unless there are as many.
+  void assign_all(const std::vector<Tokens>& values, closures::Place place,
+                  const LocalValues& locals);
+  void clear() { entries_.assign(entries_.size(), {}); }
+  /// Throws CodeError where nothing has been assigned.
+  [[nodiscard]] std::vector<CodeEntry> entries();
+
+ private:
+  [[nodiscard]] CodeEntry entry(Tokens value, const LocalValues& locals) const;
+
+  const AuditedMatrix& matrix_;
+  const std::string& code_;
+  std::vector<CodeEntry> entries_;
+  std::optional<closures::Place> first_;  ///< where it is first filled
+};
+
+}  // namespace assur::generator::audit::code

@@ -1,0 +1,237 @@
+#include "audit/code/formula.hpp"
+
+#include <algorithm>
+#include <array>
+#include <assur/text/expression.hpp>
+
+namespace assur::generator::audit::code {
+
+namespace {
+
+constexpr std::array<text::ExpressionFunction, 1> functions = {{{"pow", 2}}};
+
+const std::set<std::string>& types() {
+  static const std::set<std::string> list = {
+      "double",      "float", "int",    "long",        "short",      "unsigned",
+      "char",        "bool",  "Scalar", "static_cast", "const_cast", "reinterpret_cast",
+      "dynamic_cast"};
+  return list;
+}
+
+Tokens behind(Tokens tokens, std::size_t count) { return tokens.subspan(count); }
+
+/// How many tokens are `std::` or `this->`, which say nothing to a formula.
+std::size_t prefix(Tokens tokens) {
+  const Tokens two = tokens.first(std::min<std::size_t>(tokens.size(), 2));
+  return are(two, {"std", "::"}) || are(two, {"this", "->"}) ? 2 : 0;
+}
+
+/// How many tokens spell pi.
+std::size_t circle_number(Tokens tokens) {
+  if (tokens[0].is("M_PI")) {
+    return 1;
+  }
+  if (tokens.size() < 3 || !are(tokens.first(2), {"numbers", "::"})) {
+    return 0;
+  }
+  if (tokens[2].is("pi")) {
+    return 3;
+  }
+  const bool templated = tokens.size() >= 6 && tokens[2].is("pi_v") && tokens[3].is("<") &&
+                         tokens[4].is_name() && tokens[5].is(">");
+  return templated ? 6 : 0;
+}
+
+/// A number without its suffix.
+std::string plain_number(const Token& token) {
+  std::string text = token.spelling;
+  const bool octal = text.size() > 1 && text[0] == '0' && text.find('.') == text.npos &&
+                     text.find_first_of("eE") == text.npos;
+  const std::size_t end = text.find_last_not_of("fFlLuU");
+  text.resize(end + 1);
+  if (octal || text.find_first_not_of("0123456789.eE+-") != text.npos) {
+    throw CodeError("a number spelled '" + token.spelling + "' cannot be read; write a decimal one",
+                    token.place);
+  }
+  return text;
+}
+
+class FormulaWriter {
+ public:
+  FormulaWriter(Tokens tokens, const Dialect& dialect) : tokens_(tokens), dialect_(dialect) {
+    const Token& last = tokens.back();
+    formula_.text = {std::string(last.offset + last.spelling.size() - tokens[0].offset, ' '),
+                     tokens[0].place};
+  }
+
+  CodeFormula run() {
+    while (at_ < tokens_.size()) {
+      step();
+    }
+    return std::move(formula_);
+  }
+
+ private:
+  void step() {
+    const Tokens rest = behind(tokens_, at_);
+    const Token& token = rest[0];
+    if (const std::size_t skipped = prefix(rest); skipped > 0) {
+      at_ += skipped;
+    } else if (token.is_name()) {
+      read_name(rest);
+    } else if (token.kind == Token::Kind::number) {
+      put(token, plain_number(token), 1);
+    } else {
+      read_mark(rest);
+    }
+  }
+
+  void read_name(Tokens rest) {
+    if (types().contains(rest[0].spelling)) {
+      refuse_cast(rest[0]);
+    }
+    if (const std::size_t count = circle_number(rest); count > 0) {
+      put(rest[0], "pi", count);
+    } else if (const LeadingName found = leading_name(rest); found.tokens > 0) {
+      const bool circle = dialect_.pi_is_known && found.name.name == "pi";
+      if (!circle && text::is_reserved_name(found.name.name)) {
+        throw CodeError("a variable named '" + found.name.name +
+                            "' means something else in a formula; give it another name",
+                        rest[0].place);
+      }
+      formula_.names.push_back(found.name);
+      put(rest[0], found.name.name, found.tokens);
+    } else {
+      if (!is_known_function(rest[0].spelling)) {
+        formula_.unknown_calls.push_back({rest[0].spelling, rest[0].spelling, rest[0].place});
+      }
+      put(rest[0], rest[0].spelling, 1);
+    }
+  }
+
+  void read_mark(Tokens rest) {
+    const Token& token = rest[0];
+    const bool cast = token.is("(") && rest.size() > 2 &&
+                      (types().contains(rest[1].spelling) || rest[1].is("const"));
+    if (cast) {
+      refuse_cast(token);
+    }
+    if (token.is("^") && !dialect_.caret_is_power) {
+      throw CodeError("'^' is the exclusive or of C++; write std::pow(x, n)", token.place);
+    }
+    const bool changes = token.spelling.size() > 1 && token.spelling.back() == '=' &&
+                         !token.is("==") && !token.is("!=") && !token.is("<=") && !token.is(">=");
+    if (token.is("=") || token.is("++") || token.is("--") || changes || token.is("{") ||
+        token.is("[") || token.is("&") || token.kind == Token::Kind::directive) {
+      throw CodeError(
+          "'" + token.spelling.substr(0, 20) + "' cannot be read inside an expression" + by_running,
+          token.place);
+    }
+    put(token, token.spelling, 1);
+  }
+
+  [[noreturn]] static void refuse_cast(const Token& token) {
+    throw CodeError("a cast cannot be read; leave it out, or give its value a name as double",
+                    token.place);
+  }
+
+  void put(const Token& at, const std::string& spelled, std::size_t count) {
+    std::string& text = formula_.text.text;
+    text.replace(at.offset - tokens_[0].offset, spelled.size(), spelled);
+    at_ += count;
+  }
+
+  Tokens tokens_;
+  Dialect dialect_;
+  std::size_t at_ = 0;
+  CodeFormula formula_;
+};
+
+struct Wholeness {
+  const CodeFormula& formula;
+  const std::set<std::string>& whole;
+
+  bool operator()(const text::Expression& node) const {
+    using Kind = text::Expression::Kind;
+    if (node.kind == Kind::number) {
+      return node.name.find_first_not_of("0123456789") == std::string::npos;
+    }
+    if (node.kind == Kind::name) {
+      return whole.contains(node.name);
+    }
+    bool all = true;
+    for (const text::Expression& argument : node.arguments) {
+      all = (*this)(argument) && all;
+    }
+    using text::Operation;
+    if (all && node.operation == Operation::divide) {
+      throw CodeError("a quotient of whole numbers is rounded in C++; write 1.0/2",
+                      formula.text.at(node.column));
+    }
+    return all && (node.operation == Operation::add || node.operation == Operation::subtract ||
+                   node.operation == Operation::multiply || node.operation == Operation::negate);
+  }
+};
+
+}  // namespace
+
+bool CodeName::is_part_of(const CodeName& whole) const {
+  return spelled.starts_with(whole.spelled) &&
+         (spelled.size() == whole.spelled.size() || spelled[whole.spelled.size()] == '.' ||
+          spelled[whole.spelled.size()] == '[');
+}
+
+bool is_known_function(const std::string& name) {
+  return name == "pow" || (text::is_reserved_name(name) && name != "pi" && name != "deg");
+}
+
+LeadingName leading_name(Tokens tokens) {
+  if (tokens.empty() || !tokens[0].is_name()) {
+    return {};
+  }
+  LeadingName found{{tokens[0].spelling, tokens[0].spelling, tokens[0].place}, 1};
+  while (true) {
+    const Tokens rest = behind(tokens, found.tokens);
+    const auto next = [&](std::size_t count) {
+      return rest.first(std::min<std::size_t>(rest.size(), count));
+    };
+    if (rest.size() > 1 && (rest[0].is(".") || rest[0].is("->")) && rest[1].is_name()) {
+      found.name.name += "_" + rest[1].spelling;
+      found.name.spelled += "." + rest[1].spelling;
+      found.tokens += 2;
+    } else if (are(next(3), {"[", "#", "]"}) || are(next(3), {"(", "#", ")"})) {
+      if (rest[0].is("(") && is_known_function(tokens[0].spelling)) {
+        return {};
+      }
+      found.name.name += "_" + rest[1].spelling;
+      found.name.spelled += "[" + rest[1].spelling + "]";
+      found.tokens += 3;
+    } else if (are(next(5), {"(", "#", ",", "#", ")"})) {
+      if (is_known_function(tokens[0].spelling)) {
+        return {};
+      }
+      found.name.name += "_" + rest[1].spelling + "_" + rest[3].spelling;
+      found.name.spelled += "[" + rest[1].spelling + "][" + rest[3].spelling + "]";
+      found.tokens += 5;
+    } else {
+      const bool called = !rest.empty() && rest[0].is("(");
+      return called ? LeadingName{} : found;
+    }
+  }
+}
+
+CodeFormula code_formula(Tokens tokens, const Dialect& dialect) {
+  return FormulaWriter(tokens, dialect).run();
+}
+
+bool is_whole(const CodeFormula& formula, const std::set<std::string>& whole) {
+  text::Expression tree;
+  try {
+    tree = text::parse_expression(formula.text.text, functions);
+  } catch (const text::ExpressionError&) {
+    return false;  // whoever reads it as a formula says why
+  }
+  return Wholeness{formula, whole}(tree);
+}
+
+}  // namespace assur::generator::audit::code

@@ -1,0 +1,28 @@
+// Turns the tokens of a C++ file into the statements of the one function that fills a matrix.
+#pragma once
+
+#include <optional>
+
+#include "audit/code/tokens.hpp"
+
+namespace assur::generator::audit::code {
+
+struct FillingFunction {
+  std::vector<Tokens> globals;     ///< statements outside functions, which run before
+  std::vector<Tokens> statements;  ///< without the semicolons
+  Tokens parameters;               ///< empty where the file is a list of statements
+  bool is_function = false;
+};
+
+/// Whether a token names the matrix, and not a member of something else.
+[[nodiscard]] bool names_matrix(Tokens tokens, std::size_t at, const std::string& array);
+/// The first token that does, or none.
+[[nodiscard]] const Token* mention_of(Tokens tokens, const std::string& array);
+
+/// A file that has no function counts as its body. Throws CodeError for everything that may make
+/// the code mean something else than its statements one after the other: a second function that
+/// mentions the matrix, control flow, nested blocks, macros and conditions of the preprocessor, and
+/// definitions of functions that formulas know.
+[[nodiscard]] FillingFunction filling_function(Tokens tokens, const std::string& array);
+
+}  // namespace assur::generator::audit::code

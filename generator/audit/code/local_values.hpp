@@ -1,0 +1,57 @@
+// Turns the assignments of straight-line code, one after the other, into what its variables mean.
+#pragma once
+
+#include <optional>
+
+#include "audit/code/formula.hpp"
+#include "closures/read_formula.hpp"
+
+namespace assur::generator::audit::code {
+
+/// Variables that the code never sets stand for the symbols of the system; all others for what was
+/// assigned last.
+class LocalValues {
+ public:
+  LocalValues(closures::ClosureSystem& system, const Dialect& dialect)
+      : system_(system), dialect_(dialect) {}
+
+  /// The formula of an expression, all of whose variables can be read. Throws CodeError.
+  [[nodiscard]] CodeFormula formula(Tokens expression) const;
+  /// The variable has that value from now on; one that cannot be read is refused where it is used.
+  void set(const CodeName& name, Tokens expression);
+  /// Whatever the variable stood for, it can no longer be read, for that reason.
+  void forget(const CodeName& name, const std::string& reason);
+  /// A parameter of the function: the symbol of that name, whatever stands outside.
+  void take(const CodeName& name);
+  /// It may be changed no more: something refers to it.
+  void hold(Tokens expression);
+  /// Its values are whole numbers.
+  void declare_whole(const std::string& name) { whole_.insert(name); }
+  /// Its values are any numbers, whatever has been said of an earlier one of that name.
+  void declare_real(const std::string& name) { whole_.erase(name); }
+
+  [[nodiscard]] bool is_whole(const CodeFormula& value) const {
+    return code::is_whole(value, whole_);
+  }
+  [[nodiscard]] const closures::LocalNames& names() const { return names_; }
+
+ private:
+  struct Assigned {
+    CodeName name;
+    std::string reason;  ///< why it cannot be read; empty where it can
+    closures::Place place;
+    bool taken = false;  ///< a parameter: its parts are symbols too
+  };
+
+  void expect_free(const CodeName& name) const;
+  void expect_readable(const CodeName& name) const;
+
+  closures::ClosureSystem& system_;
+  Dialect dialect_;
+  closures::LocalNames names_;
+  std::vector<Assigned> assigned_;
+  std::vector<CodeName> held_;
+  std::set<std::string> whole_;
+};
+
+}  // namespace assur::generator::audit::code

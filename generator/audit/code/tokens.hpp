@@ -1,0 +1,42 @@
+// Turns C++ into its tokens, each with the place where it stands.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "audit/code/code_error.hpp"
+
+namespace assur::generator::audit::code {
+
+struct Token {
+  /// A `text` is a string or a character, a `directive` a whole line for the preprocessor.
+  enum class Kind : unsigned char { name, number, text, mark, directive };
+
+  Kind kind;
+  std::string spelling;
+  closures::Place place;
+  std::size_t offset;  ///< of its first character in the code
+
+  [[nodiscard]] bool is(const char* spelled) const {
+    return kind != Kind::text && spelling == spelled;
+  }
+  [[nodiscard]] bool is_name() const { return kind == Kind::name; }
+};
+
+using Tokens = std::span<const Token>;
+
+/// Comments are left out. Throws CodeError for what a C++ compiler reads in a way of its own:
+/// digraphs, trigraphs, universal names, and marks or letters that C++ does not have.
+[[nodiscard]] std::vector<Token> code_tokens(const std::string& code);
+
+/// The index behind the bracket that closes the one at `open`. Throws CodeError if none does.
+[[nodiscard]] std::size_t behind_closing(Tokens tokens, std::size_t open);
+/// The parts between the commas that stand outside brackets.
+[[nodiscard]] std::vector<Tokens> comma_parts(Tokens tokens);
+/// Whether the tokens are these, one after the other; `#` stands for any whole number.
+[[nodiscard]] bool are(Tokens tokens, std::initializer_list<const char*> spelled);
+/// The place in the code, where the column counts on over the ends of lines.
+[[nodiscard]] closures::Place place_in_code(const std::string& code, closures::Place place);
+
+}  // namespace assur::generator::audit::code

@@ -1,0 +1,28 @@
+// Turns what a user's program computes at points into findings against a closure system.
+#pragma once
+
+#include "audit/finding.hpp"
+#include "audit/run_statement.hpp"
+
+namespace assur::generator::audit {
+
+/// What a program's matrix should be: entries row by row, each with its name.
+struct ExpectedMatrix {
+  running::MatrixSize size;
+  std::vector<std::string> items;
+  std::vector<GiNaC::ex> derived;
+  bool on_closures = false;  ///< is it asked only where the closures hold?
+};
+
+struct RunAnswer {
+  std::vector<Finding> findings;
+  std::string remark;  ///< at how many points, and what that is worth
+};
+
+/// Runs the program at assembled points, and once more at simple ones if an entry is wrong, for a
+/// counterexample of few digits. Throws FormulaError at `run.result` if the program cannot be
+/// audited.
+[[nodiscard]] RunAnswer audit_run(closures::ClosurePoints& points, const ExpectedMatrix& expected,
+                                  const RunStatement& run, const running::RunLimits& limits);
+
+}  // namespace assur::generator::audit

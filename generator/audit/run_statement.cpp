@@ -1,0 +1,119 @@
+#include "audit/run_statement.hpp"
+
+#include <assur/text/suggestion.hpp>
+#include <charconv>
+#include <functional>
+#include <map>
+
+#include "closures/read_formula.hpp"
+
+namespace assur::generator::audit {
+
+namespace {
+
+using closures::FormulaError;
+using closures::PlacedText;
+using running::Language;
+
+double number(const PlacedText& text, double least, double most) {
+  double value = 0;
+  const char* const end = text.text.data() + text.text.size();
+  const auto [last, error] = std::from_chars(text.text.data(), end, value);
+  if (error != std::errc() || last != end || !(value >= least && value <= most)) {
+    throw FormulaError("'" + text.text + "' is no number that can stand here", text.place);
+  }
+  return value;
+}
+
+const std::map<std::string, Language>& languages() {
+  static const std::map<std::string, Language> list = {{"c++", Language::cpp},
+                                                       {"c", Language::c},
+                                                       {"python", Language::python},
+                                                       {"octave", Language::octave}};
+  return list;
+}
+
+Language language_named(const PlacedText& name) {
+  const auto found = languages().find(name.text);
+  if (found == languages().end()) {
+    throw FormulaError("expected c++, c, python or octave", name.place);
+  }
+  return found->second;
+}
+
+Language language_of(const std::filesystem::path& file, const PlacedText& at) {
+  static const std::map<std::string, Language> endings = {
+      {".cpp", Language::cpp},   {".cc", Language::cpp},  {".cxx", Language::cpp},
+      {".hpp", Language::cpp},   {".h", Language::cpp},   {".c", Language::c},
+      {".py", Language::python}, {".m", Language::octave}};
+  const auto found = endings.find(file.extension().string());
+  if (found == endings.end()) {
+    throw FormulaError("its language cannot be told; say it: 'language c++'", at.place);
+  }
+  return found->second;
+}
+
+}  // namespace
+
+RunStatement read_run_statement(const std::filesystem::path& directory, const PlacedText& file,
+                                const std::vector<PlacedText>& rows) {
+  RunStatement run;
+  running::UserProgram& program = run.program;
+  bool language_said = false;
+  const std::map<std::string, std::function<void(const PlacedText&)>> readers = {
+      {"before", [&](const PlacedText& text) { program.before.push_back(text.text); }},
+      {"result", [&](const PlacedText& text) { run.result = text; }},
+      {"entry", [&](const PlacedText& text) { program.entry = text.text; }},
+      {"flags",
+       [&](const PlacedText& text) {
+         for (const PlacedText& word : closures::words(text)) {
+           program.flags.push_back(word.text);
+         }
+       }},
+      {"compiler", [&](const PlacedText& text) { program.tool = text.text; }},
+      {"interpreter", [&](const PlacedText& text) { program.tool = text.text; }},
+      {"language",
+       [&](const PlacedText& text) {
+         program.language = language_named(text);
+         language_said = true;
+       }},
+      {"where", [&](const PlacedText& text) { run.where.push_back(text); }},
+      {"points",
+       [&](const PlacedText& text) {
+         run.points = static_cast<std::size_t>(number(text, 3, 400));
+       }},
+      {"rounding", [&](const PlacedText& text) { run.rounding = number(text, 0, 0.01); }}};
+  for (const PlacedText& row : rows) {
+    PlacedText rest = row;
+    const PlacedText key = closures::take_word(rest);
+    const auto reader = readers.find(key.text);
+    if (reader == readers.end()) {
+      std::vector<std::string> known;
+      for (const auto& [name, function] : readers) {
+        known.push_back(name);
+      }
+      throw FormulaError("no row '" + key.text + "'" + text::suggestion(key.text, known),
+                         key.place);
+    }
+    if (rest.empty()) {
+      throw FormulaError("something has to follow '" + key.text + "'", key.place);
+    }
+    reader->second(rest);
+  }
+  std::error_code missing;
+  program.file = std::filesystem::canonical(directory / file.text, missing);
+  if (missing || !std::filesystem::is_regular_file(program.file)) {
+    throw FormulaError("no file '" + (directory / file.text).string() + "'", file.place);
+  }
+  if (run.result.empty()) {
+    throw FormulaError("say what is called: 'result FUNCTION(QUANTITY, ...)'", file.place);
+  }
+  program.result = run.result.text;
+  program.directory = directory.empty() ? std::filesystem::path(".") : directory;
+  if (!language_said) {
+    program.language = language_of(program.file, file);
+  }
+  return run;
+}
+
+}  // namespace assur::generator::audit

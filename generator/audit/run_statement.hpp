@@ -1,0 +1,24 @@
+// Turns the rows of a `printed run` statement into a program and how it is asked.
+#pragma once
+
+#include "audit/running/program_values.hpp"
+#include "closures/statement.hpp"
+
+namespace assur::generator::audit {
+
+struct RunStatement {
+  running::UserProgram program;
+  closures::PlacedText result;              ///< where the expression stands
+  std::vector<closures::PlacedText> where;  ///< formulas that are positive at the points
+  std::size_t points = 40;
+  double rounding = 0;  ///< a relative error that is let pass beside rounding of double
+};
+
+/// `file` is the program's, `rows` are those of the statement: before, result, entry, flags,
+/// compiler, interpreter, language, where, points, rounding. Throws FormulaError with the place of
+/// what cannot be read.
+[[nodiscard]] RunStatement read_run_statement(const std::filesystem::path& directory,
+                                              const closures::PlacedText& file,
+                                              const std::vector<closures::PlacedText>& rows);
+
+}  // namespace assur::generator::audit

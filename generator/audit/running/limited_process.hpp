@@ -1,0 +1,30 @@
+// Turns a command line into its end, within limits of time and memory.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace assur::generator::audit::running {
+
+struct ProcessLimits {
+  double seconds = 10;
+  std::size_t bytes = 0;  ///< of address space; zero: no limit
+};
+
+struct ProcessEnd {
+  enum class Kind : unsigned char { ended, not_found, killed, too_long };
+
+  Kind kind = Kind::ended;
+  int code = 0;        ///< the exit status, or the signal that killed it
+  std::string output;  ///< of both its streams, the first of it
+};
+
+/// Runs a command in a directory, with no input, an environment of a few plain variables, files of
+/// at most 64 MB, and nothing left running behind it. Its name is looked for in PATH.
+[[nodiscard]] ProcessEnd run_process(const std::vector<std::string>& command,
+                                     const std::filesystem::path& directory,
+                                     const std::filesystem::path& home,
+                                     const ProcessLimits& limits);
+
+}  // namespace assur::generator::audit::running

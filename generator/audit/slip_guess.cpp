@@ -1,0 +1,238 @@
+#include "audit/slip_guess.hpp"
+
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "closures/formula_text.hpp"
+
+namespace assur::generator::audit {
+
+namespace {
+
+/// Far below what a slip does, far above rounding.
+constexpr double agreement = 1e-9;
+
+bool alike(double computed, const RoundedValue& guess) {
+  return std::abs(computed - guess.value) <= agreement * (guess.error + std::abs(computed) * 1e-3);
+}
+
+class Guesser {
+ public:
+  Guesser(const ComputedMatrix& matrix, std::size_t entry, const closures::ClosureSystem& system)
+      : matrix_(matrix), entry_(entry), derived_(matrix.derived[entry]), system_(system) {}
+
+  std::string run() const {
+    using Group = std::string (Guesser::*)() const;
+    constexpr std::array<Group, 7> groups = {
+        &Guesser::multiples, &Guesser::places,  &Guesser::terms, &Guesser::angles,
+        &Guesser::degrees,   &Guesser::symbols, &Guesser::stale};
+    for (const Group group : groups) {
+      if (std::string text = (this->*group)(); !text.empty()) {
+        return text;
+      }
+    }
+    return "";
+  }
+
+ private:
+  /// Whether an entry is this expression at all points.
+  [[nodiscard]] bool holds(std::size_t entry, const GiNaC::ex& guess) const {
+    try {
+      for (std::size_t at = 0; at < matrix_.points.size(); ++at) {
+        if (!alike(matrix_.computed[at][entry], rounded_value(guess, matrix_.points[at]))) {
+          return false;
+        }
+      }
+    } catch (const std::exception&) {
+      return false;  // it has no value somewhere
+    }
+    return true;
+  }
+  [[nodiscard]] bool holds(const GiNaC::ex& guess) const { return holds(entry_, guess); }
+
+  [[nodiscard]] std::string name(std::size_t entry) const {
+    return "(" + std::to_string(entry / matrix_.columns + 1) + "," +
+           std::to_string(entry % matrix_.columns + 1) + ")";
+  }
+
+  [[nodiscard]] std::string multiples() const {
+    if (holds(0)) {
+      return "it is always zero";
+    }
+    if (holds(-derived_)) {
+      return "the sign is wrong";
+    }
+    for (const auto& [above, below] : std::initializer_list<std::pair<int, int>>{
+             {2, 1}, {1, 2}, {-2, 1}, {-1, 2}, {3, 1}, {1, 3}, {4, 1}, {1, 4}}) {
+      const GiNaC::numeric factor(above, below);
+      if (holds(factor * derived_)) {
+        return "it is " + closures::formula_text(factor) + " times what it should be";
+      }
+    }
+    return "";
+  }
+
+  /// The entry that stands at another's place under a rule, for all of `affected`.
+  [[nodiscard]] bool all_hold(const std::vector<std::size_t>& affected,
+                              const std::function<std::size_t(std::size_t)>& other) const {
+    for (const std::size_t entry : affected) {
+      if (!holds(entry, matrix_.derived[other(entry)])) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::string places() const {
+    const std::size_t columns = matrix_.columns;
+    const std::size_t row = entry_ / columns;
+    const std::size_t column = entry_ % columns;
+    std::vector<std::size_t> all;
+    std::vector<std::size_t> in_row;
+    std::vector<std::size_t> in_column;
+    for (std::size_t entry = 0; entry < matrix_.derived.size(); ++entry) {
+      all.push_back(entry);
+      if (entry / columns == row) in_row.push_back(entry);
+      if (entry % columns == column) in_column.push_back(entry);
+    }
+    const auto turned = [&](std::size_t entry) {
+      return entry % columns * columns + entry / columns;
+    };
+    if (matrix_.rows == columns && all_hold(all, turned)) {
+      return "the matrix is transposed";
+    }
+    for (std::size_t other = 0; other < matrix_.rows; ++other) {
+      if (columns > 1 && other != row &&
+          all_hold(in_row, [&](std::size_t entry) { return other * columns + entry % columns; })) {
+        return "row " + std::to_string(row + 1) + " is what row " + std::to_string(other + 1) +
+               " should be";
+      }
+    }
+    for (std::size_t other = 0; other < columns; ++other) {
+      if (matrix_.rows > 1 && other != column && all_hold(in_column, [&](std::size_t entry) {
+            return entry / columns * columns + other;
+          })) {
+        return "column " + std::to_string(column + 1) + " is what column " +
+               std::to_string(other + 1) + " should be";
+      }
+    }
+    for (const std::size_t other : all) {
+      if (other != entry_ && !matrix_.derived[other].is_zero() && holds(matrix_.derived[other])) {
+        const bool exchanged = holds(other, derived_);
+        return (exchanged ? "it is exchanged with " : "it is what should stand at ") + name(other);
+      }
+    }
+    return "";
+  }
+
+  [[nodiscard]] std::string terms() const {
+    const GiNaC::ex expanded = derived_.expand();
+    if (!GiNaC::is_a<GiNaC::add>(expanded)) {
+      return "";
+    }
+    for (const GiNaC::ex& term : closures::ordered_operands(expanded)) {
+      const std::string text = closures::formula_text(term);
+      if (holds(derived_ - term)) return "the term " + text + " is missing";
+      if (holds(derived_ - 2 * term)) return "the term " + text + " has the wrong sign";
+      if (holds(derived_ + term)) return "the term " + text + " stands twice";
+      if (holds(derived_ - term / 2)) return "the term " + text + " lacks a factor 2";
+    }
+    return "";
+  }
+
+  [[nodiscard]] std::vector<GiNaC::symbol> used(bool angles) const {
+    std::vector<GiNaC::symbol> list;
+    for (const closures::AuditSymbol& symbol : system_.symbols()) {
+      if (symbol.angle == angles && derived_.has(symbol.symbol)) {
+        list.push_back(symbol.symbol);
+      }
+    }
+    return list;
+  }
+
+  [[nodiscard]] std::string angles() const {
+    for (const GiNaC::symbol& angle : used(true)) {
+      const GiNaC::ex quarter = GiNaC::Pi / 2;
+      const std::string name = angle.get_name();
+      // sin(x + pi/2) is cos x, and cos(pi/2 - x) is sin x.
+      const GiNaC::exmap exchanged = {{GiNaC::sin(angle), GiNaC::cos(angle)},
+                                      {GiNaC::cos(angle), GiNaC::sin(angle)}};
+      if (holds(derived_.subs(exchanged)) || holds(derived_.subs(angle == quarter - angle))) {
+        return "sine and cosine of " + name + " are exchanged";
+      }
+      if (holds(derived_.subs(angle == -angle))) {
+        return "the angle " + name + " has the wrong sense";
+      }
+    }
+    return "";
+  }
+
+  [[nodiscard]] std::string degrees() const {
+    GiNaC::exmap all;
+    for (const auto& [factor, what] : std::initializer_list<std::pair<GiNaC::ex, const char*>>{
+             {GiNaC::Pi / 180, " is taken as degrees where it is radians"},
+             {180 / GiNaC::Pi, " is taken as radians where it is made degrees"}}) {
+      for (const GiNaC::symbol& angle : used(true)) {
+        all[angle] = angle * factor;
+        if (holds(derived_.subs(angle == angle * factor)) ||
+            holds(derived_.subs(angle == angle * factor) * factor)) {
+          return angle.get_name() + what;
+        }
+      }
+      if (holds(derived_.subs(all))) {
+        return std::string("every angle") + what;
+      }
+      if (holds(derived_ * factor)) {
+        return "it is per degree and not per radian, or the other way round";
+      }
+    }
+    return "";
+  }
+
+  [[nodiscard]] std::string symbols() const {
+    for (const bool angle : {true, false}) {
+      for (const GiNaC::symbol& one : used(angle)) {
+        for (const closures::AuditSymbol& other : system_.symbols()) {
+          if (other.angle != angle || other.symbol.is_equal(one)) {
+            continue;
+          }
+          if (holds(derived_.subs(one == other.symbol))) {
+            return other.name + " stands where " + one.get_name() + " should";
+          }
+          if (holds(derived_.subs(GiNaC::exmap{{one, other.symbol}, {other.symbol, one}}))) {
+            return one.get_name() + " and " + other.name + " are exchanged";
+          }
+        }
+        if (holds(derived_.subs(one == 0))) {
+          return one.get_name() + " is left out, as if it were zero";
+        }
+      }
+    }
+    return "";
+  }
+
+  [[nodiscard]] std::string stale() const {
+    for (std::size_t at = 1; at < matrix_.points.size(); ++at) {
+      if (!alike(matrix_.computed[at][entry_], rounded_value(derived_, matrix_.points[at - 1])) &&
+          !alike(matrix_.computed[at][entry_], rounded_value(derived_, matrix_.points[0]))) {
+        return "";
+      }
+    }
+    return "it keeps a value from an earlier call";
+  }
+
+  const ComputedMatrix& matrix_;
+  std::size_t entry_;
+  GiNaC::ex derived_;
+  const closures::ClosureSystem& system_;
+};
+
+}  // namespace
+
+std::string guessed_slip(const ComputedMatrix& matrix, std::size_t entry,
+                         const closures::ClosureSystem& system) {
+  return Guesser(matrix, entry, system).run();
+}
+
+}  // namespace assur::generator::audit

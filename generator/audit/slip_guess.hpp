@@ -1,0 +1,24 @@
+// Turns wrong entries that a program computes into a word on the slip that would explain them.
+#pragma once
+
+#include "audit/rounding_bound.hpp"
+
+namespace assur::generator::audit {
+
+/// What a program computes, and what it should, at the same points.
+struct ComputedMatrix {
+  std::size_t rows;
+  std::size_t columns;
+  std::vector<GiNaC::ex> derived;  ///< row by row, without abbreviations
+  std::vector<SymbolValues> points;
+  std::vector<std::vector<double>> computed;  ///< of each point, row by row
+};
+
+/// The first of a list of common slips that gives what is computed at all points: a sign, a factor,
+/// an exchanged row, column or entry, a term left out or of the wrong sign, sine for cosine,
+/// degrees for radians, one quantity for another or left out, the values of the point before. Empty
+/// if none does.
+[[nodiscard]] std::string guessed_slip(const ComputedMatrix& matrix, std::size_t entry,
+                                       const closures::ClosureSystem& system);
+
+}  // namespace assur::generator::audit

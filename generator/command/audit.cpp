@@ -1,0 +1,33 @@
+#include "command/audit.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "audit/audit.hpp"
+#include "audit/audit_report.hpp"
+#include "audit/scene/scene_values.hpp"
+#include "command/output.hpp"
+
+namespace assur::generator::command {
+
+bool run_audit(const AuditOptions& options) {
+  audit::RunPermission run;
+  run.given = options.run;
+  run.limits.seconds = options.seconds;
+  std::istringstream flags(options.flags);
+  for (std::string flag; flags >> flag;) {
+    run.flags.push_back(flag);
+  }
+  std::vector<audit::AuditReport> reports;
+  for (const std::string& file : options.files) {
+    reports.push_back(audit::audit_file(file, audit::scene::scene_values, run));
+  }
+  print(options.format == "json"       ? audit::audit_report_json(reports)
+        : options.format == "markdown" ? audit::audit_report_markdown(reports)
+        : options.format == "github"   ? audit::audit_report_github(reports)
+                                       : audit::audit_report_text(reports));
+  return std::all_of(reports.begin(), reports.end(),
+                     [](const audit::AuditReport& report) { return report.agrees(); });
+}
+
+}  // namespace assur::generator::command

@@ -1,0 +1,32 @@
+#include <assur/text/utf8.hpp>
+
+namespace assur::text {
+
+std::size_t first_byte_outside_utf8(const std::string& text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const auto byte = [&](std::size_t ahead) {
+      return at + ahead < text.size() ? static_cast<unsigned char>(text[at + ahead]) : 0U;
+    };
+    const unsigned first = byte(0);
+    const std::size_t length = first < 0x80   ? 1
+                               : first < 0xC2 ? 0
+                               : first < 0xE0 ? 2
+                               : first < 0xF0 ? 3
+                               : first < 0xF5 ? 4
+                                              : 0;
+    bool valid = length > 0;
+    for (std::size_t ahead = 1; ahead < length; ++ahead) {
+      valid = valid && (byte(ahead) & 0xC0U) == 0x80U;
+    }
+    // Longer spellings than need be, halves of pairs, and what is behind the last letter.
+    valid = valid && !(first == 0xE0 && byte(1) < 0xA0) && !(first == 0xED && byte(1) > 0x9F) &&
+            !(first == 0xF0 && byte(1) < 0x90) && !(first == 0xF4 && byte(1) > 0x8F);
+    if (!valid) {
+      return at;
+    }
+    at += length;
+  }
+  return text.size();
+}
+
+}  // namespace assur::text
