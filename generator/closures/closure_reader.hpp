@@ -19,6 +19,7 @@ class ClosureReader {
   [[nodiscard]] const std::string& file() const { return file_; }
   [[nodiscard]] const std::string& source() const { return source_; }
   [[nodiscard]] ClosureSystem& system() { return system_; }
+  [[nodiscard]] const ClosureSystem& system() const { return system_; }
   /// The words that its statements begin with.
   [[nodiscard]] static std::vector<std::string> keywords();
 

@@ -8,6 +8,7 @@
 
 #include "audit/audit.hpp"
 #include "audit/audit_report.hpp"
+#include "audit/latex/paper_audit.hpp"
 #include "audit/scene/scene_values.hpp"
 #include "command/catalogue.hpp"
 #include "command/derive.hpp"
@@ -48,13 +49,15 @@ int run_derive(const DeriveOptions& options) {
 
 struct AuditOptions {
   std::vector<std::string> files;
+  std::string map;
   std::string format = "text";
 };
 
 int run_audit(const AuditOptions& options) {
   std::vector<audit::AuditReport> reports;
   for (const std::string& file : options.files) {
-    reports.push_back(audit::audit_file(file, audit::scene::scene_values));
+    reports.push_back(options.map.empty() ? audit::audit_file(file, audit::scene::scene_values)
+                                          : audit::latex::audit_paper(file, options.map));
   }
   print(options.format == "json"       ? audit::audit_report_json(reports)
         : options.format == "markdown" ? audit::audit_report_markdown(reports)
@@ -150,7 +153,10 @@ int run(int argc, char** argv) {
 
   AuditOptions audit;
   command = app.add_subcommand("audit", "what a source prints against what the derivation says");
-  command->add_option("files", audit.files, "audit files")->required();
+  command->add_option("files", audit.files, "audit files, or papers in LaTeX with --map")
+      ->required();
+  command->add_option("--map", audit.map, "what the notation of the papers stands for")
+      ->check(not_empty);
   command->add_option("--format", audit.format)
       ->check(CLI::IsMember({"text", "markdown", "json"}))
       ->capture_default_str();
