@@ -52,7 +52,7 @@ std::string flat(const Tokens& tokens) {
 
 bool could_be_power(const Tokens& tokens) {
   return !tokens.empty() && std::none_of(tokens.begin(), tokens.end(), [](const Token& token) {
-    return token.is("\\prime") || token.is("*");
+    return token.is("\\prime") || token.is("?");
   });
 }
 
@@ -61,11 +61,12 @@ bool glob(const std::string& pattern, std::size_t at, const std::string& text, s
   if (at == pattern.size()) {
     return from == text.size();
   }
-  if (pattern[at] != '*') {
+  if (pattern[at] != '?') {
     return from < text.size() && text[from] == pattern[at] &&
            glob(pattern, at + 1, text, from + 1, captured);
   }
-  for (std::size_t end = from + 1; end <= text.size(); ++end) {
+  // No superscript: it may be a power.
+  for (std::size_t end = from + 1; end <= text.size() && text[end - 1] != '^'; ++end) {
     captured.push_back(text.substr(from, end - from));
     if (glob(pattern, at + 1, text, end, captured)) {
       return true;
@@ -225,13 +226,13 @@ std::optional<std::vector<std::string>> matched(const std::vector<std::string>& 
 
 std::string filled(const std::string& formula, const std::vector<std::string>& captured) {
   std::string text;
-  auto next = captured.begin();
+  std::size_t next = 0;
   for (const char letter : formula) {
-    if (letter != '*' || next == captured.end()) {
+    if (letter != '?' || captured.empty()) {
       text += letter;
       continue;
     }
-    std::string part = *next++;
+    std::string part = captured[std::min(next++, captured.size() - 1)];
     std::replace(part.begin(), part.end(), ',', '_');
     text += part;
   }
@@ -242,7 +243,7 @@ void Notations::add(const Tokens& notation, const std::string& formula) {
   Notation added{symbols_of(notation), formula};
   const auto is_general = [](const Notation& each) {
     return std::any_of(each.pattern.begin(), each.pattern.end(),
-                       [](const std::string& part) { return part.find('*') != std::string::npos; });
+                       [](const std::string& part) { return part.find('?') != std::string::npos; });
   };
   const auto place = std::find_if(notations_.begin(), notations_.end(), [&](const Notation& each) {
     return each.pattern.size() < added.pattern.size() ||

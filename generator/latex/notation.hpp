@@ -39,9 +39,9 @@ class Notations {
 
   explicit Notations(Declared declared) : declared_(std::move(declared)) {}
 
-  /// A notation may be several symbols, and a `*` in it stands for any text; each is put in place
-  /// of a `*` of the formula, in their order, commas as underscores. An empty formula: the paper
-  /// defines it.
+  /// A notation may be several symbols, and a `?` in it stands for any text, which is put in place
+  /// of the `?` of the formula, in their order, commas as underscores; the last for all that follow.
+  /// An empty formula: the paper defines it.
   void add(const Tokens& notation, const std::string& formula);
 
   /// What stands at a token: by the longest notation of the map; or else by the name of a quantity
@@ -66,10 +66,10 @@ class Notations {
 
 /// The symbols of a whole side, so that two ways to write it compare equal.
 [[nodiscard]] std::vector<std::string> symbols_of(const Tokens& tokens);
-/// What the stars of a pattern stand for in symbols that it matches.
+/// What the `?` of a pattern stand for in symbols that it matches.
 [[nodiscard]] std::optional<std::vector<std::string>> matched(
     const std::vector<std::string>& pattern, const std::vector<std::string>& symbols);
-/// The formula with its stars replaced.
+/// The formula with each `?` replaced.
 [[nodiscard]] std::string filled(const std::string& formula,
                                  const std::vector<std::string>& captured);
 

@@ -163,8 +163,10 @@ void PaperMap::read_index(const PlacedText& rest,
 }
 
 void PaperMap::read_skip(const PlacedText& rest) {
-  if (const std::optional<PlacedText> section = behind(rest, "section")) {
-    skipped_sections_.insert(section->text);
+  if (const std::optional<PlacedText> sections = behind(rest, "sections")) {
+    for (const PlacedText& title : closures::split(*sections, ',')) {
+      skipped_sections_.insert(title.text);
+    }
     return;
   }
   for (const PlacedText& label : closures::words(rest)) {
@@ -244,10 +246,10 @@ std::optional<PrintedMatrix> PaperMap::matrix_frame(const Tokens& notation) cons
       if (matrix.rows.empty()) {
         return PrintedMatrix{};
       }
-      // A star of the columns is a notation of the paper.
+      // A `?` of the columns is a notation of the paper.
       std::vector<std::string> columns;
       for (const PlacedText& word : closures::words({matrix.columns, place})) {
-        if (word.text != "*") {
+        if (word.text != "?") {
           const std::vector<std::string> some = names(word.text, true, place);
           columns.insert(columns.end(), some.begin(), some.end());
           continue;

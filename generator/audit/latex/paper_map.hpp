@@ -23,7 +23,7 @@ class PaperMap {
   /// A notation that stands for a whole matrix.
   struct Matrix {
     std::vector<std::string> pattern;
-    std::string rows;  ///< with stars; empty: as its titles say
+    std::string rows;  ///< empty: as its titles say
     std::string columns;
   };
 
