@@ -62,21 +62,11 @@ struct Sides {
   bool angles = false;
 };
 
-bool is_algebraic(closures::ClosurePoints& points, const GiNaC::ex& expression) {
-  try {
-    static_cast<void>(points.vanishes(expression));
-    return true;
-  } catch (const closures::NotAlgebraic&) {
-    return false;
-  }
-}
-
 Sides sides_of(closures::ClosurePoints& points, const GiNaC::ex& printed,
                const GiNaC::ex& derived) {
   const GiNaC::ex difference = printed - derived;
   const GiNaC::ex turn = GiNaC::cos(difference) - 1;
-  if (!is_algebraic(points, difference) && !is_algebraic(points, printed) &&
-      is_algebraic(points, turn)) {
+  if (points.obstacle(difference) && points.obstacle(printed) && !points.obstacle(turn)) {
     return {turn, GiNaC::cos(printed + derived) - 1, true};
   }
   return {difference, printed + derived, false};
@@ -99,10 +89,7 @@ class BranchComparison {
   Comparison run(const closures::ClosurePoints::Rooted& rooted) {
     drawn_ = points_.points_on_all_branches(rooted, assembled_);
     if (drawn_.size() < static_cast<std::size_t>(wanted_points)) {
-      return {Verdict::undecided,
-              assembled_ ? "no assembled rational points were found where its roots are real"
-                         : "no rational points were found where its roots are real",
-              "", ""};
+      return {Verdict::undecided, "no rational points were found where its roots are real", "", ""};
     }
     for (closures::ClosurePoints::Point& point : drawn_) {
       const GiNaC::ex value = points_.value(rooted, point);
@@ -193,8 +180,10 @@ class BranchComparison {
         return here == sense || (here == 0 && branch.holds);
       });
       if (tells && sense != 0) {
-        const std::string text = closures::formula_text(quantity);
-        return {text + (sense > 0 ? " > 0" : " < 0"), text + (sense > 0 ? " < 0" : " > 0")};
+        const bool negative = closures::formula_text(quantity).starts_with('-');
+        const std::string text = closures::formula_text(negative ? -quantity : quantity);
+        const bool above = (sense > 0) != negative;
+        return {text + (above ? " > 0" : " < 0"), text + (above ? " < 0" : " > 0")};
       }
     }
     return {};
@@ -245,6 +234,9 @@ Comparison compare(closures::ClosurePoints& points, const GiNaC::ex& printed,
   const bool assembled = on_closures || follows;
   if (const auto with_roots = rooted(points, difference)) {
     return BranchComparison(points, sides, {printed, derived}, assembled).run(*with_roots);
+  }
+  if (const std::optional<std::string> obstacle = points.obstacle(difference)) {
+    return {Verdict::undecided, *obstacle, "", ""};
   }
   int compared = 0;
   bool agrees = true;

@@ -104,6 +104,22 @@ GiNaC::ex ClosurePoints::value(const Rooted& rooted, Point& point, unsigned reve
   return rooted.algebra.at(rooted.form, point.values, reversed);
 }
 
+std::optional<std::string> ClosurePoints::obstacle(const GiNaC::ex& expression) {
+  follow_system();
+  const GiNaC::ex whole = system_.expanded(expression);
+  try {
+    if (makes_roots(whole)) {
+      CircleAlgebra own = algebra_.extended();
+      static_cast<void>(own.algebraic(whole));
+    } else {
+      static_cast<void>(algebra_.algebraic(whole));
+    }
+    return std::nullopt;
+  } catch (const NotAlgebraic& error) {
+    return error.what();
+  }
+}
+
 bool ClosurePoints::vanishes(const GiNaC::ex& expression) {
   follow_system();
   const GiNaC::ex whole = system_.expanded(expression);

@@ -54,6 +54,8 @@ class ClosurePoints {
                                        const std::vector<GiNaC::ex>& shown) const;
   /// Of the expression's algebraic form; throws NotAlgebraic.
   [[nodiscard]] GiNaC::ex value(const GiNaC::ex& expression, Point& point);
+  /// Why the expression has no algebraic form; nothing if it has one.
+  [[nodiscard]] std::optional<std::string> obstacle(const GiNaC::ex& expression);
   /// Whether the expression's algebraic form is zero; throws NotAlgebraic.
   [[nodiscard]] bool vanishes(const GiNaC::ex& expression);
 

@@ -40,8 +40,8 @@ class Notations {
   explicit Notations(Declared declared) : declared_(std::move(declared)) {}
 
   /// A notation may be several symbols, and a `?` in it stands for any text, which is put in place
-  /// of the `?` of the formula, in their order, commas as underscores; the last for all that follow.
-  /// An empty formula: the paper defines it.
+  /// of the `?` of the formula, in their order, commas as underscores; the last for all that
+  /// follow. An empty formula: the paper defines it.
   void add(const Tokens& notation, const std::string& formula);
 
   /// What stands at a token: by the longest notation of the map; or else by the name of a quantity

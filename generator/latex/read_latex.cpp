@@ -104,7 +104,9 @@ class Reader {
   }
 
   [[nodiscard]] Place place_of(std::size_t at) const {
-    return at < tokens_.size() ? tokens_[at].place : place_;
+    return at < tokens_.size() ? tokens_[at].place
+           : tokens_.empty()   ? place_
+                               : tokens_.back().place;
   }
 
   std::size_t column(std::size_t at) {
@@ -317,7 +319,7 @@ class Reader {
       return {number(), FactorKind::number};
     }
     if (const std::optional<Meaning> meaning = reading_.notations.at(tokens_, at_)) {
-      return {quantity(*meaning), FactorKind::symbol};
+      return {quantity(*meaning), meaning->power.empty() ? FactorKind::symbol : FactorKind::closed};
     }
     if (const Function* function = find_function(at_)) {
       return called(*function);
@@ -604,11 +606,8 @@ class Reader {
     }
     const Tokens inside = take_argument(tokens_, at_);
     Expression tree = call("sqrt", Operation::sqrt, {read(inside, at)}, at);
-    if (degree == "4") {
-      return call("sqrt", Operation::sqrt, {std::move(tree)}, at);
-    }
     if (degree != "2") {
-      fail("only square and fourth roots can be compared", at);
+      fail("only square roots can be compared", at);
     }
     return tree;
   }

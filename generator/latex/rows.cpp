@@ -192,24 +192,41 @@ std::vector<Tokens> statements_of(const Tokens& equation) {
   list.push_back(rest);
   std::vector<Tokens> statements;
   for (const Tokens& each : list) {
+    bool first = true;
     for (const Tokens& part : parts(without_marks(each), true, [](const Token& token) {
            return token.is("\\quad") || token.is("\\qquad") || token.is("\\\\");
          })) {
-      if (Tokens statement = trimmed(part); !statement.empty()) {
+      Tokens statement = trimmed(part);
+      if (statement.empty()) {
+        continue;
+      }
+      if (!first && continues(statement)) {  // the space indents a line that goes on
+        statements.back().insert(statements.back().end(), statement.begin(), statement.end());
+      } else {
         statements.push_back(std::move(statement));
       }
+      first = false;
     }
   }
   return statements;
 }
 
 std::vector<Tokens> sides_of(const Tokens& statement) {
+  Tokens open;
   Depth depth(true);
   for (const Token& token : statement) {
+    if (token.is("(") || token.is("[") || token.is("\\{")) {
+      open.push_back(token);
+    } else if (!open.empty() && (token.is(")") || token.is("]") || token.is("\\}"))) {
+      open.pop_back();
+    }
     if (depth.outside(token) && contains(other_relations, token.text)) {
       throw FormulaError("only equations can be compared, and this is '" + token.text + "'",
                          token.place);
     }
+  }
+  if (!open.empty()) {
+    throw FormulaError("'" + open.back().text + "' is not closed", open.back().place);
   }
   return parts(statement, true, [](const Token& token) { return token.is("="); });
 }
