@@ -66,7 +66,8 @@ Sides sides_of(closures::ClosurePoints& points, const GiNaC::ex& printed,
                const GiNaC::ex& derived) {
   const GiNaC::ex difference = printed - derived;
   const GiNaC::ex turn = GiNaC::cos(difference) - 1;
-  if (points.obstacle(difference) && points.obstacle(printed) && !points.obstacle(turn)) {
+  if (closures::makes_roots(points.system().expanded(difference)) && points.obstacle(difference) &&
+      points.obstacle(printed) && !points.obstacle(turn)) {
     return {turn, GiNaC::cos(printed + derived) - 1, true};
   }
   return {difference, printed + derived, false};
