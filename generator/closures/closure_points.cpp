@@ -185,7 +185,8 @@ std::vector<GiNaC::ex> ClosurePoints::telling(const GiNaC::ex& expression) const
 std::deque<ClosurePoints::Point> ClosurePoints::points_on_all_branches(const Rooted& rooted,
                                                                        bool assembled) {
   constexpr unsigned most_draws = 400;
-  constexpr std::size_t wanted = 64;
+  // Rates and total derivatives cost a linear system at each point.
+  const std::size_t wanted = system_.follows_closures(rooted.whole) ? 16 : 64;
   std::vector<const AuditSymbol*> angles;  // those of the expression first
   std::vector<const AuditSymbol*> signed_lengths;
   std::vector<const AuditSymbol*> positive;
