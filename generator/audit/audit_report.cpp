@@ -31,6 +31,8 @@ char mark(const Finding& finding) {
       return '-';
     case Verdict::differs:
       return 'x';
+    case Verdict::on_one_branch:
+      return '/';
     case Verdict::unreadable:
       return '!';
     case Verdict::undecided:
@@ -82,8 +84,9 @@ std::vector<std::pair<std::string, std::string>> details(const Finding& finding)
   add("derived", finding.derived);
   add("difference", comparison.difference);
   add("at", comparison.point);
-  const bool unanswered =
-      comparison.verdict == Verdict::unreadable || comparison.verdict == Verdict::undecided;
+  const bool unanswered = comparison.verdict == Verdict::unreadable ||
+                          comparison.verdict == Verdict::undecided ||
+                          comparison.verdict == Verdict::on_one_branch;
   add("because", unanswered ? comparison.evidence : "");
   add("note", finding.note);
   return lines;

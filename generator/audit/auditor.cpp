@@ -61,11 +61,20 @@ AuditReport audit_text(const std::string& text, const std::string& file, const S
     throw text::InputError(file + ": byte " + std::to_string(at) +
                            " is not UTF-8; save the file as UTF-8");
   }
+  const std::vector<closures::Statement> statements = closures::parse_statements(text, file);
+  const auto audited = [&](Auditor& auditor) {
+    for (const closures::Statement& statement : statements) {
+      auditor.read(statement);
+    }
+    return auditor.report();
+  };
   Auditor auditor(file, scenes, run);
-  for (const closures::Statement& statement : closures::parse_statements(text, file)) {
-    auditor.read(statement);
+  AuditReport report = audited(auditor);
+  // A closure's signs count for all that is printed, before it and behind it.
+  if (const std::set<std::string> turned = auditor.turned(); !turned.empty()) {
+    Auditor again(file, scenes, run, turned);
+    report = audited(again);
   }
-  AuditReport report = auditor.report();
   if (report.statements.empty()) {
     throw text::InputError(file + ": nothing to audit; say what the source prints with 'printed'");
   }
@@ -78,6 +87,16 @@ AuditReport audit_file(const std::string& file, const SceneReader& scenes,
   return audit_text(text::read_input_file(file), file, scenes, run);
 }
 
+std::set<std::string> Auditor::turned() const {
+  std::set<std::string> names;
+  for (const auto& [name, turned] : printed_closures_) {
+    if (turned) {
+      names.insert(name);
+    }
+  }
+  return names;
+}
+
 AuditReport Auditor::report() const { return {reader_.file(), reader_.source(), statements_}; }
 
 void Auditor::expect_no_rows(const closures::Statement& statement) const {
@@ -88,6 +107,14 @@ void Auditor::expect_no_rows(const closures::Statement& statement) const {
 
 void Auditor::read(const closures::Statement& statement) {
   if (reader_.read(statement)) {
+    closures::ClosureSystem& system = reader_.system();
+    std::erase_if(turned_, [&](const std::string& name) {
+      const bool declared = system.closure_named(name) != nullptr;
+      if (declared) {
+        system.negate_closure(name);
+      }
+      return declared;
+    });
     return;
   }
   try {
@@ -232,6 +259,8 @@ void Auditor::read_printed_closure(const closures::PlacedText& label, closures::
     rest = closures::trimmed({rest.text.substr(1), rest.at(2)});
   }
   Finding finding = audit_closure(points_, name.text, rest);
+  const bool first = !printed_closures_.contains(name.text);
+  printed_closures_[name.text] = is_turned(finding) && (first || printed_closures_[name.text]);
   finding.place = reader_.place_in_file(finding.place);
   answer("closure " + label.text, label.place, 0, {finding});
 }

@@ -16,16 +16,21 @@ namespace assur::generator::audit {
 /// Reads statements in their order: each may use what earlier ones declare.
 class Auditor {
  public:
-  Auditor(const std::string& file, const SceneReader& scenes, const RunPermission& run)
+  /// `turned` names closures that are read the other way round than they are typed.
+  Auditor(const std::string& file, const SceneReader& scenes, const RunPermission& run,
+          std::set<std::string> turned = {})
       : directory_(std::filesystem::path(file).parent_path()),
         scenes_(scenes),
         run_(run),
+        turned_(std::move(turned)),
         reader_(file) {}
   Auditor(const Auditor&) = delete;
   Auditor& operator=(const Auditor&) = delete;
 
   void read(const closures::Statement& statement);
   [[nodiscard]] AuditReport report() const;
+  /// The closures that are printed with all signs turned round, and never otherwise.
+  [[nodiscard]] std::set<std::string> turned() const;
 
  private:
   void expect_no_rows(const closures::Statement& statement) const;
@@ -57,6 +62,8 @@ class Auditor {
   std::filesystem::path directory_;
   const SceneReader& scenes_;
   const RunPermission& run_;
+  std::set<std::string> turned_;
+  std::map<std::string, bool> printed_closures_;  ///< whether all signs are turned each time
   closures::ClosureReader reader_;
   closures::ClosurePoints points_{reader_.system()};
   NumericExample numbers_;

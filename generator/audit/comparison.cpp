@@ -55,6 +55,158 @@ std::string amount(const GiNaC::ex& value) {
   return text.str();
 }
 
+/// Both sides, or cosines that are equal where two angles are.
+struct Sides {
+  GiNaC::ex difference;  ///< zero where they agree
+  GiNaC::ex sum;         ///< zero where they are opposite
+  bool angles = false;
+};
+
+Sides sides_of(closures::ClosurePoints& points, const GiNaC::ex& printed,
+               const GiNaC::ex& derived) {
+  const GiNaC::ex difference = printed - derived;
+  const GiNaC::ex turn = GiNaC::cos(difference) - 1;
+  if (closures::makes_roots(points.system().expanded(difference)) && points.obstacle(difference) &&
+      points.obstacle(printed) && !points.obstacle(turn)) {
+    return {turn, GiNaC::cos(printed + derived) - 1, true};
+  }
+  return {difference, printed + derived, false};
+}
+
+/// What roots make of a statement at one point.
+struct Branch {
+  closures::ClosurePoints::Point* point;
+  GiNaC::ex value;
+  bool holds;
+  bool would_hold;  ///< with other signs of the roots
+};
+
+class BranchComparison {
+ public:
+  BranchComparison(closures::ClosurePoints& points, const Sides& sides,
+                   const std::vector<GiNaC::ex>& shown, bool assembled)
+      : points_(points), sides_(sides), shown_(shown), assembled_(assembled) {}
+
+  Comparison run(const closures::ClosurePoints::Rooted& rooted) {
+    drawn_ = points_.points_on_all_branches(rooted, assembled_);
+    if (drawn_.size() < static_cast<std::size_t>(wanted_points)) {
+      return {Verdict::undecided, "no rational points were found where its roots are real", "", ""};
+    }
+    for (closures::ClosurePoints::Point& point : drawn_) {
+      const GiNaC::ex value = points_.value(rooted, point);
+      const bool holds = is_nothing(value);
+      branches_.push_back({&point, value, holds, !holds && would_hold(rooted, point)});
+    }
+    const auto holds = [](const Branch& branch) { return branch.holds; };
+    if (std::all_of(branches_.begin(), branches_.end(), holds)) {
+      const bool proved = !points_.system().follows_closures(sides_.difference) &&
+                          points_.vanishes(sides_.difference);
+      return {Verdict::agrees, proved ? "identically" : where(), "", ""};
+    }
+    const bool explained = std::all_of(branches_.begin(), branches_.end(), [](const Branch& each) {
+      return each.holds || each.would_hold;
+    });
+    if (explained && std::any_of(branches_.begin(), branches_.end(), holds)) {
+      return on_one_branch();
+    }
+    return different(explained);
+  }
+
+ private:
+  [[nodiscard]] std::string where() const {
+    return "at " + std::to_string(branches_.size()) + " random rational points" +
+           (assembled_ ? " where the closures hold" : "") + ", in all quadrants of its angles";
+  }
+
+  bool would_hold(const closures::ClosurePoints::Rooted& rooted,
+                  closures::ClosurePoints::Point& point) {
+    constexpr std::size_t most_roots = 6;
+    const std::size_t own = rooted.algebra.root_count() - rooted.first_own;
+    if (own > most_roots || rooted.algebra.root_count() > 31) {
+      return false;
+    }
+    for (unsigned signs = 1; signs < 1U << own; ++signs) {
+      try {
+        if (is_nothing(points_.value(rooted, point, signs << rooted.first_own))) {
+          return true;
+        }
+      } catch (const closures::NotAlgebraic&) {
+        continue;  // with these signs another root ends
+      }
+    }
+    return false;
+  }
+
+  Comparison different(bool other_signs) {
+    const auto failing = std::find_if(branches_.begin(), branches_.end(),
+                                      [](const Branch& branch) { return !branch.holds; });
+    bool negated = true;
+    try {
+      negated = std::all_of(branches_.begin(), branches_.end(), [&](const Branch& branch) {
+        return is_nothing(points_.value(sides_.sum, *branch.point));
+      });
+    } catch (const closures::NotAlgebraic&) {
+      negated = false;
+    }
+    return {negated ? Verdict::differs_by_sign : Verdict::differs,
+            where() + (other_signs ? "; it holds with the other sign of a root" : ""),
+            points_.point_text(*failing->point, shown_), amount(failing->value)};
+  }
+
+  Comparison on_one_branch() {
+    const auto right = std::find_if(branches_.begin(), branches_.end(),
+                                    [](const Branch& branch) { return branch.holds; });
+    const auto wrong = std::find_if(branches_.begin(), branches_.end(),
+                                    [](const Branch& branch) { return !branch.holds; });
+    const auto [yes, no] = conditions();
+    const std::string here = points_.point_text(*right->point, shown_);
+    const std::string there = points_.point_text(*wrong->point, shown_);
+    return {Verdict::on_one_branch,
+            "holds where " + yes + (yes.empty() ? "" : ", as at ") + here + "; not where " + no +
+                (no.empty() ? "" : ", as at ") + there,
+            there, amount(wrong->value)};
+  }
+
+  /// Signs of one quantity that tell where the statement holds from where it does not.
+  std::pair<std::string, std::string> conditions() {
+    for (const GiNaC::ex& quantity : points_.telling(sides_.difference)) {
+      int sense = 0;
+      const bool tells = std::all_of(branches_.begin(), branches_.end(), [&](const Branch& branch) {
+        const GiNaC::ex value = points_.value(quantity, *branch.point);
+        const int sign = value.info(GiNaC::info_flags::positive)   ? 1
+                         : value.info(GiNaC::info_flags::negative) ? -1
+                                                                   : 0;
+        const int here = branch.holds ? sign : -sign;
+        sense = sense == 0 ? here : sense;
+        return here == sense || (here == 0 && branch.holds);
+      });
+      if (tells && sense != 0) {
+        const bool negative = closures::formula_text(quantity).starts_with('-');
+        const std::string text = closures::formula_text(negative ? -quantity : quantity);
+        const bool above = (sense > 0) != negative;
+        return {text + (above ? " > 0" : " < 0"), text + (above ? " < 0" : " > 0")};
+      }
+    }
+    return {};
+  }
+
+  closures::ClosurePoints& points_;
+  const Sides& sides_;
+  const std::vector<GiNaC::ex>& shown_;
+  bool assembled_;
+  std::deque<closures::ClosurePoints::Point> drawn_;
+  std::vector<Branch> branches_;
+};
+
+std::optional<closures::ClosurePoints::Rooted> rooted(closures::ClosurePoints& points,
+                                                      const GiNaC::ex& expression) {
+  try {
+    return points.rooted(expression);
+  } catch (const closures::NotAlgebraic&) {
+    return std::nullopt;  // the comparison says why
+  }
+}
+
 }  // namespace
 
 const char* verdict_text(Verdict verdict) {
@@ -65,6 +217,8 @@ const char* verdict_text(Verdict verdict) {
       return "differs by sign";
     case Verdict::differs:
       return "differs";
+    case Verdict::on_one_branch:
+      return "holds on one branch";
     case Verdict::unreadable:
       return "does not parse";
     case Verdict::undecided:
@@ -75,9 +229,16 @@ const char* verdict_text(Verdict verdict) {
 
 Comparison compare(closures::ClosurePoints& points, const GiNaC::ex& printed,
                    const GiNaC::ex& derived, bool on_closures) {
-  const GiNaC::ex difference = printed - derived;
+  const Sides sides = sides_of(points, printed, derived);
+  const GiNaC::ex& difference = sides.difference;
   const bool follows = points.system().follows_closures(difference);
   const bool assembled = on_closures || follows;
+  if (const auto with_roots = rooted(points, difference)) {
+    return BranchComparison(points, sides, {printed, derived}, assembled).run(*with_roots);
+  }
+  if (const std::optional<std::string> obstacle = points.obstacle(difference)) {
+    return {Verdict::undecided, *obstacle, "", ""};
+  }
   int compared = 0;
   bool agrees = true;
   bool negated = true;
@@ -95,7 +256,7 @@ Comparison compare(closures::ClosurePoints& points, const GiNaC::ex& printed,
         first.difference = amount(there);
       }
       agrees = agrees && zero;
-      negated = negated && is_nothing(points.value(printed + derived, *point));
+      negated = negated && is_nothing(points.value(sides.sum, *point));
       ++compared;
     } catch (const closures::NotAlgebraic& error) {
       first.evidence = error.what();

@@ -5,7 +5,14 @@
 
 namespace assur::generator::audit {
 
-enum class Verdict : unsigned char { agrees, differs_by_sign, differs, unreadable, undecided };
+enum class Verdict : unsigned char {
+  agrees,
+  differs_by_sign,
+  differs,
+  on_one_branch,  ///< right for some signs of roots and wrong for others
+  unreadable,
+  undecided
+};
 
 [[nodiscard]] const char* verdict_text(Verdict verdict);
 
@@ -17,8 +24,10 @@ struct Comparison {
 };
 
 /// Compares at random rational points, exactly; what agrees at all of them is then proved to zero
-/// where the algebra reaches. `on_closures` asks only for agreement at assembled configurations;
-/// expressions with total derivatives are always compared there.
+/// where the algebra reaches. With roots, points go through all quadrants of the angles, since the
+/// sign of a root may be right in some and wrong in others. Angles are compared up to whole turns.
+/// `on_closures` asks only for agreement at assembled configurations; expressions with total
+/// derivatives are always compared there.
 [[nodiscard]] Comparison compare(closures::ClosurePoints& points, const GiNaC::ex& printed,
                                  const GiNaC::ex& derived, bool on_closures);
 

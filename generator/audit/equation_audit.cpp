@@ -6,10 +6,7 @@ namespace assur::generator::audit {
 
 namespace {
 
-Finding unreadable(const std::string& item, const std::string& printed,
-                   const closures::FormulaError& error) {
-  return {item, error.place, {Verdict::unreadable, error.what(), "", ""}, printed, "", ""};
-}
+const std::string negated = "both sides negated";
 
 /// `a`, or `a - b` for `a = b`.
 GiNaC::ex read_equation(closures::ClosureSystem& system, const closures::PlacedText& text) {
@@ -20,25 +17,36 @@ GiNaC::ex read_equation(closures::ClosureSystem& system, const closures::PlacedT
 
 }  // namespace
 
+Finding unreadable(const std::string& item, const std::string& printed,
+                   const closures::FormulaError& error) {
+  return {item, error.place, {Verdict::unreadable, error.what(), "", ""}, printed, "", ""};
+}
+
 Finding audit_closure(closures::ClosurePoints& points, const std::string& name,
                       const closures::PlacedText& printed) {
-  closures::ClosureSystem& system = points.system();
-  const GiNaC::ex derived = *system.closure_named(name);
-  Finding finding{name, printed.place, {}, printed.text, closures::formula_text(derived) + " = 0",
-                  ""};
   try {
-    const GiNaC::ex read = read_equation(system, printed);
-    finding.comparison = compare(points, read, derived, false);
-    if (finding.comparison.verdict == Verdict::differs_by_sign) {
-      system.negate_closure(name);
-      finding.comparison = compare(points, read, -derived, false);
-      finding.note = "both sides negated";
-    }
-    if (!finding.agrees() && !system.follows_closures(read)) {
-      finding.note = "printed less derived: " + closures::formula_text((read - derived).expand());
-    }
+    return audit_closure(points, name, read_equation(points.system(), printed),
+                         {printed.text, printed.place});
   } catch (const closures::FormulaError& error) {
     return unreadable(name, printed.text, error);
+  }
+}
+
+Finding audit_closure(closures::ClosurePoints& points, const std::string& name,
+                      const GiNaC::ex& read, const Printed& printed) {
+  const GiNaC::ex derived = points.system().closure_as_typed(name);
+  Finding finding{name,
+                  printed.place,
+                  compare(points, read, derived, false),
+                  printed.text,
+                  closures::formula_text(derived) + " = 0",
+                  ""};
+  if (finding.comparison.verdict == Verdict::differs_by_sign) {
+    finding.comparison = compare(points, read, -derived, false);
+    finding.note = negated;
+  }
+  if (!finding.agrees() && !points.system().follows_closures(read)) {
+    finding.note = "printed less derived: " + closures::formula_text((read - derived).expand());
   }
   return finding;
 }
@@ -57,22 +65,39 @@ DerivedEntry derived_entry(closures::ClosureSystem& system, const PrintedMatrix&
                                    : system.partial(*closure, by.symbol)};
 }
 
+bool is_turned(const Finding& closure) { return closure.agrees() && closure.note == negated; }
+
 std::vector<Finding> audit_matrix(closures::ClosurePoints& points, const PrintedMatrix& matrix) {
-  closures::ClosureSystem& system = points.system();
   std::vector<Finding> findings;
   for (std::size_t place = 0; place < matrix.entries.size(); ++place) {
-    const auto [item, derived] = derived_entry(system, matrix, place);
     const PrintedEntry& entry = matrix.entries[place];
-    try {
-      const GiNaC::ex printed =
-          entry.text.empty() ? 0 : closures::read_formula(entry.text, system, entry.locals);
-      findings.push_back({item, entry.text.place, compare(points, printed, derived, false),
-                          entry.printed(), closures::formula_text(derived), ""});
-    } catch (const closures::FormulaError& error) {
-      findings.push_back(unreadable(item, entry.printed(), error));
-    }
+    findings.push_back(audit_entry(
+        points, matrix, place / matrix.columns.size(), place % matrix.columns.size(),
+        {entry.printed(), entry.text.place}, [&]() -> GiNaC::ex {
+          return entry.text.empty()
+                     ? GiNaC::ex(0)
+                     : closures::read_formula(entry.text, points.system(), entry.locals);
+        }));
   }
   return findings;
+}
+
+Finding audit_entry(closures::ClosurePoints& points, const PrintedMatrix& frame, std::size_t row,
+                    std::size_t column, const Printed& printed,
+                    const std::function<GiNaC::ex()>& read) {
+  const auto [item, derived] =
+      derived_entry(points.system(), frame, row * frame.columns.size() + column);
+  try {
+    const GiNaC::ex expression = read();
+    return {item,
+            printed.place,
+            compare(points, expression, derived, false),
+            printed.text,
+            closures::formula_text(derived),
+            ""};
+  } catch (const closures::FormulaError& error) {
+    return unreadable(item, printed.text, error);
+  }
 }
 
 Finding audit_equation(closures::ClosurePoints& points, const std::string& item,
@@ -82,12 +107,17 @@ Finding audit_equation(closures::ClosurePoints& points, const std::string& item,
   try {
     const GiNaC::ex one = closures::read_formula(left, points.system(), locals);
     const GiNaC::ex other = closures::read_formula(right, points.system(), locals);
-    Finding finding{item, left.place, compare(points, one, other, true), printed, "", ""};
-    finding.note = finding.comparison.difference.empty() ? "" : "the difference is left less right";
-    return finding;
+    return audit_equation(points, item, one, other, {printed, left.place});
   } catch (const closures::FormulaError& error) {
     return unreadable(item, printed, error);
   }
+}
+
+Finding audit_equation(closures::ClosurePoints& points, const std::string& item,
+                       const GiNaC::ex& left, const GiNaC::ex& right, const Printed& printed) {
+  Finding finding{item, printed.place, compare(points, left, right, true), printed.text, "", ""};
+  finding.note = finding.comparison.difference.empty() ? "" : "the difference is left less right";
+  return finding;
 }
 
 }  // namespace assur::generator::audit

@@ -1,6 +1,8 @@
 // Turns printed closures, matrices and equations into findings against a closure system.
 #pragma once
 
+#include <functional>
+
 #include "audit/finding.hpp"
 #include "closures/read_formula.hpp"
 
@@ -32,20 +34,40 @@ struct DerivedEntry {
 [[nodiscard]] DerivedEntry derived_entry(closures::ClosureSystem& system,
                                          const PrintedMatrix& matrix, std::size_t place);
 
+/// What a source prints, as it is shown, and where it stands.
+struct Printed {
+  std::string text;
+  closures::Place place;
+};
+
+/// What cannot be read, as a finding.
+[[nodiscard]] Finding unreadable(const std::string& item, const std::string& printed,
+                                 const closures::FormulaError& error);
+
 /// The printed closure against the derived one of that name. An equation may be printed with all
-/// its signs turned round; the system then takes it as printed.
+/// its signs turned round, which `is_turned` tells.
 [[nodiscard]] Finding audit_closure(closures::ClosurePoints& points, const std::string& name,
                                     const closures::PlacedText& printed);
+[[nodiscard]] Finding audit_closure(closures::ClosurePoints& points, const std::string& name,
+                                    const GiNaC::ex& read, const Printed& printed);
+[[nodiscard]] bool is_turned(const Finding& closure);
 
 /// Each entry against the derivative of its row by its column: a partial one if the row is a
 /// closure, else the total one.
 [[nodiscard]] std::vector<Finding> audit_matrix(closures::ClosurePoints& points,
                                                 const PrintedMatrix& matrix);
+/// One entry of a matrix, its row and column counted from 0. `read` makes its expression.
+[[nodiscard]] Finding audit_entry(closures::ClosurePoints& points, const PrintedMatrix& frame,
+                                  std::size_t row, std::size_t column, const Printed& printed,
+                                  const std::function<GiNaC::ex()>& read);
 
 /// Both sides of a printed equation against each other, where the closures hold.
 [[nodiscard]] Finding audit_equation(closures::ClosurePoints& points, const std::string& item,
                                      const closures::PlacedText& left,
                                      const closures::PlacedText& right,
                                      const closures::LocalNames& locals);
+[[nodiscard]] Finding audit_equation(closures::ClosurePoints& points, const std::string& item,
+                                     const GiNaC::ex& left, const GiNaC::ex& right,
+                                     const Printed& printed);
 
 }  // namespace assur::generator::audit

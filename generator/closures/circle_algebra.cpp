@@ -7,8 +7,6 @@
 
 namespace assur::generator::closures {
 
-namespace {
-
 bool makes_roots(const GiNaC::ex& expression) {
   return std::any_of(expression.preorder_begin(), expression.preorder_end(),
                      [](const GiNaC::ex& part) {
@@ -19,8 +17,6 @@ bool makes_roots(const GiNaC::ex& expression) {
                               GiNaC::ex_to<GiNaC::function>(part).get_name().starts_with('a');
                      });
 }
-
-}  // namespace
 
 equations::Vector2 turned_by_multiple(equations::Vector2 direction, equations::Vector2 step,
                                       int factor) {
@@ -219,9 +215,17 @@ bool CircleAlgebra::vanishes(const GiNaC::ex& algebraic) const {
   return rest.is_zero();
 }
 
-GiNaC::exmap CircleAlgebra::with_roots(const GiNaC::exmap& point) const {
+CircleAlgebra CircleAlgebra::extended() const {
+  CircleAlgebra copy;
+  copy.directions_ = directions_;
+  copy.roots_ = roots_;
+  return copy;
+}
+
+GiNaC::exmap CircleAlgebra::with_roots(const GiNaC::exmap& point, unsigned reversed) const {
   GiNaC::exmap values = point;
-  for (const Root& root : roots_) {
+  for (std::size_t place = 0; place < roots_.size(); ++place) {
+    const Root& root = roots_[place];
     const GiNaC::ex radicand = root.radicand.subs(values).expand();
     const GiNaC::ex number = radicand.evalf();
     if (!GiNaC::is_a<GiNaC::numeric>(number)) {
@@ -230,21 +234,23 @@ GiNaC::exmap CircleAlgebra::with_roots(const GiNaC::exmap& point) const {
     if (GiNaC::ex_to<GiNaC::numeric>(number).is_negative()) {
       throw NotAlgebraic("the root of a negative number");
     }
-    values[root.symbol] = GiNaC::sqrt(radicand);
+    const bool negative = place < 32 && (reversed >> place & 1U) != 0;
+    values[root.symbol] = negative ? -GiNaC::sqrt(radicand) : GiNaC::sqrt(radicand);
   }
   return values;
 }
 
-GiNaC::ex CircleAlgebra::at(const GiNaC::ex& algebraic, const GiNaC::exmap& point) const {
+GiNaC::ex CircleAlgebra::at(const GiNaC::ex& algebraic, const GiNaC::exmap& point,
+                            unsigned reversed) const {
   try {
-    return algebraic.subs(with_roots(point)).expand();
+    return algebraic.subs(with_roots(point, reversed)).expand();
   } catch (const GiNaC::pole_error&) {
     throw NotAlgebraic("division by zero");
   }
 }
 
 bool CircleAlgebra::roots_are_rational(const GiNaC::exmap& point) const {
-  const GiNaC::exmap values = with_roots(point);
+  const GiNaC::exmap values = with_roots(point, 0);
   return std::all_of(roots_.begin(), roots_.end(), [&](const Root& root) {
     const auto value = values.find(root.symbol);
     return value == values.end() || value->second.info(GiNaC::info_flags::rational);

@@ -21,6 +21,9 @@ class NotAlgebraic : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Whether an expression has roots, or angles whose cosine or sine is one.
+[[nodiscard]] bool makes_roots(const GiNaC::ex& expression);
+
 /// A direction turned by a whole multiple of an angle whose cosine and sine are `step`, multiplied
 /// out.
 [[nodiscard]] equations::Vector2 turned_by_multiple(equations::Vector2 direction,
@@ -39,14 +42,19 @@ class CircleAlgebra {
   /// where roots depend on each other.
   [[nodiscard]] bool vanishes(const GiNaC::ex& algebraic) const;
   /// The algebraic form at a point that gives values to lengths, cosines and sines. Throws
-  /// NotAlgebraic where a root is of a negative number or a denominator vanishes.
-  [[nodiscard]] GiNaC::ex at(const GiNaC::ex& algebraic, const GiNaC::exmap& point) const;
+  /// NotAlgebraic where a root is of a negative number or a denominator vanishes. `reversed` has a
+  /// bit for each root that is to be taken as the negative one.
+  [[nodiscard]] GiNaC::ex at(const GiNaC::ex& algebraic, const GiNaC::exmap& point,
+                             unsigned reversed = 0) const;
 
   /// Whether all roots have rational values at a point. Throws NotAlgebraic as `at` does.
   [[nodiscard]] bool roots_are_rational(const GiNaC::exmap& point) const;
 
   /// (c, s) of an angle that was added.
   [[nodiscard]] const equations::Vector2& direction(const GiNaC::symbol& angle) const;
+  /// The same angles and roots, to go on with for one expression alone.
+  [[nodiscard]] CircleAlgebra extended() const;
+  [[nodiscard]] std::size_t root_count() const { return roots_.size(); }
   /// Whether a symbol occurs under a root.
   [[nodiscard]] bool under_a_root(const GiNaC::symbol& symbol) const;
 
@@ -62,7 +70,7 @@ class CircleAlgebra {
   [[nodiscard]] const equations::Vector2* find_direction(const GiNaC::ex& angle) const;
   [[nodiscard]] equations::Vector2 direction_of(const GiNaC::ex& angle);
   [[nodiscard]] equations::Vector2 direction_of_term(const GiNaC::ex& base);
-  [[nodiscard]] GiNaC::exmap with_roots(const GiNaC::exmap& point) const;
+  [[nodiscard]] GiNaC::exmap with_roots(const GiNaC::exmap& point, unsigned reversed) const;
   [[nodiscard]] GiNaC::ex root_of(const GiNaC::ex& radicand);
 
   std::map<std::string, equations::Vector2> directions_;  ///< by the names of the angles

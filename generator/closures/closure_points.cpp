@@ -48,6 +48,13 @@ void ClosurePoints::follow_system() {
     }
   }
   lists_.clear();
+  for (const ClosureSystem::Closure& closure : system_.closures()) {
+    try {  // the roots of closures come first, whatever is asked of them first
+      static_cast<void>(algebraic(closure.expression));
+    } catch (const NotAlgebraic&) {
+      continue;  // what needs it says so
+    }
+  }
 }
 
 GiNaC::ex ClosurePoints::algebraic(const GiNaC::ex& expression) {
@@ -55,8 +62,7 @@ GiNaC::ex ClosurePoints::algebraic(const GiNaC::ex& expression) {
   return algebra_.algebraic(system_.expanded(expression));
 }
 
-GiNaC::ex ClosurePoints::value(const GiNaC::ex& expression, Point& point) {
-  const GiNaC::ex whole = system_.expanded(expression);
+void ClosurePoints::solve_for(const GiNaC::ex& whole, Point& point) {
   solve_sensitivities(whole, point);
   const bool moves = std::any_of(
       system_.symbols().begin(), system_.symbols().end(), [&](const AuditSymbol& symbol) {
@@ -65,11 +71,180 @@ GiNaC::ex ClosurePoints::value(const GiNaC::ex& expression, Point& point) {
   if (moves) {
     solve_rates(point);
   }
-  return algebra_.at(algebra_.algebraic(whole), point.values);
+}
+
+GiNaC::ex ClosurePoints::value(const GiNaC::ex& expression, Point& point) {
+  const GiNaC::ex whole = system_.expanded(expression);
+  solve_for(whole, point);
+  if (!makes_roots(whole)) {
+    return algebra_.at(algebra_.algebraic(whole), point.values);
+  }
+  // Roots of one expression must not make another undecided.
+  CircleAlgebra own = algebra_.extended();
+  const GiNaC::ex form = own.algebraic(whole);
+  return own.at(form, point.values);
+}
+
+std::optional<ClosurePoints::Rooted> ClosurePoints::rooted(const GiNaC::ex& expression) {
+  follow_system();
+  const GiNaC::ex whole = system_.expanded(expression);
+  if (!makes_roots(whole)) {
+    return std::nullopt;
+  }
+  Rooted rooted{algebra_.extended(), whole, {}, algebra_.root_count()};
+  rooted.form = rooted.algebra.algebraic(whole);
+  if (rooted.algebra.root_count() == rooted.first_own) {
+    return std::nullopt;
+  }
+  return rooted;
+}
+
+GiNaC::ex ClosurePoints::value(const Rooted& rooted, Point& point, unsigned reversed) {
+  solve_for(rooted.whole, point);
+  return rooted.algebra.at(rooted.form, point.values, reversed);
+}
+
+std::optional<std::string> ClosurePoints::obstacle(const GiNaC::ex& expression) {
+  follow_system();
+  const GiNaC::ex whole = system_.expanded(expression);
+  try {
+    if (makes_roots(whole)) {
+      CircleAlgebra own = algebra_.extended();
+      static_cast<void>(own.algebraic(whole));
+    } else {
+      static_cast<void>(algebra_.algebraic(whole));
+    }
+    return std::nullopt;
+  } catch (const NotAlgebraic& error) {
+    return error.what();
+  }
 }
 
 bool ClosurePoints::vanishes(const GiNaC::ex& expression) {
-  return algebra_.vanishes(algebraic(expression));
+  follow_system();
+  const GiNaC::ex whole = system_.expanded(expression);
+  CircleAlgebra own = algebra_.extended();
+  const GiNaC::ex form = own.algebraic(whole);
+  return own.vanishes(form);
+}
+
+bool ClosurePoints::takes_either_sign(const AuditSymbol& symbol) {
+  return symbol.unknown ||
+         std::any_of(system_.closures().begin(), system_.closures().end(),
+                     [&](const ClosureSystem::Closure& closure) {
+                       const GiNaC::ex slope = system_.partial(closure.expression, symbol.symbol);
+                       return GiNaC::is_a<GiNaC::numeric>(slope) && !slope.is_zero();
+                     });
+}
+
+std::vector<GiNaC::ex> ClosurePoints::telling(const GiNaC::ex& expression) const {
+  const GiNaC::ex whole = system_.expanded(expression);
+  std::vector<GiNaC::ex> angles;
+  std::vector<GiNaC::ex> lengths;
+  for (const bool occurs : {true, false}) {
+    for (const AuditSymbol& symbol : system_.symbols()) {
+      if (whole.has(symbol.symbol) == occurs) {
+        (symbol.angle ? angles : lengths).emplace_back(symbol.symbol);
+      }
+    }
+  }
+  std::vector<GiNaC::ex> list;
+  for (const GiNaC::ex& angle : angles) {
+    list.push_back(GiNaC::cos(angle));
+    list.push_back(GiNaC::sin(angle));
+  }
+  list.insert(list.end(), lengths.begin(), lengths.end());
+  for (const std::vector<GiNaC::ex>* several : {&angles, &lengths}) {
+    for (std::size_t one = 0; one < several->size(); ++one) {
+      for (std::size_t other = 0; other < one; ++other) {
+        const GiNaC::ex difference = (*several)[one] - (*several)[other];
+        const GiNaC::ex sum = (*several)[one] + (*several)[other];
+        if (several == &lengths) {
+          list.push_back(difference);
+          list.push_back(sum);
+          continue;
+        }
+        for (const GiNaC::ex& angle : {difference, sum}) {
+          list.push_back(GiNaC::sin(angle));
+          list.push_back(GiNaC::cos(angle));
+        }
+        list.push_back(GiNaC::sin((*several)[one]) * GiNaC::sin((*several)[other]));
+        list.push_back(GiNaC::cos((*several)[one]) * GiNaC::cos((*several)[other]));
+        list.push_back(GiNaC::sin((*several)[one]) * GiNaC::cos((*several)[other]));
+        list.push_back(GiNaC::cos((*several)[one]) * GiNaC::sin((*several)[other]));
+      }
+      if (several == &angles) {
+        list.push_back(GiNaC::sin(2 * (*several)[one]));
+        list.push_back(GiNaC::cos(2 * (*several)[one]));
+      }
+    }
+  }
+  return list;
+}
+
+std::deque<ClosurePoints::Point> ClosurePoints::points_on_all_branches(const Rooted& rooted,
+                                                                       bool assembled) {
+  constexpr unsigned most_draws = 400;
+  // Rates and total derivatives cost a linear system at each point.
+  const std::size_t wanted = system_.follows_closures(rooted.whole) ? 16 : 64;
+  std::vector<const AuditSymbol*> angles;  // those of the expression first
+  std::vector<const AuditSymbol*> signed_lengths;
+  std::vector<const AuditSymbol*> positive;
+  for (const bool occurs : {true, false}) {
+    for (const AuditSymbol& symbol : system_.symbols()) {
+      if (symbol.angle && rooted.whole.has(symbol.symbol) == occurs) {
+        angles.push_back(&symbol);
+      } else if (!symbol.angle && occurs) {
+        (takes_either_sign(symbol) ? signed_lengths : positive).push_back(&symbol);
+      }
+    }
+  }
+  std::deque<Point> points;
+  for (const bool insists : {true, false}) {  // on lengths that are positive
+    for (unsigned seed = 1; seed <= most_draws && points.size() < wanted; ++seed) {
+      Point point{random_values(seed), {}};
+      // The first three angles go through all their quadrants, the others through random ones.
+      unsigned pattern = (seed & 63U) | (seed * 2654435761U >> 8U) << 6U;
+      for (const AuditSymbol* angle : angles) {
+        const equations::Vector2& direction = algebra_.direction(angle->symbol);
+        for (const GiNaC::ex& part : {direction.x, direction.y}) {
+          GiNaC::ex& value = point.values[part];
+          const GiNaC::ex size = GiNaC::abs(value);
+          value = (pattern & 1U) != 0 ? -size : size;
+          pattern = pattern >> 1U | pattern << 31U;
+        }
+      }
+      for (const AuditSymbol* length : signed_lengths) {
+        pattern = pattern >> 1U | pattern << 31U;
+        point.values[length->symbol] *= (pattern & 1U) != 0 ? -1 : 1;
+      }
+      try {
+        if (assembled) {
+          if (!assemble(point.values)) {
+            return {};
+          }
+          if (system_.follows_closures(rooted.whole)) {
+            invert_jacobian(point);
+          }
+        }
+        const bool admitted =
+            !insists ||
+            std::all_of(positive.begin(), positive.end(), [&](const AuditSymbol* length) {
+              return point.values.at(length->symbol).info(GiNaC::info_flags::positive);
+            });
+        if (admitted) {
+          static_cast<void>(value(rooted, point));
+          points.push_back(std::move(point));
+        }
+      } catch (const std::runtime_error&) {  // a root ends, or the Jacobian is singular, there
+        continue;
+      }
+    }
+    if (!points.empty()) {
+      break;
+    }
+  }
+  return points;
 }
 
 bool ClosurePoints::assemble(GiNaC::exmap& values) {
@@ -167,23 +342,28 @@ void ClosurePoints::solve_rates(Point& point) {
   }
 }
 
-std::optional<ClosurePoints::Point> ClosurePoints::draw(unsigned seed, bool assembled,
-                                                        bool rational_roots) {
+GiNaC::exmap ClosurePoints::random_values(unsigned seed) const {
   FewDigits random(seed);
-  Point point;
+  GiNaC::exmap values;
   for (const AuditSymbol& symbol : system_.symbols()) {
     if (symbol.angle) {
       const auto [cosine, sine] = random.direction();
-      point.values[algebra_.direction(symbol.symbol).x] = cosine;
-      point.values[algebra_.direction(symbol.symbol).y] = sine;
+      values[algebra_.direction(symbol.symbol).x] = cosine;
+      values[algebra_.direction(symbol.symbol).y] = sine;
     } else {
-      point.values[symbol.symbol] = random.length();
+      values[symbol.symbol] = random.length();
     }
     if (symbol.moving) {
-      point.values[symbol.rate] = random.rate();
-      point.values[symbol.second_rate] = random.rate();
+      values[symbol.rate] = random.rate();
+      values[symbol.second_rate] = random.rate();
     }
   }
+  return values;
+}
+
+std::optional<ClosurePoints::Point> ClosurePoints::draw(unsigned seed, bool assembled,
+                                                        bool rational_roots) {
+  Point point{random_values(seed), {}};
   try {
     if (rational_roots && !algebra_.roots_are_rational(point.values)) {
       return std::nullopt;

@@ -35,11 +35,33 @@ class ClosurePoints {
   [[nodiscard]] std::optional<Point> assembled_from(const GiNaC::exmap& values);
   /// The symbols of an angle's cosine and sine in a point's values.
   [[nodiscard]] equations::Vector2 direction(const GiNaC::symbol& angle);
+
+  /// An expression with roots that the closures have not. What it says may depend on their signs.
+  struct Rooted {
+    CircleAlgebra algebra;  ///< of the closures, and then of the expression
+    GiNaC::ex whole;        ///< without abbreviations
+    GiNaC::ex form;         ///< algebraic
+    std::size_t first_own;  ///< root of the expression
+  };
+
+  /// Nothing for an expression without roots of its own. Throws NotAlgebraic.
+  [[nodiscard]] std::optional<Rooted> rooted(const GiNaC::ex& expression);
+  /// Points for such an expression, which go through all quadrants of its angles. Lengths are
+  /// positive, but unknown ones and coordinates take either sign.
+  [[nodiscard]] std::deque<Point> points_on_all_branches(const Rooted& rooted, bool assembled);
+  /// Of the form, with some of its roots negative; throws NotAlgebraic.
+  [[nodiscard]] GiNaC::ex value(const Rooted& rooted, Point& point, unsigned reversed = 0);
+  /// The quantities whose signs may tell branches apart, those of the expressions first: cosines
+  /// and sines of angles and of their sums, lengths and their differences.
+  [[nodiscard]] std::vector<GiNaC::ex> telling(const GiNaC::ex& expression) const;
+
   /// `a3 = 7/10, (cos, sin)(phi1) = (3/5, 4/5)`: the symbols that occur in the expressions.
   [[nodiscard]] std::string point_text(const Point& point,
                                        const std::vector<GiNaC::ex>& shown) const;
   /// Of the expression's algebraic form; throws NotAlgebraic.
   [[nodiscard]] GiNaC::ex value(const GiNaC::ex& expression, Point& point);
+  /// Why the expression has no algebraic form; nothing if it has one.
+  [[nodiscard]] std::optional<std::string> obstacle(const GiNaC::ex& expression);
   /// Whether the expression's algebraic form is zero; throws NotAlgebraic.
   [[nodiscard]] bool vanishes(const GiNaC::ex& expression);
 
@@ -53,6 +75,10 @@ class ClosurePoints {
   void follow_system();
   [[nodiscard]] GiNaC::ex algebraic(const GiNaC::ex& expression);
   [[nodiscard]] std::optional<Point> draw(unsigned seed, bool assembled, bool rational_roots);
+  [[nodiscard]] GiNaC::exmap random_values(unsigned seed) const;
+  /// Whether a length may be negative: it is unknown, or a coordinate.
+  [[nodiscard]] bool takes_either_sign(const AuditSymbol& symbol);
+  void solve_for(const GiNaC::ex& whole, Point& point);
   [[nodiscard]] bool assemble(GiNaC::exmap& values);
   void invert_jacobian(Point& point);
   void solve_sensitivities(const GiNaC::ex& expression, Point& point);

@@ -63,6 +63,15 @@ void ClosureReader::expect_new(const PlacedText& name) const {
   }
 }
 
+void ClosureReader::expect_new_in_formulas(const PlacedText& name) const {
+  const auto functions = formula_functions();
+  if (std::any_of(functions.begin(), functions.end(),
+                  [&](const auto& function) { return function.name == name.text; })) {
+    fail(name.place, "'" + name.text + "' cannot be a name: formulas have a function of that name");
+  }
+  expect_new(name);
+}
+
 std::vector<std::string> ClosureReader::known_names(const PlacedText& list, bool symbols_only) {
   std::vector<std::string> names;
   for (const PlacedText& name : words(list)) {
@@ -91,7 +100,7 @@ void ClosureReader::read_model(const PlacedText& kind) {
 void ClosureReader::read_symbols(const PlacedText& rest, bool angles) {
   const auto [names, meaning] = cut(rest, ':');
   for (const PlacedText& name : words(names)) {
-    expect_new(name);
+    expect_new_in_formulas(name);
     system_.declare(name.text, angles, meaning.text);
   }
 }
@@ -110,7 +119,7 @@ void ClosureReader::read_moving(const PlacedText& rest) {
 
 void ClosureReader::read_abbreviation(const PlacedText& rest) {
   const auto [name, definition] = cut(rest, '=');
-  expect_new(name);
+  expect_new_in_formulas(name);
   system_.abbreviate(name.text, read_formula(definition, system_));
 }
 
@@ -120,8 +129,8 @@ void ClosureReader::read_loop(const PlacedText& rest) {
   if (both.size() != 2) {
     fail(names.place, "expected loop X_CLOSURE Y_CLOSURE = VECTOR");
   }
-  expect_new(both[0]);
-  expect_new(both[1]);
+  expect_new_in_formulas(both[0]);
+  expect_new_in_formulas(both[1]);
   const equations::Vector2 sum = read_vector(vectors, system_);
   system_.close(both[0].text, sum.x);
   system_.close(both[1].text, sum.y);
@@ -132,7 +141,7 @@ void ClosureReader::read_closure(const PlacedText& rest) {
   if (parts.size() < 2 || parts.size() > 3) {
     fail(rest.place, "expected closure NAME = EXPRESSION [= EXPRESSION]");
   }
-  expect_new(parts[0]);
+  expect_new_in_formulas(parts[0]);
   const GiNaC::ex left = read_formula(parts[1], system_);
   system_.close(parts[0].text, parts.size() == 3 ? left - read_formula(parts[2], system_) : left);
 }

@@ -19,6 +19,7 @@ class ClosureReader {
   [[nodiscard]] const std::string& file() const { return file_; }
   [[nodiscard]] const std::string& source() const { return source_; }
   [[nodiscard]] ClosureSystem& system() { return system_; }
+  [[nodiscard]] const ClosureSystem& system() const { return system_; }
   /// The words that its statements begin with.
   [[nodiscard]] static std::vector<std::string> keywords();
 
@@ -26,8 +27,10 @@ class ClosureReader {
   [[nodiscard]] Place place_in_file(Place joined) const { return place_in(statement_, joined); }
   /// Throws AuditSyntaxError; the place is one of the statement's joined text.
   [[noreturn]] void fail(Place joined, const std::string& what) const;
-  /// Throws unless a name can be declared.
+  /// Throws unless a name can be declared for a number.
   void expect_new(const PlacedText& name) const;
+  /// Throws unless a name can be declared for what formulas with derivatives have in them.
+  void expect_new_in_formulas(const PlacedText& name) const;
   /// A name that something outside the system has.
   void reserve(const std::string& name) { reserved_.insert(name); }
   /// The names of a list, all of symbols or of anything in the system. Throws for others.

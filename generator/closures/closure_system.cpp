@@ -16,13 +16,14 @@ void ClosureSystem::abbreviate(const std::string& name, const GiNaC::ex& definit
 
 void ClosureSystem::close(const std::string& name, const GiNaC::ex& expression) {
   ++revision_;
-  closures_.push_back({name, expression});
+  closures_.push_back({name, expression, false});
 }
 
 void ClosureSystem::negate_closure(const std::string& name) {
   for (Closure& closure : closures_) {
     if (closure.name == name) {
       closure.expression = -closure.expression;
+      closure.turned = !closure.turned;
       ++revision_;
     }
   }
@@ -34,10 +35,22 @@ AuditSymbol* ClosureSystem::symbol_named(const std::string& name) {
   return found == symbols_.end() ? nullptr : &*found;
 }
 
+const AuditSymbol* ClosureSystem::symbol_named(const std::string& name) const {
+  const auto found = std::find_if(symbols_.begin(), symbols_.end(),
+                                  [&](const AuditSymbol& symbol) { return symbol.name == name; });
+  return found == symbols_.end() ? nullptr : &*found;
+}
+
 const GiNaC::ex* ClosureSystem::closure_named(const std::string& name) const {
   const auto found = std::find_if(closures_.begin(), closures_.end(),
                                   [&](const Closure& closure) { return closure.name == name; });
   return found == closures_.end() ? nullptr : &found->expression;
+}
+
+GiNaC::ex ClosureSystem::closure_as_typed(const std::string& name) const {
+  const auto found = std::find_if(closures_.begin(), closures_.end(),
+                                  [&](const Closure& closure) { return closure.name == name; });
+  return found->turned ? -found->expression : found->expression;
 }
 
 std::optional<GiNaC::ex> ClosureSystem::meaning_of(const std::string& name) const {

@@ -39,6 +39,7 @@ class ClosureSystem {
   struct Closure {
     std::string name;
     GiNaC::ex expression;
+    bool turned = false;  ///< read the other way round than it was typed
   };
 
   /// D(unknown, parameter), as a symbol.
@@ -55,7 +56,10 @@ class ClosureSystem {
   void negate_closure(const std::string& name);
 
   [[nodiscard]] AuditSymbol* symbol_named(const std::string& name);
+  [[nodiscard]] const AuditSymbol* symbol_named(const std::string& name) const;
   [[nodiscard]] const GiNaC::ex* closure_named(const std::string& name) const;
+  /// The closure as it was typed, whichever way round it is read.
+  [[nodiscard]] GiNaC::ex closure_as_typed(const std::string& name) const;
   [[nodiscard]] bool is_known(const std::string& name) const;
   /// What a name stands for in a formula, or nothing.
   [[nodiscard]] std::optional<GiNaC::ex> meaning_of(const std::string& name) const;

@@ -31,26 +31,83 @@ GiNaC::numeric exact_number(const std::string& text) {
   return value * GiNaC::pow(GiNaC::numeric(10), GiNaC::numeric(exponent));
 }
 
+/// The tree of a text. Throws FormulaError.
+text::Expression tree_of(const PlacedText& text) {
+  if (text.empty()) {
+    throw FormulaError("a formula is missing", text.place);
+  }
+  try {
+    return text::parse_expression(text.text, functions);
+  } catch (const text::ExpressionError& error) {
+    throw FormulaError(error.what(), text.at(error.column));
+  }
+}
+
+/// Goes through a tree.
 class Reader {
  public:
-  Reader(const PlacedText& text, ClosureSystem& system, const LocalNames& locals)
-      : text_(text), system_(system), locals_(locals) {
-    if (text.empty()) {
-      throw FormulaError("a formula is missing", text.place);
+  using PlaceOf = std::function<Place(std::size_t)>;
+
+  Reader(const PlaceOf& place_of, ClosureSystem& system, const LocalNames& locals)
+      : place_of_(place_of), system_(system), locals_(locals) {}
+
+  GiNaC::ex scalar(const text::Expression& node) {
+    if (node.kind == text::Expression::Kind::number) {
+      return number(node);
     }
-    try {
-      tree_ = text::parse_expression(text.text, functions);
-    } catch (const text::ExpressionError& error) {
-      throw FormulaError(error.what(), text.at(error.column));
+    if (node.kind == text::Expression::Kind::name) {
+      return name(node);
     }
+    const std::string& called = node.name;
+    if (called == "point" || called == "polar") {
+      fail("a vector stands where a number is expected", node);
+    }
+    using text::Operation;
+    const GiNaC::ex first = scalar(node.arguments[0]);
+    if (node.arguments.size() == 1) {
+      if (node.operation != Operation::other) {
+        return text::applied<GiNaC::ex>(node.operation, first);
+      }
+      const GiNaC::ex rate = system_.rate(first);
+      return called == "rate" ? rate : system_.rate(rate);
+    }
+    if (called == "d") return system_.partial(first, symbol(node.arguments[1]).symbol);
+    if (called == "D") return total(first, symbol(node.arguments[1]), node);
+    if (called == "derivative") return derivative(node, first);
+    const GiNaC::ex second = scalar(node.arguments[1]);
+    if (node.operation == Operation::divide) return quotient(first, second, node);
+    if (node.operation == Operation::power || node.operation == Operation::other) {  // pow(e, n)
+      return power(first, second, node);
+    }
+    return text::applied<GiNaC::ex>(node.operation, first, second);
   }
 
-  GiNaC::ex scalar() { return scalar(tree_); }
-  equations::Vector2 vector() { return vector(tree_); }
+  equations::Vector2 vector(const text::Expression& node) {
+    const std::string& called = node.name;
+    if (node.kind == text::Expression::Kind::call && called == "point") {
+      return {scalar(node.arguments[0]), scalar(node.arguments[1])};
+    }
+    if (node.kind == text::Expression::Kind::call && called == "polar") {
+      const GiNaC::ex length = scalar(node.arguments[0]);
+      const GiNaC::ex angle = scalar(node.arguments[1]);
+      return {length * GiNaC::cos(angle), length * GiNaC::sin(angle)};
+    }
+    const bool sum = node.kind == text::Expression::Kind::call && (called == "+" || called == "-");
+    if (!sum) {
+      fail("expected a sum of point(x, y) and polar(length, angle)", node);
+    }
+    const equations::Vector2 first = vector(node.arguments[0]);
+    if (node.arguments.size() == 1) {
+      return {-first.x, -first.y};
+    }
+    const equations::Vector2 second = vector(node.arguments[1]);
+    return called == "+" ? equations::Vector2{first.x + second.x, first.y + second.y}
+                         : equations::Vector2{first.x - second.x, first.y - second.y};
+  }
 
  private:
   [[noreturn]] void fail(const std::string& what, const text::Expression& at) const {
-    throw FormulaError(what, text_.at(at.column));
+    throw FormulaError(what, place_of_(at.column));
   }
 
   GiNaC::ex number(const text::Expression& node) const {
@@ -94,34 +151,12 @@ class Reader {
     return above / below;
   }
 
-  GiNaC::ex scalar(const text::Expression& node) {
-    if (node.kind == text::Expression::Kind::number) {
-      return number(node);
-    }
-    if (node.kind == text::Expression::Kind::name) {
-      return name(node);
-    }
-    const std::string& called = node.name;
-    if (called == "point" || called == "polar") {
-      fail("a vector stands where a number is expected", node);
-    }
-    using text::Operation;
-    const GiNaC::ex first = scalar(node.arguments[0]);
-    if (node.arguments.size() == 1) {
-      if (node.operation != Operation::other) {
-        return text::applied<GiNaC::ex>(node.operation, first);
-      }
-      const GiNaC::ex rate = system_.rate(first);
-      return called == "rate" ? rate : system_.rate(rate);
-    }
-    if (called == "d") return system_.partial(first, symbol(node.arguments[1]).symbol);
-    if (called == "D") return total(first, symbol(node.arguments[1]), node);
-    const GiNaC::ex second = scalar(node.arguments[1]);
-    if (node.operation == Operation::divide) return quotient(first, second, node);
-    if (node.operation == Operation::power || node.operation == Operation::other) {  // pow(e, n)
-      return power(first, second, node);
-    }
-    return text::applied<GiNaC::ex>(node.operation, first, second);
+  GiNaC::ex derivative(const text::Expression& node, const GiNaC::ex& of) {
+    const text::Expression& argument = node.arguments[0];
+    const AuditSymbol& by = symbol(node.arguments[1]);
+    const bool closure = argument.kind == text::Expression::Kind::name &&
+                         system_.closure_named(resolved(argument.name)) != nullptr;
+    return closure ? system_.partial(of, by.symbol) : total(of, by, node);
   }
 
   GiNaC::ex total(const GiNaC::ex& expression, const AuditSymbol& by, const text::Expression& at) {
@@ -142,44 +177,30 @@ class Reader {
     return GiNaC::pow(base, exponent);
   }
 
-  equations::Vector2 vector(const text::Expression& node) {
-    const std::string& called = node.name;
-    if (node.kind == text::Expression::Kind::call && called == "point") {
-      return {scalar(node.arguments[0]), scalar(node.arguments[1])};
-    }
-    if (node.kind == text::Expression::Kind::call && called == "polar") {
-      const GiNaC::ex length = scalar(node.arguments[0]);
-      const GiNaC::ex angle = scalar(node.arguments[1]);
-      return {length * GiNaC::cos(angle), length * GiNaC::sin(angle)};
-    }
-    const bool sum = node.kind == text::Expression::Kind::call && (called == "+" || called == "-");
-    if (!sum) {
-      fail("expected a sum of point(x, y) and polar(length, angle)", node);
-    }
-    const equations::Vector2 first = vector(node.arguments[0]);
-    if (node.arguments.size() == 1) {
-      return {-first.x, -first.y};
-    }
-    const equations::Vector2 second = vector(node.arguments[1]);
-    return called == "+" ? equations::Vector2{first.x + second.x, first.y + second.y}
-                         : equations::Vector2{first.x - second.x, first.y - second.y};
-  }
-
-  const PlacedText& text_;
+  const PlaceOf& place_of_;
   ClosureSystem& system_;
   const LocalNames& locals_;
-  text::Expression tree_;
 };
 
 }  // namespace
 
 GiNaC::ex read_formula(const PlacedText& text, ClosureSystem& system, const LocalNames& locals) {
-  return Reader(text, system, locals).scalar();
+  const Reader::PlaceOf place_of = [&](std::size_t column) { return text.at(column); };
+  return Reader(place_of, system, locals).scalar(tree_of(text));
 }
+
+GiNaC::ex expression_of(const text::Expression& tree,
+                        const std::function<Place(std::size_t)>& place_of, ClosureSystem& system) {
+  const LocalNames none;
+  return Reader(place_of, system, none).scalar(tree);
+}
+
+std::span<const text::ExpressionFunction> formula_functions() { return functions; }
 
 equations::Vector2 read_vector(const PlacedText& text, ClosureSystem& system) {
   const LocalNames none;
-  return Reader(text, system, none).vector();
+  const Reader::PlaceOf place_of = [&](std::size_t column) { return text.at(column); };
+  return Reader(place_of, system, none).vector(tree_of(text));
 }
 
 }  // namespace assur::generator::closures

@@ -1,6 +1,10 @@
 // Turns the text of a printed formula into an expression in the symbols of a closure system.
 #pragma once
 
+#include <assur/text/expression.hpp>
+#include <functional>
+#include <span>
+
 #include "closures/closure_system.hpp"
 #include "closures/statement.hpp"
 
@@ -22,6 +26,16 @@ struct LocalNames {
 /// x), rate(e), rate2(e) (see ClosureSystem) and pow(e, n). Throws FormulaError.
 [[nodiscard]] GiNaC::ex read_formula(const PlacedText& text, ClosureSystem& system,
                                      const LocalNames& locals = {});
+
+/// The expression of a tree that another reader has made. `place_of` tells where a column is.
+/// Beside the functions above a tree may have `derivative` of two arguments: the partial one of a
+/// closure, the total one of all else.
+[[nodiscard]] GiNaC::ex expression_of(const text::Expression& tree,
+                                      const std::function<Place(std::size_t)>& place_of,
+                                      ClosureSystem& system);
+
+/// What a formula may call beside the functions of scenes.
+[[nodiscard]] std::span<const text::ExpressionFunction> formula_functions();
 
 /// A sum of vectors point(x, y), polar(length, angle) and multiples of them.
 [[nodiscard]] equations::Vector2 read_vector(const PlacedText& text, ClosureSystem& system);

@@ -5,6 +5,7 @@
 
 #include "audit/audit.hpp"
 #include "audit/audit_report.hpp"
+#include "audit/latex/paper_audit.hpp"
 #include "audit/scene/scene_values.hpp"
 #include "command/output.hpp"
 
@@ -20,7 +21,9 @@ bool run_audit(const AuditOptions& options) {
   }
   std::vector<audit::AuditReport> reports;
   for (const std::string& file : options.files) {
-    reports.push_back(audit::audit_file(file, audit::scene::scene_values, run));
+    reports.push_back(options.map.empty()
+                          ? audit::audit_file(file, audit::scene::scene_values, run)
+                          : audit::latex::audit_paper(file, options.map));
   }
   print(options.format == "json"       ? audit::audit_report_json(reports)
         : options.format == "markdown" ? audit::audit_report_markdown(reports)

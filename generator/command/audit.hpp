@@ -8,6 +8,7 @@ namespace assur::generator::command {
 
 struct AuditOptions {
   std::vector<std::string> files;
+  std::string map;  ///< of papers in LaTeX: what their notation stands for
   std::string format = "text";
   bool run = false;   ///< may programs be run?
   std::string flags;  ///< for their compiler, between spaces

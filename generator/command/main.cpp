@@ -154,7 +154,10 @@ int run(int argc, char** argv) {
 
   AuditOptions audit;
   command = app.add_subcommand("audit", "what a source prints against what the derivation says");
-  command->add_option("files", audit.files, "audit files")->required();
+  command->add_option("files", audit.files, "audit files, or papers in LaTeX with --map")
+      ->required();
+  command->add_option("--map", audit.map, "what the notation of the papers stands for")
+      ->check(not_empty);
   command->add_option("--format", audit.format)
       ->check(CLI::IsMember({"text", "markdown", "json", "github"}))
       ->capture_default_str();

@@ -1,0 +1,78 @@
+// Turns a map, which ties the notation of a paper to quantities, into what reads the paper.
+#pragma once
+
+#include "audit/equation_audit.hpp"
+#include "closures/closure_reader.hpp"
+#include "latex/displayed.hpp"
+#include "latex/read_latex.hpp"
+
+namespace assur::generator::audit::latex {
+
+using generator::latex::DisplayCommand;
+using generator::latex::Notations;
+using generator::latex::Tokens;
+
+/// What the paper's equations are read by. docs/audit_format.md tells the form of its file.
+class PaperMap {
+ public:
+  /// Throws InputError.
+  PaperMap(const std::string& text, const std::string& file);
+  PaperMap(const PaperMap&) = delete;
+  PaperMap& operator=(const PaperMap&) = delete;
+
+  /// A notation that stands for a whole matrix.
+  struct Matrix {
+    std::vector<std::string> pattern;
+    std::string rows;  ///< empty: as its titles say
+    std::string columns;
+  };
+
+  [[nodiscard]] closures::ClosureReader& reader() { return reader_; }
+  [[nodiscard]] const closures::ClosureSystem& system() const { return reader_.system(); }
+  [[nodiscard]] const Notations& notations() const { return notations_; }
+  [[nodiscard]] generator::latex::Reading reading() const {
+    return {notations_, brackets_multiply_, blanks_are_zero_, summed_};
+  }
+  [[nodiscard]] const std::map<std::string, std::vector<std::string>>& indices() const {
+    return indices_;
+  }
+  [[nodiscard]] const std::map<std::string, std::vector<std::string>>& summed() const {
+    return summed_;
+  }
+  [[nodiscard]] const std::map<std::string, DisplayCommand>& commands() const { return commands_; }
+  [[nodiscard]] bool skips(const std::string& label, const std::string& section) const {
+    return skipped_.contains(label) || skipped_sections_.contains(section);
+  }
+  /// The frame of the matrix whose notation these tokens are as a whole, or nothing; both lists are
+  /// empty where its titles say them. Throws FormulaError for names that are not known.
+  [[nodiscard]] std::optional<PrintedMatrix> matrix_frame(const Tokens& notation) const;
+  /// The names of a list such as `f1 f2` or `a1..13`.
+  [[nodiscard]] std::vector<std::string> names(const std::string& list, bool symbols_only,
+                                               closures::Place place) const;
+
+ private:
+  void read(const closures::Statement& statement);
+  void read_closures(const closures::PlacedText& file);
+  void read_display(const closures::PlacedText& rest);
+  void read_index(const closures::PlacedText& rest,
+                  std::map<std::string, std::vector<std::string>>& list);
+  void read_skip(const closures::PlacedText& rest);
+  void read_notation(const closures::PlacedText& line);
+  /// The quantity that a symbol among the tokens stands for.
+  [[nodiscard]] std::string quantity_named(const std::string& symbol, const Tokens& tokens) const;
+  [[noreturn]] void fail(closures::Place place, const std::string& what) const;
+
+  std::string file_;
+  closures::ClosureReader reader_;
+  Notations notations_;
+  std::vector<Matrix> matrices_;
+  std::map<std::string, std::vector<std::string>> indices_;
+  std::map<std::string, std::vector<std::string>> summed_;
+  std::map<std::string, DisplayCommand> commands_;
+  std::set<std::string> skipped_;
+  std::set<std::string> skipped_sections_;
+  bool brackets_multiply_ = false;
+  bool blanks_are_zero_ = false;
+};
+
+}  // namespace assur::generator::audit::latex

@@ -1,0 +1,193 @@
+#include "latex/macros.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace assur::generator::latex {
+
+namespace {
+
+/// No paper needs as many; definitions that use each other have no end.
+constexpr std::size_t most_replacements = 20000;
+constexpr std::size_t most_tokens = 2000000;
+
+struct Macro {
+  std::size_t arguments = 0;
+  Tokens body;
+  bool readable = true;  ///< its definition has a form that is followed here
+};
+
+class Expander {
+ public:
+  Expander(const Tokens& tokens, const std::set<std::string>& kept) : kept_(kept) {
+    rest_.assign(tokens.rbegin(), tokens.rend());
+  }
+
+  Tokens run() {
+    while (!rest_.empty()) {
+      const Token token = next();
+      if (token.is("\\newcommand") || token.is("\\renewcommand") || token.is("\\providecommand")) {
+        define_command();
+      } else if (token.is("\\def")) {
+        define_plainly();
+      } else if (token.is("\\DeclareMathOperator")) {
+        define_operator();
+      } else if (const auto macro = macros_.find(token.text); macro != macros_.end()) {
+        replace(token, macro->second);
+      } else {
+        result_.push_back(token);
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  Token next() {
+    Token token = std::move(rest_.back());
+    rest_.pop_back();
+    last_ = token.place;
+    return token;
+  }
+
+  bool take(const char* text) {
+    if (rest_.empty() || !rest_.back().is(text)) {
+      return false;
+    }
+    static_cast<void>(next());
+    return true;
+  }
+
+  Tokens argument() {
+    Tokens found;
+    std::size_t depth = 0;
+    do {
+      if (rest_.empty()) {
+        throw FormulaError("the file ends within an argument", last_);
+      }
+      found.push_back(next());
+      depth += found.back().is("{") ? 1 : 0;
+      if (found.back().is("}")) {
+        if (depth == 0) {
+          throw FormulaError("an argument is missing", last_);
+        }
+        --depth;
+      }
+    } while (depth > 0);
+    if (found[0].is("{")) {
+      found.erase(found.begin());
+      found.pop_back();
+    }
+    return found;
+  }
+
+  /// The text between brackets, if one is opened here.
+  std::string optional_argument() {
+    std::string text;
+    if (take("[")) {
+      while (!take("]")) {
+        if (rest_.empty()) {
+          throw FormulaError("a bracket is not closed", last_);
+        }
+        text += next().text;
+      }
+    }
+    return text;
+  }
+
+  void define(const Tokens& name, Macro macro) {
+    if (name.size() == 1 && name[0].is_command() && !kept_.contains(name[0].text)) {
+      macros_[name[0].text] = std::move(macro);
+    }
+  }
+
+  void define_command() {
+    take("*");
+    const Tokens name = argument();
+    const std::string count = optional_argument();
+    const bool defaults = !optional_argument().empty();
+    const bool digit = count.size() == 1 && count[0] >= '0' && count[0] <= '9';
+    define(name, {digit ? static_cast<std::size_t>(count[0] - '0') : 0, argument(),
+                  !defaults && (digit || count.empty())});
+  }
+
+  void define_plainly() {
+    const Tokens name = argument();
+    Macro macro;
+    while (take("#")) {
+      macro.readable = macro.readable && !rest_.empty() && next().is_digit();
+      ++macro.arguments;
+    }
+    while (!rest_.empty() && !rest_.back().is("{")) {
+      macro.readable = false;
+      static_cast<void>(next());
+    }
+    macro.body = argument();
+    define(name, std::move(macro));
+  }
+
+  void define_operator() {
+    take("*");
+    const Tokens name = argument();
+    Tokens body = argument();
+    if (body.empty()) {
+      return;
+    }
+    Token token = body[0];
+    const auto made = [&](const char* text) {
+      token.text = text;
+      return token;
+    };
+    body.insert(body.begin(), {made("\\operatorname"), made("{")});
+    body.push_back(made("}"));
+    define(name, {0, body});
+  }
+
+  void replace(const Token& call, const Macro& macro) {
+    if (!macro.readable) {
+      throw FormulaError("the definition of " + call.text + " cannot be followed; write it out",
+                         call.place);
+    }
+    if (++replacements_ > most_replacements) {
+      throw FormulaError("the definition of " + call.text + " has no end", call.place);
+    }
+    std::vector<Tokens> arguments;
+    while (arguments.size() < macro.arguments) {
+      arguments.push_back(argument());
+    }
+    Tokens made;
+    for (std::size_t at = 0; at < macro.body.size(); ++at) {
+      const bool place = macro.body[at].is("#") && at + 1 < macro.body.size();
+      const std::size_t number = place && macro.body[at + 1].is_digit()
+                                     ? static_cast<std::size_t>(macro.body[at + 1].text[0] - '0')
+                                     : 0;
+      if (number >= 1 && number <= arguments.size()) {
+        made.insert(made.end(), arguments[number - 1].begin(), arguments[number - 1].end());
+        ++at;
+        continue;
+      }
+      made.push_back(macro.body[at]);
+      made.back().place = call.place;
+      made.back().from = call.from;
+      made.back().to = call.to;
+    }
+    if (rest_.size() + made.size() > most_tokens) {
+      throw FormulaError("the definition of " + call.text + " has no end", call.place);
+    }
+    rest_.insert(rest_.end(), made.rbegin(), made.rend());
+  }
+
+  const std::set<std::string>& kept_;
+  Tokens rest_;  ///< in reverse
+  Tokens result_;
+  std::map<std::string, Macro> macros_;
+  std::size_t replacements_ = 0;
+  Place last_{1, 1};
+};
+
+}  // namespace
+
+Tokens expanded(const Tokens& tokens, const std::set<std::string>& kept) {
+  return Expander(tokens, kept).run();
+}
+
+}  // namespace assur::generator::latex

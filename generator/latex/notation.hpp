@@ -1,0 +1,76 @@
+// Turns symbols as a paper writes them, with accents, indices and primes, into the names of
+// quantities.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "latex/tokens.hpp"
+
+namespace assur::generator::latex {
+
+/// A letter, a Greek letter or an upright word, with accents, index, superscript and primes. Two
+/// ways to write one symbol, such as `\dot\theta_1` and `\dot{\theta}_{1}`, have one name.
+struct Atom {
+  std::string name;  ///< `theta_1`, without dots and superscript
+  std::string superscript;
+  Tokens power;  ///< the superscript's tokens, if it could be a power
+  int dots = 0;
+  std::size_t end = 0;  ///< behind it
+};
+
+/// The symbol that begins at a token, or nothing. Throws FormulaError for an index twice.
+[[nodiscard]] std::optional<Atom> read_atom(const Tokens& tokens, std::size_t at);
+
+/// What a notation of the map stands for.
+struct Meaning {
+  std::string formula;  ///< in the syntax of audit files; empty: the paper defines it
+  std::string name;     ///< as the paper writes it
+  Tokens power;         ///< that stands behind it
+  int dots = 0;         ///< that stand above it and are not the notation's
+  std::size_t end = 0;  ///< the token behind it
+};
+
+/// The notations of a map.
+class Notations {
+ public:
+  /// Whether a name is that of a quantity.
+  using Declared = std::function<bool(const std::string&)>;
+
+  explicit Notations(Declared declared) : declared_(std::move(declared)) {}
+
+  /// A notation may be several symbols, and a `?` in it stands for any text, which is put in place
+  /// of the `?` of the formula, in their order, commas as underscores; the last for all that
+  /// follow. An empty formula: the paper defines it.
+  void add(const Tokens& notation, const std::string& formula);
+
+  /// What stands at a token: by the longest notation of the map; or else by the name of a quantity
+  /// that is spelled as the symbol is, `a_{1}` as `a_1` or `a1`. Nothing if there is none. Throws
+  /// FormulaError where letters may be one name or a product.
+  [[nodiscard]] std::optional<Meaning> at(const Tokens& tokens, std::size_t at) const;
+
+ private:
+  struct Notation {
+    std::vector<std::string> pattern;
+    std::string formula;
+  };
+
+  [[nodiscard]] std::optional<Meaning> match(const Notation& notation, const Tokens& tokens,
+                                             std::size_t at) const;
+  [[nodiscard]] std::optional<Meaning> by_spelling(const Tokens& tokens, std::size_t at) const;
+  void refuse_words(const Tokens& tokens, std::size_t at) const;
+
+  Declared declared_;
+  std::vector<Notation> notations_;  ///< the longest first
+};
+
+/// The symbols of a whole side, so that two ways to write it compare equal.
+[[nodiscard]] std::vector<std::string> symbols_of(const Tokens& tokens);
+/// What the `?` of a pattern stand for in symbols that it matches.
+[[nodiscard]] std::optional<std::vector<std::string>> matched(
+    const std::vector<std::string>& pattern, const std::vector<std::string>& symbols);
+/// The formula with each `?` replaced.
+[[nodiscard]] std::string filled(const std::string& formula,
+                                 const std::vector<std::string>& captured);
+
+}  // namespace assur::generator::latex

@@ -1,0 +1,51 @@
+// Turns LaTeX into tokens, each with its line and column.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "closures/read_formula.hpp"
+
+namespace assur::generator::latex {
+
+using closures::FormulaError;
+using closures::Place;
+
+/// A control sequence with its backslash, or one character. White space and comments are no tokens.
+struct Token {
+  std::string text;
+  Place place;
+  std::size_t from = 0;  ///< where it stands in the file, in bytes
+  std::size_t to = 0;
+  bool spaced = false;  ///< white space stands before it
+
+  [[nodiscard]] bool is(const char* other) const { return text == other; }
+  [[nodiscard]] bool is_letter() const;
+  [[nodiscard]] bool is_digit() const;
+  [[nodiscard]] bool is_command() const { return text.size() > 1 && text[0] == '\\'; }
+};
+
+using Tokens = std::vector<Token>;
+
+template <typename List>
+[[nodiscard]] bool contains(const List& list, const std::string& word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+/// The tokens of a file; what stands in verbatim is left out. Throws InputError for a text that is
+/// not UTF-8, and FormulaError for a backslash that ends it.
+[[nodiscard]] Tokens tokens_of(const std::string& text, const std::string& file);
+
+/// The place behind the group, or behind the single token, that begins at `at`.
+[[nodiscard]] std::size_t end_of_argument(const Tokens& tokens, std::size_t at);
+/// What stands in the argument that begins at `at`, without its braces; `at` is moved behind it.
+[[nodiscard]] Tokens take_argument(const Tokens& tokens, std::size_t& at);
+/// The characters of tokens one after the other, as in the name of an environment.
+[[nodiscard]] std::string letters_of(const Tokens& tokens);
+/// Horizontal space that is no separation of formulas: `\,` and its like.
+[[nodiscard]] bool is_thin_space(const Token& token);
+/// What changes the look of a formula and nothing else: `\displaystyle`, `\allowbreak`, `\left`.
+[[nodiscard]] bool is_layout(const Token& token);
+
+}  // namespace assur::generator::latex

@@ -1,0 +1,248 @@
+// Law: a statement with roots is called true, false, or right on one branch as its values in double
+// precision are, at thousands of configurations found without the audit.
+#include <gtest/gtest.h>
+
+#include <assur/text/expression.hpp>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <numbers>
+#include <random>
+
+#include "audit/audit.hpp"
+
+namespace assur::test::roots_test {
+namespace {
+
+using namespace generator::audit;
+
+constexpr unsigned seed = 1967;
+constexpr int configurations = 4000;
+
+enum class Truth : unsigned char { always, never, on_one_branch };
+
+using Values = std::map<std::string, double>;
+
+class Random {
+ public:
+  double operator()(double low, double high) {
+    return low + (high - low) * std::generate_canonical<double, 53>(engine_);
+  }
+  bool coin() { return (engine_() & 1U) != 0; }
+
+ private:
+  std::mt19937 engine_{seed};
+};
+
+/// A mechanism: how an audit file declares it, and a random configuration of it.
+struct Mechanism {
+  const char* name;
+  const char* declared;
+  Values (*configuration)(Random&);
+};
+
+const Mechanism numbers{"numbers", "length a b c\nangle t u\n", [](Random& random) -> Values {
+                          return {{"a", random(0.1, 3)},
+                                  {"b", random(0.1, 3)},
+                                  {"c", random(0.1, 3)},
+                                  {"t", random(-3.14, 3.14)},
+                                  {"u", random(-3.14, 3.14)}};
+                        }};
+
+const Mechanism slider_crank{"slider_crank",
+                             "angle phi theta\nlength r l s\nunknown theta s\nmoving phi\n"
+                             "loop f1 f2 = polar(r, phi) + polar(l, theta) - point(s, 0)\n",
+                             [](Random& random) -> Values {
+                               const double r = random(0.1, 3);
+                               const double phi = random(-3.14, 3.14);
+                               const double l = std::abs(r * std::sin(phi)) + random(0.01, 2);
+                               const double up = std::asin(-r * std::sin(phi) / l);
+                               const double theta = random.coin() ? up : std::numbers::pi - up;
+                               return {{"r", r},
+                                       {"l", l},
+                                       {"phi", phi},
+                                       {"theta", theta},
+                                       {"s", r * std::cos(phi) + l * std::cos(theta)}};
+                             }};
+
+const Mechanism dyad{
+    "dyad",
+    "angle p q\nlength b c x y\nunknown p q\n"
+    "loop f1 f2 = polar(b, p) + polar(c, q) - point(x, y)\n"
+    "let w = x^2 + y^2\n"
+    "let h = sqrt(4*b^2*w - (w + b^2 - c^2)^2)\n",
+    [](Random& random) -> Values {
+      const double b = random(0.1, 3);
+      const double c = random(0.1, 3);
+      const double p = random(-3.14, 3.14);
+      const double q = random(-3.14, 3.14);
+      const double x = b * std::cos(p) + c * std::cos(q);
+      const double y = b * std::sin(p) + c * std::sin(q);
+      const double w = x * x + y * y;
+      const double under = 4 * b * b * w - (w + b * b - c * c) * (w + b * b - c * c);
+      return {{"b", b}, {"c", c}, {"p", p}, {"q", q},
+              {"x", x}, {"y", y}, {"w", w}, {"h", std::sqrt(std::max(under, 0.0))}};
+    }};
+
+struct Statement {
+  const Mechanism* mechanism;
+  const char* left;
+  const char* right;
+  Truth truth;
+  bool angles = false;  ///< equal up to whole turns
+};
+
+const std::vector<Statement> statements = {
+    // Roots of squares.
+    {&numbers, "cos(t)", "sqrt(1 - sin(t)^2)", Truth::on_one_branch},
+    {&numbers, "cos(t)", "-sqrt(1 - sin(t)^2)", Truth::on_one_branch},
+    {&numbers, "sin(t)", "sqrt(1 - cos(t)^2)", Truth::on_one_branch},
+    {&numbers, "cos(t)^2", "sqrt(1 - sin(t)^2)^2", Truth::always},
+    {&numbers, "cos(t)^2", "sqrt((1 - sin(t)^2)^2)", Truth::always},
+    {&numbers, "cos(t)", "sqrt(1 + sin(t)^2)", Truth::never},
+    {&numbers, "sqrt(a^2)", "a", Truth::always},
+    {&numbers, "sqrt((a - b)^2)", "a - b", Truth::on_one_branch},
+    {&numbers, "sqrt((a + b)^2)", "a + b", Truth::always},
+    {&numbers, "sqrt(a^2 + b^2)", "a + b", Truth::never},
+    {&numbers, "sqrt(a)*sqrt(b)", "sqrt(a*b)", Truth::always},
+    {&numbers, "sqrt(a)/sqrt(b)", "sqrt(a/b)", Truth::always},
+    {&numbers, "sqrt(a) + sqrt(b)", "sqrt(a + b + 2*sqrt(a*b))", Truth::always},
+    {&numbers, "sqrt(a) - sqrt(b)", "sqrt(a + b - 2*sqrt(a*b))", Truth::on_one_branch},
+    {&numbers, "sqrt(a) + sqrt(b)", "sqrt(a + b)", Truth::never},
+    {&numbers, "1/(sqrt(a) + sqrt(b))", "(sqrt(a) - sqrt(b))/(a - b)", Truth::always},
+    {&numbers, "sqrt(a^2 + b^2 + 2*a*b*cos(t))", "a + b*cos(t)", Truth::never},
+    {&numbers, "sin(2*t)", "2*sin(t)*sqrt(1 - sin(t)^2)", Truth::on_one_branch},
+    {&numbers, "sin(t)*cos(u)", "sqrt(1 - cos(t)^2)*sqrt(1 - sin(u)^2)", Truth::on_one_branch},
+    {&numbers, "cos(t - u)", "cos(t)*cos(u) + sqrt((1 - cos(t)^2)*(1 - cos(u)^2))",
+     Truth::on_one_branch},
+    {&numbers, "sqrt(2 - 2*cos(2*t))", "2*sin(t)", Truth::on_one_branch},
+    {&numbers, "sqrt(2 - 2*cos(2*t))^2", "4*sin(t)^2", Truth::always},
+    {&numbers, "tan(t)", "sqrt(1/cos(t)^2 - 1)", Truth::on_one_branch},
+    {&numbers, "sqrt(a)", "-sqrt(a)", Truth::never},
+    // Inverse functions.
+    {&numbers, "t", "acos(cos(t))", Truth::on_one_branch, true},
+    {&numbers, "t", "asin(sin(t))", Truth::on_one_branch, true},
+    {&numbers, "t", "atan2(sin(t), cos(t))", Truth::always, true},
+    {&numbers, "t", "atan2(a*sin(t), a*cos(t))", Truth::always, true},
+    {&numbers, "t", "atan2(cos(t), sin(t))", Truth::never, true},
+    {&numbers, "t", "atan(tan(t))", Truth::on_one_branch, true},
+    {&numbers, "cos(acos(sin(t)))", "sin(t)", Truth::always},
+    {&numbers, "sin(acos(cos(t)))", "sin(t)", Truth::on_one_branch},
+    {&numbers, "cos(atan2(b, a))", "a/sqrt(a^2 + b^2)", Truth::always},
+    {&numbers, "cos(atan2(b, a))", "b/sqrt(a^2 + b^2)", Truth::never},
+    // The slider-crank.
+    {&slider_crank, "s", "r*cos(phi) + sqrt(l^2 - r^2*sin(phi)^2)", Truth::on_one_branch},
+    {&slider_crank, "s", "r*cos(phi) - sqrt(l^2 - r^2*sin(phi)^2)", Truth::on_one_branch},
+    {&slider_crank, "(s - r*cos(phi))^2", "sqrt(l^2 - r^2*sin(phi)^2)^2", Truth::always},
+    {&slider_crank, "s", "r*cos(phi) + sqrt(l^2 + r^2*sin(phi)^2)", Truth::never},
+    {&slider_crank, "s", "r*cos(phi) + sqrt(l^2 - r^2*cos(phi)^2)", Truth::never},
+    {&slider_crank, "s", "r*sin(phi) + sqrt(l^2 - r^2*sin(phi)^2)", Truth::never},
+    {&slider_crank, "s", "r*cos(phi) + l*cos(asin(r*sin(phi)/l))", Truth::on_one_branch},
+    {&slider_crank, "theta", "asin(-r*sin(phi)/l)", Truth::on_one_branch, true},
+    {&slider_crank, "theta", "asin(r*sin(phi)/l)", Truth::never, true},
+    {&slider_crank, "theta", "acos((s - r*cos(phi))/l)", Truth::on_one_branch, true},
+    {&slider_crank, "theta", "atan2(-r*sin(phi), s - r*cos(phi))", Truth::always, true},
+    {&slider_crank, "theta", "pi - asin(-r*sin(phi)/l)", Truth::on_one_branch, true},
+    {&slider_crank, "sqrt(s^2)", "s", Truth::on_one_branch},
+    {&slider_crank, "sqrt((s - r*cos(phi))^2 + r^2*sin(phi)^2)", "l", Truth::always},
+    // The dyad RRR.
+    {&dyad, "b*cos(p)", "((w + b^2 - c^2)*x + h*y)/(2*w)", Truth::on_one_branch},
+    {&dyad, "b*cos(p)", "((w + b^2 - c^2)*x - h*y)/(2*w)", Truth::on_one_branch},
+    {&dyad, "b*sin(p)", "((w + b^2 - c^2)*y - h*x)/(2*w)", Truth::on_one_branch},
+    {&dyad, "b*sin(p)", "((w + b^2 + c^2)*y - h*x)/(2*w)", Truth::never},
+    {&dyad, "h", "2*b*c*sin(q - p)", Truth::on_one_branch},
+    {&dyad, "h^2", "4*b^2*c^2*sin(q - p)^2", Truth::always},
+    {&dyad, "p", "atan2(y, x) + acos((w + b^2 - c^2)/(2*b*sqrt(w)))", Truth::on_one_branch, true},
+    {&dyad, "p", "atan2(y, x) - acos((w + b^2 - c^2)/(2*b*sqrt(w)))", Truth::on_one_branch, true},
+    {&dyad, "p", "atan2(y, x) + acos((w + c^2 - b^2)/(2*c*sqrt(w)))", Truth::never, true},
+    {&dyad, "q", "atan2(y - b*sin(p), x - b*cos(p))", Truth::always, true},
+    {&dyad, "q - p", "acos((w - b^2 - c^2)/(2*b*c))", Truth::on_one_branch, true},
+    {&dyad, "sqrt(w)", "sqrt(b^2 + c^2 + 2*b*c*cos(p - q))", Truth::always},
+    {&dyad, "sqrt(w)", "sqrt(b^2 + c^2 - 2*b*c*cos(p - q))", Truth::never}};
+
+double value(const char* formula, const Values& values) {
+  return text::evaluate<double>(text::parse_expression(formula),
+                                [&](const std::string& name) { return values.at(name); });
+}
+
+/// What the statement's values say.
+Truth numeric_truth(const Statement& statement) {
+  constexpr double tolerance = 1e-6;
+  Random random;
+  int right = 0;
+  int wrong = 0;
+  for (int count = 0; count < configurations; ++count) {
+    const Values values = statement.mechanism->configuration(random);
+    double difference = value(statement.left, values) - value(statement.right, values);
+    if (!std::isfinite(difference)) {
+      continue;
+    }
+    difference = statement.angles ? std::remainder(difference, 2 * std::numbers::pi) : difference;
+    ++(std::abs(difference) < tolerance ? right : wrong);
+  }
+  EXPECT_GT(right + wrong, configurations / 20) << statement.left << " = " << statement.right;
+  // A few values are equal by chance, or differ near a singularity.
+  const int few = (right + wrong) / 100;
+  return wrong <= few ? Truth::always : right <= few ? Truth::never : Truth::on_one_branch;
+}
+
+TEST(Roots, StatementsAreDecidedAsTheirValuesAre) {
+  std::map<Truth, int> count;
+  int undecided = 0;
+  for (const Statement& statement : statements) {
+    const std::string text = std::string(statement.left) + " = " + statement.right;
+    ASSERT_EQ(numeric_truth(statement), statement.truth) << text;
+    const AuditReport report =
+        audit_text(statement.mechanism->declared + ("printed equation (1) : " + text) + "\n", "r");
+    const Comparison& comparison = report.statements.at(0).findings.at(0).comparison;
+    ++count[statement.truth];
+    undecided += comparison.verdict == Verdict::undecided ? 1 : 0;
+    const bool decided = statement.truth == Truth::always ? comparison.verdict == Verdict::agrees
+                         : statement.truth == Truth::never
+                             ? comparison.verdict == Verdict::differs ||
+                                   comparison.verdict == Verdict::differs_by_sign
+                             : comparison.verdict == Verdict::on_one_branch;
+    EXPECT_TRUE(decided) << text << ": " << verdict_text(comparison.verdict) << ", "
+                         << comparison.evidence;
+    if (comparison.verdict == Verdict::on_one_branch) {
+      EXPECT_NE(comparison.evidence.find("; not where "), std::string::npos);
+      EXPECT_FALSE(comparison.point.empty());
+      EXPECT_FALSE(comparison.difference.empty());
+    }
+  }
+  std::cout << statements.size() << " statements: " << count[Truth::always] << " true, "
+            << count[Truth::never] << " false, " << count[Truth::on_one_branch]
+            << " true on one branch, " << undecided << " undecided; seed " << seed << "\n";
+  EXPECT_GE(statements.size(), 40U);
+}
+
+TEST(Roots, ABranchIsToldByASignAndAPointOfEach) {
+  const auto evidence = [](const std::string& declared, const std::string& equation) {
+    return audit_text(declared + "printed equation (1) : " + equation + "\n", "r")
+        .statements.at(0)
+        .findings.at(0)
+        .comparison.evidence;
+  };
+  const std::string cosine = evidence(numbers.declared, "cos(t) = sqrt(1 - sin(t)^2)");
+  EXPECT_TRUE(cosine.starts_with("holds where cos(t) > 0, as at (cos, sin)(t) = (")) << cosine;
+  EXPECT_NE(cosine.find("; not where cos(t) < 0, as at (cos, sin)(t) = (-"), std::string::npos);
+  EXPECT_TRUE(evidence(slider_crank.declared, "s = r*cos(phi) + sqrt(l^2 - r^2*sin(phi)^2)")
+                  .starts_with("holds where cos(theta) > 0, as at "));
+  EXPECT_TRUE(
+      evidence(dyad.declared, "h = 2*b*c*sin(q - p)").starts_with("holds where sin(p - q) < 0"))
+      << evidence(dyad.declared, "h = 2*b*c*sin(q - p)");
+}
+
+TEST(Roots, WhatHasNoRealRootIsUndecidedAndSaysSo) {
+  const Comparison comparison =
+      audit_text(std::string(numbers.declared) + "printed equation (1) : a = sqrt(-1 - b^2)\n", "r")
+          .statements.at(0)
+          .findings.at(0)
+          .comparison;
+  EXPECT_EQ(comparison.verdict, Verdict::undecided);
+  EXPECT_EQ(comparison.evidence, "no rational points were found where its roots are real");
+}
+
+}  // namespace
+}  // namespace assur::test::roots_test

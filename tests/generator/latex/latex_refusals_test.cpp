@@ -1,0 +1,201 @@
+// Law: what a reader of a paper could take in two ways is refused where it stands, and never
+// guessed; so is what a map or a paper has wrong.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "audit/latex/paper_audit.hpp"
+
+namespace assur::test::latex_refusals_test {
+namespace {
+
+using namespace generator::audit;
+
+const std::string quantities = R"(length a b c ab x_1 x1 M
+angle theta phi
+unknown c
+closure f1 = a - c
+J = matrix of f1 by a b
+K = matrix by its titles
+w = as printed
+)";
+
+struct Refusal {
+  const char* latex;
+  std::size_t column;  ///< on the second line of the paper
+  const char* reason;
+};
+
+void PrintTo(const Refusal& refusal, std::ostream* out) { *out << refusal.latex; }
+
+class Refusals : public testing::TestWithParam<Refusal> {};
+
+TEST_P(Refusals, HaveTheirPlaceAndReason) {
+  const std::string paper =
+      std::string("\\begin{equation}\n") + GetParam().latex + "\n\\end{equation}\n";
+  const AuditReport report = latex::audit_paper_text(paper, "p.tex", quantities, "p.map");
+  ASSERT_EQ(report.statements.size(), 1U);
+  const Finding& finding = report.statements[0].findings.at(0);
+  EXPECT_EQ(finding.comparison.verdict, Verdict::unreadable);
+  EXPECT_EQ(finding.comparison.evidence, GetParam().reason);
+  EXPECT_EQ(finding.place.line, 2U);
+  EXPECT_EQ(finding.place.column, GetParam().column);
+}
+
+const char* const argument =
+    "does the function's argument go on here? write brackets, or \\, behind the argument";
+const char* const number =
+    "a number stands directly behind a factor; write \\cdot, or braces around an index or a power "
+    "of two digits";
+const char* const below = "what is below the '/' is not clear; write \\frac or brackets";
+const char* const call =
+    "a product or a function's argument? write \\cdot, or 'brackets multiply' in the map";
+
+const std::vector<Refusal> refusals = {
+    {"\\sin 2\\theta a = b", 14, argument},
+    {"\\sin\\theta a = b", 12, argument},
+    {"\\sin\\theta\\phi = b", 11, argument},
+    {"\\sin\\theta(a + b) = c", 11, argument},
+    {"\\sin\\theta\\sqrt{a} = c", 11, argument},
+    {"\\sin\\theta/2 = b", 11, "is the function divided or its argument? write \\frac or brackets"},
+    {"\\sin\\theta^2 = b", 5,
+     "is the function raised or its argument? write \\sin^2 x, or brackets"},
+    {"\\sin(\\theta)^2 = b", 13,
+     "what is raised here is not clear; write \\sin^2 x, or brackets around it all"},
+    {"\\sin^{-1}\\theta = b", 1,
+     "only whole powers of functions are clear; write brackets around the function"},
+    {"\\sin{\\theta + \\phi} = b", 5, "the function's argument is not clear; write brackets"},
+    {"\\sin -\\theta = b", 1, "the function has no argument"},
+    {"\\sin = b", 1, "the function has no argument"},
+    {"\\sin(\\theta, \\phi) = b", 5, "sin has another number of arguments"},
+    {"a/bc = c", 4, below},
+    {"a/b/c = c", 4, below},
+    {"a/b\\cdot c = c", 4, below},
+    {"1/2(a + b) = c", 4, below},
+    {"a(b) = c", 2, call},
+    {"a(b + c) = c", 2, call},
+    {"a\\left(b + c\\right) = c", 7, call},
+    {"b a2 = c", 4, number},
+    {"a^12 = c", 4, number},
+    {"\\frac12 3 = c", 9, number},
+    {"a2 = c", 2, number},
+    {"ab = c", 1,
+     "'ab' is a quantity, and may be a product here; set it as \\mathit{...} or say in the map "
+     "what "
+     "it is"},
+    {"x_1 = c", 1, "'x_1' and 'x1' are both quantities; say in the map which of them this is"},
+    {"z = c", 1, "no quantity is known as 'z'"},
+    {"a + z_{12}^2 = c", 5, "no quantity is known as 'z_12^2'"},
+    {"\\varphi = \\phi", 1, "no quantity is known as 'varphi'"},
+    {"\\foo a = c", 1, "\\foo is not read"},
+    {"|a| = c", 1, "an absolute value or a determinant is not read"},
+    {"a = \\pm b", 5, "'\\pm' is two statements; write each of them"},
+    {"a \\approx b", 3, "only equations can be compared, and this is '\\approx'"},
+    {"a + b", 1, "an equation with two sides is expected"},
+    {"a = ", 1, "a side of this equation is missing"},
+    {"a + = c", 3, "a factor is missing"},
+    {"a \\cdot \\cdot b = c", 9, "\\cdot is not read"},
+    {"a \\cdot -b = c", 3, "a factor is missing"},
+    {"(a + b = c", 1, "'(' is not closed"},
+    {"(a + b] = c", 7, "'(' is closed by ']'"},
+    {"a) = c", 2, "')' closes nothing"},
+    {"{a + b} c = c", 1, "braces around a sum are not printed; write brackets"},
+    {"{a b}^2 = c", 6, "braces are not printed, so what is raised is not clear; write brackets"},
+    {"a^b^c = c", 4, "two superscripts"},
+    {"a_1_2 = c", 4, "two indices"},
+    {"\\sqrt[3]{a} = c", 1, "only square roots can be compared"},
+    {"2,5 a = c", 2, "',' is not expected here"},
+    {"5. a = c", 2, "a digit is missing behind the point"},
+    {"\\frac{\\partial^2 a}{\\partial b} = c", 1, "second partial derivatives are not read"},
+    {"\\frac{\\partial a}{\\partial c} = b", 1,
+     "D differentiates by a parameter, and 'c' is an unknown"},
+    {"\\frac{d a}{d b} = c", 1, "only derivatives by the time t are read so"},
+    {"\\dot{a b} = c", 1, "dots stand above a single symbol"},
+    {"\\dot{\\ddot{a}} = c", 1, "more than two dots are not read"},
+    {"\\sum_{i}^{3} a_i = c", 1, "a sum is read as \\sum_{i=1}^{4}"},
+    {"a = w", 5, "the paper does not define 'w' in a way that can be read"},
+    {"J = \\begin{vmatrix} 1 & 0 \\end{vmatrix}", 5, "a determinant is not read; write it out"},
+    {"J = 2\\begin{pmatrix} 1 & 0 \\end{pmatrix}", 6,
+     "a matrix can be compared alone, without factors, terms and superscripts"},
+    {"J = \\begin{pmatrix} 1 & 0 & 0 \\end{pmatrix}", 5,
+     "the map says 1 by 2 entries, and these are 1 by 3"},
+    {"J = \\begin{pmatrix} 1 & 0 \\\\ 0 \\end{pmatrix}", 30, "a row of 1 entries in a matrix of 2"},
+    {"J = a", 5, "a matrix is expected here"},
+    {"K = \\begin{pmatrix} 1 & 0 \\end{pmatrix}", 5, "the matrix has no titles that are ruled off"},
+    {"a = \\begin{pmatrix} 1 & 0 \\end{pmatrix}", 5, "a matrix stands where a number is expected"},
+    {"M = M^{\\mathrm{T}}", 8, "no quantity is known as 'T'"}};
+
+INSTANTIATE_TEST_SUITE_P(Formulas, Refusals, testing::ValuesIn(refusals),
+                         [](const auto& tested) { return "n" + std::to_string(tested.index); });
+
+TEST(MapOfRefusals, ABlankEntryIsNoZeroUnlessTheMapSaysSo) {
+  const std::string paper = "\\[ J = \\begin{pmatrix} 1 & \\end{pmatrix} \\]";
+  const auto entry = [&](const std::string& map) {
+    return latex::audit_paper_text(paper, "p.tex", map, "p.map").statements[0].findings[1];
+  };
+  EXPECT_EQ(entry(quantities).comparison.evidence, "a formula is missing");
+  EXPECT_TRUE(entry(quantities + "blanks are zero\n").agrees());
+}
+
+TEST(MapOfRefusals, BracketsMultiplyWhereTheMapSaysSo) {
+  EXPECT_TRUE(latex::audit_paper_text("\\[ a(b + c) = ac + ba \\]", "p.tex",
+                                      quantities + "brackets multiply\n", "p.map")
+                  .agrees());
+}
+
+struct Unusable {
+  const char* paper;
+  const char* map;
+  const char* message;
+};
+
+class UnusablePaper : public testing::TestWithParam<Unusable> {};
+
+TEST_P(UnusablePaper, GetsOneLineWithItsPlace) {
+  try {
+    static_cast<void>(latex::audit_paper_text(GetParam().paper, "p.tex", GetParam().map, "p.map"));
+    FAIL() << "nothing was thrown";
+  } catch (const text::InputError& error) {
+    EXPECT_STREQ(error.what(), GetParam().message);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, UnusablePaper,
+    testing::Values(
+        Unusable{"caf\xE9", "length a\n",
+                 "p.tex: the byte at offset 3 is no UTF-8; save the file in that encoding"},
+        Unusable{"\\[ a = a", "length a\n", "p.tex:1:1: \\[ is not closed"},
+        Unusable{"\n $a", "length a\n", "p.tex:2:2: $ is not closed"},
+        Unusable{"\\begin{align} a &= a", "length a\n", "p.tex:1:1: \\begin{align} is not closed"},
+        Unusable{"\\input{more}", "length a\n",
+                 "p.tex:1:1: the equations of another file are not followed; audit it by itself"},
+        Unusable{"\\iffalse \\[ a = a \\] \\fi", "length a\n",
+                 "p.tex:1:1: \\iffalse is not followed; take it out"},
+        Unusable{"\\def\\x{\\x\\x}\\[ \\x \\]", "length a\n",
+                 "p.tex:1:16: the definition of \\x has no end"},
+        Unusable{"\\newcommand{\\x}[1][b]{#1}\\[ \\x = a \\]", "length a\n",
+                 "p.tex:1:29: the definition of \\x cannot be followed; write it out"},
+        Unusable{"Nothing.", "length a\n",
+                 "p.tex: nothing to audit; no displayed equation was found"},
+        Unusable{"\\[ a = a \\]", "length a a\n", "p.map:1:10: 'a' is declared already"},
+        Unusable{"\\[ a = a \\]", "length a\nb = 2 +\n",
+                 "p.map:2:8: the expression ends where a number, a name or '(' is expected"},
+        Unusable{"\\[ a = a \\]", "lenght a\n",
+                 "p.map:1:1: expected NOTATION = QUANTITY, or a statement of a map"},
+        Unusable{"\\[ a = a \\]", "length a\nclosures no.audit\n",
+                 "p.map:2:10: no.audit: cannot be read (does it exist, and is it a file?)"},
+        Unusable{"\\[ a = a \\]", "length a\nindex jj = 1..2\n",
+                 "p.map:2:7: expected an index and its values, such as j = 1..4"},
+        Unusable{"\\[ a = a \\]", "length a\nJ = matrix by a\n",
+                 "p.map:2:5: expected matrix of ROWS by COLUMNS, or matrix by its titles"},
+        Unusable{"\\[ a = a \\]", "length a\ndisplay numbered\n",
+                 "p.map:2:9: expected display \\COMMAND{EQUATION}{NUMBER}"},
+        Unusable{"\\[ a = a \\]", "length a\nbrackets call\n",
+                 "p.map:2:1: expected 'brackets multiply' or 'blanks are zero'"},
+        Unusable{"\\[ a = a \\]", "length d\n",
+                 "p.map:1:8: 'd' cannot be a name: formulas have a function of that name"}),
+    [](const auto& tested) { return "n" + std::to_string(tested.index); });
+
+}  // namespace
+}  // namespace assur::test::latex_refusals_test
