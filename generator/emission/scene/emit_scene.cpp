@@ -63,10 +63,8 @@ class SceneEmitter {
     std::vector<std::string> sliding;
     for (const mechanism::DrivenLink& link : solver_.plan.structure().driven) {
       const mechanism::ElementaryJoint& at = solver_.joint(link.joint);
-      const mechanism::Driver& driver = solver_.mechanism().drivers()[link.driver];
-      std::vector<double> law = {solver_.values.number(driver.position).value(),
-                                 solver_.values.number(driver.velocity).value(),
-                                 solver_.values.number(driver.acceleration).value()};
+      const mechanism::JointMotion& motion = solver_.values.motion(link.driver);
+      std::vector<double> law = {motion.position.value(), motion.velocity, motion.acceleration};
       law.erase(law.begin() + 1 + solver_.derivative_order, law.end());
       cpp::View entry;
       names.push_back(solver_.members.drivers[link.driver]);

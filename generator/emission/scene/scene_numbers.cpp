@@ -41,7 +41,9 @@ SceneNumbers::SceneNumbers(
   for (const mechanism::FoundGroup& group : structure.groups) {
     groups_.add(mechanism::group_geometry(
         structure, group,
-        [this](mechanism::FeatureIndex index, bool is_line) { return feature(index, is_line); },
+        [this](const mechanism::ElementaryJoint& at, mechanism::LinkIndex link) {
+          return feature(at.on(link), at.prismatic);
+        },
         SceneNumber()));
   }
 }

@@ -52,12 +52,18 @@ class SceneReader {
         mechanism_.set_parameter(name, number_of(value, part), part);
         continue;
       }
-      expect_keys(value, part, {"value", "tolerance", "variable"});
+      expect_keys(value, part, {"value", "tolerance", "velocity", "acceleration", "variable"});
       const std::string value_part = part + ".value";
       mechanism_.set_parameter(name, number_of(required(value, "value", part), value_part),
                                value_part);
       if (value.contains("tolerance")) {
         mechanism_.set_tolerance(name, number_of(value["tolerance"], part + ".tolerance"));
+      }
+      if (value.contains("velocity")) {
+        mechanism_.set_velocity(name, number_of(value["velocity"], part + ".velocity"));
+      }
+      if (value.contains("acceleration")) {
+        mechanism_.set_acceleration(name, number_of(value["acceleration"], part + ".acceleration"));
       }
       if (value.contains("variable") && truth_of(value["variable"], part + ".variable")) {
         request_.variable.push_back(mechanism_.parameter_named(name));
@@ -148,9 +154,9 @@ class SceneReader {
       }
       expect_object(value, part);
       expect_keys(value, part, {"position", "velocity", "acceleration"});
-      const SceneJson zero = 0;
       const auto rate = [&, &driver = value](const std::string& key) {
-        return number_of(driver.contains(key) ? driver[key] : zero, part + "." + key);
+        return driver.contains(key) ? std::optional(number_of(driver[key], part + "." + key))
+                                    : std::nullopt;
       };
       mechanism_.add_driver(name, number_of(required(value, "position", part), part + ".position"),
                             rate("velocity"), rate("acceleration"));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <optional>
 
 #include "branch_motions.hpp"
 #include "configuration_order.hpp"
@@ -21,7 +22,9 @@ class ConfigurationWalk {
   explicit ConfigurationWalk(const Values& values)
       : plan_(values.shared_plan()),
         structure_(plan_->structure),
-        values_(values),
+        given_(values),
+        settled_(structure_.reading.empty() ? std::nullopt : std::optional(values)),
+        values_(settled_ ? *settled_ : given_),
         order_(plan_->named_parts) {
     const auto parameters = static_cast<Eigen::Index>(values.columns().size());
     placed_.links.resize(structure_.linkage.links.size());
@@ -37,7 +40,7 @@ class ConfigurationWalk {
     }
     solvers_.reserve(structure_.groups.size());
     for (const GroupIndex group : structure_.groups.keys()) {
-      solvers_.add(GroupSolver(values, group));
+      solvers_.add(GroupSolver(values_, group));
       first_slide_.add(slides);
       for (const ModelUnknown& unknown : structure_.groups[group].model->unknowns) {
         slides += unknown.is_angle ? 0 : 1;
@@ -48,7 +51,6 @@ class ConfigurationWalk {
 
   void run(bool measures_gap, Solution& result) {
     begin(measures_gap, result);
-    place_driven_links();
     descend(0);
     solution_->configurations.resize(listed_);
     conclude();
@@ -58,6 +60,9 @@ class ConfigurationWalk {
   /// Whatever the last position was left in.
   void begin(bool measures_gap, Solution& result) {
     measures_gap_ = measures_gap;
+    if (settled_) {
+      *settled_ = given_;
+    }
     solution_ = &result;
     result.status = SolutionStatus::ok;
     result.mobility = 0;
@@ -72,45 +77,102 @@ class ConfigurationWalk {
     least_gap_ = std::numeric_limits<double>::infinity();
   }
 
-  /// What drivers move against placed links.
-  void place_driven_links() {
+  /// What drivers say and move once the groups before one are placed, unless it is against links
+  /// that are left unplaced, or by what those say.
+  void move_driven_links(std::size_t groups, Table<LinkIndex, bool>* unplaced = nullptr) {
+    const auto is_missing = [unplaced](LinkIndex link) {
+      return unplaced != nullptr && (*unplaced)[link];
+    };
+    const auto is_unread = [&](const ReadingDriver& reading) {
+      return std::ranges::any_of(reading.reads, is_missing);
+    };
+    for (const ReadingDriver& reading : structure_.reading) {
+      if (reading.groups_before == groups && !is_unread(reading)) {
+        settled_->settle(reading.driver, [this](JointIndex joint) { return coordinate(joint); });
+      }
+    }
     std::size_t slide = 0;
     for (std::size_t place = 0; place < structure_.driven.size(); ++place) {
       const DrivenLink& link = structure_.driven[place];
-      const Driver& driver = plan_->mechanism.drivers()[link.driver];
-      const ElementaryJoint& at = structure_.linkage.joints[link.joint];
-      set_motion(driver, at.prismatic, at.first == link.from ? 1.0 : -1.0);
-      compose(placed_.links[link.from], values_.frame(at.on(link.from)), joint_);
-      compose(joint_, motion_, moved_);
-      compose(moved_, values_.driven_frame(place), placed_.links[link.to]);
-      const Pose<double>& near = values_.frame(at.on(link.from)).pose;
-      const Pose<double>& back = values_.driven_frame(place).pose;
-      const double position = values_.number(driver.position).value();
-      const auto of_feature = [this](FeatureIndex feature) {
-        return support::Displacement::of_rounding(values_.rounding(feature));
-      };
-      placed_.displaced[link.to] =
-          placed_.displaced[link.from]
-              .carries(near.x, near.y, of_feature(at.on(link.from)))
-              .carries(0, 0,
-                       at.prismatic ? support::Displacement::of_slide(position)
-                                    : support::Displacement::of_turn(position))
-              .carries(back.x, back.y, of_feature(at.on(link.to)));
-      if (at.prismatic) {
-        place_driven_slide(driver, at.joint, placed_.slides[slide++]);
+      const bool slides = structure_.linkage.joints[link.joint].prismatic;
+      if (link.groups_before == groups) {
+        const bool reads_nothing =
+            std::ranges::any_of(structure_.reading, [&](const ReadingDriver& reading) {
+              return reading.driver == link.driver && is_unread(reading);
+            });
+        if (is_missing(link.from) || reads_nothing) {
+          (*unplaced)[link.to] = true;
+        } else {
+          place_driven_link(place, slides ? &placed_.slides[slide] : nullptr);
+        }
       }
+      slide += slides ? 1 : 0;
+    }
+  }
+
+  /// The coordinate of a joint without a driver between links that are placed.
+  [[nodiscard]] JointMotion coordinate(JointIndex index) const {
+    const Joint& joint = plan_->mechanism.joints()[index];
+    const auto dual = [this](double value, const auto& first, const auto& second) {
+      return values_.second_order() ? Dual(value, first, second()) : Dual(value, first);
+    };
+    if (joint.type == JointType::revolute) {
+      const Frame& one = placed_.links[link_of(joint.between[0])];
+      const Frame& other = placed_.links[link_of(joint.between[1])];
+      const Eigen::VectorXd follows =
+          (other.follows.first.row(2) - one.follows.first.row(2)).transpose();
+      return {dual(angle_of(turned(other.pose.direction, reversed(one.pose.direction))), follows,
+                   [&]() -> Eigen::MatrixXd {
+                     return other.follows.second[2] - one.follows.second[2];
+                   }),
+              other.velocity(2) - one.velocity(2), other.acceleration(2) - one.acceleration(2)};
+    }
+    const SlideState& slide =
+        *std::ranges::find(placed_.slides, index, [](const SlideState& one) { return one.joint; });
+    const Eigen::VectorXd follows = slide.follows.first.row(0).transpose();
+    return {dual(slide.displacement, follows,
+                 [&]() -> Eigen::MatrixXd { return slide.follows.second[0]; }),
+            slide.velocity, slide.acceleration};
+  }
+  [[nodiscard]] LinkIndex link_of(FeatureIndex feature) const {
+    return plan_->mechanism.features()[feature].link;
+  }
+
+  void place_driven_link(std::size_t place, SlideState* slide) {
+    const DrivenLink& link = structure_.driven[place];
+    const JointMotion& motion = values_.motion(link.driver);
+    const ElementaryJoint& at = structure_.linkage.joints[link.joint];
+    set_motion(motion, at.prismatic, at.first == link.from ? 1.0 : -1.0);
+    compose(placed_.links[link.from], values_.frame(at.on(link.from)), joint_);
+    compose(joint_, motion_, moved_);
+    compose(moved_, values_.driven_frame(place), placed_.links[link.to]);
+    const Pose<double>& near = values_.frame(at.on(link.from)).pose;
+    const Pose<double>& back = values_.driven_frame(place).pose;
+    const double position = motion.position.value();
+    const auto of_feature = [this](FeatureIndex feature) {
+      return support::Displacement::of_rounding(values_.rounding(feature));
+    };
+    placed_.displaced[link.to] =
+        placed_.displaced[link.from]
+            .carries(near.x, near.y, of_feature(at.on(link.from)))
+            .carries(0, 0,
+                     at.prismatic ? support::Displacement::of_slide(position)
+                                  : support::Displacement::of_turn(position))
+            .carries(back.x, back.y, of_feature(at.on(link.to)));
+    if (slide != nullptr) {
+      set_slide(motion, at.joint, *slide);
     }
   }
 
   /// The moved frame in that of the joint: turned about its origin, or slid along its x-axis.
-  void set_motion(const Driver& driver, bool prismatic, double sense) {
-    const Dual& position = values_.number(driver.position);
+  void set_motion(const JointMotion& motion, bool prismatic, double sense) {
+    const Dual& position = motion.position;
     const Eigen::Index moved = prismatic ? 0 : 2;
     const double by = sense * position.value();
     motion_.pose =
         prismatic ? Pose<double>{by, 0, {1, 0}} : Pose<double>{0, 0, {std::cos(by), std::sin(by)}};
-    motion_.velocity(moved) = sense * values_.number(driver.velocity).value();
-    motion_.acceleration(moved) = sense * values_.number(driver.acceleration).value();
+    motion_.velocity(moved) = sense * motion.velocity;
+    motion_.acceleration(moved) = sense * motion.acceleration;
     motion_.velocity(2 - moved) = motion_.acceleration(2 - moved) = 0;
     motion_.follows.set_zero(position.derivatives().size(), values_.second_order());
     motion_.follows.first.row(moved) = sense * position.derivatives().transpose();
@@ -119,20 +181,20 @@ class ConfigurationWalk {
     }
   }
 
-  void place_driven_slide(const Driver& driver, JointIndex joint, SlideState& slide) const {
-    const Dual& position = values_.number(driver.position);
+  void set_slide(const JointMotion& motion, JointIndex joint, SlideState& slide) const {
     slide.joint = joint;
-    slide.displacement = position.value();
-    slide.velocity = values_.number(driver.velocity).value();
-    slide.acceleration = values_.number(driver.acceleration).value();
-    slide.follows.first = position.derivatives().transpose();
+    slide.displacement = motion.position.value();
+    slide.velocity = motion.velocity;
+    slide.acceleration = motion.acceleration;
+    slide.follows.first = motion.position.derivatives().transpose();
     if (values_.second_order()) {
-      slide.follows.second = {position.hessian()};
+      slide.follows.second = {motion.position.hessian()};
     }
   }
 
   /// Solves the groups from one on, where all before it are placed.
   void descend(std::size_t depth) {
+    move_driven_links(depth);
     if (depth == structure_.groups.size()) {
       list();
       return;
@@ -241,13 +303,13 @@ class ConfigurationWalk {
 
   /// Reports the groups from `depth` on that move, whatever becomes of the links left unplaced.
   void find_families(std::size_t depth, Table<LinkIndex, bool> unplaced) {
+    move_driven_links(depth, &unplaced);
     if (depth == structure_.groups.size()) {
       return;
     }
     const GroupIndex group(depth);
     GroupSolver& solver = solvers_[group];
-    const bool is_asked = solver.has_normal_form() && structure_.groups[group].model->rigid &&
-                          !values_.numbers_of(group).is_held_by(unplaced);
+    const bool is_asked = can_be_solved(group, unplaced);
     if (!is_asked) {
       leave_out(group, unplaced);
       find_families(depth + 1, std::move(unplaced));
@@ -265,6 +327,19 @@ class ConfigurationWalk {
     }
   }
 
+  /// Whether a group is held, and shaped, by links that are placed.
+  [[nodiscard]] bool can_be_solved(GroupIndex group, const Table<LinkIndex, bool>& unplaced) const {
+    const auto shapes_it = [&](const ReadingDriver& reading) {
+      return std::ranges::any_of(reading.reads, [&](LinkIndex link) { return unplaced[link]; }) &&
+             std::ranges::any_of(structure_.driven, [&](const DrivenLink& link) {
+               return link.driver == reading.driver && is_of(group, link.to);
+             });
+    };
+    return std::ranges::none_of(structure_.reading, shapes_it) &&
+           solvers_[group].has_normal_form() && structure_.groups[group].model->rigid &&
+           !values_.numbers_of(group).is_held_by(unplaced);
+  }
+
   [[nodiscard]] Table<LinkIndex, bool> nothing_unplaced() const {
     return Table<LinkIndex, bool>(structure_.linkage.links.size(), false);
   }
@@ -278,13 +353,13 @@ class ConfigurationWalk {
   /// Whether the groups from `depth` on can be assembled together. Groups that `unplaced` links
   /// hold are left out, and so are groups that move.
   [[nodiscard]] bool rest_assembles(std::size_t depth, Table<LinkIndex, bool> unplaced) {
+    move_driven_links(depth, &unplaced);
     if (depth == structure_.groups.size()) {
       return true;
     }
     const GroupIndex group(depth);
     GroupSolver& solver = solvers_[group];
-    const bool is_asked = solver.has_normal_form() && structure_.groups[group].model->rigid &&
-                          !values_.numbers_of(group).is_held_by(unplaced);
+    const bool is_asked = can_be_solved(group, unplaced);
     if (!is_asked) {
       leave_out(group, unplaced);
       return rest_assembles(depth + 1, std::move(unplaced));
@@ -410,7 +485,9 @@ class ConfigurationWalk {
 
   std::shared_ptr<const PlanData> plan_;
   const Structure& structure_;
-  const Values& values_;
+  const Values& given_;
+  std::optional<Values> settled_;  ///< with the laws that read links, wherever these are placed
+  const Values& values_;           ///< one or the other
   ConfigurationOrder order_;
   Table<GroupIndex, GroupSolver> solvers_;
   Table<GroupIndex, std::size_t> first_slide_;
