@@ -4,7 +4,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <algorithm>
 #include <array>
 #include <assur/mechanism/values.hpp>
 #include <cmath>
@@ -54,6 +53,8 @@ class RigidScene {
   [[nodiscard]] Eigen::Index size() const { return 3 * bodies_; }
   /// Sum of the distances of all features from their links' origins.
   [[nodiscard]] Real reach() const { return reach_; }
+  /// Whether it is one of the mechanism's own links, and no block of a slot.
+  [[nodiscard]] bool has(mechanism::LinkIndex link) const { return link.place() < body_of_.size(); }
   /// The first coordinate of a link, or -1 for the ground.
   [[nodiscard]] Eigen::Index coordinate(mechanism::LinkIndex link) const {
     return 3L * body_of_[link];
@@ -158,20 +159,23 @@ class RigidScene {
   };
 
   static Real at(const Jet& jet, Real t) { return jet.c0 + t * (jet.c1 + t * jet.c2); }
-  /// A function of time with its first two derivatives at t = 0, from five of its values: to some
-  /// twelve digits.
+  /// A function of time with its first two derivatives at t = 0, from nine of its values.
   template <typename Function>
   static Jet differentiated(const Function& f) {
-    constexpr Real h = 1e-3L;
+    constexpr Real h = 1 / 64.0L;
+    constexpr std::array<Real, 4> first = {4 / 5.0L, -1 / 5.0L, 4 / 105.0L, -1 / 280.0L};
+    constexpr std::array<Real, 4> second = {8 / 5.0L, -1 / 5.0L, 8 / 315.0L, -1 / 560.0L};
     const Real here = f(0);
-    const std::array<Real, 4> f_at = {f(-2 * h), f(-h), f(h), f(2 * h)};
-    if (std::all_of(f_at.begin(), f_at.end(), [here](Real value) { return value == here; })) {
-      return {here, 0, 0, 0};
+    Real rate = 0;
+    Real second_rate = 0;
+    for (std::size_t step = 0; step < first.size(); ++step) {
+      const Real t = h * static_cast<Real>(step + 1);
+      const Real before = f(-t);
+      const Real after = f(t);
+      rate += first[step] * (after - before) / h;
+      second_rate += second[step] * ((after - here) - (here - before)) / (h * h);
     }
-    const Real first = (f_at[0] - 8 * f_at[1] + 8 * f_at[2] - f_at[3]) / (12 * h);
-    const Real second =
-        (-f_at[0] + 16 * f_at[1] - 30 * here + 16 * f_at[2] - f_at[3]) / (12 * h * h);
-    return {here, first, second / 2, 0};
+    return {here, rate, second_rate / 2, 0};
   }
   /// A number of the mechanism while its parameters move, and joints that it reads.
   template <typename CoordinateOf>
