@@ -217,7 +217,7 @@ JointIndex Mechanism::add_joint(const std::string& name, JointType type,
   if (between.size() < 2) {
     throw MechanismError(part, "expected two or more features [\"link.feature\", ...]");
   }
-  Joint joint{name, type, {}};
+  Joint joint{name, type, {}, {}, {}};
   for (std::size_t place = 0; place < between.size(); ++place) {
     joint.between.push_back(
         feature_named(between[place], part + "[" + std::to_string(place) + "]"));
@@ -251,6 +251,13 @@ void Mechanism::expect_fitting(const Joint& joint, const std::string& part) cons
   if (joint.type == JointType::pin_in_slot && lines != 1) {
     throw MechanismError(part, "a pin-in-slot joint joins a point and a line");
   }
+}
+
+void Mechanism::set_limits(const std::string& joint, const Given& lowest, const Given& highest) {
+  const std::string part = "joints." + joint + ".limits";
+  const JointIndex index = joint_named(joint, part);
+  put_number(lowest, part + "[0]", joints_[index].lowest);
+  put_number(highest, part + "[1]", joints_[index].highest);
 }
 
 DriverIndex Mechanism::add_driver(const std::string& joint, const Given& position,
@@ -323,7 +330,8 @@ Mechanism Mechanism::only(const Table<LinkIndex, bool>& kept) const {
   }
   Table<JointIndex, JointIndex> joint_of(joints_.size());
   for (const JointIndex index : joints_.keys()) {
-    Joint joint{joints_[index].name, joints_[index].type, {}};
+    Joint joint{joints_[index].name, joints_[index].type, {}, joints_[index].lowest,
+                joints_[index].highest};
     for (const FeatureIndex feature : joints_[index].between) {
       if (feature_of[feature].exists()) {
         joint.between.push_back(feature_of[feature]);

@@ -86,8 +86,14 @@ class OrderFinder {
         add({feature.x, feature.y, feature.along_x, feature.along_y});
       }
     }
+    for (const Joint& joint : mechanism_.joints()) {
+      add({joint.lowest, joint.highest});
+    }
     for (const Driver& driver : mechanism_.drivers()) {
       add({driver.velocity, driver.acceleration});
+    }
+    for (const ReferenceAngle& angle : request_.reference) {
+      add({angle.theta});
     }
     for (const Parameter& parameter : mechanism_.parameters()) {
       add({parameter.tolerance, parameter.velocity, parameter.acceleration});

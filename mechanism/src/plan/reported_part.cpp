@@ -10,7 +10,8 @@ namespace {
 
 class PartFinder {
  public:
-  PartFinder(const Mechanism& mechanism, const Structure& structure, const Reported& reported)
+  PartFinder(const Mechanism& mechanism, const Structure& structure, const Reported& reported,
+             const std::vector<ReferenceAngle>& reference)
       : mechanism_(mechanism),
         structure_(structure),
         needed_(structure.linkage.links.size(), false) {
@@ -20,6 +21,9 @@ class PartFinder {
     }
     for (const LinkIndex link : mechanism.links().keys()) {
       needed_[link] = needed_[link] || reported.has(link);
+    }
+    for (const ReferenceAngle& angle : reference) {
+      needed_[angle.link] = true;
     }
     for (const ElementaryJoint& joint : structure.linkage.joints) {
       if (joint.prismatic && reported.has(joint.joint)) {
@@ -96,10 +100,13 @@ std::optional<std::vector<Key>> translated(const std::optional<std::vector<Key>>
 
 ReportedPart reported_part(const Mechanism& mechanism, const Structure& structure,
                            const Request& request) {
-  Mechanism part = mechanism.only(PartFinder(mechanism, structure, request.reported).run());
+  Mechanism part = mechanism.only(PartFinder(mechanism, structure, request.reported, request.reference).run());
   Request asked = request;
   asked.reported = {translated(request.reported.links, mechanism.links(), part.links()),
                     translated(request.reported.joints, mechanism.joints(), part.joints())};
+  for (ReferenceAngle& angle : asked.reference) {
+    angle.link = index_of(part.links(), mechanism.links()[angle.link].name);
+  }
   return {std::move(part), std::move(asked)};
 }
 

@@ -11,6 +11,7 @@
 #include "branch_motions.hpp"
 #include "configuration_order.hpp"
 #include "group_solver.hpp"
+#include "limits.hpp"
 #include "plan/plan_data.hpp"
 
 namespace assur::mechanism::solve {
@@ -88,7 +89,9 @@ class ConfigurationWalk {
     };
     for (const ReadingDriver& reading : structure_.reading) {
       if (reading.groups_before == groups && !is_unread(reading)) {
-        settled_->settle(reading.driver, [this](JointIndex joint) { return coordinate(joint); });
+        settled_->settle(reading.driver, [this](JointIndex joint) {
+          return coordinate_of(values_, placed_.links, placed_.slides, joint);
+        });
       }
     }
     std::size_t slide = 0;
@@ -108,34 +111,6 @@ class ConfigurationWalk {
       }
       slide += slides ? 1 : 0;
     }
-  }
-
-  /// The coordinate of a joint without a driver between links that are placed.
-  [[nodiscard]] JointMotion coordinate(JointIndex index) const {
-    const Joint& joint = plan_->mechanism.joints()[index];
-    const auto dual = [this](double value, const auto& first, const auto& second) {
-      return values_.second_order() ? Dual(value, first, second()) : Dual(value, first);
-    };
-    if (joint.type == JointType::revolute) {
-      const Frame& one = placed_.links[link_of(joint.between[0])];
-      const Frame& other = placed_.links[link_of(joint.between[1])];
-      const Eigen::VectorXd follows =
-          (other.follows.first.row(2) - one.follows.first.row(2)).transpose();
-      return {dual(angle_of(turned(other.pose.direction, reversed(one.pose.direction))), follows,
-                   [&]() -> Eigen::MatrixXd {
-                     return other.follows.second[2] - one.follows.second[2];
-                   }),
-              other.velocity(2) - one.velocity(2), other.acceleration(2) - one.acceleration(2)};
-    }
-    const SlideState& slide =
-        *std::ranges::find(placed_.slides, index, [](const SlideState& one) { return one.joint; });
-    const Eigen::VectorXd follows = slide.follows.first.row(0).transpose();
-    return {dual(slide.displacement, follows,
-                 [&]() -> Eigen::MatrixXd { return slide.follows.second[0]; }),
-            slide.velocity, slide.acceleration};
-  }
-  [[nodiscard]] LinkIndex link_of(FeatureIndex feature) const {
-    return plan_->mechanism.features()[feature].link;
   }
 
   void place_driven_link(std::size_t place, SlideState* slide) {
@@ -440,6 +415,7 @@ class ConfigurationWalk {
     result.rates_known = placed_.rates_known;
     result.path_known = placed_.derivatives_known;
     result.residual = placed_.residual;
+    result.within_limits = keeps_limits(values_, result);
     result.branches.clear();
     result.determinants = placed_.determinants;
     result.plan = plan_;

@@ -75,6 +75,18 @@ void Values::evaluate() {
     evaluate_group(group);
   }
   evaluate_requests();
+  expect_limits();
+}
+
+/// Throws MechanismError where limits are exchanged.
+void Values::expect_limits() const {
+  for (const Joint& joint : plan_->mechanism.joints()) {
+    if (joint.lowest.exists() &&
+        !(numbers_[joint.lowest].value() <= numbers_[joint.highest].value())) {
+      throw MechanismError("joints." + joint.name + ".limits",
+                           "the lowest is above the highest; exchange the two");
+    }
+  }
 }
 
 void Values::expect_finite(ParameterIndex parameter, double value) const {
@@ -141,6 +153,7 @@ void Values::evaluate_dependents(ParameterIndex parameter) {
   if (dependents.spread) {
     evaluate_requests();
   }
+  expect_limits();
 }
 
 double Values::value_of(NumberIndex index) const {

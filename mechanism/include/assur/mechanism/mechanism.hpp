@@ -54,6 +54,7 @@ struct Joint {
   std::string name;
   JointType type = JointType::revolute;
   std::vector<FeatureIndex> between;
+  NumberIndex lowest, highest;  ///< of its coordinate; none where it has no limits
 };
 
 /// The law of a joint of two links: the angle theta_second - theta_first, or the displacement. It
@@ -121,6 +122,9 @@ class Mechanism {
                         const Given& along_x, const Given& along_y);
   JointIndex add_joint(const std::string& name, JointType type,
                        const std::vector<std::string>& between);
+  /// What a configuration's coordinate of a joint of two links may be, both ends included; an angle
+  /// counts where it can be turned in by whole turns.
+  void set_limits(const std::string& joint, const Given& lowest, const Given& highest);
   /// The position may contain `joint(K)`, the coordinate of another joint of two links. Rates that
   /// are not given follow from it.
   DriverIndex add_driver(const std::string& joint, const Given& position,

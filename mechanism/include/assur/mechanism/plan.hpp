@@ -6,6 +6,7 @@
 #include <assur/mechanism/structure.hpp>
 #include <assur/mechanism/values.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,10 @@ class Plan {
   /// The same in the memory of an earlier solution, which saves most allocations. What `result`
   /// holds after an error is not specified.
   void solve(const Values& values, Solution& result) const;
+  /// Nothing for a solution without configurations. Throws MechanismError where the request has no
+  /// reference.
+  [[nodiscard]] std::optional<Nearest> nearest(const Values& values,
+                                               const Solution& solution) const;
   /// Why there are no configurations: which group fails to close and by how much at least, or what
   /// moves freely. Takes longer than to solve. Empty where there are configurations.
   [[nodiscard]] std::string obstacle(const Values& values) const;

@@ -93,6 +93,7 @@ class Values {
 
  private:
   void expect_finite(ParameterIndex parameter, double value) const;
+  void expect_limits() const;
   void evaluate();
   void evaluate_dependents(ParameterIndex parameter);
   void evaluate_parameter(ParameterIndex parameter);
