@@ -146,6 +146,12 @@ Values Plan::values(const std::vector<std::pair<std::string, double>>& replaced)
   return {data_, indexed};
 }
 
+bool Plan::has_rates(NumberIndex number) const {
+  return std::ranges::any_of(
+      data_->mechanism.numbers()[number].formula.parameters(),
+      [this](ParameterIndex parameter) { return data_->evaluation.moves[parameter]; });
+}
+
 void Plan::expect_usable(const Values& values) const {
   if (&values.plan() != data_.get()) {
     throw MechanismError("", "the values belong to another plan");

@@ -65,17 +65,6 @@ std::vector<DriverIndex> laws_in_order(const Mechanism& mechanism) {
   return LawOrder(mechanism).take();
 }
 
-std::vector<JointIndex> joints_in_laws(const Mechanism& mechanism, DriverIndex driver) {
-  std::vector<JointIndex> result = joints_in_law(mechanism, driver);
-  for (std::size_t place = 0; place < result.size(); ++place) {
-    if (const DriverIndex other = mechanism.driver_of(result[place]); other.exists()) {
-      const std::vector<JointIndex> more = joints_in_law(mechanism, other);
-      result.insert(result.end(), more.begin(), more.end());
-    }
-  }
-  return result;
-}
-
 std::vector<JointIndex> joints_read(const Mechanism& mechanism, DriverIndex driver) {
   std::vector<JointIndex> result = joints_in_laws(mechanism, driver);
   std::erase_if(result, [&](JointIndex read) { return mechanism.driver_of(read).exists(); });
@@ -83,3 +72,18 @@ std::vector<JointIndex> joints_read(const Mechanism& mechanism, DriverIndex driv
 }
 
 }  // namespace assur::mechanism::plan
+
+namespace assur::mechanism {
+
+std::vector<JointIndex> joints_in_laws(const Mechanism& mechanism, DriverIndex driver) {
+  std::vector<JointIndex> result = plan::joints_in_law(mechanism, driver);
+  for (std::size_t place = 0; place < result.size(); ++place) {
+    if (const DriverIndex other = mechanism.driver_of(result[place]); other.exists()) {
+      const std::vector<JointIndex> more = plan::joints_in_law(mechanism, other);
+      result.insert(result.end(), more.begin(), more.end());
+    }
+  }
+  return result;
+}
+
+}  // namespace assur::mechanism

@@ -189,7 +189,8 @@ class PlacementPlanner {
       }
     }
     std::ranges::stable_sort(structure_.driven, {}, &DrivenLink::groups_before);
-    for (const DriverIndex driver : laws_in_order(mechanism_)) {
+    structure_.laws = laws_in_order(mechanism_);
+    for (const DriverIndex driver : structure_.laws) {
       if (std::vector<LinkIndex> read = links_read_by(driver); !read.empty()) {
         structure_.reading.push_back({driver, latest(read), std::move(read)});
       }
@@ -324,6 +325,46 @@ Table<LinkIndex, bool> Structure::placed_by_drivers() const {
     placed[link.to] = placed[link.from];
   }
   return placed;
+}
+
+std::vector<GroupIndex> Structure::holders_of(GroupIndex group) const {
+  std::vector<GroupIndex> holders;
+  const auto add_group_of = [&](LinkIndex link) {
+    for (std::size_t place = 0; place < group.place(); ++place) {
+      const GroupIndex before(place);
+      const std::vector<LinkIndex>& links = groups[before].links;
+      if (std::ranges::find(links, link) != links.end() &&
+          std::ranges::find(holders, before) == holders.end()) {
+        holders.push_back(before);
+      }
+    }
+  };
+  const auto add = [&](LinkIndex link) {
+    add_group_of(link);
+    for (const DrivenLink* carried = driven_link(link); carried != nullptr;
+         carried = driven_link(carried->from)) {
+      for (const ReadingDriver& one : reading) {
+        if (one.driver == carried->driver) {
+          std::ranges::for_each(one.reads, add_group_of);
+        }
+      }
+    }
+  };
+  for (const ElementaryJointIndex joint : groups[group].assignments.front().joints) {
+    const ElementaryJoint& at = linkage.joints[joint];
+    for (const LinkIndex link : {at.first, at.second, at.holder_first, at.holder_second}) {
+      add(link);
+    }
+  }
+  std::ranges::sort(holders);
+  return holders;
+}
+
+bool Structure::moves_by_laws(const Mechanism& mechanism) const {
+  return std::ranges::any_of(driven, [&](const DrivenLink& link) {
+    const NumberIndex law = mechanism.drivers()[link.driver].position;
+    return link.groups_before > 0 || !mechanism.numbers()[law].formula.joints().empty();
+  });
 }
 
 const DrivenLink* Structure::driven_link(LinkIndex link) const {

@@ -239,17 +239,12 @@ class ConfigurationWalk {
 
   /// Marks the links of the groups that hold a group, and of those that hold these.
   void place_what_holds(GroupIndex group, Table<LinkIndex, bool>& is_placed) const {
-    for (const ElementaryJoint& joint : structure_.linkage.joints) {
-      for (std::size_t place = 0; place < group.place(); ++place) {
-        const GroupIndex before(place);
-        const bool holds = (is_of(before, joint.first) && is_of(group, joint.second)) ||
-                           (is_of(before, joint.second) && is_of(group, joint.first));
-        if (holds && !is_placed[structure_.groups[before].links.front()]) {
-          for (const LinkIndex link : structure_.groups[before].links) {
-            is_placed[link] = true;
-          }
-          place_what_holds(before, is_placed);
+    for (const GroupIndex before : structure_.holders_of(group)) {
+      if (!is_placed[structure_.groups[before].links.front()]) {
+        for (const LinkIndex link : structure_.groups[before].links) {
+          is_placed[link] = true;
         }
+        place_what_holds(before, is_placed);
       }
     }
   }

@@ -66,10 +66,9 @@ void Values::evaluate_parameter_in_time(ParameterIndex index) {
 }
 
 bool Values::moves(NumberIndex number) const {
-  const std::vector<ParameterIndex> used =
-      plan_->mechanism.numbers()[number].formula.parameters();
   return std::ranges::any_of(
-      used, [this](ParameterIndex parameter) { return plan_->evaluation.moves[parameter]; });
+      plan_->mechanism.numbers()[number].formula.parameters(),
+      [this](ParameterIndex parameter) { return plan_->evaluation.moves[parameter]; });
 }
 
 bool Values::moves(FeatureIndex index) const {

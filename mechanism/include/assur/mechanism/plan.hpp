@@ -47,6 +47,8 @@ class Plan {
   /// moves freely. Takes longer than to solve. Empty where there are configurations.
   [[nodiscard]] std::string obstacle(const Values& values) const;
 
+  /// Whether a number depends on a parameter that has rates in time.
+  [[nodiscard]] bool has_rates(NumberIndex number) const;
   /// Throws MechanismError for values of another plan, or that were left by a refused
   /// `Values::set`.
   void expect_usable(const Values& values) const;

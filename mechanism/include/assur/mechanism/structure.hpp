@@ -105,16 +105,25 @@ struct Structure {
   Linkage linkage;  ///< with every pin of several links as joints of two
   std::vector<DrivenLink> driven;  ///< in the order in which they are placed
   Table<GroupIndex, FoundGroup> groups;
-  std::vector<ReadingDriver> reading;  ///< in an order in which they can be evaluated
+  std::vector<DriverIndex> laws;       ///< of all drivers, each behind those that its law reads
+  std::vector<ReadingDriver> reading;  ///< in the same order
 
   [[nodiscard]] std::vector<std::string> names_of(const std::vector<LinkIndex>& links) const;
   /// Links and slides in the order of their names.
   [[nodiscard]] NamedParts named_parts(const Mechanism& mechanism) const;
   /// For each link whether it is the ground or carried by it: no group places it.
   [[nodiscard]] Table<LinkIndex, bool> placed_by_drivers() const;
+  /// The groups that hold a group, directly or by a link that waits for them: each once.
+  [[nodiscard]] std::vector<GroupIndex> holders_of(GroupIndex group) const;
+  /// Whether laws of drivers change the shapes of groups' links, or read other joints.
+  [[nodiscard]] bool moves_by_laws(const Mechanism& mechanism) const;
   /// The driven link that is this one; null if no driver moves it.
   [[nodiscard]] const DrivenLink* driven_link(LinkIndex link) const;
 };
+
+/// The joints that the law of a driver names, and those that the laws of these name.
+[[nodiscard]] std::vector<JointIndex> joints_in_laws(const Mechanism& mechanism,
+                                                     DriverIndex driver);
 
 /// Throws MechanismError for a mechanism that is over- or under-constrained, that has no ground, or
 /// that holds a group that is not known.
