@@ -1,13 +1,13 @@
 #include "audit/audit_report.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <assur/text/json.hpp>
 
 namespace assur::generator::audit {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using text::Json;
 
 std::size_t agreeing(const AuditedStatement& statement) {
   std::size_t count = 0;
@@ -202,7 +202,7 @@ std::string audit_report_json(const std::vector<AuditReport>& reports) {
                      {"agrees", report.agrees()},
                      {"statements", std::move(statements)}});
   }
-  return Json{{"agrees", agrees}, {"files", std::move(files)}}.dump(2) + "\n";
+  return Json{{"agrees", agrees}, {"files", std::move(files)}}.dump() + "\n";
 }
 
 }  // namespace assur::generator::audit

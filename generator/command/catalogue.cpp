@@ -1,8 +1,8 @@
 #include "command/catalogue.hpp"
 
 #include <algorithm>
+#include <assur/text/json.hpp>
 #include <assur/text/names.hpp>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "derivatives/mobility.hpp"
@@ -14,7 +14,7 @@ namespace assur::generator::command {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using text::Json;
 
 struct CatalogueEntry {
   const structure::Model* model;
@@ -160,7 +160,7 @@ std::string catalogue_json() {
       root["other_groups"].push_back(group_json(group));
     }
   }
-  return root.dump(2) + "\n";
+  return root.dump() + "\n";
 }
 
 std::string catalogue_text() {

@@ -1,10 +1,14 @@
 // The command `assur`: each subcommand is one pass through the pipeline.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <assur/text/names.hpp>
+#include <assur/text/suggestion.hpp>
 #include <csignal>
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "audit/audit.hpp"
 #include "audit/audit_report.hpp"
@@ -74,6 +78,25 @@ std::vector<std::string> group_names() {
     names.push_back(group.name());
   }
   return names;
+}
+
+/// What is wrong with a command line, after the subcommand that it belongs to, and where help
+/// stands.
+std::string complaint(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  if (!chosen.empty()) {
+    const std::string name = chosen.front()->get_name();
+    return name + ": " + error.what() + " (see assur " + name + " --help)";
+  }
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) {
+    names.push_back(command->get_name());
+  }
+  const std::string given = argc > 1 ? argv[1] : "";
+  const std::string found =
+      argc > 1 ? " '" + given + "'" + assur::text::suggestion(given, names) : std::string();
+  return "no subcommand" + found + "; the subcommands are " + assur::text::listed(names) +
+         " (see assur --help)";
 }
 
 int run(int argc, char** argv) {
@@ -165,7 +188,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    std::cerr << "error: " << error.what() << " (see assur --help)\n";
+    std::cerr << "error: " << complaint(app, error, argc, argv) << '\n';
     return exit_unusable;
   }
   return chosen();

@@ -1,4 +1,4 @@
-#include <nlohmann/json.hpp>
+#include <assur/text/json.hpp>
 
 #include "document/render.hpp"
 
@@ -6,7 +6,7 @@ namespace assur::generator::document {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using text::Json;
 
 template <typename Items, typename Text>
 Json array_of(const Items& items, const Text& text) {
@@ -130,7 +130,7 @@ std::string derivation_json(const Derivation& derivation) {
   if (derivation.elimination) {
     root["elimination"] = elimination_json(*derivation.elimination);
   }
-  return root.dump(2) + "\n";
+  return root.dump() + "\n";
 }
 
 }  // namespace assur::generator::document

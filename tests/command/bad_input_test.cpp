@@ -221,7 +221,16 @@ TEST(BadArguments, SettingWithoutValue) {
   expect_one_line(run_assur("solve " ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json --set AB"),
                   "--set: expected NAME=EXPR");
 }
-TEST(BadArguments, UnknownSubcommand) { expect_one_line(run_assur("solv"), "see assur --help"); }
+TEST(BadArguments, UnknownSubcommand) {
+  const CommandResult result = run_assur("solv");
+  expect_one_line(result, "see assur --help");
+  expect_one_line(result, "no subcommand 'solv' (did you mean 'solve'?)");
+}
+TEST(BadArguments, NameTheirSubcommand) {
+  expect_one_line(run_assur("solve a b"), "solve: The following argument was not expected: b");
+  expect_one_line(run_assur("derive"),
+                  "derive: KIND_OR_MODEL is required (see assur derive --help)");
+}
 TEST(BadArguments, NoSubcommand) { expect_one_line(run_assur(""), "subcommand"); }
 TEST(BadArguments, UnknownFormat) {
   expect_one_line(run_assur("catalogue --format xml"), "--format");

@@ -70,6 +70,14 @@ struct Model04 {
   static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
   static constexpr int determinant_sign = -1;  ///< of det J against their product
 
+  static constexpr int discriminant_degree = 0;  ///< of the final polynomial, in the lengths
+  /// Where no length exceeds one, of the discriminant: what rounding does to it at most, and from
+  /// which on its roots are regular configurations, apart by more than rounding, that close; zero
+  /// where that does not follow.
+  static constexpr double discriminant_error = 6.5e-15, regular_discriminant = 0;
+  static constexpr int first_key = 0;  ///< then: of those that put them in order, the first that
+                                       ///<     differs
+
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "sin(psi_C_BC) = 0: s_C free to first order",

@@ -76,6 +76,17 @@ struct Model16 {
   static constexpr int core_pivot_count = 2;  ///< the first of them: the core's
   static constexpr int determinant_sign = 1;  ///< of det J against their product
 
+  static constexpr int discriminant_degree = 2;  ///< of the final polynomial, in the lengths
+  /// Where no length exceeds one, of the discriminant: what rounding does to it at most, and from
+  /// which on its roots are regular configurations, apart by more than rounding, that close; zero
+  /// where that does not follow.
+  static constexpr double discriminant_error = 1.44e-07, regular_discriminant = 0;
+  /// The same of what the formula divides by.
+  static constexpr int leading_degree = 0;
+  static constexpr double leading_error = 6.15e-13;
+  static constexpr int first_key = 0;  ///< then: of those that put them in order, the first that
+                                       ///<     differs
+
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "cos(phi_B + psi_C_BCG - theta_GF) = 0: s_B, s_E free to first order",

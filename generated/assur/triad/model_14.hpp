@@ -76,6 +76,7 @@ struct Model14 {
   static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
   static constexpr int determinant_sign = 1;  ///< of det J against their product
 
+
   /// What the vanishing of each pivot of the structured elimination means.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_CEG, s_B free to first order",

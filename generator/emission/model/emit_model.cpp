@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "derivatives/mobility.hpp"
+#include "emission/model/closed_form.hpp"
 #include "emission/model/emit.hpp"
 #include "emission/model/model_view.hpp"
 #include "emission/model/solution_functions.hpp"
@@ -106,6 +107,7 @@ cpp::EmittedFile emit_model(const structure::Model& model) {
   }
   const std::vector<equations::NamedQuantity> known = known_quantities(equations, vocabularies);
 
+  cpp::View view;
   cpp::View::List functions;
   const auto add_functions = [&](const std::vector<ModelFunction>& list,
                                  const equations::Vocabulary& vocabulary) {
@@ -116,12 +118,14 @@ cpp::EmittedFile emit_model(const structure::Model& model) {
     for (const ModelFunction& function : list) {
       const program::Program program(order, vocabulary.quantities(), function.results, known);
       functions.push_back(function_view(function, program, spelling));
+      if (function.name == "position_polynomial") {
+        show_closed_form(equations, *elimination, *structured, program, GroupRange(), view);
+      }
     }
   };
   add_functions(model_functions(equations, derivatives), equations.vocabulary);
   add_functions(special_functions.functions, equations.vocabulary);
 
-  cpp::View view;
   view.set("dimensions_doc", "Link dimensions d.");
   view.set("inputs_doc", "Inputs u: where the base holds the external joints.");
   view.set("group", model.group->name());

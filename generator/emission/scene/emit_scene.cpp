@@ -7,8 +7,8 @@
 
 #include "emission/cpp/cpp_text.hpp"
 #include "emission/model/model_view.hpp"
-#include "emission/scene/group_numbers.hpp"
 #include "emission/scene/scene_statements.hpp"
+#include "emission/scene/specialised_numbers.hpp"
 
 namespace assur::generator::emission::scene {
 
@@ -136,6 +136,7 @@ class SceneEmitter {
     special.view.set("base_name", mention(held, "placed.") ? " placed" : "");
     special.view.set("held_name", held.empty() ? "" : " held");
     special.view.set("placing", shown(placing.lines));
+    first_key_ = order_key(group, special);
     groups_.push_back(special.view);
     structs_.push_back(solver_.group_struct(group));
     max_configurations_ *= special.max_configurations;
@@ -198,6 +199,20 @@ class SceneEmitter {
     return numbers;
   }
 
+  /// The place of the first entry of the solver's key that may differ. Where two links are placed,
+  /// of one group and in frames along one line, their angle's cosine is at the places 0 to 2, its
+  /// sine at 3.
+  [[nodiscard]] std::size_t order_key(mechanism::GroupIndex group,
+                                      const SpecialisedGroup& special) const {
+    const auto& links = solver_.numbers.group(group).links;
+    const bool in_line = std::all_of(links.begin(), links.end(), [](const auto& link) {
+      const SceneNumber& sine = link.frame.direction.sin;
+      return !may_change(sine) && sine.value() == 0;
+    });
+    const bool is_alone = solver_.plan.structure().groups.size() == 1 && links.size() == 2;
+    return is_alone && in_line && special.first_key == 1 ? 3 : 0;
+  }
+
   /// How configurations are told apart.
   void show_order() {
     const mechanism::NamedParts parts = solver_.plan.structure().named_parts(solver_.mechanism());
@@ -214,6 +229,7 @@ class SceneEmitter {
       key.set("member", solver_.members.joints[slide.joint]);
       keys.push_back(key);
     }
+    view_.set("first_key", std::to_string(first_key_));
     view_.set("moving_list", text::joined(moving, ", "));
     view_.set("moving_count", std::to_string(moving.size()));
     view_.set("keyed_name", moving.empty() && keys.empty() ? "" : " placed");
@@ -287,6 +303,7 @@ class SceneEmitter {
   std::vector<std::string> structs_;     ///< of the groups
   std::vector<std::string> steps_;
   std::size_t max_configurations_ = 1;
+  std::size_t first_key_ = 0;
   cpp::View view_;
   cpp::View::List groups_;
 };

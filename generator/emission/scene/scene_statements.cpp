@@ -6,7 +6,7 @@
 #include <deque>
 
 #include "emission/cpp/cpp_text.hpp"
-#include "emission/scene/group_numbers.hpp"
+#include "emission/scene/specialised_numbers.hpp"
 
 namespace assur::generator::emission::scene {
 

@@ -1,12 +1,15 @@
 #include "emission/scene/specialised_group.hpp"
 
 #include <algorithm>
+#include <assur/detail/closed_form.hpp>
+#include <assur/support/scale.hpp>
 #include <assur/text/names.hpp>
 #include <cmath>
 #include <iterator>
 #include <set>
 
 #include "emission/cpp/cpp_text.hpp"
+#include "emission/model/closed_form.hpp"
 #include "emission/model/model_view.hpp"
 #include "emission/model/solution_functions.hpp"
 #include "emission/scene/specialise.hpp"
@@ -17,7 +20,7 @@ namespace {
 
 class GroupSpecialiser {
  public:
-  explicit GroupSpecialiser(const GroupNumbers& numbers)
+  explicit GroupSpecialiser(const SpecialisedNumbers& numbers)
       : numbers_(numbers),
         equations_(equations::closure_equations(*numbers.model, numbers.dimension_moves)),
         derivatives_(derivatives::differentiate(equations_)),
@@ -28,8 +31,9 @@ class GroupSpecialiser {
   }
 
   SpecialisedGroup run(const std::string& struct_name, const std::string& title) {
+    SpecialisedGroup result{};
+    result.view = view(struct_name, title);
     const model::ModelSpelling spelling(equations_.unknowns, equations_.dimensions, inputs_);
-    SpecialisedGroup result;
     cpp::View::List functions;
     std::vector<std::string> operations;
     std::set<std::string> named;
@@ -58,6 +62,12 @@ class GroupSpecialiser {
       functions.push_back(
           model::function_view(folded, program, spelling, model::ZeroResults::assigned));
       named.merge(cpp::constants_of(program));
+      if (function.name == "position_polynomial") {
+        const model::GroupRange range = {detail::most_length_of_numbers, false, sizes_,
+                                         support::rounding_of_named_numbers};
+        result.first_key = model::show_closed_form(equations_, elimination_, structured_, program,
+                                                   range, result.view);
+      }
     };
     for (const model::ModelFunction& function : model::model_functions(equations_, derivatives_)) {
       if (is_wanted(function.name)) {
@@ -78,7 +88,6 @@ class GroupSpecialiser {
     for (const model::ModelFunction& function : positions) {
       add(function, elimination_.vocabulary);
     }
-    result.view = view(struct_name, title);
     result.view.set("functions", functions);
     result.view.set("operations", text::joined(operations, "; "));
     result.view.set("constants", constant_list(named));
@@ -110,6 +119,9 @@ class GroupSpecialiser {
     values_[variable.size] = cpp::exact(std::abs(value.length));
     values_[variable.rate] = 0;
     values_[variable.second_rate] = 0;
+    for (const GiNaC::symbol& length : {variable.value, variable.size}) {
+      sizes_[length.get_name()] = std::abs(value.length);
+    }
   }
 
   /// Names a number, unless it is one that is folded wherever it occurs.
@@ -366,13 +378,14 @@ class GroupSpecialiser {
     return view;
   }
 
-  const GroupNumbers& numbers_;
+  const SpecialisedNumbers& numbers_;
   equations::ClosureEquations equations_;
   derivatives::Derivatives derivatives_;
   pivoting::StructuredJacobian structured_;
   elimination::Elimination elimination_;
   GiNaC::exmap values_;
   std::vector<NamedConstant> constants_;
+  model::Sizes sizes_;  ///< of the lengths that are numbers
   std::deque<equations::Variable> inputs_;
   bool has_varying_ = false;  ///< inputs that variable parameters change
 };
@@ -391,8 +404,8 @@ std::vector<std::size_t> framed_links(const std::vector<FrameNeed>& frames) {
   return links;
 }
 
-SpecialisedGroup specialised_group(const GroupNumbers& numbers, const std::string& struct_name,
-                                   const std::string& title) {
+SpecialisedGroup specialised_group(const SpecialisedNumbers& numbers,
+                                   const std::string& struct_name, const std::string& title) {
   return GroupSpecialiser(numbers).run(struct_name, title);
 }
 

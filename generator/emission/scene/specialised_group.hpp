@@ -21,7 +21,7 @@ enum class FrameNeed : unsigned char {
 };
 
 /// The numbers of a group. Lengths and the gradients of lengths are in `unit`, a power of two.
-struct GroupNumbers {
+struct SpecialisedNumbers {
   const structure::Model* model;
   double unit;
   int order;  ///< of the time derivatives that are wanted: 0, 1 or 2
@@ -39,11 +39,12 @@ struct GroupNumbers {
   bool holds_groups;               ///< whether other groups are held by its links
 };
 
-/// The view that templates/specialised_group.hpp.mustache shows, and how many configurations it has
-/// at most.
+/// The view that templates/specialised_group.hpp.mustache shows.
 struct SpecialisedGroup {
   cpp::View view;
   std::size_t max_configurations;
+  int first_key;  ///< of those that put a group's configurations in order, the first that may
+                  ///< differ
 };
 
 /// The group's links with frames, in the order of the solver's: those of which everything is needed
@@ -52,7 +53,7 @@ struct SpecialisedGroup {
 
 /// The functions of a rigid model that the runtime needs and the scene wants, with the dimensions
 /// and the held inputs as numbers. Throws InputError if the numbers leave no closed form.
-[[nodiscard]] SpecialisedGroup specialised_group(const GroupNumbers& numbers,
+[[nodiscard]] SpecialisedGroup specialised_group(const SpecialisedNumbers& numbers,
                                                  const std::string& struct_name,
                                                  const std::string& title);
 

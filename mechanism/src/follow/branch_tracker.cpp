@@ -130,8 +130,13 @@ void BranchTracker::give_up(const SnapshotPointer& set, const BranchMatching& ma
   for (const PointIndex point : matching.turned) {
     to_right[point] = PointIndex();
   }
-  SingularEvent event{EventKind::unresolved, (current_->parameter + set->parameter) / 2, {}, {},
-                      PointIndex(),          unknown_configuration(solver_.plan())};
+  SingularEvent event{EventKind::unresolved,
+                      (current_->parameter + set->parameter) / 2,
+                      {},
+                      {},
+                      PointIndex(),
+                      unknown_configuration(solver_.plan()),
+                      std::abs(set->parameter - current_->parameter) / 2};
   Table<PointIndex, bool> continued(set->count(), false);
   for (const PointIndex point : to_right.keys()) {
     if (to_right[point].exists()) {

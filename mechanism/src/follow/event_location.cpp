@@ -400,6 +400,16 @@ std::optional<CrossingEstimate> crossing_at_width(SnapshotSolver& solver,
   return estimate;
 }
 
+/// Whether one configuration stands at a place, and not two to either side of it, or none: its
+/// closures tell an opening that is lost in the rounding of the branches.
+bool is_one(const Snapshot& set, const Eigen::VectorXd& place) {
+  constexpr double close = 1e-5;
+  const auto count = std::ranges::count_if(set.points, [&](const ConfigurationPoint& point) {
+    return (point.at - place).norm() < close;
+  });
+  return count == 1 || set.solution.status == SolutionStatus::degenerate;
+}
+
 }  // namespace
 
 std::optional<EventLocation> locate_crossing(SnapshotSolver& solver,
@@ -407,18 +417,20 @@ std::optional<EventLocation> locate_crossing(SnapshotSolver& solver,
                                              const ConfigurationBundle& right, double limit) {
   const CrossingLines lines(left, right);
   double fastest = 0;
+  double slowest = std::numeric_limits<double>::infinity();
   for (const Eigen::VectorXd& slope : lines.slopes) {
     fastest = std::max(fastest, (slope - lines.slopes[0]).norm());
+    slowest = std::min(slowest, slope.norm());
   }
   constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
-  constexpr int widths = 28;
+  constexpr int widths = 34;
   constexpr int most_in_vain = 6;
   std::optional<CrossingEstimate> best;
   std::optional<CrossingEstimate> last;
   double least = std::numeric_limits<double>::infinity();
   double opening = least;
   int in_vain = 0;  // widths since anything became better
-  double width = (right.set->parameter - left.set->parameter) / 16;
+  double width = (right.set->parameter - left.set->parameter) / 1024;
   for (int index = 0; index < widths && in_vain < most_in_vain; ++index, width *= 2) {
     in_vain += last ? 1 : 0;
     const auto estimate = crossing_at_width(solver, lines, width);
@@ -443,7 +455,10 @@ std::optional<EventLocation> locate_crossing(SnapshotSolver& solver,
     }
     last = estimate;
   }
-  if (!best || !(opening < limit)) {
+  // A length that rounding has changed opens branches that cross steeply by more.
+  const double steepness = std::max(1.0, fastest / slowest);
+  if (!best || !(opening < steepness * limit) ||
+      !is_one(*solver.at(best->parameter), best->place)) {
     return std::nullopt;
   }
   return EventLocation{best->parameter, best->configuration,

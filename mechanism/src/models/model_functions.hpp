@@ -23,10 +23,10 @@ class ModelFunctions {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
  public:
-  static void assemble(const FlatVariables& d, const FlatVariables& u, double displaced,
-                       double reach, GroupAssemblies& result) {
+  static void assemble(const FlatVariables& d, const FlatVariables& u,
+                       const support::Displacement& displaced, GroupAssemblies& result) {
     const Assemblies<Model> found =
-        assemblies<Model>(read<Dimensions>(d), read<Inputs>(u), displaced, reach);
+        assemblies<Model>(read<Dimensions>(d), read<Inputs>(u), displaced);
     result.status = found.status;
     result.mobility = found.mobility;
     result.count = static_cast<std::size_t>(found.count);
@@ -85,7 +85,7 @@ class ModelFunctions {
       forget(q_d);
       forget(q_u);
     }
-    motion.displaced = among.displaced(inverse);
+    motion.displaced = among.displaced(q, inverse);
 
     Matrix<double, Model::link_count, 3> velocities;
     Matrix<double, Model::link_count, 3> accelerations;

@@ -7,6 +7,7 @@
 #include <assur/assembly.hpp>
 #include <assur/model.hpp>
 #include <assur/status.hpp>
+#include <assur/support/displaced_frame.hpp>
 #include <assur/support/flat_variables.hpp>
 
 #include "models/series.hpp"
@@ -38,17 +39,17 @@ struct GroupAssemblies {
 struct MotionQuery {
   bool derivatives = false;  ///< to dimensions and inputs
   SmallVector input_rate, input_second_rate;
-  double displaced = 0;  ///< how far rounding may have moved the neighbours
+  support::Displacement displaced;  ///< of the neighbours, by rounding
 };
 
 /// One configuration of a group: rows in the order of the model's tables, poses (x, y, theta) link
 /// by link. Where the Jacobian has no inverse, rates and derivatives are NaN.
 struct GroupMotion {
-  double residual = 0;          ///< largest of the closures
-  Regularity<double> standing;  ///< by the pivots alone
-  double size = 0;              ///< what one radian moves points by
-  double held = 0;              ///< how far rounding may have moved what holds the group
-  double displaced = 0;         ///< and, at most, its links
+  double residual = 0;              ///< largest of the closures
+  Regularity<double> standing;      ///< by the pivots alone
+  double size = 0;                  ///< what one radian moves points by
+  double held = 0;                  ///< how far rounding may have moved what holds the group
+  support::Displacement displaced;  ///< and, at most, its links
   std::array<Pose<double>, most_links> poses;
   SmallVector rate, second_rate;          ///< of the unknowns
   SmallMatrix velocities, accelerations;  ///< a row (x, y, theta) per link
@@ -77,10 +78,9 @@ namespace assur::mechanism {
 
 /// The functions of one model behind plain numbers: d, u and q are flat.
 struct ModelKernel {
-  /// `displaced`: how far rounding may have moved the neighbours; `reach`: the longest length from
-  /// which their places were computed.
-  void (*assemble)(const models::FlatVariables& d, const models::FlatVariables& u, double displaced,
-                   double reach, models::GroupAssemblies& found);
+  /// `displaced`: the neighbours, by rounding.
+  void (*assemble)(const models::FlatVariables& d, const models::FlatVariables& u,
+                   const support::Displacement& displaced, models::GroupAssemblies& found);
   /// By how much the closures fail at least, where there are no configurations.
   Status (*gap)(const models::FlatVariables& d, const models::FlatVariables& u, double& result);
   void (*move)(const models::FlatVariables& d, const models::FlatVariables& u,

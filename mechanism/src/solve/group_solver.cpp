@@ -85,16 +85,16 @@ void GroupSolver::hold(const PlacedLinks& placed) {
     }
     ++row;
   };
-  query_.displaced = 0;
-  reach_ = support::Displacement::of_rounding(numbers().rounding).reach;
+  const support::Displacement& own = numbers().rounding;
+  query_.displaced = own;
   for (const values::HeldJoint& joint : numbers().held) {
     const Frame& base = placed.links[joint.base];
     const Frame& feature = values_.frame(joint.feature);
-    const support::Displacement displaced = placed.displaced[joint.base].carries(
-        feature.pose.x, feature.pose.y,
-        support::Displacement::of_rounding(values_.rounding(joint.feature)));
-    query_.displaced = std::max(query_.displaced, numbers().rounding + displaced.moved);
-    reach_ = std::max(reach_, displaced.reach);
+    support::Displacement displaced = placed.displaced[joint.base].carries(
+        feature.pose.x, feature.pose.y, values_.rounding(joint.feature));
+    displaced.moved += own.moved;
+    displaced.turned = joint.prismatic ? displaced.turned + own.turned : 0;
+    query_.displaced = query_.displaced.worst_of(displaced);
     if (joint.prismatic) {
       compose(base, feature, line_);
       *to++ = line_.pose.x;
@@ -116,7 +116,7 @@ void GroupSolver::hold(const PlacedLinks& placed) {
 }
 
 const models::GroupAssemblies& GroupSolver::assemble() {
-  model_.kernel->assemble(numbers().d, u_, query_.displaced, reach_, found_);
+  model_.kernel->assemble(numbers().d, u_, query_.displaced, found_);
   return found_;
 }
 
@@ -158,7 +158,7 @@ void GroupSolver::place(std::size_t configuration, std::size_t first_slide, Plac
   placed.rates_known = placed.rates_known && precision.second_rates_known;
   placed.residual = std::max(placed.residual, motion_.residual);
   for (const LinkIndex link : numbers().links) {
-    placed.displaced[link] = {motion_.displaced, 0, std::max(reach_, motion_.size)};
+    placed.displaced[link] = motion_.displaced;
   }
 }
 

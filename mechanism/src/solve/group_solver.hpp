@@ -44,7 +44,7 @@ class GroupSolver {
   [[nodiscard]] const models::GroupAssemblies& assemble();
   /// How far rounding may have moved what holds the group where it was placed last, in parts of the
   /// group's size.
-  [[nodiscard]] double displaced() const { return query_.displaced / motion_.size; }
+  [[nodiscard]] double displaced() const { return query_.displaced.moved / motion_.size; }
   /// By how much the closures fail at least where it is held, if there are no configurations. Set
   /// where the status is ok; not_finite.
   [[nodiscard]] Status gap(double& result) const;
@@ -73,7 +73,6 @@ class GroupSolver {
   models::FlatVariables u_{};
   values::ParameterDerivatives of_u_;  ///< how the inputs follow the parameters
   models::MotionQuery query_;
-  double reach_ = 0;  ///< of the lengths from which the inputs were computed
   models::GroupAssemblies found_;
   models::GroupMotion motion_;
   values::ParameterDerivatives of_q_, of_p_;  ///< how the unknowns and the link poses follow them

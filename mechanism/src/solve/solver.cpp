@@ -124,16 +124,13 @@ class ConfigurationWalk {
     const Pose<double>& near = values_.frame(at.on(link.from)).pose;
     const Pose<double>& back = values_.driven_frame(place).pose;
     const double position = motion.position.value();
-    const auto of_feature = [this](FeatureIndex feature) {
-      return support::Displacement::of_rounding(values_.rounding(feature));
-    };
     placed_.displaced[link.to] =
         placed_.displaced[link.from]
-            .carries(near.x, near.y, of_feature(at.on(link.from)))
+            .carries(near.x, near.y, values_.rounding(at.on(link.from)))
             .carries(0, 0,
                      at.prismatic ? support::Displacement::of_slide(position)
                                   : support::Displacement::of_turn(position))
-            .carries(back.x, back.y, of_feature(at.on(link.to)));
+            .carries(back.x, back.y, values_.rounding(at.on(link.to)));
     if (slide != nullptr) {
       set_slide(motion, at.joint, *slide);
     }

@@ -76,13 +76,13 @@ Values::GroupNumbers group_numbers(const Values& values, GroupIndex index) {
   for (const ModelJoint& wanted : group.model->group->joints) {
     const ElementaryJoint& at = played(joint);
     const LinkIndex inner = played_link(*geometry.roles, wanted.second);
-    numbers.rounding = std::max(numbers.rounding, values.rounding(at, inner));
+    numbers.rounding = numbers.rounding.worst_of(values.rounding(at, inner));
     if (wanted.first == base_link) {
       const LinkIndex base = at.other(inner);
       numbers.held.push_back({base, at.on(base), at.prismatic});
     } else {
       const LinkIndex other = at.other(inner);
-      numbers.rounding = std::max(numbers.rounding, values.rounding(at, other));
+      numbers.rounding = numbers.rounding.worst_of(values.rounding(at, other));
     }
     ++joint;
   }

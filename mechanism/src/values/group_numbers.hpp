@@ -53,7 +53,7 @@ struct Values::GroupNumbers {
   std::vector<Frame> own;        ///< their own frames, each in its normal frame
   std::vector<values::MeasuredSlide> slides;
   std::vector<values::HeldJoint> held;
-  double rounding = 0;  ///< of the features of its links, beyond that of their coordinates
+  support::Displacement rounding;  ///< of its links' features, beyond that of their coordinates
 
   /// Whether one of these links holds the group.
   [[nodiscard]] bool is_held_by(const Table<LinkIndex, bool>& links_in_question) const {

@@ -260,7 +260,12 @@ void Values::evaluate_feature(FeatureIndex index) {
     const LinkFeature<Dual> moving = in_time(index, feature.is_line);
     frames_[index].move({moving.x, moving.y, moving.along});
   }
-  roundings_[index] = std::max(rounding(feature.x), rounding(feature.y));
+  roundings_[index] = support::Displacement::of_rounding(
+      std::max(rounding(feature.x), rounding(feature.y)),
+      feature.is_line
+          ? (rounding(feature.along_x) + rounding(feature.along_y)) /
+                std::hypot(numbers_[feature.along_x].value(), numbers_[feature.along_y].value())
+          : 0);
   features_[index] = std::move(result);
 }
 
@@ -305,7 +310,7 @@ LinkFeature<Dual> Values::feature(const ElementaryJoint& at, LinkIndex link) con
       [this](DriverIndex driver) { return motions_[driver].position; });
 }
 
-double Values::rounding(const ElementaryJoint& at, LinkIndex link) const {
+support::Displacement Values::rounding(const ElementaryJoint& at, LinkIndex link) const {
   const LinkIndex holder = at.holder(link);
   if (holder == link) {
     return rounding(at.on(link));
@@ -319,14 +324,13 @@ double Values::rounding(const ElementaryJoint& at, LinkIndex link) const {
     const Pose<double>& pose = frame(feature).pose;
     return std::abs(pose.x) + std::abs(pose.y);
   };
-  const double lever = size_of(at.on(link)) + size_of(joint.on(driven.to));
-  const Displacement moved =
-      (joint.prismatic ? Displacement::of_slide(position) : Displacement::of_turn(position))
-          .carries(lever, 0);
   ElementaryJoint nearer = at;
   (link == at.first ? nearer.holder_first : nearer.holder_second) = driven.from;
-  return moved.moved + rounding(joint.on(driven.from)) + rounding(joint.on(driven.to)) +
-         rounding(nearer, link);
+  const double lever = size_of(at.on(link)) + size_of(joint.on(driven.to));
+  return (joint.prismatic ? Displacement::of_slide(position) : Displacement::of_turn(position))
+      .carries(lever, 0, rounding(joint.on(driven.from)))
+      .carries(0, 0, rounding(joint.on(driven.to)))
+      .carries(0, 0, rounding(nearer, link));
 }
 
 void Values::evaluate_driver(DriverIndex index,

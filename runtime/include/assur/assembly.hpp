@@ -9,6 +9,7 @@
 #include <assur/detail/general_search.hpp>
 #include <assur/detail/index.hpp>
 #include <assur/detail/special_group.hpp>
+#include <assur/support/displaced_frame.hpp>
 #include <assur/support/scale.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
@@ -22,7 +23,7 @@ namespace detail {
 template <typename Model>
 [[gnu::noinline, gnu::cold]] void search(
     const typename Model::template Dimensions<double>& dimensions,
-    const typename Model::template Inputs<double>& inputs, double displaced, double reach,
+    const typename Model::template Inputs<double>& inputs, const support::Displacement& displaced,
     Assemblies<Model>& result) {
   using Dimensions = typename Model::template Dimensions<double>;
   using Inputs = typename Model::template Inputs<double>;
@@ -30,11 +31,12 @@ template <typename Model>
     result.status = AssemblyStatus::not_finite;
     return;
   }
-  const double scale = support::unit_scale<Model>(dimensions, inputs, displaced, reach);
+  const double scale = support::unit_scale<Model>(dimensions, inputs, displaced);
   const auto d = support::scaled_to<Dimensions>(dimensions, scale);
   const auto u = support::scaled_to<Inputs>(inputs, scale);
-  const double held =
-      support::counted_displacement(displaced * scale, std::max(1.0, reach * scale));
+  // Lengths are near one: a turn moves their ends by as much.
+  const double held = support::counted_displacement(
+      std::max(displaced.moved * scale, displaced.turned), std::max(1.0, displaced.reach * scale));
   bool found = false;
   if constexpr (!has_closed_form<Model>) {
     found = GeneralSearch<Model>(d, u, held, result).run();
@@ -49,9 +51,9 @@ template <typename Model>
 
 /// Every assembly configuration: all q with F(d, u, q) = 0, the closures F in the comment of the
 /// model. Lengths share any unit, directions among dimensions and inputs must be unit vectors;
-/// configurations are in the frame and the unit of the inputs. `displaced` is a length: how far
-/// rounding may have moved any input, for example because another group was placed before, and
-/// `reach` the longest length from which the inputs were computed, if it is longer than the group.
+/// configurations are in the frame and the unit of the inputs. `displaced` tells how far rounding
+/// may have moved and turned any input, for example because another group was placed before, and
+/// the longest length from which the inputs were computed, if it is longer than the group.
 ///
 /// A final polynomial of first or second degree is solved by formula where its discriminant is
 /// larger than all rounding, of the inputs too; of one of higher degree the real roots are isolated
@@ -62,7 +64,8 @@ template <typename Model>
 template <typename Model>
 [[nodiscard]] Assemblies<Model> assemblies(
     const typename Model::template Dimensions<double>& dimensions,
-    const typename Model::template Inputs<double>& inputs, double displaced = 0, double reach = 0) {
+    const typename Model::template Inputs<double>& inputs,
+    const support::Displacement& displaced = {}) {
   static_assert(Model::rigid, "a degenerate model has no closed form");
   Assemblies<Model> result;
   bool found = false;
@@ -72,7 +75,7 @@ template <typename Model>
             Search::list_polished(dimensions, inputs, displaced, result);
   }
   if (!found) {
-    detail::search<Model>(dimensions, inputs, displaced, reach, result);
+    detail::search<Model>(dimensions, inputs, displaced, result);
   }
   return result;
 }

@@ -1,6 +1,7 @@
 // Turns a configuration of moving inputs into that of the same branch further on.
 #pragma once
 
+#include <algorithm>
 #include <assur/branch_point.hpp>
 #include <assur/detail/branch_step.hpp>
 #include <assur/status.hpp>
@@ -26,9 +27,9 @@ struct Track {
 /// `path(value)` gives the inputs' motion, an InputMotion, at a value between them. `d` is what
 /// `branch_point` had.
 ///
-/// Steps are halved until prediction, correction and the derivatives at both ends agree. A change
-/// to a branch that this one could meet would show in the sign of det J; that other branches are
-/// far enough away is experience, not proof: docs/performance.md counts.
+/// Steps are shortened until prediction, correction and the derivatives at both ends agree. A
+/// change to a branch that this one could meet would show in the sign of det J; that other branches
+/// are far enough away is experience, not proof: docs/performance.md counts.
 template <typename Model, typename Path>
 [[nodiscard]] Track<Model> track(const typename Model::template Dimensions<double>& d,
                                  const Path& path, double from, double to,
@@ -45,6 +46,15 @@ template <typename Model, typename Path>
   const double inverse_size = longest > 0 ? 1 / longest : std::numeric_limits<double>::max();
   const double shortest = std::abs(to - from) * detail::StepLimits().shortest;
   double width = to - from;
+  // Where a step was refused the branch may end. It does so like a square root of what is left of
+  // the way, which is its first derivative over twice its second. The next step goes most of that.
+  const auto before_end = [&](double step) {
+    const auto& motion = way.point.motion;
+    const double left = detail::turn_of<Model>(motion.velocity, inverse_size) /
+                        (2 * detail::turn_of<Model>(motion.acceleration, inverse_size));
+    const double most = std::max(0.75 * left, 1.5 * shortest);
+    return std::copysign(std::min(std::abs(step), most), step);
+  };
   bool halved = false;
   while (way.reached != to) {
     const double rest = std::abs(to - way.reached);
@@ -54,7 +64,7 @@ template <typename Model, typename Path>
     if (detail::step_along<Model>(d, inputs, next - way.reached, inverse_size, way.point, end)) {
       way.point = end;
       way.reached = next;
-      width = halved ? width : 2 * width;
+      width = halved ? before_end(width) : 2 * width;
       halved = false;
       continue;
     }
@@ -64,7 +74,7 @@ template <typename Model, typename Path>
       way.status = Status::not_finite;
       return way;
     }
-    width = (next - way.reached) / 2;
+    width = before_end((next - way.reached) / 2);
     halved = true;
     if (!(std::abs(width) > shortest)) {
       way.status = Status::no_convergence;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <assur/detail/members.hpp>
+#include <assur/detail/numbers.hpp>
 #include <assur/directions.hpp>
 #include <assur/model.hpp>
 #include <cmath>
@@ -39,13 +40,7 @@ void advance(Variables& variables, const Vector<Scalar, Count>& step) {
 /// The largest of the lengths and coordinates among variables, by magnitude; zero if there is none.
 template <typename Variables>
 [[nodiscard]] double longest_length(const Variables& variables) {
-  double largest = 0;
-  for_each_member(variables, [&largest](const auto& member, std::size_t) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
-      largest = std::max(largest, std::abs(member));
-    }
-  });
-  return largest;
+  return detail::longest(&variables, detail::SortsOf<Variables>::lengths);
 }
 
 /// The sum of the squares of the lengths and coordinates among variables.
@@ -79,6 +74,10 @@ template <typename Variables>
     finite = finite && detail::is_finite_number(member);
   });
   return finite;
+}
+template <template <typename> class Variables>
+[[nodiscard]] bool is_finite(const Variables<double>& variables) {
+  return detail::are_finite(&variables, detail::SortsOf<Variables<double>>::count);
 }
 
 }  // namespace assur

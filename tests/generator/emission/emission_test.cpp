@@ -26,16 +26,13 @@ std::string whole_tree(const fs::path& directory) {
   return text;
 }
 
+// Each process has its addresses elsewhere (address-space randomisation is the system's default),
+// and GiNaC orders by address. Three processes emit all models in this file: one writes them, one
+// finds what is checked in current, and one finds nothing but the planted change.
 TEST(Emission, IsTheSameInEveryProcess) {
-  // Each process has its addresses elsewhere (address-space randomisation is the system's default),
-  // and GiNaC orders by address.
-  std::set<std::string> trees = {whole_tree(ASSUR_GENERATED)};
-  for (int process = 0; process < 2; ++process) {
-    const TemporaryDirectory directory;
-    ASSERT_EQ(run_assur("emit --all --output " + directory.path().string()).status, 0);
-    trees.insert(whole_tree(directory.path()));
-  }
-  EXPECT_EQ(trees.size(), 1U);
+  const TemporaryDirectory directory;
+  ASSERT_EQ(run_assur("emit --all --output " + directory.path().string()).status, 0);
+  EXPECT_EQ(whole_tree(directory.path()), whole_tree(ASSUR_GENERATED));
 }
 
 TEST(Emission, CheckedInFilesAreCurrent) {

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "mechanism/dyad_chain.hpp"
+#include "mechanism/dyad_chain_truth.hpp"
+#include "mechanism/named_counts.hpp"
 #include "mechanism/solved.hpp"
 
 namespace assur::test {
@@ -30,7 +32,7 @@ struct ChainFaults {
   int renumbered = 0;   ///< another listing or place has another order
   int rescaled = 0;     ///< another unit changes the answer
 
-  [[nodiscard]] std::array<std::pair<const char*, int>, 11> named() const {
+  [[nodiscard]] std::array<NamedCount, 11> named() const {
     return {{{"refused", refused},
              {"lost", lost},
              {"invented", invented},
@@ -66,14 +68,7 @@ struct ChainFaults {
 };
 
 inline std::ostream& operator<<(std::ostream& out, const ChainFaults& faults) {
-  const char* separator = "";
-  for (const auto& [name, number] : faults.named()) {
-    if (number != 0) {
-      out << separator << number << ' ' << name;
-      separator = ", ";
-    }
-  }
-  return out;
+  return print_counts(out, faults.named());
 }
 
 /// What a campaign has met.
@@ -96,7 +91,7 @@ class DyadChainRun {
   /// Solves a chain in several listings, places and units.
   void run(unsigned seed) {
     const DyadChain chain(seed);
-    const ChainTruth truth = chain.truth();
+    const ChainTruth truth = ExactChain(chain).truth();
     ++tally_.chains;
     if (!truth.known) {
       ++tally_.untold;

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <ostream>
@@ -12,6 +13,7 @@
 
 #include "mechanism/lattice_scene.hpp"
 #include "mechanism/lattice_truth.hpp"
+#include "mechanism/named_counts.hpp"
 #include "mechanism/solved.hpp"
 
 namespace assur::test {
@@ -77,28 +79,22 @@ struct LatticeFaults {
 };
 
 inline std::ostream& operator<<(std::ostream& out, const LatticeFaults& faults) {
-  const char* separator = "";
-  const auto say = [&](int number, const char* what) {
-    if (number != 0) {
-      out << separator << number << ' ' << what;
-      separator = ", ";
-    }
-  };
-  say(faults.lost, "lost");
-  say(faults.hidden, "hidden behind a family");
-  say(faults.invented, "invented");
-  say(faults.open, "of them open");
-  say(faults.twice, "of them listed twice");
-  say(faults.called_regular, "singular called regular");
-  say(faults.called_singular, "regular called near singular");
-  say(faults.no_family, "family not told");
-  say(faults.false_family, "family invented");
-  say(faults.wrong_mobility, "wrong mobility");
-  say(faults.renumbered, "answered otherwise in another listing");
-  say(faults.exchanged, "answered otherwise with the links of joints exchanged");
-  say(faults.refused, "refused");
-  say(faults.tolerated, "badly conditioned and called near singular");
-  return out;
+  const std::array<NamedCount, 14> named = {
+      {{"lost", faults.lost},
+       {"hidden behind a family", faults.hidden},
+       {"invented", faults.invented},
+       {"of them open", faults.open},
+       {"of them listed twice", faults.twice},
+       {"singular called regular", faults.called_regular},
+       {"regular called near singular", faults.called_singular},
+       {"family not told", faults.no_family},
+       {"family invented", faults.false_family},
+       {"wrong mobility", faults.wrong_mobility},
+       {"answered otherwise in another listing", faults.renumbered},
+       {"answered otherwise with the links of joints exchanged", faults.exchanged},
+       {"refused", faults.refused},
+       {"badly conditioned and called near singular", faults.tolerated}}};
+  return print_counts(out, named);
 }
 
 /// A joint's feature on one of its links, placed.

@@ -31,7 +31,7 @@ Assemblies<Model> assemblies(const typename Model::template Dimensions<double>& 
   support::flatten(d, dimensions);
   support::flatten(u, inputs);
   mechanism::models::GroupAssemblies found;
-  kernel.assemble(dimensions, inputs, 0, 0, found);
+  kernel.assemble(dimensions, inputs, {}, found);
   Assemblies<Model> result;
   result.status = found.status;
   result.count = static_cast<int>(found.count);

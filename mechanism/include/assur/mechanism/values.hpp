@@ -5,6 +5,7 @@
 #include <assur/mechanism/dual.hpp>
 #include <assur/mechanism/frame.hpp>
 #include <assur/mechanism/group_geometry.hpp>
+#include <assur/support/displaced_frame.hpp>
 #include <functional>
 #include <memory>
 #include <string>
@@ -71,12 +72,13 @@ class Values {
   }
   /// Of a driven link, by its place among them: its own frame, in that of the driven joint on it.
   [[nodiscard]] const Frame& driven_frame(std::size_t place) const { return driven_frames_[place]; }
-  /// How far rounding may have moved a feature on its link, beyond that of its own coordinates.
-  [[nodiscard]] double rounding(FeatureIndex feature) const {
-    return feature.exists() ? roundings_[feature] : 0;
+  /// How far rounding may have moved and turned a feature on its link, beyond that of its own
+  /// coordinates.
+  [[nodiscard]] support::Displacement rounding(FeatureIndex feature) const {
+    return feature.exists() ? roundings_[feature] : support::Displacement();
   }
   /// Likewise of a joint's feature, on a link that has it or carries it.
-  [[nodiscard]] double rounding(const ElementaryJoint& at, LinkIndex link) const;
+  [[nodiscard]] support::Displacement rounding(const ElementaryJoint& at, LinkIndex link) const;
   [[nodiscard]] const GroupGeometry<Dual>& group(GroupIndex group) const { return groups_[group]; }
   [[nodiscard]] SlideMeasure<Dual> slide_measure(GroupIndex group, int model_joint) const;
 
@@ -133,7 +135,7 @@ class Values {
   Table<ParameterIndex, Dual> parameters_in_time_;
   Table<FeatureIndex, LinkFeature<Dual>> features_;
   Table<FeatureIndex, Frame> frames_;
-  Table<FeatureIndex, double> roundings_;
+  Table<FeatureIndex, support::Displacement> roundings_;
   Frame block_;
   std::vector<Frame> driven_frames_;
   Table<GroupIndex, GroupGeometry<Dual>> groups_;

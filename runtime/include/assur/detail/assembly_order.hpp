@@ -5,6 +5,7 @@
 #include <assur/assemblies.hpp>
 #include <assur/detail/index.hpp>
 #include <assur/detail/members.hpp>
+#include <assur/detail/numbers.hpp>
 #include <assur/model.hpp>
 #include <assur/numeric/order.hpp>
 #include <assur/numeric/pair.hpp>
@@ -35,29 +36,40 @@ template <typename To, typename From>
   return result;
 }
 
+/// So many numbers of one and of other variables, each two as a pair.
+inline void pair_numbers(const void* one, const void* other, std::size_t count, void* pairs) {
+  for (std::size_t place = 0; place < count; ++place) {
+    put_number(pairs, place,
+               numeric::Pair(number_at<double>(one, place), number_at<double>(other, place)));
+  }
+}
+
 template <typename Model>
 [[nodiscard]] typename Model::template Configuration<numeric::Pair> pair_of(
     const typename Model::template Configuration<double>& first,
     const typename Model::template Configuration<double>& second) {
-  auto result =
-      support::scaled_to<typename Model::template Configuration<numeric::Pair>>(first, 1.0);
-  for_each_pair(result, second,
-                [](auto& target, const auto& source) { target = numeric::paired(target, source); });
+  typename Model::template Configuration<numeric::Pair> result;
+  pair_numbers(&first, &second, SortsOf<typename Model::template Configuration<double>>::count,
+               &result);
   return result;
+}
+
+/// Of the angle from one direction to another.
+template <typename Scalar>
+[[nodiscard]] Scalar cosine_between(const Direction<Scalar>& one, const Direction<Scalar>& other) {
+  return one.cos * other.cos + one.sin * other.sin;
+}
+template <typename Scalar>
+[[nodiscard]] Scalar sine_between(const Direction<Scalar>& one, const Direction<Scalar>& other) {
+  return one.cos * other.sin - one.sin * other.cos;
 }
 
 /// Calls `use` with what puts two configurations in order, its place from 0 and whether it is a
 /// length: the cosines, then the sines, of the angles between each two links; then the lengths
 /// among the unknowns. The cosines do not change under rigid motion and reflection.
-template <typename Model, typename Use>
-void for_each_key(const typename Model::template Dimensions<numeric::Pair>& d,
-                  const typename Model::template Inputs<numeric::Pair>& u,
-                  const typename Model::template Configuration<numeric::Pair>& q, Use use) {
-  using numeric::Pair;
-  using Link = Pose<Pair>;
-  Poses<Pair, Model::link_count> links;
-  Model::link_poses(d, u, q, links);
-  int place = 0;
+template <std::size_t Links, typename Use>
+void for_each_key_of(const std::array<Pose<numeric::Pair>, Links>& links, Use& use, int& place) {
+  using Link = Pose<numeric::Pair>;
   const auto use_links = [&](auto key_of) {
     visit(links, [&](const Link& one, std::size_t first) {
       visit(links, [&](const Link& other, std::size_t second) {
@@ -67,28 +79,85 @@ void for_each_key(const typename Model::template Dimensions<numeric::Pair>& d,
       });
     });
   };
-  use_links([](const auto& a, const auto& b) { return a.cos * b.cos + a.sin * b.sin; });
-  use_links([](const auto& a, const auto& b) { return a.cos * b.sin - a.sin * b.cos; });
+  use_links(cosine_between<numeric::Pair>);
+  use_links(sine_between<numeric::Pair>);
+}
+template <typename Model, typename Use>
+void for_each_key(const typename Model::template Dimensions<numeric::Pair>& d,
+                  const typename Model::template Inputs<numeric::Pair>& u,
+                  const typename Model::template Configuration<numeric::Pair>& q, Use use) {
+  Poses<numeric::Pair, Model::link_count> links;
+  Model::link_poses(d, u, q, links);
+  int place = 0;
+  for_each_key_of(links, use, place);
   for_each_member(q, [&](const auto& member, std::size_t) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(member)>, Pair>) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(member)>, numeric::Pair>) {
       use(member, place++, true);
     }
   });
 }
 
+/// Where a key comes from: two links, or an unknown that is a length.
+struct KeySource {
+  std::size_t first, second;
+};
+template <typename Model>
+[[nodiscard]] constexpr KeySource key_source(int place) {
+  constexpr int pairs = Model::link_count * (Model::link_count - 1) / 2;
+  if (place >= 2 * pairs) {
+    int unknown = -1;
+    for (int length = 2 * pairs; length <= place; ++length) {
+      do {
+        ++unknown;
+      } while (is_angle<Model>(unknown));
+    }
+    return {size(unknown), 0};
+  }
+  int first = 0;
+  int second = 1 + place % pairs;
+  for (; second >= Model::link_count; ++first) {
+    second -= Model::link_count - first - 2;
+  }
+  return {size(first), size(second)};
+}
+
+/// The key at one place alone.
+template <typename Model, int Place>
+[[nodiscard]] numeric::Pair key_at(const typename Model::template Dimensions<numeric::Pair>& d,
+                                   const typename Model::template Inputs<numeric::Pair>& u,
+                                   const typename Model::template Configuration<numeric::Pair>& q) {
+  constexpr int pairs = Model::link_count * (Model::link_count - 1) / 2;
+  constexpr KeySource source = key_source<Model>(Place);
+  if constexpr (Place >= 2 * pairs) {
+    return std::get<source.first>(q.members());
+  } else {
+    Poses<numeric::Pair, Model::link_count> links;
+    Model::link_poses(d, u, q, links);
+    const auto& one = links[source.first].direction;
+    const auto& other = links[source.second].direction;
+    return Place < pairs ? cosine_between(one, other) : sine_between(one, other);
+  }
+}
+
 /// Whether the first of two configurations comes before the second. `square` is that of the unit of
-/// lengths. They do not differ in what comes before the key at `from`.
+/// lengths.
+struct FirstDifference {
+  double square;
+  int* order;
+
+  void operator()(const numeric::Pair& key, int /*place*/, bool is_length) const {
+    if (*order == 0) {
+      *order = numeric::order_of(key[0], key[1], is_length ? std::sqrt(square) : 1);
+    }
+  }
+};
 template <typename Model>
 [[nodiscard]] bool comes_before(const typename Model::template Dimensions<numeric::Pair>& d,
                                 const typename Model::template Inputs<numeric::Pair>& u,
                                 const typename Model::template Configuration<numeric::Pair>& q,
-                                double square, int from = 0) {
+                                double square) {
   int order = 0;
-  for_each_key<Model>(d, u, q, [&](const numeric::Pair& key, int place, bool is_length) {
-    if (order == 0 && place >= from) {
-      order = numeric::order_of(key[0], key[1], is_length ? std::sqrt(square) : 1);
-    }
-  });
+  for_each_key<Model>(d, u, q, FirstDifference{square, &order});
   return order < 0;
 }
 

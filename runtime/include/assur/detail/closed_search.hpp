@@ -10,6 +10,7 @@
 #include <assur/detail/polish.hpp>
 #include <assur/numeric/bounded.hpp>
 #include <assur/numeric/pair.hpp>
+#include <assur/support/displaced_frame.hpp>
 #include <assur/support/scale.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
@@ -30,8 +31,8 @@ class ClosedSearch {
  public:
   /// Most groups, as they are. False if a closer look is needed; the list is undefined then.
   [[nodiscard, gnu::flatten]] static bool list(const Dimensions& dimensions, const Inputs& inputs,
-                                               double displaced, Assemblies<Model>& result) {
-    const ClosedForm<Model>& form = closed_form<Model>;
+                                               const support::Displacement& displaced,
+                                               Assemblies<Model>& result) {
     const double square = square_of_lengths<double>(dimensions) + square_of_lengths<double>(inputs);
     if (!is_in_range(square, 0x1p64, most_length<Model> * most_length<Model>)) {
       return false;
@@ -40,35 +41,27 @@ class ClosedSearch {
     Model::position_polynomial(dimensions, inputs, T);
     const Discriminants<double> found = discriminants_of(T);
     const double in_units = is_scaled ? square : 1;
-    const double power = form.discriminant.power(in_units);
-    if (!form.discriminant.has_sign(found.discriminant, in_units, power, displaced)) {
-      return false;
-    }
-    if (found.discriminant < 0) {
-      return is_finite(dimensions) && is_finite(inputs);
+    const double error = Form::discriminant.error(in_units, displaced);
+    if (!(found.discriminant * Form::firmness > error)) {
+      return found.discriminant * Form::discriminant.firmness < -error && is_finite(dimensions) &&
+             is_finite(inputs);
     }
     if constexpr (has_leading_coefficient) {
-      if (!form.leading.has_sign(found.leading, in_units, form.leading.power(in_units),
-                                 displaced)) {
+      constexpr Certainty leading = {1 / Model::leading_error, Model::leading_degree};
+      if (!(std::abs(found.leading) * leading.firmness > leading.error(in_units, displaced))) {
         return false;
       }
     }
-    const auto d = support::scaled_to<typename Model::template Dimensions<Scalar>>(dimensions, 1.0);
-    const auto u = support::scaled_to<typename Model::template Inputs<Scalar>>(inputs, 1.0);
+    const auto d = support::converted_to<typename Model::template Dimensions<Scalar>>(dimensions);
+    const auto u = support::converted_to<typename Model::template Inputs<Scalar>>(inputs);
     typename Model::template Configuration<Scalar> q;
     first_of<Model>(q) = roots_of(T, found);
-    // What the longest length is for the closures: at most 1.8 times as long as it is.
-    const auto complete = complete_simple<Model, Scalar>(d, u, q);
-    if (!static_cast<bool>(complete & closes<Model, Scalar>(d, u, q, square / 2))) {
-      return false;
-    }
-    const bool is_far_from_singular = found.discriminant * form.regularity > power;
-    if (!is_far_from_singular && !is_regular<Model, Scalar>(d, u, q)) {
+    if (!completes(d, u, q, square)) {
       return false;
     }
     std::size_t first = 0;
     if constexpr (root_count == 2 && !comes_in_any_order<Model>) {
-      first = comes_before<Model>(d, u, q, in_units, form.first_key) ? 0 : 1;
+      first = comes_first(d, u, q, in_units) ? 0 : 1;
     }
     for (std::size_t index = 0; index < root_count; ++index) {
       result.configurations[index ^ first] = lane_of<Configuration>(q, index);
@@ -80,10 +73,9 @@ class ClosedSearch {
 
   /// A closer look: with the bounds of these very dimensions and inputs, which are much closer
   /// where many lengths are multiplied, and polished. False if it cannot vouch for its list.
-  [[nodiscard, gnu::noinline, gnu::cold]] static bool list_polished(const Dimensions& dimensions,
-                                                                    const Inputs& inputs,
-                                                                    double displaced,
-                                                                    Assemblies<Model>& result) {
+  [[nodiscard, gnu::noinline, gnu::cold]] static bool list_polished(
+      const Dimensions& dimensions, const Inputs& inputs, const support::Displacement& displaced,
+      Assemblies<Model>& result) {
     const double longest = std::max(longest_length(inputs), longest_length(dimensions));
     if (!is_in_range(longest, 0x1p64, most_length<Model>) || !is_finite(dimensions) ||
         !is_finite(inputs)) {
@@ -95,7 +87,7 @@ class ClosedSearch {
     FinalPolynomial<Model, double> T;
     Model::position_polynomial(d, u, T);
     const Discriminants<double> found = discriminants_of(T);
-    if (!is_certain(d, u, displaced * scale)) {
+    if (!is_certain(d, u, displaced.scaled(scale))) {
       return false;
     }
     if (found.discriminant < 0) {
@@ -123,6 +115,7 @@ class ClosedSearch {
   }
 
  private:
+  using Form = ClosedForm<Model>;
   static constexpr bool is_scaled = Model::dimension_count > 0;
 
   /// Products of several lengths may neither overflow nor underflow.
@@ -135,14 +128,47 @@ class ClosedSearch {
   static constexpr bool has_leading_coefficient =
       !is_angle<Model>(Model::first_unknown) && Model::polynomial_degree == 2;
 
-  [[nodiscard]] static bool is_certain(const Dimensions& d, const Inputs& u, double displaced) {
+  /// Completes the configurations at the roots; whether they close to a few roundings and are
+  /// regular.
+  template <typename ScalarDimensions, typename ScalarInputs, typename Roots>
+  [[nodiscard]] static bool completes(const ScalarDimensions& d, const ScalarInputs& u, Roots& q,
+                                      double square) {
+    // What the longest length is for the closures: at most 1.8 times as long as it is.
+    const auto holds = [&] { return closes<Model, Scalar>(d, u, q, square / 2); };
+    if constexpr (Form::vouches) {
+      const Scalar miss = complete_root<Model, Scalar>(d, u, q);
+      return !completes_angles<Model> || static_cast<bool>(miss <= Scalar(settled_direction)) ||
+             static_cast<bool>(holds());
+    } else {
+      return static_cast<bool>(complete_simple<Model, Scalar>(d, u, q) & holds()) &&
+             is_regular<Model, Scalar>(d, u, q);
+    }
+  }
+
+  /// Whether the first configuration comes before the second. A discriminant that vouches for them
+  /// tells them apart where they may differ first.
+  template <typename PairDimensions, typename PairInputs, typename PairConfiguration>
+  [[nodiscard]] static bool comes_first(const PairDimensions& d, const PairInputs& u,
+                                        const PairConfiguration& q, double square) {
+    if constexpr (Form::vouches) {
+      const numeric::Pair key = key_at<Model, Model::first_key>(d, u, q);
+      return key[0] < key[1];
+    } else {
+      return comes_before<Model>(d, u, q, square);
+    }
+  }
+
+  [[nodiscard]] static bool is_certain(const Dimensions& d, const Inputs& u,
+                                       const support::Displacement& displaced) {
     using Certified = numeric::Bounded<double>;
     FinalPolynomial<Model, Certified> T;
-    Model::position_polynomial(support::rounded<typename Model::template Dimensions<Certified>>(
-                                   d, support::rounding_of_one),
-                               support::rounded<typename Model::template Inputs<Certified>>(
-                                   u, support::rounding_of_inputs(u, displaced)),
-                               T);
+    Model::position_polynomial(
+        support::rounded<typename Model::template Dimensions<Certified>>(
+            d, support::rounding_of_one, support::rounding_of_one),
+        support::rounded<typename Model::template Inputs<Certified>>(
+            u, support::rounding_of_inputs(u, displaced.moved),
+            support::rounding_of_inputs(u, std::max(displaced.moved, displaced.turned))),
+        T);
     widen(T, Certified(0, support::rounding_of_numbers<Model>()));
     const Discriminants<Certified> found = discriminants_of(T);
     return found.discriminant.sign_is_certain() && found.leading.sign_is_certain();

@@ -5,6 +5,7 @@
 #include <assur/numeric/second_unknown.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <type_traits>
 
@@ -14,6 +15,16 @@ namespace assur::detail {
 template <typename Model, typename Configuration>
 [[nodiscard]] auto& first_of(Configuration& q) {
   return std::get<size(Model::first_unknown)>(q.members());
+}
+
+/// Brings a direction back to the unit circle, to first order, as `normalised` does it: what its
+/// square was off by.
+template <typename Scalar>
+Scalar put_on_circle(Direction<Scalar>& direction) {
+  const Scalar off = direction.cos * direction.cos + direction.sin * direction.sin - Scalar(1);
+  const Scalar scale = Scalar(1) - Scalar(0.5) * off;
+  direction = {direction.cos * scale, direction.sin * scale};
+  return off;
 }
 
 /// The unknowns that follow where those of the reduced equations are known. False where what should
@@ -27,14 +38,44 @@ template <typename Model, typename Scalar>
   Scalar miss(0);
   for_each_member(q, [&miss](auto& member, std::size_t) {
     if constexpr (!std::is_same_v<std::decay_t<decltype(member)>, Scalar>) {
-      const Scalar off = member.cos * member.cos + member.sin * member.sin - Scalar(1);
+      const Scalar off = put_on_circle(member);
       miss = miss + off * off;
-      // Back to the unit circle, to first order, as `normalised` does it.
-      const Scalar scale = Scalar(1) - Scalar(0.5) * off;
-      member = {member.cos * scale, member.sin * scale};
     }
   });
   return miss < Scalar(0.01);
+}
+
+/// Whether an unknown that is computed from the first is an angle.
+template <typename Model>
+inline constexpr bool completes_angles = [] {
+  bool any = false;
+  for (int unknown = 0; unknown < Model::unknown_count; ++unknown) {
+    any = any || (unknown != Model::first_unknown && is_angle<Model>(unknown));
+  }
+  return any;
+}();
+
+/// What a direction that was computed may be off by for its link to close: the closures miss by the
+/// link's length, times half of what the direction's square is off by.
+inline constexpr double settled_direction = 8 * std::numeric_limits<double>::epsilon();
+
+/// The unknowns that follow at a root that is a direction to a few roundings: what the squares of
+/// the others' directions are off by at most.
+template <typename Model, typename Scalar>
+[[nodiscard]] Scalar complete_root(const typename Model::template Dimensions<Scalar>& d,
+                                   const typename Model::template Inputs<Scalar>& u,
+                                   typename Model::template Configuration<Scalar>& q) {
+  using std::abs;
+  Model::complete(d, u, q);
+  Scalar miss(0);
+  for_each_member(q, [&miss](auto& member, std::size_t index) {
+    if constexpr (!std::is_same_v<std::decay_t<decltype(member)>, Scalar>) {
+      if (index != size(Model::first_unknown)) {
+        miss = max(miss, abs(put_on_circle(member)));
+      }
+    }
+  });
+  return miss;
 }
 
 /// The other unknowns at a simple root of the final polynomial, where one second value fits. False

@@ -5,7 +5,7 @@
 #include <assur/assemblies.hpp>
 #include <assur/detail/closure_geometry.hpp>
 #include <assur/detail/index.hpp>
-#include <assur/detail/members.hpp>
+#include <assur/detail/numbers.hpp>
 #include <assur/detail/pivots.hpp>
 #include <assur/kinematics.hpp>
 #include <assur/variables.hpp>
@@ -104,10 +104,9 @@ template <typename Model>
 [[nodiscard]] bool has_twins(const Assemblies<Model>& found) {
   for (int index = 1; index < found.count; ++index) {
     for (int other = 0; other < index; ++other) {
-      double largest = 0;
-      for_each_pair(
-          entry(found.configurations, index), entry(found.configurations, other),
-          [&largest](const auto& a, const auto& b) { largest = std::max(largest, apart(a, b)); });
+      const double largest =
+          farthest_apart(&entry(found.configurations, index), &entry(found.configurations, other),
+                         SortsOf<typename Model::template Configuration<double>>::count);
       if (largest < 1e-7) {
         return true;
       }

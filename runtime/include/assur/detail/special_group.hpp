@@ -3,6 +3,7 @@
 
 #include <assur/assemblies.hpp>
 #include <assur/detail/index.hpp>
+#include <assur/detail/numbers.hpp>
 #include <assur/detail/special_search.hpp>
 #include <assur/kinematics.hpp>
 #include <assur/numeric/bounded.hpp>
@@ -68,8 +69,6 @@ class SpecialGroupOf {
       : d_(d), u_(u), displaced_(displaced) {
     support::flatten(d, flat_d_);
     support::flatten(u, flat_u_);
-    tell_angles(d, dimension_is_angle_);
-    tell_angles(u, input_is_angle_);
   }
 
   [[nodiscard]] SpecialAssemblies search() const {
@@ -86,22 +85,15 @@ class SpecialGroupOf {
   [[nodiscard]] SpecialGroup functions() const {
     return {{&evaluate, &differentiate, this, Model::unknowns.data(), Model::unknown_count,
              longest_length(u_), displaced_},
-            dimension_is_angle_.data(),
-            input_is_angle_.data(),
-            std::tuple_size_v<decltype(d_.members())>,
-            std::tuple_size_v<decltype(u_.members())>,
+            SortsOf<Dimensions<double>>::angles.data(),
+            SortsOf<Inputs<double>>::angles.data(),
+            SortsOf<Dimensions<double>>::angles.size(),
+            SortsOf<Inputs<double>>::angles.size(),
             Model::dimension_count == 0,
             support::rounding_of_inputs(u_, displaced_),
             is_angle<Model>(Model::first_unknown),
             &values,
             &complete};
-  }
-  /// A specialised group has no table that would say which of its variables are angles.
-  template <typename Variables>
-  static void tell_angles(const Variables& variables, std::array<bool, 12>& is_angle) {
-    for_each_member(variables, [&is_angle](const auto& member, std::size_t index) {
-      is_angle[index] = !std::is_same_v<std::decay_t<decltype(member)>, double>;
-    });
   }
   template <typename Variables>
   [[nodiscard]] static Variables in_double(const FlatVariables<double>& flat) {
@@ -187,7 +179,6 @@ class SpecialGroupOf {
   const Inputs<double>& u_;
   double displaced_;
   PreciseVariables flat_d_{}, flat_u_{};
-  std::array<bool, 12> dimension_is_angle_{}, input_is_angle_{};
 };
 
 /// Lists the assemblies of a group that may be in special position. One at which the closures are

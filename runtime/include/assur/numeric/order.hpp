@@ -17,12 +17,12 @@ namespace assur::numeric {
   return difference < 0 ? -1 : 1;
 }
 
-/// Whether one key comes before another of its size, entry by entry; from `lengths_from` on entries
-/// count in the unit `one`.
+/// Whether one key comes before another of its size, entry by entry, where those before the one at
+/// `from` are the same; from `lengths_from` on entries count in the unit `one`.
 template <typename Key>
 [[nodiscard]] bool comes_before(const Key& left, const Key& right, std::size_t lengths_from,
-                                double one) {
-  for (std::size_t place = 0; place < left.size(); ++place) {
+                                double one, std::size_t from = 0) {
+  for (std::size_t place = from; place < left.size(); ++place) {
     const int order = order_of(left[place], right[place], place < lengths_from ? 1 : one);
     if (order != 0) {
       return order < 0;

@@ -40,9 +40,10 @@ void turning_key(const Directions& directions, Key& key) {
 /// Puts the first `count` configurations in the order of their keys, which are exchanged with what
 /// `exchange` exchanges at two places; equal keys keep their places. A key is the turning key, then
 /// from the place `lengths_from` on the displacements of the slides, which count in parts of the
-/// longest of all.
+/// longest of all. What comes before the place `from` is the same in all keys.
 template <typename Keys, typename Exchange>
-void put_in_order(Keys& keys, int count, std::size_t lengths_from, const Exchange& exchange) {
+void put_in_order(Keys& keys, int count, std::size_t lengths_from, const Exchange& exchange,
+                  std::size_t from = 0) {
   const auto size = static_cast<std::size_t>(count);
   double longest = 0;
   for (std::size_t index = 0; index < size; ++index) {
@@ -52,11 +53,13 @@ void put_in_order(Keys& keys, int count, std::size_t lengths_from, const Exchang
   }
   numeric::insertion_sort(
       size,
-      [&keys, lengths_from, longest](std::size_t one, std::size_t other) {
-        return numeric::comes_before(keys[one], keys[other], lengths_from, longest);
+      [&keys, lengths_from, longest, from](std::size_t one, std::size_t other) {
+        return numeric::comes_before(keys[one], keys[other], lengths_from, longest, from);
       },
-      [&keys, &exchange](std::size_t one, std::size_t other) {
-        std::swap(keys[one], keys[other]);
+      [&keys, &exchange, size](std::size_t one, std::size_t other) {
+        if (size > 2) {  // of two, no key is read again
+          std::swap(keys[one], keys[other]);
+        }
         exchange(one, other);
       });
 }

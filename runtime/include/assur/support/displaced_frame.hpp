@@ -7,13 +7,14 @@
 
 namespace assur::support {
 
-/// By how much rounding may have moved the origin of a frame, and turned the frame, at most. What
-/// is computed from lengths that cancel is not known to a rounding of its own value, but to one of
-/// theirs: `reach` is the longest of them.
+/// By how much rounding may have moved what stands in a frame up to `extent` from its origin, and
+/// turned the frame, at most. What is computed from lengths that cancel is not known to a rounding
+/// of its own value, but to one of theirs: `reach` is the longest of them.
 struct Displacement {
   double moved = 0;
   double turned = 0;
   double reach = 0;
+  double extent = 0;
 
   /// A frame that turns about its origin by an angle, which is rounded as its cosine and sine are.
   [[nodiscard]] static Displacement of_turn(double angle) {
@@ -24,14 +25,23 @@ struct Displacement {
     const double length = std::abs(displacement);
     return {std::numeric_limits<double>::epsilon() * length, 0, length};
   }
-  /// What is computed with an error.
-  [[nodiscard]] static Displacement of_rounding(double error) {
-    return {error, 0, error / std::numeric_limits<double>::epsilon()};
+  /// A feature whose coordinates are computed with an error, and its direction with another.
+  [[nodiscard]] static Displacement of_rounding(double error, double turn) {
+    return {error, turn, error / std::numeric_limits<double>::epsilon()};
+  }
+  /// The larger of each, of two that may not add up.
+  [[nodiscard]] Displacement worst_of(const Displacement& other) const {
+    return {std::max(moved, other.moved), std::max(turned, other.turned),
+            std::max(reach, other.reach)};
+  }
+  /// Lengths in another unit.
+  [[nodiscard]] Displacement scaled(double scale) const {
+    return {moved * scale, turned, reach * scale, extent * scale};
   }
   /// Of what stands at (x, y) in this frame.
   [[nodiscard]] Displacement carries(double x, double y) const {
     const double arm = std::abs(x) + std::abs(y);
-    return {moved + turned * arm, turned, std::max(reach, arm)};
+    return {moved + turned * std::max(0.0, arm - extent), turned, std::max(reach, arm)};
   }
   /// Of a frame that stands there and is displaced against this one.
   [[nodiscard]] Displacement carries(double x, double y, const Displacement& inner) const {

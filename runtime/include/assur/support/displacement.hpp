@@ -1,4 +1,5 @@
-// Turns how far rounding has moved a group's neighbours into how far it may move the group's links.
+// Turns how far rounding has moved and turned a group's neighbours into how far it may move and
+// turn the group's links.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 
 namespace assur::support {
 
-/// A group among neighbours that rounding has moved; lengths in the group's unit.
+/// A group among neighbours that rounding has moved and turned; lengths in the group's unit.
 template <typename Model>
 class DisplacedGroup {
   using Dimensions = typename Model::template Dimensions<double>;
@@ -18,13 +19,15 @@ class DisplacedGroup {
   using Inverse = Matrix<double, Model::unknown_count, Model::equation_count>;
 
  public:
-  /// `displaced`: how far any placed point may be from where exact arithmetic has it. Where a
-  /// neighbour holds the group is known to a rounding of its coordinates at best.
-  DisplacedGroup(const Dimensions& d, const Inputs& u, double displaced)
+  /// `displaced`: how far what holds the group may be from where exact arithmetic has it. That is
+  /// known to a rounding of its coordinates at best.
+  DisplacedGroup(const Dimensions& d, const Inputs& u, const Displacement& displaced)
       : size_(1 / unit_scale<Model>(d, u, displaced)),
         longest_(Model::dimension_count == 0 ? 1 : size_of<Model>(d, u)),
-        held_(std::max(displaced, epsilon * longest_length(u))),
-        moved_(displaced + epsilon * longest_length(u)) {}
+        held_(std::max(displaced.moved, epsilon * longest_length(u))),
+        moved_(displaced.moved + epsilon * longest_length(u)),
+        turned_(displaced.turned),
+        reach_(displaced.reach) {}
 
   /// The regularity of a configuration, counting the neighbours' displacement.
   [[nodiscard]] Regularity<double> regularity(const Dimensions& d, const Inputs& u,
@@ -33,31 +36,39 @@ class DisplacedGroup {
     for (int unknown = 0; unknown < Model::unknown_count; ++unknown) {
       turns = turns || detail::is_angle<Model>(unknown);
     }
-    // Where nothing turns, J does not depend on places but on directions, which the neighbours hold
-    // as well as they stand themselves. Elsewhere what rounding has left of a size tells nothing.
-    const double size = turns ? longest_ : std::max(longest_, longest_length(u));
-    return assur::regularity<Model, double>(d, u, q, held_ / size);
+    // Where nothing turns, J does not depend on places but on directions. Elsewhere what rounding
+    // has left of a size tells nothing.
+    const double moved = turns ? held_ / longest_ : epsilon;
+    return assur::regularity<Model, double>(d, u, q, std::max(moved, turned_));
   }
 
-  /// How far the group's own points may be off: both ends of a closure move, its own rounding is
-  /// added, J^-1 makes of it turns and slides, and a turn moves points by the group's size.
-  [[nodiscard]] double displaced(const Inverse& J_inverse) const {
+  /// How far the group's own links may be off: both ends of a closure move, slides turn, its own
+  /// rounding is added, J^-1 makes of it turns and slides, and a turn moves points by the group's
+  /// size.
+  [[nodiscard]] Displacement displaced(const Configuration& q, const Inverse& J_inverse) const {
+    const double reach = std::max(reach_, size_);
+    constexpr double half_turn = 3.14159265358979;  // and no direction is off by more
     if (!J_inverse.allFinite()) {
-      return std::numeric_limits<double>::infinity();
+      return {std::numeric_limits<double>::infinity(), half_turn, reach, size_};
     }
     double largest = 0;
+    double turn = 0;
     for (int row = 0; row < Model::unknown_count; ++row) {
       const bool is_angle = detail::is_angle<Model>(row);
       const double sum = J_inverse.row(row).cwiseAbs().sum();
       largest = std::max(largest, (is_angle ? size_ : 1) * sum);
+      turn = std::max(turn, is_angle ? sum : 0);
     }
-    return moved_ + largest * (2 * moved_ + epsilon * size_);
+    const double open =
+        2 * (moved_ + turned_ * std::max(size_, longest_length(q))) + epsilon * size_;
+    return {moved_ + largest * open, std::min(turned_ + epsilon + turn * open, half_turn), reach,
+            size_};
   }
 
   /// What one radian moves points by.
   [[nodiscard]] double size() const { return size_; }
   /// How far what holds the group may be from where exact arithmetic has it.
-  [[nodiscard]] double held() const { return held_; }
+  [[nodiscard]] double held() const { return std::max(held_, turned_ * size_); }
 
  private:
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -65,6 +76,8 @@ class DisplacedGroup {
   double longest_;
   double held_;
   double moved_;  ///< and by its own rounding once more, for what stands behind
+  double turned_;
+  double reach_;
 };
 
 }  // namespace assur::support

@@ -25,8 +25,7 @@ struct HeldJoints {
   typename Group::template Inputs<double> u;
   Matrix<double, Group::input_count, Order> rates;
   Matrix<double, Group::input_count, Parameters> gradient;
-  double displaced = 0;  ///< by rounding, the joints, at most
-  double reach = 0;      ///< of the lengths that their places were computed from
+  Displacement displaced;  ///< by rounding, the joints, at most
 
   /// A revolute joint, whose inputs (x, y) stand from `First` on.
   template <int First>
@@ -35,14 +34,15 @@ struct HeldJoints {
     std::get<First + 1>(u.members()) = point.y / Group::unit;
     rates.template middleRows<2>(First) = point.rates / Group::unit;
     gradient.template middleRows<2>(First) = point.gradient / Group::unit;
-    displaced = std::max(displaced, point.displaced.moved / Group::unit);
-    reach = std::max(reach, point.displaced.reach / Group::unit);
+    displaced.moved = std::max(displaced.moved, point.displaced.moved / Group::unit);
+    displaced.reach = std::max(displaced.reach, point.displaced.reach / Group::unit);
   }
   /// A prismatic joint along the x-axis of a frame, whose inputs (x, y, phi) stand from `First` on.
   template <int First>
   void hold_line(const Frame<double, Order, Parameters>& frame) {
     hold_point<First>({frame.pose.x, frame.pose.y, frame.rates.template topRows<2>(),
                        frame.gradient.template topRows<2>(), frame.displaced});
+    displaced.turned = std::max(displaced.turned, frame.displaced.turned);
     std::get<First + 2>(u.members()) = frame.pose.direction;
     rates.row(First + 2) = frame.rates.row(2);
     gradient.row(First + 2) = frame.gradient.row(2);
@@ -107,7 +107,7 @@ template <typename Group, int Order, int Parameters>
   placed.regularity = regularity;
   // Less is little beside the rounding that every verdict counts.
   constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
-  if (held.displaced > rounding) {
+  if (held.displaced.moved > rounding || held.displaced.turned > rounding) {
     placed.regularity = regularity_among_displaced(held, q, regularity);
   }
   const bool solvable = is_solvable(placed.regularity);
@@ -168,8 +168,7 @@ template <typename Group, int Order, int Parameters>
     if constexpr (Group::holds_groups) {
       const DisplacedGroup<Model> among(d, held.u, held.displaced);
       for (auto& frame : placed.frames) {
-        frame.displaced = {among.displaced(J_inverse) * Group::unit, 0,
-                           std::max(held.reach, among.size()) * Group::unit};
+        frame.displaced = among.displaced(q, J_inverse).scaled(Group::unit);
       }
     }
     if constexpr (Parameters > 0) {

@@ -30,8 +30,9 @@ template <typename Model, typename Work>
   using Dimensions = typename Model::template Dimensions<Certified>;
   using Inputs = typename Model::template Inputs<Certified>;
   if constexpr (std::is_same_v<Work, double>) {
-    Model::position_polynomial(rounded<Dimensions>(d, rounding_of_one),
-                               rounded<Inputs>(u, rounding_of_inputs(u, displaced)), bounded);
+    const double of_inputs = rounding_of_inputs(u, displaced);
+    Model::position_polynomial(rounded<Dimensions>(d, rounding_of_one, rounding_of_one),
+                               rounded<Inputs>(u, of_inputs, of_inputs), bounded);
   } else {
     (void)displaced;
     Model::position_polynomial(scaled_to<Dimensions>(d, 1.0), scaled_to<Inputs>(u, 1.0), bounded);

@@ -2,9 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <assur/detail/numbers.hpp>
 #include <assur/model.hpp>
+#include <assur/support/displaced_frame.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -12,16 +16,42 @@
 
 namespace assur::support {
 
+/// The scalar of a model's variables.
+template <typename Variables>
+struct ScalarOf;
+template <template <typename> class Variables, typename Scalar>
+struct ScalarOf<Variables<Scalar>> {
+  using Type = Scalar;
+};
+
+/// Numbers in another scalar, lengths multiplied by `scale`.
+template <typename Scalar, std::size_t Count>
+void scale_numbers(const void* from, const std::array<bool, Count>& is_length, double scale,
+                   void* to) {
+  for (std::size_t place = 0; place < Count; ++place) {
+    const double number = detail::number_at<double>(from, place);
+    detail::put_number(to, place, Scalar(is_length[place] ? number * scale : number));
+  }
+}
+
 /// The same variables in another scalar, lengths multiplied by `scale`, a power of two.
-template <typename To, typename From, typename Scale>
-[[nodiscard]] To scaled_to(const From& from, Scale scale) {
+template <typename To, typename From>
+[[nodiscard]] To scaled_to(const From& from, double scale) {
   To result;
-  for_each_pair(result, from, [scale](auto& target, const auto& source) {
+  scale_numbers<typename ScalarOf<To>::Type>(&from, detail::SortsOf<From>::lengths, scale, &result);
+  return result;
+}
+
+/// The same variables in another scalar, member by member: faster, but compiled anew for every
+/// model.
+template <typename To, typename From>
+[[nodiscard]] To converted_to(const From& from) {
+  To result;
+  for_each_pair(result, from, [](auto& target, const auto& source) {
     if constexpr (std::is_same_v<std::decay_t<decltype(source)>, double>) {
-      target = std::decay_t<decltype(target)>(source * scale);
+      target = source;
     } else {
-      using Scalar = std::decay_t<decltype(target.cos)>;
-      target = {Scalar(source.cos), Scalar(source.sin)};
+      target = {source.cos, source.sin};
     }
   });
   return result;
@@ -58,27 +88,32 @@ template <typename Inputs>
   return rounding_of_one * std::max(1.0, longest_length(u)) + displaced;
 }
 
-/// The same variables with bounds, each known to `within`: where a root of their final polynomial
-/// is certain, it is so however the variables were rounded.
+/// Numbers with bounds, lengths known to `within` and directions to a `turn`.
+template <typename Scalar, std::size_t Count>
+void bound_numbers(const void* from, const std::array<bool, Count>& is_length, double within,
+                   double turn, void* to) {
+  for (std::size_t place = 0; place < Count; ++place) {
+    detail::put_number(
+        to, place, Scalar{detail::number_at<double>(from, place), is_length[place] ? within : turn});
+  }
+}
+
+/// The same variables with bounds, lengths known to `within` and directions to a `turn`: where a
+/// root of their final polynomial is certain, it is so however the variables were rounded.
 template <typename To, typename From>
-[[nodiscard]] To rounded(const From& from, double within) {
+[[nodiscard]] To rounded(const From& from, double within, double turn) {
   To result;
-  for_each_pair(result, from, [within](auto& target, const auto& source) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(source)>, double>) {
-      target = {source, within};
-    } else {
-      target.cos = {source.cos, within};
-      target.sin = {source.sin, within};
-    }
-  });
+  bound_numbers<typename ScalarOf<To>::Type>(&from, detail::SortsOf<From>::lengths, within, turn,
+                                             &result);
   return result;
 }
 
 /// What rounding of its dimensions may have done to a coefficient of a specialised group, whose
 /// functions hold them as numbers: lengths are at most one there, and few of them meet in a term.
+inline constexpr double rounding_of_named_numbers = 32 * std::numeric_limits<double>::epsilon();
 template <typename Model>
 [[nodiscard]] constexpr double rounding_of_numbers() {
-  return Model::dimension_count == 0 ? 32 * std::numeric_limits<double>::epsilon() : 0.0;
+  return Model::dimension_count == 0 ? rounding_of_named_numbers : 0.0;
 }
 
 /// The longest length of a group. Only differences of the external joints' places count, not where
@@ -94,19 +129,19 @@ template <typename Model>
 
 /// The power of two that brings the longest length of a group near one. A length that is no
 /// longer than the rounding of the external joints' places, or than these are `displaced`, does not
-/// count: then the group is measured by the length of which that is a rounding. `reach` is the
-/// longest length from which the places were computed.
+/// count: then the group is measured by the length of which that is a rounding.
 template <typename Model>
 [[nodiscard]] double unit_scale(const typename Model::template Dimensions<double>& d,
                                 const typename Model::template Inputs<double>& u,
-                                double displaced = 0, double reach = 0) {
+                                const Displacement& displaced = {}) {
   if constexpr (Model::dimension_count == 0) {  // folded, and in units of the longest already
     return 1;
   }
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   const double own = size_of<Model>(d, u);
   const double places = longest_length(u);
-  const double moved = counted_displacement(displaced, std::max({own, places, reach}));
+  const double moved =
+      counted_displacement(displaced.moved, std::max({own, places, displaced.reach}));
   const bool tells = own > rounding * places + moved;
   const double untold = std::max(places, moved / std::numeric_limits<double>::epsilon());
   const double size = std::max(own, tells ? 0x1p-44 * places : untold);

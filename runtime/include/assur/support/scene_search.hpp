@@ -67,6 +67,7 @@ struct Access {
   using Placed = typename Solver::Placed;
   static constexpr std::size_t lengths_from = turning_key_size(Solver::keyed_links);
   static constexpr std::size_t turning_drivers = Solver::turning_drivers;  ///< the first ones
+  static constexpr std::size_t first_key = Solver::first_key;  ///< the first that may differ
   using Key = std::array<double, lengths_from + Solver::keyed_slides>;
   /// Of each group the set of the groups that hold it, directly or through others.
   static constexpr auto holders = [] {
@@ -153,13 +154,15 @@ class Search {
       solution_.status = AssemblyStatus::degenerate;
     }
     if (solution_.count > 1) {
-      put_in_order(keys_, solution_.count, Own::lengths_from,
-                   [this](std::size_t one, std::size_t other) {
-                     std::swap(states_[one], states_[other]);
-                     if constexpr (Keeps) {
-                       std::swap(kept_[one], kept_[other]);
-                     }
-                   });
+      put_in_order(
+          keys_, solution_.count, Own::lengths_from,
+          [this](std::size_t one, std::size_t other) {
+            std::swap(states_[one], states_[other]);
+            if constexpr (Keeps) {
+              std::swap(kept_[one], kept_[other]);
+            }
+          },
+          Own::first_key);
     }
     return solution_;
   }
@@ -199,7 +202,7 @@ class Search {
       }
       HeldJoints<Group, Solver::order, Solver::parameter_count> held;
       Own::hold(placed, held);
-      const auto found = assemblies<Specialised<Group>>({}, held.u, held.displaced, held.reach);
+      const auto found = assemblies<Specialised<Group>>({}, held.u, held.displaced);
       if (found.status == AssemblyStatus::not_finite) {
         solution_.status = found.status;
         return;

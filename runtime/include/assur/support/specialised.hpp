@@ -80,6 +80,8 @@ struct Specialised : Group {
   static constexpr bool rigid = true;
   static constexpr int dimension_count = 0;
   static constexpr bool in_any_order = true;
+  /// Lengths are numbers, in a unit of the group's own.
+  static constexpr int discriminant_degree = 0, leading_degree = 0;
   static constexpr int second_unknown = specialised::second_unknown<Group>;
   static constexpr auto unknowns = specialised::unknowns_of(
       static_cast<decltype(std::declval<const typename Group::template Configuration<double>&>()

@@ -1,4 +1,4 @@
-#include "emission/scene/group_numbers.hpp"
+#include "emission/scene/specialised_numbers.hpp"
 
 #include <algorithm>
 #include <assur/directions.hpp>
@@ -136,7 +136,7 @@ std::vector<bool> moving_dimensions(const SolverScene& solver, mechanism::GroupI
   return moves;
 }
 
-GroupNumbers group_numbers(const SolverScene& solver, mechanism::GroupIndex group) {
+SpecialisedNumbers specialised_numbers(const SolverScene& solver, mechanism::GroupIndex group) {
   const double unit = unit_of(solver, group);
   NumberList of_dimensions(solver.parameters, unit);
   const std::vector<bool> dimension_moves = moving_dimensions(solver, group);
@@ -193,7 +193,7 @@ SpecialisedGroup specialised_group_of(const SolverScene& solver, mechanism::Grou
   const std::string title = "Group " + number + ", links " +
                             cpp::comment_text(names_of(solver, group)) + ", " +
                             derived_model(solver.group(group)).title();
-  const GroupNumbers numbers = group_numbers(solver, group);
+  const SpecialisedNumbers numbers = specialised_numbers(solver, group);
   try {
     return specialised_group(numbers, solver.group_struct(group), title);
   } catch (const text::InputError& error) {

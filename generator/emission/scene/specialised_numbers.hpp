@@ -38,7 +38,8 @@ struct ExternalJoint {
                                                   mechanism::GroupIndex group);
 
 /// The group's dimensions, and its inputs as far as the ground holds them.
-[[nodiscard]] GroupNumbers group_numbers(const SolverScene& solver, mechanism::GroupIndex group);
+[[nodiscard]] SpecialisedNumbers specialised_numbers(const SolverScene& solver,
+                                                     mechanism::GroupIndex group);
 
 /// The group specialised to its numbers. Throws MechanismError if these leave no closed form.
 [[nodiscard]] SpecialisedGroup specialised_group_of(const SolverScene& solver,
