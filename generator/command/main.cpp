@@ -150,6 +150,10 @@ int run(int argc, char** argv) {
                    "report configuration N alone; of a sweep, the rows of branch N")
       ->type_name("N")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+  command->add_flag("--nearest", solve.nearest,
+                    "report the configuration nearest to the scene's reference alone; of a sweep, "
+                    "the branch that begins there")
+      ->excludes("--branch");
   command->callback([&] { chosen = [&] { return run_solve(solve); }; });
 
   AuditOptions audit;

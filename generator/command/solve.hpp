@@ -11,6 +11,7 @@ struct SolveOptions {
   std::vector<std::string> settings;
   std::string format = "text";
   int branch = 0;
+  bool nearest = false;  ///< the configuration, or the branch, nearest to the scene's reference
 };
 
 /// Solves or sweeps the scene, prints the result to standard output, and returns whether it is

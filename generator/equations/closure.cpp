@@ -33,12 +33,15 @@ struct Place {
 /// Builds the equations of one model in the order of the pipeline below.
 class ClosureWalk {
  public:
-  explicit ClosureWalk(const structure::Model& model)
-      : group_(*model.group), tree_(structure::spanning_tree(group_)), result_(model) {}
+  ClosureWalk(const structure::Model& model, const std::vector<bool>& moves)
+      : group_(*model.group),
+        tree_(structure::spanning_tree(group_)),
+        moves_(moves),
+        result_(model) {}
 
   ClosureEquations run() {
-    declare_frames();
     declare_inputs();
+    declare_frames();
     merge_angles();
     declare_displacements();
     close_loops();
@@ -64,8 +67,15 @@ class ClosureWalk {
   }
 
   void declare_frames() {
+    std::size_t count = 0;
+    const auto declare = [&](const std::string& name, Variable::Quantity quantity,
+                             const std::string& meaning) -> const Variable& {
+      const bool moves = count < moves_.size() && moves_[count];
+      ++count;
+      return (moves ? result_.inputs : result_.dimensions).emplace_back(name, quantity, meaning);
+    };
     for (const LinkIndex link : group_.links().keys()) {
-      result_.frames.add(link_frame(*result_.model, link, result_.dimensions));
+      result_.frames.add(link_frame(*result_.model, link, declare));
     }
   }
 
@@ -257,6 +267,7 @@ class ClosureWalk {
 
   const structure::Group& group_;
   structure::SpanningTree tree_;
+  const std::vector<bool>& moves_;
   ClosureEquations result_;
 };
 
@@ -266,8 +277,9 @@ ClosureEquations::ClosureEquations(const structure::Model& of_model) : model(&of
   residuals_meaning = "the x and y of each loop closure";
 }
 
-ClosureEquations closure_equations(const structure::Model& model) {
-  return ClosureWalk(model).run();
+ClosureEquations closure_equations(const structure::Model& model,
+                                   const std::vector<bool>& moves) {
+  return ClosureWalk(model, moves).run();
 }
 
 }  // namespace assur::generator::equations

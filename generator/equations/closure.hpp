@@ -44,6 +44,9 @@ struct ClosureEquations : ImplicitEquations {
   std::vector<AngleSum> compatibility;
 };
 
-[[nodiscard]] ClosureEquations closure_equations(const structure::Model& model);
+/// `moves`: of each dimension, in order, whether it moves in time; it is an input then, behind the
+/// model's own. None move where the list ends.
+[[nodiscard]] ClosureEquations closure_equations(const structure::Model& model,
+                                                 const std::vector<bool>& moves = {});
 
 }  // namespace assur::generator::equations

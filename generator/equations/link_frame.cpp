@@ -17,7 +17,7 @@ const Feature& LinkFrame::feature_of(structure::JointIndex joint) const {
 }
 
 LinkFrame link_frame(const structure::Model& model, structure::LinkIndex link,
-                     std::deque<Variable>& dimensions) {
+                     const DeclareDimension& new_dimension) {
   const structure::Group& group = *model.group;
   using Joints = std::vector<structure::JointIndex>;
   const std::string& word = group.links()[link];
@@ -35,10 +35,6 @@ LinkFrame link_frame(const structure::Model& model, structure::LinkIndex link,
   };
   const auto name_of = [&](structure::JointIndex joint) {
     return std::string(1, group.joints()[joint].name);
-  };
-  const auto new_dimension = [&](const std::string& name, Variable::Quantity quantity,
-                                 const std::string& meaning) -> const Variable& {
-    return dimensions.emplace_back(name, quantity, meaning);
   };
   const std::string on_link = "_" + word;
 

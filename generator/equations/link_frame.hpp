@@ -1,7 +1,7 @@
 // Turns the joints of one link into its normal form: a local frame and the fewest dimensions.
 #pragma once
 
-#include <deque>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,9 +29,13 @@ struct LinkFrame {
   [[nodiscard]] const Feature& feature_of(structure::JointIndex joint) const;
 };
 
-/// The frame of `link` in the model's representative kind; its dimensions are appended to
-/// `dimensions`, whose elements the features refer to.
+/// A variable for a dimension, by its name, quantity and meaning; it stays where it is.
+using DeclareDimension = std::function<const Variable&(const std::string&, Variable::Quantity,
+                                                       const std::string&)>;
+
+/// The frame of `link` in the model's representative kind, whose features refer to the variables of
+/// its dimensions.
 [[nodiscard]] LinkFrame link_frame(const structure::Model& model, structure::LinkIndex link,
-                                   std::deque<Variable>& dimensions);
+                                   const DeclareDimension& new_dimension);
 
 }  // namespace assur::generator::equations

@@ -180,10 +180,12 @@ std::vector<GiNaC::ex> FramedClosures::quadratic_rates() const {
     }
     for (std::size_t place = 0; place < loops_[index].terms.size(); ++place) {
       const PolarTerm& term = loops_[index].terms[place];
-      const bool slides =
-          std::any_of(equations_->unknowns.begin(), equations_->unknowns.end(),
-                      [&](const equations::Variable& unknown) { return &unknown == term.length; });
-      if (slides) {
+      const auto is_length = [&](const equations::Variable& variable) {
+        return &variable == term.length;
+      };
+      const bool changes = std::ranges::any_of(equations_->unknowns, is_length) ||
+                           std::ranges::any_of(equations_->inputs, is_length);
+      if (changes) {
         add(sum, 2 * term.length->rate * rate_of(moving_part(term.angle)) *
                      normal_of(directions_[index][place]));
       }

@@ -3,34 +3,40 @@
 
 namespace assur::mechanism {
 
-Formula::Formula(const text::Expression& expression,
-                 const std::function<ParameterIndex(const std::string&)>& parameter_named) {
-  append(expression, parameter_named);
+Formula::Formula(const text::Expression& expression, const Names& names) {
+  append(expression, names);
 }
 
-void Formula::append(const text::Expression& expression,
-                     const std::function<ParameterIndex(const std::string&)>& parameter_named) {
+void Formula::append(const text::Expression& expression, const Names& names) {
   using Kind = text::Expression::Kind;
   constexpr auto none = text::Operation::other;
   if (expression.kind == Kind::number) {
-    steps_.push_back({Step::Kind::number, none, expression.number, {}});
+    steps_.push_back({Step::Kind::number, none, expression.number, {}, {}});
     return;
   }
   if (expression.kind == Kind::name) {
-    steps_.push_back({Step::Kind::parameter, none, 0, parameter_named(expression.name)});
+    steps_.push_back({Step::Kind::parameter, none, 0, names.parameter(expression.name), {}});
     return;
   }
   const std::vector<text::Expression>& arguments = expression.arguments;
-  append(arguments[0], parameter_named);
+  if (expression.operation == none) {
+    if (arguments[0].kind != Kind::name) {
+      throw text::ExpressionError("expected the name of a joint", arguments[0].column);
+    }
+    steps_.push_back({Step::Kind::joint, none, 0, {}, names.joint(arguments[0].name)});
+    return;
+  }
+  append(arguments[0], names);
   if (expression.operation == text::Operation::power && text::is_constant(arguments[1])) {
-    steps_.push_back({Step::Kind::constant_power, none, text::constant_value(arguments[1]), {}});
+    steps_.push_back(
+        {Step::Kind::constant_power, none, text::constant_value(arguments[1]), {}, {}});
     return;
   }
   if (arguments.size() == 2) {
-    append(arguments[1], parameter_named);
+    append(arguments[1], names);
   }
   const auto kind = arguments.size() == 2 ? Step::Kind::binary : Step::Kind::unary;
-  steps_.push_back({kind, expression.operation, 0, {}});
+  steps_.push_back({kind, expression.operation, 0, {}, {}});
 }
 
 std::vector<ParameterIndex> Formula::parameters() const {
@@ -42,6 +48,27 @@ std::vector<ParameterIndex> Formula::parameters() const {
     }
   }
   return found;
+}
+
+std::vector<JointIndex> Formula::joints() const {
+  std::vector<JointIndex> found;
+  for (const Step& step : steps_) {
+    if (step.kind == Step::Kind::joint &&
+        std::find(found.begin(), found.end(), step.joint) == found.end()) {
+      found.push_back(step.joint);
+    }
+  }
+  return found;
+}
+
+Formula Formula::renumbered(const Table<JointIndex, JointIndex>& joint_of) const {
+  Formula result = *this;
+  for (Step& step : result.steps_) {
+    if (step.kind == Step::Kind::joint) {
+      step.joint = joint_of[step.joint];
+    }
+  }
+  return result;
 }
 
 }  // namespace assur::mechanism

@@ -117,6 +117,17 @@ Frame Frame::at(const Pose<Dual>& pose) {
   return frame;
 }
 
+void Frame::move(const Pose<Dual>& in_time) {
+  const Dual angle = angle_of(in_time.direction);
+  const std::array<const Dual*, 3> coordinates = {&in_time.x, &in_time.y, &angle};
+  for (std::size_t row = 0; row < coordinates.size(); ++row) {
+    const Dual& coordinate = *coordinates[row];
+    const auto place = static_cast<Eigen::Index>(row);
+    velocity(place) = coordinate.derivatives().size() > 0 ? coordinate.derivatives()(0) : 0;
+    acceleration(place) = coordinate.has_hessian() ? coordinate.hessian()(0, 0) : 0;
+  }
+}
+
 Frame Frame::identity(Eigen::Index parameters, bool with_second) {
   Frame frame;
   frame.follows.set_zero(parameters, with_second);

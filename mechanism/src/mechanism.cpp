@@ -1,3 +1,4 @@
+#include <array>
 #include <assur/mechanism/mechanism.hpp>
 #include <assur/text/suggestion.hpp>
 #include <set>
@@ -31,18 +32,39 @@ ParameterIndex Mechanism::parameter_named(const std::string& name, const std::st
   return found->second;
 }
 
-Formula Mechanism::formula(const std::string& text, const std::string& part) const {
+JointIndex Mechanism::joint_named(const std::string& name, const std::string& part) const {
+  const JointIndex joint = index_of(joints_, name);
+  if (!joint.exists()) {
+    throw MechanismError(
+        part, "no joint named " + in_quotes(name) + text::suggestion(name, names_of(joints_)));
+  }
+  if (joints_[joint].between.size() != 2) {
+    throw MechanismError(part, "the joint " + in_quotes(name) +
+                                   " joins more than two links and has no coordinate");
+  }
+  return joint;
+}
+
+Formula Mechanism::formula(const std::string& text, const std::string& part, Reads reads) const {
+  static constexpr std::array<text::ExpressionFunction, 1> coordinate = {{{"joint", 1}}};
   try {
-    return {text::parse_expression(text),
-            [&](const std::string& name) { return parameter_named(name, part); }};
+    return {text::parse_expression(text, coordinate),
+            {[&](const std::string& name) { return parameter_named(name, part); },
+             [&](const std::string& name) {
+               if (reads == Reads::parameters) {
+                 throw MechanismError(part, "joint(" + name + ") may stand in the position of a " +
+                                                "driver alone");
+               }
+               return joint_named(name, part);
+             }}};
   } catch (const text::ExpressionError& error) {
     throw MechanismError(part, std::string(error.what()) + " at column " +
                                    std::to_string(error.column) + " of " + in_quotes(text));
   }
 }
 
-Number Mechanism::number(const Given& given, const std::string& part) const {
-  return {given.text_ ? formula(*given.text_, part) : Formula(given.number_), part};
+Number Mechanism::number(const Given& given, const std::string& part, Reads reads) const {
+  return {given.text_ ? formula(*given.text_, part, reads) : Formula(given.number_), part};
 }
 
 NumberIndex Mechanism::add_number(const Given& given, const std::string& part) {
@@ -70,7 +92,7 @@ void Mechanism::expect_new_parameter(const std::string& name) const {
 
 ParameterIndex Mechanism::declare_parameter(const std::string& name) {
   expect_new_parameter(name);
-  return add({name, {}, {}});
+  return add({name, {}, {}, {}, {}});
 }
 
 void Mechanism::set_parameter(const std::string& name, const Given& value,
@@ -85,9 +107,21 @@ void Mechanism::set_tolerance(const std::string& name, const Given& half_width) 
   put_number(half_width, part, parameters_[parameter].tolerance);
 }
 
+void Mechanism::set_velocity(const std::string& name, const Given& velocity) {
+  const std::string part = "parameters." + name + ".velocity";
+  const ParameterIndex parameter = parameter_named(name, part);
+  put_number(velocity, part, parameters_[parameter].velocity);
+}
+
+void Mechanism::set_acceleration(const std::string& name, const Given& acceleration) {
+  const std::string part = "parameters." + name + ".acceleration";
+  const ParameterIndex parameter = parameter_named(name, part);
+  put_number(acceleration, part, parameters_[parameter].acceleration);
+}
+
 ParameterIndex Mechanism::add_parameter(const std::string& name, const Given& value) {
   expect_new_parameter(name);
-  return add({name, add_number(value, "parameters." + name), {}});
+  return add({name, add_number(value, "parameters." + name), {}, {}, {}});
 }
 
 ParameterIndex Mechanism::add(Parameter parameter) {
@@ -183,7 +217,7 @@ JointIndex Mechanism::add_joint(const std::string& name, JointType type,
   if (between.size() < 2) {
     throw MechanismError(part, "expected two or more features [\"link.feature\", ...]");
   }
-  Joint joint{name, type, {}};
+  Joint joint{name, type, {}, {}, {}};
   for (std::size_t place = 0; place < between.size(); ++place) {
     joint.between.push_back(
         feature_named(between[place], part + "[" + std::to_string(place) + "]"));
@@ -219,8 +253,16 @@ void Mechanism::expect_fitting(const Joint& joint, const std::string& part) cons
   }
 }
 
+void Mechanism::set_limits(const std::string& joint, const Given& lowest, const Given& highest) {
+  const std::string part = "joints." + joint + ".limits";
+  const JointIndex index = joint_named(joint, part);
+  put_number(lowest, part + "[0]", joints_[index].lowest);
+  put_number(highest, part + "[1]", joints_[index].highest);
+}
+
 DriverIndex Mechanism::add_driver(const std::string& joint, const Given& position,
-                                  const Given& velocity, const Given& acceleration) {
+                                  const std::optional<Given>& velocity,
+                                  const std::optional<Given>& acceleration) {
   const std::string part = "drivers." + joint;
   Driver driver;
   driver.joint = index_of(joints_, joint);
@@ -233,13 +275,28 @@ DriverIndex Mechanism::add_driver(const std::string& joint, const Given& positio
       throw MechanismError(part, "the joint has a driver already");
     }
   }
-  Number law = number(position, part + ".position");
-  Number first_rate = number(velocity, part + ".velocity");
-  Number second_rate = number(acceleration, part + ".acceleration");
+  Number law = number(position, part + ".position", Reads::joints);
+  std::vector<std::pair<NumberIndex*, Number>> rates;
+  if (velocity) {
+    rates.emplace_back(&driver.velocity, number(*velocity, part + ".velocity"));
+  }
+  if (acceleration) {
+    rates.emplace_back(&driver.acceleration, number(*acceleration, part + ".acceleration"));
+  }
   driver.position = numbers_.add(std::move(law));
-  driver.velocity = numbers_.add(std::move(first_rate));
-  driver.acceleration = numbers_.add(std::move(second_rate));
+  for (auto& [place, rate] : rates) {
+    *place = numbers_.add(std::move(rate));
+  }
   return drivers_.add(driver);
+}
+
+DriverIndex Mechanism::driver_of(JointIndex joint) const {
+  for (const DriverIndex driver : drivers_.keys()) {
+    if (drivers_[driver].joint == joint) {
+      return driver;
+    }
+  }
+  return {};
 }
 
 OutputIndex Mechanism::add_output(const std::string& name, const std::string& point) {
@@ -273,7 +330,8 @@ Mechanism Mechanism::only(const Table<LinkIndex, bool>& kept) const {
   }
   Table<JointIndex, JointIndex> joint_of(joints_.size());
   for (const JointIndex index : joints_.keys()) {
-    Joint joint{joints_[index].name, joints_[index].type, {}};
+    Joint joint{joints_[index].name, joints_[index].type, {}, joints_[index].lowest,
+                joints_[index].highest};
     for (const FeatureIndex feature : joints_[index].between) {
       if (feature_of[feature].exists()) {
         joint.between.push_back(feature_of[feature]);
@@ -286,6 +344,8 @@ Mechanism Mechanism::only(const Table<LinkIndex, bool>& kept) const {
   for (Driver driver : drivers_) {
     driver.joint = joint_of[driver.joint];
     if (driver.joint.exists()) {
+      Formula& law = part.numbers_[driver.position].formula;
+      law = law.renumbered(joint_of);
       part.drivers_.add(driver);
     }
   }

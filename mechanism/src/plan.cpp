@@ -1,10 +1,13 @@
 #include <algorithm>
+#include <assur/directions.hpp>
 #include <assur/mechanism/plan.hpp>
 #include <assur/mechanism/scene_file.hpp>
 #include <assur/text/suggestion.hpp>
+#include <cmath>
 
 #include "plan/plan_data.hpp"
 #include "plan/reported_part.hpp"
+#include "solve/limits.hpp"
 #include "solve/solver.hpp"
 
 namespace assur::mechanism {
@@ -54,6 +57,12 @@ void expect_usable(const Mechanism& mechanism, const Request& request) {
     }
   };
   expect_reported(mechanism, request.reported);
+  for (const ReferenceAngle& angle : request.reference) {
+    if (!angle.link.exists() || angle.link.place() >= mechanism.links().size()) {
+      throw MechanismError("reference", "the mechanism has no such link");
+    }
+    expect_number(angle.theta, "reference");
+  }
   if (request.sweep) {
     expect_parameter(request.sweep->parameter, "sweep.parameter");
     expect_number(request.sweep->from, "sweep.from");
@@ -137,6 +146,12 @@ Values Plan::values(const std::vector<std::pair<std::string, double>>& replaced)
   return {data_, indexed};
 }
 
+bool Plan::has_rates(NumberIndex number) const {
+  return std::ranges::any_of(
+      data_->mechanism.numbers()[number].formula.parameters(),
+      [this](ParameterIndex parameter) { return data_->evaluation.moves[parameter]; });
+}
+
 void Plan::expect_usable(const Values& values) const {
   if (&values.plan() != data_.get()) {
     throw MechanismError("", "the values belong to another plan");
@@ -155,12 +170,41 @@ Solution Plan::solve(const Values& values) const {
 void Plan::solve(const Values& values, Solution& result) const {
   expect_usable(values);
   solve::MechanismSolver(values).solve(false, result);
+  solve::leave_out_beyond_limits(result);
+}
+
+std::optional<Nearest> Plan::nearest(const Values& values, const Solution& solution) const {
+  expect_usable(values);
+  if (data_->request.reference.empty()) {
+    throw MechanismError("reference", "the request has no angles of links to be near to");
+  }
+  const auto distance = [&](const Configuration& configuration) {
+    double square = 0;
+    for (const ReferenceAngle& angle : data_->request.reference) {
+      const Direction<double> wanted = direction_of(values.number(angle.theta).value());
+      const double difference =
+          angle_of(turned(configuration.links[angle.link].pose.direction, reversed(wanted)));
+      square += difference * difference;
+    }
+    return std::sqrt(square);
+  };
+  std::optional<Nearest> found;
+  for (std::size_t place = 0; place < solution.configurations.size(); ++place) {
+    const double away = distance(solution.configurations[place]);
+    if (!found || away < found->distance) {
+      found = Nearest{place, away, found ? std::optional(found->distance) : std::nullopt};
+    } else if (!found->runner_up || away < *found->runner_up) {
+      found->runner_up = away;
+    }
+  }
+  return found;
 }
 
 std::string Plan::obstacle(const Values& values) const {
   expect_usable(values);
   Solution result;
   solve::MechanismSolver(values).solve(true, result);
+  solve::leave_out_beyond_limits(result);
   return result.reason;
 }
 

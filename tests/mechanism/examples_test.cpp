@@ -250,6 +250,24 @@ TEST_P(Example, SensitivitiesAreDifferencesOfRigidBodies) {
   EXPECT_LT(worst, 1e-9);
 }
 
+/// Whether the links that hold a group that moves freely stand as one of the families has them.
+bool is_of_a_family(const RigidScene& rigid, const RealVector& q, const Solution& solution) {
+  return std::ranges::any_of(solution.families, [&](const mechanism::Family& family) {
+    RealVector placed = q;
+    for (const mechanism::LinkIndex link : family.links.keys()) {
+      const Eigen::Index first =
+          family.is_placed[link] && rigid.has(link) ? rigid.coordinate(link) : -1;
+      if (first >= 0) {
+        const ::assur::Pose<double>& pose = family.links[link].pose;
+        placed.segment<3>(first) << pose.x, pose.y,
+            std::atan2(static_cast<Real>(pose.direction.sin),
+                       static_cast<Real>(pose.direction.cos));
+      }
+    }
+    return distance(rigid, q, placed) < 1e-9;
+  });
+}
+
 /// Newton's method from many places finds nothing that is not listed, and all that is, each once.
 TEST_P(Example, ListsWhateverNewtonFinds) {
   constexpr int starts = 120;
@@ -269,7 +287,10 @@ TEST_P(Example, ListsWhateverNewtonFinds) {
     }
     std::mt19937 engine(seed);
     int arrived = 0;
-    for (int start = 0; start < starts; ++start) {
+    // More, where Newton's method seldom arrives.
+    const auto is_missing = [&] { return std::count(found.begin(), found.end(), false) > 0; };
+    int start = 0;
+    for (; start < starts || (is_missing() && start < 8 * starts); ++start) {
       RealVector q = rigid.scattered(engine);
       if (!rigid.assemble(q, 40)) {
         continue;
@@ -282,10 +303,10 @@ TEST_P(Example, ListsWhateverNewtonFinds) {
           found[index] = true;
         }
       }
-      EXPECT_TRUE(known) << "start " << start << " of seed " << seed << " found\n" << q.transpose();
+      EXPECT_TRUE(known || is_of_a_family(rigid, q, solution)) << "start " << start << " of seed " << seed << " found\n" << q.transpose();
     }
     const auto reached = std::count(found.begin(), found.end(), true);
-    std::cout << "seed " << seed << ": " << arrived << " of " << starts << " starts arrived at "
+    std::cout << "seed " << seed << ": " << arrived << " of " << start << " starts arrived at "
               << reached << " of " << found.size() << " configurations\n";
     EXPECT_EQ(reached, static_cast<std::ptrdiff_t>(found.size()));
   }

@@ -63,11 +63,14 @@ class SceneEmitter {
     std::vector<std::string> sliding;
     for (const mechanism::DrivenLink& link : solver_.plan.structure().driven) {
       const mechanism::ElementaryJoint& at = solver_.joint(link.joint);
-      const mechanism::Driver& driver = solver_.mechanism().drivers()[link.driver];
-      std::vector<double> law = {solver_.values.number(driver.position).value(),
-                                 solver_.values.number(driver.velocity).value(),
-                                 solver_.values.number(driver.acceleration).value()};
+      const mechanism::JointMotion& motion = solver_.values.motion(link.driver);
+      std::vector<double> law = {motion.position.value(), motion.velocity, motion.acceleration};
       law.erase(law.begin() + 1 + solver_.derivative_order, law.end());
+      steps_.push_back(solver_.link_name(link.to) + ", driven at " + at.name + " from " +
+                       solver_.link_name(link.from));
+      if (!solver_.is_argument(link.driver)) {
+        continue;
+      }
       cpp::View entry;
       names.push_back(solver_.members.drivers[link.driver]);
       (at.prismatic ? sliding : turning).push_back(names.back());
@@ -78,8 +81,6 @@ class SceneEmitter {
       entry.set("meaning", cpp::comment_text(at.name + ", from " + solver_.link_name(at.first) +
                                              " to " + solver_.link_name(at.second)));
       drivers.push_back(entry);
-      steps_.push_back(solver_.link_name(link.to) + ", driven at " + at.name + " from " +
-                       solver_.link_name(link.from));
     }
     const PlacingStatements driving = driving_statements(solver_);
     slides_ = driving.slides;
@@ -170,6 +171,7 @@ class SceneEmitter {
       placed.push_back("LinkSlide slide_" + slide + ";");
     }
     view_.set("placed", shown(placed));
+    view_.set("keeps_drivers", mention(statements_, "placed.drivers"));
     view_.set("links", member_list(links));
     view_.set("has_links", !links.empty());
     view_.set("slides", member_list(reported));
@@ -185,13 +187,9 @@ class SceneEmitter {
     std::vector<std::uint64_t> sets;
     for (const mechanism::GroupIndex group : groups.keys()) {
       std::uint64_t holders = 0;
-      for (const ExternalJoint& external : external_joints(solver_, group)) {
-        for (std::size_t before = 0; before < sets.size(); ++before) {
-          const auto& links = groups[mechanism::GroupIndex(before)].links;
-          if (std::find(links.begin(), links.end(), external.base) != links.end()) {
-            holders |= sets[before] | std::uint64_t{1} << before;
-          }
-        }
+      for (const mechanism::GroupIndex before :
+           solver_.plan.structure().holders_of(group)) {
+        holders |= sets[before.place()] | std::uint64_t{1} << before.place();
       }
       sets.push_back(holders);
     }
@@ -265,6 +263,7 @@ class SceneEmitter {
   /// Short names of the types that the statements use.
   void show_aliases() {
     const std::vector<std::pair<std::string, std::string>> aliases = {
+        {"LinkCoordinate", "support::Coordinate<order, parameter_count>"},
         {"LinkFrame", "support::Frame<double, order, parameter_count>"},
         {"LinkPoint", "support::Point<double, order, parameter_count>"},
         {"LinkSlide", "support::Slide<order>"},

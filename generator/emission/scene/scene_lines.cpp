@@ -4,6 +4,7 @@
 #include <array>
 #include <assur/directions.hpp>
 #include <assur/text/identifiers.hpp>
+#include <assur/text/names.hpp>
 #include <cctype>
 
 #include "emission/cpp/cpp_text.hpp"
@@ -42,11 +43,11 @@ Eigen::VectorXd ModelledParameters::gradient(const mechanism::Dual& quantity) co
   return result;
 }
 
-std::vector<std::string> SceneLines::lines() const {
-  std::vector<std::string> all;
-  if (has_formulas_) {
-    all.push_back("const Parameters<double>& p = placed.parameters;");
-  }
+std::string SceneLines::row_of(const std::vector<std::string>& rates) {
+  return "Rates(" + text::joined(rates, ", ", [](const std::string& rate) { return rate; }) + ")";
+}
+
+std::vector<std::string> SceneLines::lines(bool has_drivers) const {
   std::vector<std::string> roots;
   std::vector<std::string> readers = lines_;
   const std::vector<SceneNumbers::NamedRoot> named = numbers_.roots();
@@ -57,16 +58,32 @@ std::vector<std::string> SceneLines::lines() const {
       readers.push_back(roots.back());
     }
   }
+  const auto any_reads = [&](const std::string& name) {
+    return std::any_of(readers.begin(), readers.end(),
+                       [&](const std::string& line) { return reads(line, name); });
+  };
+  std::vector<std::string> all;
+  if (any_reads("p")) {
+    all.push_back("const Parameters<double>& p = placed.parameters;");
+  }
+  if (!has_drivers && any_reads("drivers")) {
+    all.push_back("const Drivers<double>& drivers = placed.drivers;");
+  }
   all.insert(all.end(), roots.rbegin(), roots.rend());
   all.insert(all.end(), lines_.begin(), lines_.end());
   return all;
+}
+
+bool SceneLines::declares(const std::string& beginning) const {
+  return std::any_of(lines_.begin(), lines_.end(), [&](const std::string& line) {
+    return line.starts_with(beginning + " ");
+  });
 }
 
 std::string SceneLines::number(const SceneNumber& number) {
   if (!numbers_.varies(number)) {
     return cpp::round_trip(number.value());
   }
-  has_formulas_ = true;
   return numbers_.text(number);
 }
 
@@ -77,7 +94,7 @@ std::string SceneLines::direction(const Direction<SceneNumber>& direction) {
 std::string SceneLines::point(const std::string& name, const SceneNumber& x, const SceneNumber& y) {
   const std::vector<Gradient> gradients = {gradient_of(x), gradient_of(y)};
   const std::array<std::string, 2> values = {number(x), number(y)};
-  if (std::all_of(gradients.begin(), gradients.end(), is_zero)) {
+  if (std::all_of(gradients.begin(), gradients.end(), is_zero) && !moves(x) && !moves(y)) {
     const bool is_origin = values[0] == "0.0" && values[1] == "0.0";
     return is_origin ? "LinkPoint{}" : "LinkPoint{" + values[0] + ", " + values[1] + "}";
   }
@@ -86,6 +103,8 @@ std::string SceneLines::point(const std::string& name, const SceneNumber& x, con
   add(point + ".x = " + values[0] + ";");
   add(point + ".y = " + values[1] + ";");
   add_gradients(point, gradients);
+  add_rates(point, 0, x);
+  add_rates(point, 1, y);
   return point;
 }
 
@@ -95,7 +114,8 @@ std::string SceneLines::frame(const std::string& name, const Pose<SceneNumber>& 
   const bool has_gradient = !std::all_of(gradients.begin(), gradients.end(), is_zero);
   const std::string values =
       number(pose.x) + ", " + number(pose.y) + ", " + direction(pose.direction);
-  if (!has_gradient && values == "0.0, 0.0, {1.0, 0.0}") {
+  const bool is_moving = moves(pose.x) || moves(pose.y) || moves(pose.direction);
+  if (!has_gradient && !is_moving && values == "0.0, 0.0, {1.0, 0.0}") {
     return "";
   }
   std::string frame = declared(name);
@@ -104,6 +124,9 @@ std::string SceneLines::frame(const std::string& name, const Pose<SceneNumber>& 
   if (has_gradient) {
     add_gradients(frame, gradients);
   }
+  add_rates(frame, 0, pose.x);
+  add_rates(frame, 1, pose.y);
+  add_rates(frame, 2, pose.direction);
   return frame;
 }
 
@@ -116,7 +139,6 @@ SceneLines::Gradient SceneLines::gradient_of(const SceneNumber& number) {
   if (!numbers_.varies(number)) {
     return constant_gradient(number.number());
   }
-  has_formulas_ = true;
   return numbers_.gradient(number);
 }
 
@@ -125,7 +147,6 @@ SceneLines::Gradient SceneLines::gradient_of(const Direction<SceneNumber>& direc
     return constant_gradient(
         angle_of(Direction<mechanism::Dual>{direction.cos.number(), direction.sin.number()}));
   }
-  has_formulas_ = true;
   return numbers_.gradient(direction);
 }
 

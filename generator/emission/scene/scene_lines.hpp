@@ -33,12 +33,16 @@ class ModelledParameters {
 /// The statements of one function, with constants declared as they are needed.
 class SceneLines {
  public:
-  SceneLines(const ModelledParameters& parameters, const SceneNumbers& numbers)
-      : parameters_(parameters), numbers_(numbers) {}
+  /// `order`: of the time derivatives that are wanted.
+  SceneLines(const ModelledParameters& parameters, const SceneNumbers& numbers, int order)
+      : parameters_(parameters), numbers_(numbers), order_(order) {}
 
   void add(const std::string& line) { lines_.push_back(line); }
-  /// With the variable parameters as `p`, where formulas read them.
-  [[nodiscard]] std::vector<std::string> lines() const;
+  /// Whether a statement begins like this.
+  [[nodiscard]] bool declares(const std::string& beginning) const;
+  /// With the variable parameters as `p` and the drivers, where formulas read them; unless the
+  /// function has the drivers already.
+  [[nodiscard]] std::vector<std::string> lines(bool has_drivers = false) const;
 
   /// A number, or its formula in variable parameters.
   [[nodiscard]] std::string number(const SceneNumber& number);
@@ -55,6 +59,12 @@ class SceneLines {
   [[nodiscard]] std::string gradient(const std::string& name, const Quantity& quantity) {
     return declared_gradient(name, gradient_of(quantity));
   }
+  /// The rates of a number or of a direction's angle that moves with drivers, as a row; empty where
+  /// it does not, or none are wanted.
+  template <typename Quantity>
+  [[nodiscard]] std::string rates(const Quantity& quantity) const {
+    return moves(quantity) && order_ > 0 ? row_of(numbers_.rates(quantity, order_)) : "";
+  }
   /// A name of the function's own, like `name`.
   [[nodiscard]] std::string declared(const std::string& name);
 
@@ -70,9 +80,22 @@ class SceneLines {
   void add_gradient(const std::string& target, const Gradient& gradient);
   void add_gradients(const std::string& target, const std::vector<Gradient>& rows);
 
+  [[nodiscard]] bool moves(const SceneNumber& number) const { return numbers_.moves(number); }
+  [[nodiscard]] bool moves(const Direction<SceneNumber>& direction) const {
+    return numbers_.moves(direction.cos) || numbers_.moves(direction.sin);
+  }
+  [[nodiscard]] static std::string row_of(const std::vector<std::string>& rates);
+  /// Whether a coordinate moves; adds its rates to a row of `target`.
+  template <typename Quantity>
+  void add_rates(const std::string& target, int row, const Quantity& quantity) {
+    if (const std::string text = rates(quantity); !text.empty()) {
+      add(target + ".rates.row(" + std::to_string(row) + ") = " + text + ";");
+    }
+  }
+
   const ModelledParameters& parameters_;
   const SceneNumbers& numbers_;
-  bool has_formulas_ = false;
+  int order_;
   std::vector<std::string> lines_;
   std::vector<std::string> taken_;
 };

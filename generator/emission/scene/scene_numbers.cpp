@@ -11,7 +11,9 @@ namespace assur::generator::emission::scene {
 SceneNumbers::SceneNumbers(
     const mechanism::Plan& plan, const mechanism::Values& values,
     const std::vector<std::pair<mechanism::ParameterIndex, std::string>>& variable,
-    const std::vector<Eigen::Index>& modelled)
+    const std::vector<Eigen::Index>& modelled,
+    const mechanism::Table<mechanism::DriverIndex, std::string>& drivers,
+    const mechanism::Table<mechanism::JointIndex, std::string>& joints)
     : plan_(plan), values_(values) {
   const auto& parameters = plan.mechanism().parameters();
   symbol_of_.assign(parameters.size(), 0);
@@ -26,7 +28,8 @@ SceneNumbers::SceneNumbers(
   }
   for (const Eigen::Index column : modelled) {
     const mechanism::ParameterIndex parameter = values.columns()[static_cast<std::size_t>(column)];
-    if (!variable.empty() && !is_variable_[parameter]) {
+    const bool has_formulas = !variable.empty() || plan.structure().moves_by_laws(plan.mechanism());
+    if (has_formulas && !is_variable_[parameter]) {
       const GiNaC::symbol symbol(parameters[parameter].name);
       symbol_of_[parameter] = symbol;
       symbols_.add(symbol, 0);
@@ -37,11 +40,14 @@ SceneNumbers::SceneNumbers(
   for (const mechanism::ParameterIndex parameter : parameters.keys()) {
     evaluate(parameter);
   }
+  add_positions(drivers, joints);
   const mechanism::Structure& structure = plan.structure();
   for (const mechanism::FoundGroup& group : structure.groups) {
     groups_.add(mechanism::group_geometry(
         structure, group,
-        [this](mechanism::FeatureIndex index, bool is_line) { return feature(index, is_line); },
+        [this](const mechanism::ElementaryJoint& at, mechanism::LinkIndex link) {
+          return feature(at, link);
+        },
         SceneNumber()));
   }
 }
@@ -107,6 +113,119 @@ LinkFeature<SceneNumber> SceneNumbers::feature(mechanism::FeatureIndex index, bo
   return result;
 }
 
+LinkFeature<SceneNumber> SceneNumbers::feature(const mechanism::ElementaryJoint& at,
+                                               mechanism::LinkIndex link) const {
+  return mechanism::carried_feature<SceneNumber>(
+      plan_.structure(), at, link,
+      [this](mechanism::FeatureIndex index, bool is_line) { return feature(index, is_line); },
+      [this](mechanism::DriverIndex driver) { return positions_[driver]; });
+}
+
+/// What laws read first.
+void SceneNumbers::add_positions(
+    const mechanism::Table<mechanism::DriverIndex, std::string>& drivers,
+    const mechanism::Table<mechanism::JointIndex, std::string>& joints) {
+  const mechanism::Mechanism& mechanism = plan_.mechanism();
+  const auto add = [this](const std::string& position, const std::string& velocity,
+                          const std::string& acceleration, mechanism::DriverIndex driver,
+                          const mechanism::Dual& value) {
+    movers_.push_back({GiNaC::symbol(position), GiNaC::symbol(velocity),
+                       GiNaC::symbol(acceleration), driver, {}});
+    const GiNaC::symbol& symbol = movers_.back().position;
+    symbols_.add(symbol, cpp::exact(value.value()));
+    variables_.push_back(symbol);
+    return SceneNumber(value, symbol, symbols_);
+  };
+  positions_.resize(drivers.size());
+  mechanism::Table<mechanism::JointIndex, std::optional<SceneNumber>> read(joints.size());
+  for (const mechanism::DriverIndex driver : plan_.structure().laws) {
+    const mechanism::Formula& law =
+        mechanism.numbers()[mechanism.drivers()[driver].position].formula;
+    if (law.joints().empty()) {
+      const std::string member = "drivers." + drivers[driver];
+      positions_[driver] = add(member + ".position", member + ".velocity",
+                               member + ".acceleration", driver, values_.motion(driver).position);
+      const SceneNumber given = this->law(driver);
+      for (const GiNaC::ex& symbol : modelled_) {
+        movers_.back().gradient.push_back(
+            symbols_.derivative(given.formula(), GiNaC::ex_to<GiNaC::symbol>(symbol)));
+      }
+      continue;
+    }
+    for (const mechanism::JointIndex joint : law.joints()) {
+      if (mechanism.driver_of(joint).exists()) {
+        read[joint] = positions_[mechanism.driver_of(joint)];
+      } else if (!read[joint]) {
+        // Where the joint is depends on the configuration: any number will do.
+        const std::string member = "joint_" + joints[joint];
+        read[joint] = add(member + ".position", member + ".rates(0)", member + ".rates(1)", {},
+                          mechanism::Dual(1.0));
+        for (std::size_t column = 0; column < modelled_.size(); ++column) {
+          movers_.back().gradient.push_back(
+              GiNaC::symbol(member + ".gradient(" + std::to_string(column) + ")"));
+        }
+      }
+    }
+    positions_[driver] = law.evaluate<SceneNumber>(
+        [this](mechanism::ParameterIndex parameter) -> const SceneNumber& {
+          return *parameters_[parameter];
+        },
+        [&read](mechanism::JointIndex joint) -> const SceneNumber& { return *read[joint]; });
+  }
+}
+
+SceneNumber SceneNumbers::law(mechanism::DriverIndex driver) const {
+  return number(plan_.mechanism().drivers()[driver].position);
+}
+
+bool SceneNumbers::moves(const SceneNumber& number) const {
+  if (!number.has_formula()) {
+    return false;
+  }
+  const GiNaC::ex whole = symbols_.written_out(number.formula());
+  return std::ranges::any_of(
+      movers_, [&](const Mover& mover) { return whole.has(mover.position); });
+}
+
+GiNaC::ex SceneNumbers::rate(const GiNaC::ex& formula) const {
+  GiNaC::ex sum;
+  for (const Mover& mover : movers_) {
+    sum += symbols_.derivative(formula, mover.position) * mover.velocity;
+  }
+  return sum;
+}
+
+GiNaC::ex SceneNumbers::second_rate(const GiNaC::ex& formula) const {
+  GiNaC::ex sum = rate(rate(formula));
+  for (const Mover& mover : movers_) {
+    sum += symbols_.derivative(formula, mover.position) * mover.acceleration;
+  }
+  return sum;
+}
+
+std::vector<std::string> SceneNumbers::rates(const SceneNumber& number, int order) const {
+  const GiNaC::ex formula = number.formula();
+  std::vector<std::string> texts;
+  for (const GiNaC::ex& one : {rate(formula), second_rate(formula)}) {
+    texts.push_back(cpp_formula(shortened(at_run_time(one))));
+  }
+  texts.resize(static_cast<std::size_t>(order));
+  return texts;
+}
+
+std::vector<std::string> SceneNumbers::rates(const Direction<SceneNumber>& direction,
+                                             int order) const {
+  const GiNaC::ex c = direction.cos.formula();
+  const GiNaC::ex s = direction.sin.formula();
+  std::vector<std::string> texts;
+  for (const GiNaC::ex& one :
+       {c * rate(s) - s * rate(c), c * second_rate(s) - s * second_rate(c)}) {
+    texts.push_back(cpp_formula(shortened(at_run_time(one.expand()))));
+  }
+  texts.resize(static_cast<std::size_t>(order));
+  return texts;
+}
+
 mechanism::SlideMeasure<SceneNumber> SceneNumbers::slide_measure(mechanism::GroupIndex group,
                                                                  int model_joint) const {
   const mechanism::Structure& structure = plan_.structure();
@@ -150,7 +269,15 @@ GiNaC::ex SceneNumbers::at_run_time(const GiNaC::ex& formula) const {
 }
 
 GiNaC::ex SceneNumbers::derivative(const GiNaC::ex& formula, const GiNaC::ex& symbol) const {
-  return at_run_time(symbols_.derivative(formula, GiNaC::ex_to<GiNaC::symbol>(symbol)));
+  const auto to = GiNaC::ex_to<GiNaC::symbol>(symbol);
+  GiNaC::ex slope = symbols_.derivative(formula, to);
+  const auto column = std::ranges::find_if(
+      modelled_, [&](const GiNaC::ex& modelled) { return modelled.is_equal(symbol); });
+  for (const Mover& mover : movers_) {
+    slope += symbols_.derivative(formula, mover.position) *
+             mover.gradient[static_cast<std::size_t>(column - modelled_.begin())];
+  }
+  return at_run_time(slope);
 }
 
 std::vector<std::string> SceneNumbers::gradient(const SceneNumber& number) const {

@@ -19,16 +19,29 @@ class SceneNumbers {
  public:
   /// `variable`: the parameters that vary, each with what C++ calls it; `modelled`: the columns of
   /// the parameters to which derivatives are modelled. Throws MechanismError for a length that
-  /// these parameters change and that is zero at the scene's own numbers.
+  /// these parameters change and that is zero at the scene's own numbers. `drivers` and
+  /// `joints`: the members that stand for them.
   SceneNumbers(const mechanism::Plan& plan, const mechanism::Values& values,
                const std::vector<std::pair<mechanism::ParameterIndex, std::string>>& variable,
-               const std::vector<Eigen::Index>& modelled);
+               const std::vector<Eigen::Index>& modelled,
+               const mechanism::Table<mechanism::DriverIndex, std::string>& drivers,
+               const mechanism::Table<mechanism::JointIndex, std::string>& joints);
   SceneNumbers(const SceneNumbers&) = delete;
   SceneNumbers& operator=(const SceneNumbers&) = delete;
 
   [[nodiscard]] SceneNumber number(mechanism::NumberIndex number) const;
+  /// Where a driver has its joint: an argument of the solver, or the formula of a law that reads
+  /// other joints.
+  [[nodiscard]] const SceneNumber& position(mechanism::DriverIndex driver) const {
+    return positions_[driver];
+  }
+  /// The law of a driver that is an argument, as a formula in variable parameters.
+  [[nodiscard]] SceneNumber law(mechanism::DriverIndex driver) const;
   [[nodiscard]] LinkFeature<SceneNumber> feature(mechanism::FeatureIndex feature,
                                                  bool is_line) const;
+  /// A joint's feature in the frame of a link that has it, or that carries the link that has it.
+  [[nodiscard]] LinkFeature<SceneNumber> feature(const mechanism::ElementaryJoint& at,
+                                                 mechanism::LinkIndex link) const;
   [[nodiscard]] const mechanism::GroupGeometry<SceneNumber>& group(
       mechanism::GroupIndex group) const {
     return groups_[group];
@@ -36,7 +49,15 @@ class SceneNumbers {
   [[nodiscard]] mechanism::SlideMeasure<SceneNumber> slide_measure(mechanism::GroupIndex group,
                                                                    int model_joint) const;
 
-  /// Whether the number depends on a parameter that varies at run time.
+  /// Whether the number depends on where drivers are.
+  [[nodiscard]] bool moves(const SceneNumber& number) const;
+  /// The formulas of its rates in time, as many as `order`.
+  [[nodiscard]] std::vector<std::string> rates(const SceneNumber& number, int order) const;
+  /// Likewise of the angle of a direction that moves: c s' - s c', c s'' - s c''.
+  [[nodiscard]] std::vector<std::string> rates(const Direction<SceneNumber>& direction,
+                                               int order) const;
+
+  /// Whether the number depends on a parameter that varies at run time, or on a driver.
   [[nodiscard]] bool varies(const SceneNumber& number) const;
   [[nodiscard]] bool varies(const Direction<SceneNumber>& direction) const {
     return varies(direction.cos) || varies(direction.sin);
@@ -58,8 +79,20 @@ class SceneNumbers {
   void evaluate(mechanism::ParameterIndex parameter);
   [[nodiscard]] mechanism::Dual deviation(mechanism::ParameterIndex parameter) const;
   [[nodiscard]] bool varies(const GiNaC::ex& formula) const;
+  /// What moves a solver's links: a driver whose position is an argument, or a joint that a law
+  /// reads where groups place it.
+  struct Mover {
+    GiNaC::symbol position, velocity, acceleration;
+    mechanism::DriverIndex driver;     ///< none of a joint that is read
+    std::vector<GiNaC::ex> gradient;   ///< to the modelled parameters
+  };
+  void add_positions(const mechanism::Table<mechanism::DriverIndex, std::string>& drivers,
+                     const mechanism::Table<mechanism::JointIndex, std::string>& joints);
+  [[nodiscard]] GiNaC::ex rate(const GiNaC::ex& formula) const;
+  [[nodiscard]] GiNaC::ex second_rate(const GiNaC::ex& formula) const;
   /// The formula in what varies: deviations are zero, and so roots of nothing else are numbers.
   [[nodiscard]] GiNaC::ex at_run_time(const GiNaC::ex& formula) const;
+  /// To a modelled parameter, on which laws of drivers may depend as well.
   [[nodiscard]] GiNaC::ex derivative(const GiNaC::ex& formula, const GiNaC::ex& symbol) const;
 
   const mechanism::Plan& plan_;
@@ -72,6 +105,8 @@ class SceneNumbers {
   GiNaC::exmap deviations_;  ///< to zero
   std::vector<GiNaC::ex> modelled_;
   mechanism::Table<mechanism::ParameterIndex, std::optional<SceneNumber>> parameters_;
+  std::vector<Mover> movers_;
+  mechanism::Table<mechanism::DriverIndex, SceneNumber> positions_;
   mechanism::Table<mechanism::GroupIndex, mechanism::GroupGeometry<SceneNumber>> groups_;
 };
 

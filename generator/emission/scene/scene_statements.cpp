@@ -1,6 +1,7 @@
 #include "emission/scene/scene_statements.hpp"
 
 #include <algorithm>
+#include <array>
 #include <assur/text/names.hpp>
 #include <deque>
 
@@ -10,6 +11,10 @@
 namespace assur::generator::emission::scene {
 
 namespace {
+
+SceneLines lines_of(const SolverScene& solver) {
+  return {solver.parameters, solver.numbers, solver.derivative_order};
+}
 
 std::string on(const SolverScene& solver, const std::string& feature, mechanism::LinkIndex link) {
   return feature + "_on_" + solver.link_name(link);
@@ -62,47 +67,115 @@ std::string state_of(const mechanism::Want& want, const std::string& position,
   return "{" + text::joined(values, ", ", [](const std::string& value) { return value; }) + "}";
 }
 
-/// The dimensions that variable parameters change, inputs of the group from `first` on.
-void add_varying_dimensions(const SolverScene& solver, mechanism::GroupIndex group, int first,
-                            SceneLines& held) {
+/// The dimensions that drivers move, or that variable parameters alone change: inputs of the group
+/// from `first` on.
+void add_varying_dimensions(const SolverScene& solver, mechanism::GroupIndex group, bool that_move,
+                            int& first, SceneLines& held) {
+  const std::vector<bool> dimension_moves = moving_dimensions(solver, group);
   const structure::Model& model = derived_model(solver.group(group));
   const std::deque<equations::Variable> dimensions = equations::closure_equations(model).dimensions;
   std::size_t index = 0;
   for (const DimensionValue<SceneNumber>& value : solver.numbers.group(group).dimensions()) {
+    const bool moves = dimension_moves[index];
     const std::string name = dimensions[index++].name;
+    if (moves != that_move) {
+      continue;
+    }
     const auto hold = [&](const std::string& function, const std::string& text,
-                          const std::string& gradient) {
+                          const std::string& gradient, const std::string& rates) {
       held.add("held." + function + "<" + std::to_string(first++) + ">(" + text +
-               (gradient.empty() ? "" : ", " + gradient) + ");");
+               (gradient.empty() && rates.empty() ? ""
+                : gradient.empty()                ? ", ParameterRow::Zero()"
+                                                  : ", " + gradient) +
+               (rates.empty() ? "" : ", " + rates) + ");");
     };
     if (value.is_angle && solver.numbers.varies(value.angle)) {
       const std::string gradient = held.gradient(name + "_gradient", value.angle);
-      hold("hold_angle", held.direction(value.angle), gradient);
+      hold("hold_angle", held.direction(value.angle), gradient, held.rates(value.angle));
     } else if (!value.is_angle && solver.numbers.varies(value.length)) {
       const std::string gradient = held.gradient(name + "_gradient", value.length);
-      hold("hold_length", held.number(value.length), gradient);
+      hold("hold_length", held.number(value.length), gradient, held.rates(value.length));
     }
   }
 }
 
-}  // namespace
+/// A driver as statements read it.
+struct DriverText {
+  std::string position, rates;  ///< no rates where none are wanted
+  SceneNumber law;              ///< how the position follows the parameters
+};
 
-PlacingStatements driving_statements(const SolverScene& solver) {
-  SceneLines lines(solver.parameters, solver.numbers);
-  std::vector<std::string> slides;
+/// An argument of the solver, or what its law makes of the drivers that it reads.
+DriverText driver_text(const SolverScene& solver, mechanism::DriverIndex index, SceneLines& lines) {
+  if (solver.is_argument(index)) {
+    const std::string state = "drivers." + solver.members.drivers[index];
+    return {state + ".position", rates_of(solver, state), solver.numbers.law(index)};
+  }
+  const SceneNumber& position = solver.numbers.position(index);
+  const mechanism::Driver& driver = solver.mechanism().drivers()[index];
+  std::vector<std::string> rates = solver.numbers.rates(position, solver.derivative_order);
+  const std::array<mechanism::NumberIndex, 2> given = {driver.velocity, driver.acceleration};
+  for (std::size_t order = 0; order < rates.size(); ++order) {
+    if (given[order].exists()) {
+      rates[order] = cpp::round_trip(solver.values.number(given[order]).value());
+    }
+  }
+  const auto as_it_is = [](const std::string& rate) { return rate; };
+  return {lines.number(position),
+          rates.empty() ? "" : "Rates(" + text::joined(rates, ", ", as_it_is) + ")", position};
+}
+
+/// The coordinates of joints that laws read where groups place them, which the function knows from
+/// then on.
+void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, SceneLines& lines) {
+  const mechanism::Mechanism& mechanism = solver.mechanism();
+  const auto link_of = [&](mechanism::FeatureIndex feature) {
+    return mechanism.features()[feature].link;
+  };
+  const auto frame_of = [&](mechanism::FeatureIndex index) {
+    const LinkFeature<SceneNumber> feature =
+        solver.numbers.feature(index, mechanism.features()[index].is_line);
+    const std::string own = lines.frame(on(solver, mechanism.features()[index].name, link_of(index)),
+                                        {feature.x, feature.y, feature.along});
+    return nested_frames({solver.placed(link_of(index)), own});
+  };
+  for (const mechanism::JointIndex joint : mechanism::joints_in_laws(mechanism, driver)) {
+    const mechanism::Joint& at = mechanism.joints()[joint];
+    const std::string name = "joint_" + solver.members.joints[joint];
+    if (mechanism.driver_of(joint).exists() || lines.declares("const LinkCoordinate " + name)) {
+      continue;
+    }
+    std::string value;
+    if (at.type == mechanism::JointType::revolute) {
+      value = "support::angle_between(" + nested_frames({solver.placed(link_of(at.between[0]))}) +
+              ", " + nested_frames({solver.placed(link_of(at.between[1]))}) + ")";
+    } else {
+      const std::size_t line = mechanism.features()[at.between[0]].is_line ? 0 : 1;
+      value = "support::displacement_along(" + frame_of(at.between[line]) + ", " +
+              frame_of(at.between[1 - line]) + ")";
+    }
+    lines.add("const LinkCoordinate " + name + " = " + value + ";");
+  }
+}
+
+/// Places the links that drivers move once so many groups are placed.
+void add_driven_links(const SolverScene& solver, std::size_t groups_before, SceneLines& lines,
+                      std::vector<std::string>& slides) {
   for (const mechanism::DrivenLink& link : solver.plan.structure().driven) {
+    if (link.groups_before != groups_before) {
+      continue;
+    }
     const mechanism::ElementaryJoint& at = solver.joint(link.joint);
-    const std::string sign = at.first == link.from ? "" : "-";
+    add_joints_read(solver, link.driver, lines);
+    const DriverText driver = driver_text(solver, link.driver, lines);
     const double sense = at.first == link.from ? 1 : -1;
-    const SceneNumber position =
-        solver.numbers.number(solver.mechanism().drivers()[link.driver].position);
-    const std::string state = "drivers." + solver.members.drivers[link.driver];
+    const std::string sign = sense > 0 ? "" : "-";
     const std::string gradient =
-        lines.gradient(at.name + "_gradient", SceneNumber(sense) * position);
-    const std::string rates = rates_of(solver, state);
-    std::string law = sign + state + ".position";
-    if (!rates.empty() || !gradient.empty()) {
-      law += ", " + (rates.empty() ? "{}" : sign + rates);
+        lines.gradient(at.name + "_gradient", SceneNumber(sense) * driver.law);
+    const bool is_sum = !solver.is_argument(link.driver) && !sign.empty();
+    std::string law = sign + (is_sum ? "(" + driver.position + ")" : driver.position);
+    if (!driver.rates.empty() || !gradient.empty()) {
+      law += ", " + (driver.rates.empty() ? "{}" : sign + driver.rates);
     }
     if (!gradient.empty()) {
       law += ", " + gradient;
@@ -117,17 +190,25 @@ PlacingStatements driving_statements(const SolverScene& solver) {
               nested_frames({solver.placed(link.from), near, moved, far}) + ";");
     if (at.prismatic) {
       const std::string& slide = solver.slide_member(at);
-      lines.add("placed.slide_" + slide + " = {" + state + ".position" +
-                (rates.empty() ? "" : ", " + rates) + "};");
+      lines.add("placed.slide_" + slide + " = {" + driver.position +
+                (driver.rates.empty() ? "" : ", " + driver.rates) + "};");
       slides.push_back(slide);
     }
   }
-  return {lines.lines(), slides};
+}
+
+}  // namespace
+
+PlacingStatements driving_statements(const SolverScene& solver) {
+  SceneLines lines = lines_of(solver);
+  std::vector<std::string> slides;
+  add_driven_links(solver, 0, lines, slides);
+  return {lines.lines(true), slides};
 }
 
 std::vector<std::string> holding_statements(const SolverScene& solver,
                                             mechanism::GroupIndex group) {
-  SceneLines held(solver.parameters, solver.numbers);
+  SceneLines held = lines_of(solver);
   int first = 0;
   for (const ExternalJoint& external : external_joints(solver, group)) {
     const mechanism::ElementaryJoint& at = *external.joint;
@@ -151,12 +232,13 @@ std::vector<std::string> holding_statements(const SolverScene& solver,
     }
     first += at.prismatic ? 3 : 2;
   }
-  add_varying_dimensions(solver, group, first, held);
+  add_varying_dimensions(solver, group, true, first, held);
+  add_varying_dimensions(solver, group, false, first, held);
   return held.lines();
 }
 
 PlacingStatements placing_statements(const SolverScene& solver, mechanism::GroupIndex group) {
-  SceneLines lines(solver.parameters, solver.numbers);
+  SceneLines lines = lines_of(solver);
   std::vector<std::string> slides;
   const mechanism::GroupGeometry<SceneNumber>& geometry = solver.numbers.group(group);
   const std::vector<FrameNeed> needs = frame_needs(solver, group);
@@ -198,18 +280,22 @@ PlacingStatements placing_statements(const SolverScene& solver, mechanism::Group
     const std::string shifted = by == "0.0" ? unknown : "(" + unknown + sum + ")";
     lines.add(slide + ".displacement = " + sign + shifted + ";");
     if (solver.derivative_order > 0 && solver.reports(at.joint)) {
-      lines.add(slide + ".rates = " + sign + solver.group_struct(group) +
-                "::unit * group.rates.row(" + std::to_string(index) + ");");
+      const std::string rates = solver.group_struct(group) + "::unit * group.rates.row(" +
+                                std::to_string(index) + ")";
+      const std::string by_drivers = lines.rates(shift);
+      lines.add(slide + ".rates = " + sign +
+                (by_drivers.empty() ? rates : "(" + rates + " + " + by_drivers + ")") + ";");
     }
     slides.push_back(solver.slide_member(at));
   }
+  add_driven_links(solver, group.place() + 1, lines, slides);
   return {lines.lines(), slides};
 }
 
 std::vector<std::string> listing_statements(const SolverScene& solver,
                                             const std::vector<std::string>& slides) {
   const mechanism::Want& want = solver.plan.request().want;
-  SceneLines lines(solver.parameters, solver.numbers);
+  SceneLines lines = lines_of(solver);
   for (const mechanism::LinkIndex link : solver.mechanism().links().keys()) {
     if (solver.reports(link)) {
       const std::string& member = solver.members.links[link];

@@ -128,6 +128,11 @@ mechanism::Table<mechanism::LinkIndex, FrameNeed> needs_of_links(const SolverSce
     needs[link.to] = FrameNeed::everything;
     needs[link.from] = FrameNeed::everything;
   }
+  for (const mechanism::ReadingDriver& reading : structure.reading) {
+    for (const mechanism::LinkIndex link : reading.reads) {
+      needs[link] = FrameNeed::everything;
+    }
+  }
   for (const mechanism::FoundGroup& group : structure.groups) {
     for (const mechanism::LinkIndex base : bases_of(structure, group)) {
       needs[base] = FrameNeed::everything;
@@ -136,17 +141,49 @@ mechanism::Table<mechanism::LinkIndex, FrameNeed> needs_of_links(const SolverSce
   return needs;
 }
 
+/// Throws MechanismError for what solvers do not model.
+mechanism::Plan expect_modelled(mechanism::Plan plan) {
+  const mechanism::Mechanism& mechanism = plan.mechanism();
+  for (const mechanism::ReadingDriver& reading : plan.structure().reading) {
+    const mechanism::NumberIndex law = mechanism.drivers()[reading.driver].position;
+    const auto is_driver = [&](const mechanism::DrivenLink& link) {
+      return link.driver == reading.driver;
+    };
+    const auto& driven = plan.structure().driven;
+    const mechanism::DrivenLink& link = *std::find_if(driven.begin(), driven.end(), is_driver);
+    if (!plan.structure().placed_by_drivers()[link.to]) {
+      throw mechanism::MechanismError(
+          mechanism.numbers()[law].part,
+          "the law reads joints that groups place, and moves a link of a group; a solver models "
+          "such laws only for links that the ground carries");
+    }
+  }
+  for (const mechanism::Feature& feature : mechanism.features()) {
+    for (const mechanism::NumberIndex number :
+         {feature.x, feature.y, feature.along_x, feature.along_y}) {
+      if (number.exists() && plan.has_rates(number)) {
+        throw mechanism::MechanismError(
+            mechanism.numbers()[number].part,
+            "the place moves with the rates of a parameter, and a solver does not model that; "
+            "drive a joint instead");
+      }
+    }
+  }
+  return plan;
+}
+
 int order_of(const mechanism::Want& want) { return want.acceleration ? 2 : want.velocity ? 1 : 0; }
 
 }  // namespace
 
 SolverScene::SolverScene(const mechanism::Scene& described)
-    : plan(described),
+    : plan(expect_modelled(mechanism::Plan(described))),
       values(plan.values()),
       variable(variable_parameters(plan)),
       parameters(modelled_parameters(plan, values, variable)),
-      numbers(plan, values, spelled(variable), parameters.columns()),
       members(scene_members(plan.mechanism())),
+      numbers(plan, values, spelled(variable), parameters.columns(), members.drivers,
+              members.joints),
       needs(needs_of_links(*this)),
       derivative_order(order_of(described.request.want)),
       file(std::filesystem::path(described.file).filename().string()),

@@ -37,8 +37,8 @@ struct SolverScene {
   mechanism::Values values;
   std::vector<VariableParameter> variable;
   ModelledParameters parameters;
-  SceneNumbers numbers;
   SceneMembers members;
+  SceneNumbers numbers;
   /// What is needed of the links' frames, blocks of pins in slots among them.
   mechanism::Table<mechanism::LinkIndex, FrameNeed> needs;
   int derivative_order;   ///< of the time derivatives that are wanted: 0, 1 or 2
@@ -64,6 +64,11 @@ struct SolverScene {
   /// Whether the scene lists the link; the block of a pin in a slot it does not.
   [[nodiscard]] bool lists(mechanism::LinkIndex link) const {
     return link.place() < mechanism().links().size();
+  }
+  /// Whether a driver's position is an argument of the solver: its law reads no other joint.
+  [[nodiscard]] bool is_argument(mechanism::DriverIndex driver) const {
+    const mechanism::NumberIndex law = mechanism().drivers()[driver].position;
+    return mechanism().numbers()[law].formula.joints().empty();
   }
   /// Whether other groups are held by a group's links.
   [[nodiscard]] bool holds_groups(mechanism::GroupIndex group) const;

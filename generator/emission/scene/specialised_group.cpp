@@ -22,7 +22,7 @@ class GroupSpecialiser {
  public:
   explicit GroupSpecialiser(const SpecialisedNumbers& numbers)
       : numbers_(numbers),
-        equations_(equations::closure_equations(*numbers.model)),
+        equations_(equations::closure_equations(*numbers.model, numbers.dimension_moves)),
         derivatives_(derivatives::differentiate(equations_)),
         structured_(equations_),
         elimination_(elimination::eliminate(equations_)) {

@@ -25,7 +25,10 @@ struct SpecialisedNumbers {
   const structure::Model* model;
   double unit;
   int order;  ///< of the time derivatives that are wanted: 0, 1 or 2
-  /// A dimension that variable parameters change is none: it is an input, behind the model's own.
+  /// Of each dimension of the model whether drivers move it: then it is one of the inputs, behind
+  /// the model's own, and none of the dimensions below.
+  std::vector<bool> dimension_moves;
+  /// A dimension that variable parameters change is no number: it is an input behind all others.
   std::vector<std::optional<DimensionValue<double>>> dimensions;
   Eigen::MatrixXd dimension_gradient;  ///< one column a parameter; none: no sensitivity is wanted
   /// Those that the ground holds where no variable parameter moves them.

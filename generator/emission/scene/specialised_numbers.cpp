@@ -126,10 +126,25 @@ std::vector<FrameNeed> frame_needs(const SolverScene& solver, mechanism::GroupIn
   return needs;
 }
 
+std::vector<bool> moving_dimensions(const SolverScene& solver, mechanism::GroupIndex group) {
+  std::vector<bool> moves;
+  for (const DimensionValue<SceneNumber>& value : normal_group(solver, group).dimensions()) {
+    moves.push_back(value.is_angle ? solver.numbers.moves(value.angle.cos) ||
+                                         solver.numbers.moves(value.angle.sin)
+                                   : solver.numbers.moves(value.length));
+  }
+  return moves;
+}
+
 SpecialisedNumbers specialised_numbers(const SolverScene& solver, mechanism::GroupIndex group) {
   const double unit = unit_of(solver, group);
   NumberList of_dimensions(solver.parameters, unit);
+  const std::vector<bool> dimension_moves = moving_dimensions(solver, group);
+  std::size_t place = 0;
   for (const DimensionValue<SceneNumber>& value : normal_group(solver, group).dimensions()) {
+    if (dimension_moves[place++]) {
+      continue;
+    }
     if (varies(solver, value)) {
       of_dimensions.add_input();
     } else {
@@ -154,9 +169,16 @@ SpecialisedNumbers specialised_numbers(const SolverScene& solver, mechanism::Gro
       input_moves.push_back(!solver.is_ground(held.base));
     }
   }
+  for (const bool moves : dimension_moves) {
+    if (moves) {
+      of_inputs.add_input();
+      input_moves.push_back(true);
+    }
+  }
   return {&derived_model(solver.group(group)),
           unit,
           solver.derivative_order,
+          dimension_moves,
           of_dimensions.values(),
           of_dimensions.gradient(),
           of_inputs.values(),

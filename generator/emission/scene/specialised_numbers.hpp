@@ -33,6 +33,10 @@ struct ExternalJoint {
 [[nodiscard]] std::vector<FrameNeed> frame_needs(const SolverScene& solver,
                                                  mechanism::GroupIndex group);
 
+/// Of each dimension of a group's model whether drivers move it.
+[[nodiscard]] std::vector<bool> moving_dimensions(const SolverScene& solver,
+                                                  mechanism::GroupIndex group);
+
 /// The group's dimensions, and its inputs as far as the ground holds them.
 [[nodiscard]] SpecialisedNumbers specialised_numbers(const SolverScene& solver,
                                                      mechanism::GroupIndex group);

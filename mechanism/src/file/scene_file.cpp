@@ -20,7 +20,7 @@ class SceneReader {
     expect_object(root_, "");
     expect_keys(root_, "",
                 {"name", "parameters", "links", "joints", "drivers", "outputs", "want", "report",
-                 "sweep", "covariance"});
+                 "reference", "sweep", "covariance"});
     if (root_.contains("name")) {
       mechanism_.set_name(text_of(root_["name"], "name"));
     }
@@ -32,6 +32,7 @@ class SceneReader {
     read_outputs();
     read_want();
     read_report();
+    read_reference();
     read_sweep();
     read_covariance();
   }
@@ -52,12 +53,18 @@ class SceneReader {
         mechanism_.set_parameter(name, number_of(value, part), part);
         continue;
       }
-      expect_keys(value, part, {"value", "tolerance", "variable"});
+      expect_keys(value, part, {"value", "tolerance", "velocity", "acceleration", "variable"});
       const std::string value_part = part + ".value";
       mechanism_.set_parameter(name, number_of(required(value, "value", part), value_part),
                                value_part);
       if (value.contains("tolerance")) {
         mechanism_.set_tolerance(name, number_of(value["tolerance"], part + ".tolerance"));
+      }
+      if (value.contains("velocity")) {
+        mechanism_.set_velocity(name, number_of(value["velocity"], part + ".velocity"));
+      }
+      if (value.contains("acceleration")) {
+        mechanism_.set_acceleration(name, number_of(value["acceleration"], part + ".acceleration"));
       }
       if (value.contains("variable") && truth_of(value["variable"], part + ".variable")) {
         request_.variable.push_back(mechanism_.parameter_named(name));
@@ -113,7 +120,7 @@ class SceneReader {
     for (const auto& [name, value] : joints.items()) {
       const std::string part = "joints." + name;
       expect_object(value, part);
-      expect_keys(value, part, {"type", "between"});
+      expect_keys(value, part, {"type", "between", "limits"});
       const std::string type = text_of(required(value, "type", part), part + ".type");
       const auto found = std::find(types.begin(), types.end(), type);
       if (found == types.end()) {
@@ -132,6 +139,13 @@ class SceneReader {
             text_of(between[index], part + ".between[" + std::to_string(index) + "]"));
       }
       mechanism_.add_joint(name, static_cast<JointType>(found - types.begin()), features);
+      if (value.contains("limits")) {
+        if (!value["limits"].is_array() || value["limits"].size() != 2) {
+          throw MechanismError(part + ".limits", "expected the limits [lowest, highest]");
+        }
+        const auto limits = pair_of(value["limits"], part + ".limits");
+        mechanism_.set_limits(name, limits[0], limits[1]);
+      }
     }
   }
 
@@ -148,9 +162,9 @@ class SceneReader {
       }
       expect_object(value, part);
       expect_keys(value, part, {"position", "velocity", "acceleration"});
-      const SceneJson zero = 0;
       const auto rate = [&, &driver = value](const std::string& key) {
-        return number_of(driver.contains(key) ? driver[key] : zero, part + "." + key);
+        return driver.contains(key) ? std::optional(number_of(driver[key], part + "." + key))
+                                    : std::nullopt;
       };
       mechanism_.add_driver(name, number_of(required(value, "position", part), part + ".position"),
                             rate("velocity"), rate("acceleration"));
@@ -201,6 +215,23 @@ class SceneReader {
     expect_keys(value, "report", {"links", "joints"});
     request_.reported.links = listed_parts(value, "links", mechanism_.links(), "link");
     request_.reported.joints = listed_parts(value, "joints", mechanism_.joints(), "joint");
+  }
+
+  void read_reference() {
+    if (!root_.contains("reference")) {
+      return;
+    }
+    const SceneJson& value = root_["reference"];
+    expect_object(value, "reference");
+    for (const auto& [name, angle] : value.items()) {
+      const std::string part = "reference." + name;
+      const LinkIndex link = index_of(mechanism_.links(), name);
+      if (!link.exists()) {
+        throw MechanismError("reference", "no link named " + in_quotes(name) +
+                                              text::suggestion(name, names_of(mechanism_.links())));
+      }
+      request_.reference.push_back({link, mechanism_.add_number(number_of(angle, part), part)});
+    }
   }
 
   template <typename Key, typename Part>

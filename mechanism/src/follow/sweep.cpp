@@ -242,8 +242,16 @@ class Sweeper {
 
   void report_row(int step, const Snapshot& set, PointIndex point, int branch,
                   const Configuration& state) {
-    observer_.record({step, static_cast<int>(point.place()) + 1, shown(branch), "", set.parameter,
-                      &set.spread, &state});
+    const int number = shown(branch);
+    if (!state.within_limits) {
+      return;
+    }
+    const auto first = set.solution.configurations.begin();
+    const auto within =
+        std::count_if(first, first + static_cast<std::ptrdiff_t>(point.place()) + 1,
+                      [](const Configuration& one) { return one.within_limits; });
+    observer_.record({step, static_cast<int>(within), number, "", set.parameter, &set.spread,
+                      &state});
   }
 
   /// What happens at a step to within rounding happens there, and nothing is told of what happens

@@ -134,7 +134,7 @@ class ModelFunctions {
     }
   }
 
-  static void expand(const FlatVariables& flat_d, const FlatSeries& flat_u,
+  static void expand(const FlatSeries& flat_d, const FlatSeries& flat_u,
                      const FlatSeries& flat_q, MovingGroup& moving) {
     const auto as_it_is = [](const auto& value) { return Series(value); };
     const auto d =

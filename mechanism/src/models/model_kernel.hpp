@@ -91,7 +91,7 @@ struct ModelKernel {
                const models::SmallVector& d_x, const models::SmallVector& u_x,
                models::Curvature& along_x);
   /// The closures and poses of a group that moves, to the order of a series.
-  void (*expand)(const models::FlatVariables& d, const models::FlatSeries& u,
+  void (*expand)(const models::FlatSeries& d, const models::FlatSeries& u,
                  const models::FlatSeries& q, models::MovingGroup& moving);
   /// Whether the angles that prismatic joints tie are compatible (of a degenerate model).
   bool (*is_compatible)(const models::FlatVariables& d, const models::FlatVariables& u);

@@ -40,5 +40,8 @@ struct Series {
 [[nodiscard]] Pose<Series> composed(const Pose<Series>& frame, const Pose<Series>& inner);
 /// A frame at rest.
 [[nodiscard]] Pose<Series> at_rest(const Pose<double>& pose);
+/// A number that moves with a rate and a second rate; where these are zero it is at rest, and
+/// elsewhere what is of higher order is not known.
+[[nodiscard]] Series moving(double value, double rate, double second_rate);
 
 }  // namespace assur::mechanism::models

@@ -17,9 +17,9 @@ using ComponentIndex = Index<struct StrongComponent>;
 /// The place of a component in the order.
 using RankIndex = Index<Component>;
 
-/// What moves as one: a link, or the point of a pin of several links.
+/// What moves as one: links that drivers tie together, or the point of a pin of several links.
 struct Body {
-  LinkIndex link;                 ///< none for a pin
+  LinkIndex link;                 ///< the carrier; none for a pin
   int freedoms;                   ///< three of a link, two of a point
   std::vector<TieIndex> matched;  ///< for each freedom that is taken, the tie that takes it
 };
@@ -89,11 +89,10 @@ class StrongComponents {
 
 class StructuralGraph {
  public:
-  StructuralGraph(const Linkage& linkage, const Table<LinkIndex, bool>& placed,
-                  const Table<ElementaryJointIndex, bool>& spent)
-      : linkage_(linkage), placed_(placed) {
+  StructuralGraph(const Linkage& linkage, const DrivenBodies& driven)
+      : linkage_(linkage), driven_(driven) {
     collect_bodies();
-    collect_ties(spent);
+    collect_ties();
     asked_.assign(bodies_.size(), 0);
     for (const TieIndex tie : ties_.keys()) {
       for (int equation = 0; equation < equations_of_a_tie; ++equation) {
@@ -110,9 +109,11 @@ class StructuralGraph {
     if (result.free.surplus > 0 || result.overloaded.surplus > 0) {
       return result;
     }
-    rank_bodies();
-    resolve_pins(result.linkage);
-    list_components(result);
+    rank_bodies(result);
+    if (result.coupled.empty()) {
+      resolve_pins(result.linkage);
+      list_components(result);
+    }
     return result;
   }
 
@@ -120,13 +121,16 @@ class StructuralGraph {
   void collect_bodies() {
     body_of_link_.assign(linkage_.links.size(), BodyIndex());
     for (const LinkIndex link : linkage_.links.keys()) {
-      if (!placed_[link]) {
+      if (!driven_.placed[link] && driven_.carrier[link] == link) {
         body_of_link_[link] = bodies_.add({link, 3, {}});
       }
     }
+    for (const LinkIndex link : linkage_.links.keys()) {
+      body_of_link_[link] = body_of_link_[driven_.carrier[link]];
+    }
     for (const SharedPin& pin : linkage_.pins) {
       const bool holds = std::any_of(pin.links.begin(), pin.links.end(),
-                                     [&](LinkIndex link) { return placed_[link]; });
+                                     [&](LinkIndex link) { return driven_.placed[link]; });
       body_of_pin_.push_back(holds ? BodyIndex() : bodies_.add({LinkIndex(), 2, {}}));
     }
   }
@@ -138,11 +142,14 @@ class StructuralGraph {
     ties_.add({one, other, joint});
   }
 
-  void collect_ties(const Table<ElementaryJointIndex, bool>& spent) {
+  void collect_ties() {
     for (const ElementaryJointIndex index : linkage_.joints.keys()) {
       const ElementaryJoint& joint = linkage_.joints[index];
-      if (!spent[index]) {
-        tie(body_of_link_[joint.first], body_of_link_[joint.second], joint.name);
+      if (!driven_.driven[index]) {
+        const BodyIndex one = body_of_link_[joint.first];
+        const BodyIndex other = body_of_link_[joint.second];
+        // Within what moves as one, a joint has no freedom to take.
+        tie(one == other ? BodyIndex() : one, one == other ? BodyIndex() : other, joint.name);
       }
     }
     for (std::size_t pin = 0; pin < linkage_.pins.size(); ++pin) {
@@ -240,8 +247,39 @@ class StructuralGraph {
     }
   }
 
+  /// What drivers' laws read before each body can be placed: for its own links, and for links that
+  /// the ground carries and that hold it.
+  [[nodiscard]] Table<BodyIndex, std::vector<BodyIndex>> bodies_read() const {
+    Table<BodyIndex, std::vector<BodyIndex>> read(bodies_.size());
+    const auto add = [&](BodyIndex body, LinkIndex link) {
+      if (!body.exists() || (body_of_link_[link].exists() && body_of_link_[link] != body)) {
+        return;
+      }
+      for (const LinkIndex other : driven_.read_for[link]) {
+        if (body_of_link_[other].exists()) {
+          read[body].push_back(body_of_link_[other]);
+        }
+      }
+    };
+    for (const LinkIndex link : linkage_.links.keys()) {
+      add(body_of_link_[link], link);
+    }
+    for (const ElementaryJoint& joint : linkage_.joints) {
+      add(body_of_link_[joint.first], joint.second);
+      add(body_of_link_[joint.second], joint.first);
+    }
+    for (const SharedPin& pin : linkage_.pins) {
+      for (const LinkIndex one : pin.links) {
+        for (const LinkIndex other : pin.links) {
+          add(body_of_link_[one], other);
+        }
+      }
+    }
+    return read;
+  }
+
   /// Of the components that depend on ranked ones only, the smallest goes next.
-  void rank_bodies() {
+  void rank_bodies(Decomposition& result) {
     Table<BodyIndex, std::vector<BodyIndex>> needs(bodies_.size());
     for (const BodyIndex body : bodies_.keys()) {
       for (const TieIndex tie : bodies_[body].matched) {
@@ -252,6 +290,7 @@ class StructuralGraph {
       }
     }
     const StrongComponents components(needs);
+    const Table<BodyIndex, std::vector<BodyIndex>> read = bodies_read();
     using Rank = std::tuple<std::size_t, BodyIndex>;  // links, first body
     Table<ComponentIndex, Rank> ranks(components.count(), Rank(0, BodyIndex(bodies_.size())));
     Table<ComponentIndex, std::set<ComponentIndex>> waits_for(components.count());
@@ -265,6 +304,11 @@ class StructuralGraph {
         const ComponentIndex other = components.of(needed);
         if (other != own && waits_for[own].insert(other).second) {
           waited_by[other].push_back(own);
+        }
+      }
+      for (const BodyIndex needed : read[body]) {
+        if (waits_for[own].insert(components.of(needed)).second) {
+          waited_by[components.of(needed)].push_back(own);
         }
       }
     }
@@ -286,9 +330,16 @@ class StructuralGraph {
         }
       }
     }
+    std::set<BodyIndex> waiting;
     for (const BodyIndex body : bodies_.keys()) {
       rank_.add(rank_of[components.of(body)]);
+      if (!rank_[body].exists()) {
+        waiting.insert(body);
+      }
     }
+    Imbalance coupled;
+    add_links(waiting, coupled);
+    result.coupled = std::move(coupled.links);
   }
 
   [[nodiscard]] RankIndex rank_of_link(LinkIndex link) const {
@@ -324,7 +375,8 @@ class StructuralGraph {
     for (const ElementaryJointIndex index : result.linkage.joints.keys()) {
       const ElementaryJoint& joint = result.linkage.joints[index];
       const RankIndex rank = std::max(rank_of_link(joint.first), rank_of_link(joint.second));
-      if (rank.exists()) {
+      const bool is_driven = index.place() < driven_.driven.size() && driven_.driven[index];
+      if (rank.exists() && !is_driven) {
         components[rank].joints.push_back(index);
       }
     }
@@ -336,7 +388,7 @@ class StructuralGraph {
   }
 
   const Linkage& linkage_;
-  const Table<LinkIndex, bool>& placed_;
+  const DrivenBodies& driven_;
   Table<BodyIndex, Body> bodies_;
   Table<LinkIndex, BodyIndex> body_of_link_;
   std::vector<BodyIndex> body_of_pin_;
@@ -349,9 +401,8 @@ class StructuralGraph {
 
 }  // namespace
 
-Decomposition decompose(const Linkage& linkage, const Table<LinkIndex, bool>& placed,
-                        const Table<ElementaryJointIndex, bool>& spent) {
-  return StructuralGraph(linkage, placed, spent).run();
+Decomposition decompose(const Linkage& linkage, const DrivenBodies& bodies) {
+  return StructuralGraph(linkage, bodies).run();
 }
 
 }  // namespace assur::mechanism::plan

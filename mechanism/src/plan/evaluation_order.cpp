@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "plan/driver_laws.hpp"
 #include "plan/plan_data.hpp"
 
 namespace assur::mechanism::plan {
@@ -18,6 +19,8 @@ class OrderFinder {
       settle(parameter);
     }
     list_numbers();
+    list_drivers();
+    list_moving();
     choose_columns();
   }
 
@@ -83,11 +86,17 @@ class OrderFinder {
         add({feature.x, feature.y, feature.along_x, feature.along_y});
       }
     }
+    for (const Joint& joint : mechanism_.joints()) {
+      add({joint.lowest, joint.highest});
+    }
     for (const Driver& driver : mechanism_.drivers()) {
-      add({driver.position, driver.velocity, driver.acceleration});
+      add({driver.velocity, driver.acceleration});
+    }
+    for (const ReferenceAngle& angle : request_.reference) {
+      add({angle.theta});
     }
     for (const Parameter& parameter : mechanism_.parameters()) {
-      add({parameter.tolerance});
+      add({parameter.tolerance, parameter.velocity, parameter.acceleration});
     }
     if (request_.covariance) {
       for (const std::vector<NumberIndex>& row : request_.covariance->matrix) {
@@ -101,6 +110,24 @@ class OrderFinder {
       if (index.exists()) {
         order_.numbers.push_back(index);
       }
+    }
+  }
+
+  void list_drivers() {
+    order_.drivers = laws_in_order(mechanism_);
+    for (const DriverIndex driver : mechanism_.drivers().keys()) {
+      order_.reads_links.add(!joints_read(mechanism_, driver).empty());
+    }
+  }
+
+  void list_moving() {
+    order_.moves.assign(mechanism_.parameters().size(), false);
+    for (const ParameterIndex index : order_.parameters) {
+      const Parameter& parameter = mechanism_.parameters()[index];
+      const std::vector<ParameterIndex> used = number(parameter.value).formula.parameters();
+      order_.moves[index] =
+          parameter.velocity.exists() || parameter.acceleration.exists() ||
+          std::ranges::any_of(used, [this](ParameterIndex other) { return order_.moves[other]; });
     }
   }
 
@@ -148,7 +175,39 @@ bool spread_depends(const Table<NumberIndex, bool>& changes, const PlanData& pla
   return false;
 }
 
+/// Whether one of the driven links that carry a joint's features in its group has a property.
+template <typename Has>
+bool is_carried(const Structure& structure, const ElementaryJoint& at, const Has& has) {
+  const auto any_between = [&](LinkIndex carrier, LinkIndex holder) {
+    while (holder != carrier) {
+      const DrivenLink& link = *structure.driven_link(holder);
+      if (has(link)) {
+        return true;
+      }
+      holder = link.from;
+    }
+    return false;
+  };
+  return any_between(at.first, at.holder_first) || any_between(at.second, at.holder_second);
+}
+
 }  // namespace
+
+std::vector<GroupIndex> groups_carried_by(DriverIndex driver, const PlanData& plan) {
+  std::vector<GroupIndex> result;
+  const Structure& structure = plan.structure;
+  for (const GroupIndex group : structure.groups.keys()) {
+    const auto& joints = structure.groups[group].assignments.front().joints;
+    const bool any = std::ranges::any_of(joints, [&](ElementaryJointIndex joint) {
+      return is_carried(structure, structure.linkage.joints[joint],
+                        [driver](const DrivenLink& link) { return link.driver == driver; });
+    });
+    if (any) {
+      result.push_back(group);
+    }
+  }
+  return result;
+}
 
 Dependents dependents_of(ParameterIndex changed, const PlanData& plan) {
   const Mechanism& mechanism = plan.mechanism;
@@ -166,6 +225,12 @@ Dependents dependents_of(ParameterIndex changed, const PlanData& plan) {
       result.parameters.push_back(parameter);
     }
   }
+  // A parameter that moves may change what others' rates are: then all that moves is computed again.
+  const bool rates_change = plan.evaluation.moves[changed] ||
+                            std::ranges::any_of(mechanism.parameters(), [&](const Parameter& one) {
+                              return (one.velocity.exists() && depends(one.velocity)) ||
+                                     (one.acceleration.exists() && depends(one.acceleration));
+                            });
   Table<NumberIndex, bool> changes(mechanism.numbers().size(), false);
   for (const NumberIndex index : plan.evaluation.numbers) {
     if (depends(index)) {
@@ -173,11 +238,28 @@ Dependents dependents_of(ParameterIndex changed, const PlanData& plan) {
       result.numbers.push_back(index);
     }
   }
+  Table<DriverIndex, bool> is_moved(mechanism.drivers().size(), false);
+  for (const DriverIndex index : plan.evaluation.drivers) {
+    const Driver& driver = mechanism.drivers()[index];
+    const auto changes_if_given = [&](NumberIndex number) {
+      return number.exists() && changes[number];
+    };
+    const std::vector<JointIndex> read = joints_in_law(mechanism, index);
+    is_moved[index] = depends(driver.position) || changes_if_given(driver.velocity) ||
+                      changes_if_given(driver.acceleration) || rates_change ||
+                      std::ranges::any_of(read, [&](JointIndex joint) {
+                        const DriverIndex other = mechanism.driver_of(joint);
+                        return other.exists() && is_moved[other];
+                      });
+    if (is_moved[index]) {
+      result.drivers.push_back(index);
+    }
+  }
   result.spread = spread_depends(changes, plan);
   Table<FeatureIndex, bool> touched(mechanism.features().size(), false);
   for (const FeatureIndex index : plan.evaluation.features) {
     const Feature& feature = mechanism.features()[index];
-    touched[index] = changes[feature.x] || changes[feature.y] ||
+    touched[index] = changes[feature.x] || changes[feature.y] || rates_change ||
                      (feature.is_line && (changes[feature.along_x] || changes[feature.along_y]));
     if (touched[index]) {
       result.features.push_back(index);
@@ -190,7 +272,13 @@ Dependents dependents_of(ParameterIndex changed, const PlanData& plan) {
     const auto& joints = plan.structure.groups[group].assignments.front().joints;
     const bool any = std::any_of(joints.begin(), joints.end(), [&](ElementaryJointIndex joint) {
       const ElementaryJoint& at = plan.structure.linkage.joints[joint];
-      return is_touched(at.on_first) || is_touched(at.on_second);
+      const auto is_moved_by = [&](const DrivenLink& link) {
+        const ElementaryJoint& driven = plan.structure.linkage.joints[link.joint];
+        return is_moved[link.driver] || is_touched(driven.on_first) ||
+               is_touched(driven.on_second);
+      };
+      return is_touched(at.on_first) || is_touched(at.on_second) ||
+             is_carried(plan.structure, at, is_moved_by);
     });
     if (any) {
       result.groups.push_back(group);

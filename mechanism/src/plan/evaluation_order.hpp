@@ -13,7 +13,8 @@ struct PlanData;
 /// What has to be evaluated again when one parameter changes, each list in an order that works.
 struct Dependents {
   std::vector<ParameterIndex> parameters;  ///< others, through their formulas
-  std::vector<NumberIndex> numbers;        ///< that are no parameter's value
+  std::vector<NumberIndex> numbers;        ///< that are no parameter's value and no driver's law
+  std::vector<DriverIndex> drivers;
   std::vector<FeatureIndex> features;
   std::vector<GroupIndex> groups;
   bool spread = false;  ///< a tolerance or a covariance
@@ -26,7 +27,10 @@ namespace assur::mechanism::plan {
 /// The order of evaluation. Formulas hold indices: nothing is looked up by name any more.
 struct EvaluationOrder {
   std::vector<ParameterIndex> parameters;         ///< each behind those in its formula
-  std::vector<NumberIndex> numbers;               ///< of all else that solving reads
+  std::vector<NumberIndex> numbers;               ///< of all else that solving reads, but laws
+  std::vector<DriverIndex> drivers;               ///< each behind those that its law reads
+  Table<DriverIndex, bool> reads_links;           ///< whether a law reads where links are
+  Table<ParameterIndex, bool> moves;              ///< whether a parameter has rates in time
   std::vector<FeatureIndex> features;             ///< of joints and outputs
   std::vector<ParameterIndex> columns;            ///< to which derivatives are taken
   Table<ParameterIndex, Eigen::Index> column_of;  ///< of each parameter; -1 where it has none
@@ -36,6 +40,9 @@ struct EvaluationOrder {
 /// What depends on one parameter; found when it is first asked for, because in a long chain of
 /// parameters the lists of all of them together are as long as the chain's square.
 [[nodiscard]] Dependents dependents_of(ParameterIndex changed, const PlanData& plan);
+
+/// The groups with links that a driver moves against one another.
+[[nodiscard]] std::vector<GroupIndex> groups_carried_by(DriverIndex driver, const PlanData& plan);
 
 /// Throws MechanismError where a parameter depends on itself or has no value.
 [[nodiscard]] EvaluationOrder evaluation_order(const Mechanism& mechanism, const Request& request);

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 
+#include "driver_laws.hpp"
+
 namespace assur::mechanism::plan {
 
 namespace {
 
 class PartFinder {
  public:
-  PartFinder(const Mechanism& mechanism, const Structure& structure, const Reported& reported)
+  PartFinder(const Mechanism& mechanism, const Structure& structure, const Reported& reported,
+             const std::vector<ReferenceAngle>& reference)
       : mechanism_(mechanism),
         structure_(structure),
         needed_(structure.linkage.links.size(), false) {
@@ -18,6 +21,9 @@ class PartFinder {
     }
     for (const LinkIndex link : mechanism.links().keys()) {
       needed_[link] = needed_[link] || reported.has(link);
+    }
+    for (const ReferenceAngle& angle : reference) {
+      needed_[angle.link] = true;
     }
     for (const ElementaryJoint& joint : structure.linkage.joints) {
       if (joint.prismatic && reported.has(joint.joint)) {
@@ -30,11 +36,10 @@ class PartFinder {
   /// Of the mechanism's links those that are needed. What holds a link is placed before it.
   [[nodiscard]] Table<LinkIndex, bool> run() {
     for (std::size_t place = structure_.groups.size(); place-- > 0;) {
+      need_carriers();
       need_with_bases(structure_.groups[GroupIndex(place)]);
     }
-    for (auto link = structure_.driven.rbegin(); link != structure_.driven.rend(); ++link) {
-      needed_[link->from] = needed_[link->from] || needed_[link->to];
-    }
+    need_carriers();
     Table<LinkIndex, bool> kept;
     for (const LinkIndex link : mechanism_.links().keys()) {
       kept.add(needed_[link]);
@@ -43,14 +48,31 @@ class PartFinder {
   }
 
  private:
+  /// What moves the links that are needed: what carries them, and what the laws of drivers read.
+  void need_carriers() {
+    for (auto link = structure_.driven.rbegin(); link != structure_.driven.rend(); ++link) {
+      if (!needed_[link->to]) {
+        continue;
+      }
+      needed_[link->from] = true;
+      for (const JointIndex joint : joints_in_laws(mechanism_, link->driver)) {
+        for (const FeatureIndex feature : mechanism_.joints()[joint].between) {
+          needed_[mechanism_.features()[feature].link] = true;
+        }
+      }
+    }
+  }
+
   void need_with_bases(const FoundGroup& group) {
     if (std::none_of(group.links.begin(), group.links.end(),
                      [this](LinkIndex link) { return needed_[link]; })) {
       return;
     }
     for (const ElementaryJointIndex joint : group.assignments.front().joints) {
-      needed_[structure_.linkage.joints[joint].first] = true;
-      needed_[structure_.linkage.joints[joint].second] = true;
+      const ElementaryJoint& at = structure_.linkage.joints[joint];
+      for (const LinkIndex link : {at.first, at.second, at.holder_first, at.holder_second}) {
+        needed_[link] = true;
+      }
     }
   }
 
@@ -78,10 +100,13 @@ std::optional<std::vector<Key>> translated(const std::optional<std::vector<Key>>
 
 ReportedPart reported_part(const Mechanism& mechanism, const Structure& structure,
                            const Request& request) {
-  Mechanism part = mechanism.only(PartFinder(mechanism, structure, request.reported).run());
+  Mechanism part = mechanism.only(PartFinder(mechanism, structure, request.reported, request.reference).run());
   Request asked = request;
   asked.reported = {translated(request.reported.links, mechanism.links(), part.links()),
                     translated(request.reported.joints, mechanism.joints(), part.joints())};
+  for (ReferenceAngle& angle : asked.reference) {
+    angle.link = index_of(part.links(), mechanism.links()[angle.link].name);
+  }
   return {std::move(part), std::move(asked)};
 }
 

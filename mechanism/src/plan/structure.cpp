@@ -2,25 +2,36 @@
 #include <assur/mechanism/structure.hpp>
 #include <assur/text/names.hpp>
 #include <optional>
+#include <tuple>
 
 #include "decomposition.hpp"
+#include "driver_laws.hpp"
 #include "grouping.hpp"
 
 namespace assur::mechanism::plan {
 
 namespace {
 
-/// Places the ground, then the driven links, then the groups.
+/// Places the ground and what it carries, then group by group, each with what its links carry.
 class PlacementPlanner {
  public:
   explicit PlacementPlanner(const Mechanism& mechanism) : mechanism_(mechanism) {
     structure_.linkage = linkage_of(mechanism);
-    placed_.assign(structure_.linkage.links.size(), false);
-    spent_.assign(structure_.linkage.joints.size(), false);
+    const std::size_t links = structure_.linkage.links.size();
+    bodies_.placed.assign(links, false);
+    bodies_.read_for.resize(links);
+    for (const LinkIndex link : structure_.linkage.links.keys()) {
+      bodies_.carrier.add(link);
+    }
+    bodies_.driven.assign(structure_.linkage.joints.size(), false);
   }
 
   Structure run() {
-    order_drivers();
+    (void)laws_in_order(mechanism_);  // what follows walks through laws that have an order
+    if (!structure_.linkage.ground.exists()) {
+      throw MechanismError("links", "no link is named 'ground', so nothing holds the mechanism");
+    }
+    tie_driven_links();
     find_groups();
     return std::move(structure_);
   }
@@ -30,52 +41,91 @@ class PlacementPlanner {
     return structure_.linkage.joints[index];
   }
 
-  void order_drivers() {
-    if (!structure_.linkage.ground.exists()) {
-      throw MechanismError("links", "no link is named 'ground', so nothing holds the mechanism");
-    }
-    placed_[structure_.linkage.ground] = true;
-    std::vector<DriverIndex> waiting;
+  /// Links that drivers tie together move as one: each gets the same carrier, which is the ground
+  /// where that is one of them.
+  void tie_driven_links() {
     for (const DriverIndex driver : mechanism_.drivers().keys()) {
-      const Joint& at = mechanism_.joints()[mechanism_.drivers()[driver].joint];
-      if (at.type == JointType::pin_in_slot || at.between.size() != 2) {
-        throw MechanismError("drivers." + at.name,
-                             "a driver moves a revolute or prismatic joint of two links");
+      const Joint& named = mechanism_.joints()[mechanism_.drivers()[driver].joint];
+      if (named.between.size() != 2) {
+        throw MechanismError("drivers." + named.name,
+                             "a driver moves a joint of two links; give each link a pin of its own");
       }
-      waiting.push_back(driver);
+      const ElementaryJoint& at = joint(joint_of(driver));
+      const LinkIndex one = bodies_.carrier[at.first];
+      const LinkIndex other = bodies_.carrier[at.second];
+      if (one == other) {
+        refuse(driver);
+      }
+      const LinkIndex kept = other == structure_.linkage.ground ? other : one;
+      for (LinkIndex& carrier : bodies_.carrier) {
+        carrier = carrier == one || carrier == other ? kept : carrier;
+      }
+      bodies_.driven[joint_of(driver)] = true;
     }
-    while (!waiting.empty()) {
-      const auto ready = std::find_if(waiting.begin(), waiting.end(), [&](DriverIndex driver) {
-        const ElementaryJoint& at = joint(joint_of(driver));
-        return placed_[at.first] != placed_[at.second];
-      });
-      if (ready == waiting.end()) {
-        refuse(waiting[0]);
+    for (const LinkIndex link : bodies_.placed.keys()) {
+      bodies_.placed[link] = bodies_.carrier[link] == structure_.linkage.ground;
+    }
+    carry_from(structure_.linkage.ground);
+    for (const DrivenLink& link : structure_.driven) {
+      bodies_.read_for[link.to] = links_read_for(link);
+    }
+    // Links that no ground carries read what any driver among them reads.
+    for (const DriverIndex driver : mechanism_.drivers().keys()) {
+      const LinkIndex carrier = bodies_.carrier[joint(joint_of(driver)).first];
+      if (carrier != structure_.linkage.ground) {
+        append(links_read_by(driver), bodies_.read_for[carrier]);
       }
-      const ElementaryJointIndex index = joint_of(*ready);
+    }
+  }
+
+  static void append(const std::vector<LinkIndex>& more, std::vector<LinkIndex>& links) {
+    links.insert(links.end(), more.begin(), more.end());
+  }
+
+  /// What the law of a driver reads, and of those that carry the link from which it moves another.
+  [[nodiscard]] std::vector<LinkIndex> links_read_for(const DrivenLink& link) const {
+    std::vector<LinkIndex> links = links_read_by(link.driver);
+    if (const DrivenLink* before = structure_.driven_link(link.from)) {
+      append(links_read_for(*before), links);
+    }
+    return links;
+  }
+
+  /// The links at the joints that a law reads. Of a driven joint it reads the law, and no link.
+  [[nodiscard]] std::vector<LinkIndex> links_read_by(DriverIndex driver) const {
+    std::vector<LinkIndex> links;
+    for (const JointIndex read : joints_read(mechanism_, driver)) {
+      for (const FeatureIndex feature : mechanism_.joints()[read].between) {
+        links.push_back(mechanism_.features()[feature].link);
+      }
+    }
+    return links;
+  }
+
+  /// Lists what drivers move against a link, and against what they move.
+  void carry_from(LinkIndex from) {
+    for (const DriverIndex driver : mechanism_.drivers().keys()) {
+      const ElementaryJointIndex index = joint_of(driver);
       const ElementaryJoint& at = joint(index);
-      const LinkIndex from = placed_[at.first] ? at.first : at.second;
-      const LinkIndex to = at.other(from);
-      structure_.driven.push_back({*ready, index, from, to});
-      placed_[to] = true;
-      spent_[index] = true;
-      waiting.erase(ready);
+      const bool is_listed = std::ranges::any_of(
+          structure_.driven, [&](const DrivenLink& link) { return link.driver == driver; });
+      if (at.touches(from) && !is_listed) {
+        const LinkIndex to = at.other(from);
+        structure_.driven.push_back({driver, index, from, to});
+        carry_from(to);
+      }
     }
   }
 
   [[noreturn]] void refuse(DriverIndex driver) const {
     const ElementaryJoint& at = joint(joint_of(driver));
-    const std::string part = "drivers." + at.name;
-    const std::string what = "the driven joint joins the links " +
-                             text::listed(structure_.names_of({at.first, at.second}));
-    if (placed_[at.first]) {
-      throw MechanismError(
-          part, what + ", which are placed already; take this driver or another one away");
-    }
-    throw MechanismError(
-        part, what + ", and neither is the ground or a driven link; drive a joint at the " +
-                  "ground or at a driven link, or make the two one link that has the driven " +
-                  "position as a parameter");
+    throw MechanismError("drivers." + at.name,
+                         "the driven joint joins the links " +
+                             text::listed(structure_.names_of({at.first, at.second})) +
+                             (bodies_.carrier[at.first] == structure_.linkage.ground
+                                  ? ", which are placed already"
+                                  : ", which other drivers tie together already") +
+                             "; take this driver or another one away");
   }
 
   [[nodiscard]] ElementaryJointIndex joint_of(DriverIndex driver) const {
@@ -88,16 +138,99 @@ class PlacementPlanner {
   }
 
   void find_groups() {
-    Decomposition decomposition = decompose(structure_.linkage, placed_, spent_);
+    Decomposition decomposition = decompose(structure_.linkage, bodies_);
     expect_balance(decomposition);
+    expect_order(decomposition);
     structure_.linkage = std::move(decomposition.linkage);
-    for (const Component& component : decomposition.components) {
+    for (Component& component : decomposition.components) {
+      for (LinkIndex& link : component.links) {
+        choose_carrier(link, component);
+      }
+      std::sort(component.links.begin(), component.links.end());
       std::optional<FoundGroup> found =
           find_group(structure_.linkage, component.links, component.joints);
       if (!found) {
         refuse(component);
       }
+      const std::size_t driven_before = structure_.driven.size();
+      for (const LinkIndex link : component.links) {
+        carry_from(link);
+      }
+      for (std::size_t place = driven_before; place < structure_.driven.size(); ++place) {
+        found->links.push_back(structure_.driven[place].to);
+      }
+      std::sort(found->links.begin(), found->links.end());
       structure_.groups.add(std::move(*found));
+    }
+    order_driven_links();
+  }
+
+  /// A driven link is placed when the link that carries it is, and those that its law reads.
+  void order_driven_links() {
+    Table<LinkIndex, std::size_t> groups_before(structure_.linkage.links.size(), 0);
+    for (const GroupIndex group : structure_.groups.keys()) {
+      for (const LinkIndex link : structure_.groups[group].links) {
+        groups_before[link] = group.place() + 1;
+      }
+    }
+    const auto latest = [&](const std::vector<LinkIndex>& links) {
+      std::size_t groups = 0;
+      for (const LinkIndex link : links) {
+        groups = std::max(groups, groups_before[link]);
+      }
+      return groups;
+    };
+    // A link that a law reads may be driven as well, by a driver that is listed behind.
+    for (std::size_t round = 0; round < structure_.driven.size(); ++round) {
+      for (DrivenLink& link : structure_.driven) {
+        link.groups_before =
+            std::max(groups_before[link.from], latest(links_read_by(link.driver)));
+        groups_before[link.to] = link.groups_before;
+      }
+    }
+    std::ranges::stable_sort(structure_.driven, {}, &DrivenLink::groups_before);
+    structure_.laws = laws_in_order(mechanism_);
+    for (const DriverIndex driver : structure_.laws) {
+      if (std::vector<LinkIndex> read = links_read_by(driver); !read.empty()) {
+        structure_.reading.push_back({driver, latest(read), std::move(read)});
+      }
+    }
+  }
+
+  static void expect_order(const Decomposition& decomposition) {
+    if (!decomposition.coupled.empty()) {
+      throw MechanismError(
+          "drivers", "the laws that read other joints make the links " +
+                         text::listed(decomposition.coupled) +
+                         " wait for one another: they can only be solved together, as a group "
+                         "that is not known here; let a law read joints that are placed before");
+    }
+  }
+
+  /// Of links that drivers tie together, the one with most of the group's joints, and then the one
+  /// whose name comes first, carries the others: what a driver does not move between stays
+  /// constant.
+  void choose_carrier(LinkIndex& carrier, const Component& component) {
+    const LinkIndex before = carrier;
+    const auto is_tied = [&](LinkIndex link) { return bodies_.carrier[link] == before; };
+    Table<LinkIndex, int> joints(bodies_.carrier.size(), 0);
+    for (const ElementaryJointIndex index : component.joints) {
+      ++joints[joint(index).first];
+      ++joints[joint(index).second];
+    }
+    const auto rank = [&](LinkIndex link) {
+      const bool is_block = link.place() >= mechanism_.links().size();
+      return std::make_tuple(is_block, -joints[link], structure_.linkage.links[link]);
+    };
+    for (const LinkIndex link : bodies_.carrier.keys()) {
+      if (is_tied(link) && rank(link) < rank(carrier)) {
+        carrier = link;
+      }
+    }
+    for (const ElementaryJointIndex index : component.joints) {
+      ElementaryJoint& at = structure_.linkage.joints[index];
+      at.first = is_tied(at.first) ? carrier : at.first;
+      at.second = is_tied(at.second) ? carrier : at.second;
     }
   }
 
@@ -137,8 +270,7 @@ class PlacementPlanner {
 
   const Mechanism& mechanism_;
   Structure structure_;
-  Table<LinkIndex, bool> placed_;
-  Table<ElementaryJointIndex, bool> spent_;  ///< joints that carry drivers
+  DrivenBodies bodies_;
 };
 
 }  // namespace
@@ -190,9 +322,55 @@ Table<LinkIndex, bool> Structure::placed_by_drivers() const {
   Table<LinkIndex, bool> placed(linkage.links.size(), false);
   placed[linkage.ground] = true;
   for (const DrivenLink& link : driven) {
-    placed[link.to] = true;
+    placed[link.to] = placed[link.from];
   }
   return placed;
+}
+
+std::vector<GroupIndex> Structure::holders_of(GroupIndex group) const {
+  std::vector<GroupIndex> holders;
+  const auto add_group_of = [&](LinkIndex link) {
+    for (std::size_t place = 0; place < group.place(); ++place) {
+      const GroupIndex before(place);
+      const std::vector<LinkIndex>& links = groups[before].links;
+      if (std::ranges::find(links, link) != links.end() &&
+          std::ranges::find(holders, before) == holders.end()) {
+        holders.push_back(before);
+      }
+    }
+  };
+  const auto add = [&](LinkIndex link) {
+    add_group_of(link);
+    for (const DrivenLink* carried = driven_link(link); carried != nullptr;
+         carried = driven_link(carried->from)) {
+      for (const ReadingDriver& one : reading) {
+        if (one.driver == carried->driver) {
+          std::ranges::for_each(one.reads, add_group_of);
+        }
+      }
+    }
+  };
+  for (const ElementaryJointIndex joint : groups[group].assignments.front().joints) {
+    const ElementaryJoint& at = linkage.joints[joint];
+    for (const LinkIndex link : {at.first, at.second, at.holder_first, at.holder_second}) {
+      add(link);
+    }
+  }
+  std::ranges::sort(holders);
+  return holders;
+}
+
+bool Structure::moves_by_laws(const Mechanism& mechanism) const {
+  return std::ranges::any_of(driven, [&](const DrivenLink& link) {
+    const NumberIndex law = mechanism.drivers()[link.driver].position;
+    return link.groups_before > 0 || !mechanism.numbers()[law].formula.joints().empty();
+  });
+}
+
+const DrivenLink* Structure::driven_link(LinkIndex link) const {
+  const auto found =
+      std::ranges::find_if(driven, [link](const DrivenLink& one) { return one.to == link; });
+  return found == driven.end() ? nullptr : &*found;
 }
 
 NamedParts Structure::named_parts(const Mechanism& mechanism) const {

@@ -1,4 +1,5 @@
 // Turns a solution into the JSON object of the scene format.
+#include <algorithm>
 #include <assur/mechanism/point_values.hpp>
 #include <nlohmann/json.hpp>
 
@@ -169,6 +170,18 @@ std::string report_json(const Report& report) {
     root["reason"] = reason;
   }
   root["groups"] = report::groups_json(report.plan.structure());
+  if (std::ranges::any_of(report.plan.mechanism().joints(),
+                          [](const Joint& joint) { return joint.lowest.exists(); })) {
+    root["left_out"] = solution.left_out;
+  }
+  if (report.nearest) {
+    root["nearest"] = {{"configuration", report.nearest->configuration + 1},
+                       {"distance", report.nearest->distance},
+                       {"runner_up", nullptr}};
+    if (report.nearest->runner_up) {
+      root["nearest"]["runner_up"] = *report.nearest->runner_up;
+    }
+  }
   root["configurations"] = report::Json::array();
   for (std::size_t number = 0; number < solution.configurations.size(); ++number) {
     if (report::is_reported(report, number)) {

@@ -162,6 +162,25 @@ std::string report_text(const Report& report) {
     text += "family of group " + std::to_string(family.group.place() + 1) + ", mobility " +
             std::to_string(family.mobility) + ": " + family.reason + "\n";
   }
+  if (solution.left_out > 0) {
+    text += "left out: " + std::to_string(solution.left_out) +
+            (solution.left_out == 1 ? " configuration" : " configurations") +
+            " beyond the limits of joints\n";
+  }
+  if (report.nearest) {
+    const auto degrees = [](double angle) {
+      std::array<char, 32> digits{};
+      (void)std::snprintf(digits.data(), digits.size(), "%.4g deg", angle * 180 / std::numbers::pi);
+      return std::string(digits.data());
+    };
+    text += "nearest to the reference: configuration " +
+            std::to_string(report.nearest->configuration + 1) + ", " +
+            degrees(report.nearest->distance) + " away" +
+            (report.nearest->runner_up
+                 ? "; the next one is " + degrees(*report.nearest->runner_up) + " away"
+                 : "") +
+            "\n";
+  }
   for (std::size_t index = 0; index < solution.configurations.size(); ++index) {
     if (!report::is_reported(report, index)) {
       continue;

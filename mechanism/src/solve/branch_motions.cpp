@@ -14,15 +14,27 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// How far each driver moves, from where it is.
-using DriverMotions = Table<DriverIndex, models::Series>;
+/// How far each driver moves, from where it is, and whether links change their shapes meanwhile.
+struct Motions {
+  Table<DriverIndex, models::Series> drivers;
+  bool in_time;
+};
+
+/// A frame that stands in another one, as it moves there.
+Pose<models::Series> as_it_moves(const Frame& frame) {
+  const auto coordinate = [&](double value, Eigen::Index row) {
+    return models::moving(value, frame.velocity(row), frame.acceleration(row));
+  };
+  return {coordinate(frame.pose.x, 0), coordinate(frame.pose.y, 1),
+          turning(frame.pose.direction, coordinate(0, 2))};
+}
 
 /// Walks depth first through the motions of the groups, as solving walks through configurations.
 class BranchWalk {
  public:
   BranchWalk(const Values& values, const PlacedLinks& placed, const Configuration& configuration,
-             const DriverMotions& drivers)
-      : drivers_(drivers),
+             const Motions& motions)
+      : motions_(motions),
         values_(values),
         structure_(values.plan().structure),
         placed_(placed),
@@ -30,27 +42,50 @@ class BranchWalk {
         links_(structure_.linkage.links.size()) {}
 
   std::vector<Configuration> run() {
-    move_driven_links();
+    links_[structure_.linkage.ground] = models::at_rest({0, 0, {1, 0}});
     descend(0);
     return std::move(found_);
   }
 
  private:
-  void move_driven_links() {
-    links_[structure_.linkage.ground] = models::at_rest({0, 0, {1, 0}});
-    for (const DrivenLink& link : structure_.driven) {
+  void move_driven_links(std::size_t groups_before) {
+    for (std::size_t place = 0; place < structure_.driven.size(); ++place) {
+      const DrivenLink& link = structure_.driven[place];
+      if (link.groups_before != groups_before) {
+        continue;
+      }
       const ElementaryJoint& joint = structure_.linkage.joints[link.joint];
-      const models::Series& motion = drivers_[link.driver];
+      const models::Series& motion = motions_.drivers[link.driver];
       const models::Series moved = joint.first == link.from ? motion : -motion;
       // About the joint's place on the placed link, from where the moved link stands.
       const Pose<models::Series> base =
-          composed(links_[link.from], models::at_rest(values_.frame(joint.on(link.from)).pose));
+          composed(links_[link.from], placed_in(values_.frame(joint.on(link.from))));
       const Pose<models::Series> step = joint.prismatic
                                             ? Pose<models::Series>{moved, 0, {1, 0}}
                                             : Pose<models::Series>{0, 0, turning({1, 0}, moved)};
+      // Where the moved link's own feature moves on it, it is not enough to turn the link.
       links_[link.to] =
-          composed(composed(base, step), seen_from(base, placed_.links[link.to].pose));
+          motions_.in_time && is_moving(values_.driven_frame(place))
+              ? composed(composed(composed(base, standing(link, joint)), step),
+                         as_it_moves(values_.driven_frame(place)))
+              : composed(composed(base, step), seen_from(base, placed_.links[link.to].pose));
     }
+  }
+
+  [[nodiscard]] Pose<models::Series> placed_in(const Frame& frame) const {
+    return motions_.in_time ? as_it_moves(frame) : models::at_rest(frame.pose);
+  }
+  static bool is_moving(const Frame& frame) {
+    return !frame.velocity.isZero(0) || !frame.acceleration.isZero(0);
+  }
+  /// The driven joint where the driver has it, at t = 0.
+  [[nodiscard]] Pose<models::Series> standing(const DrivenLink& link,
+                                              const ElementaryJoint& joint) const {
+    const double position = values_.motion(link.driver).position.value();
+    const double by = joint.first == link.from ? position : -position;
+    return models::at_rest(joint.prismatic
+                               ? Pose<double>{by, 0, {1, 0}}
+                               : Pose<double>{0, 0, {std::cos(by), std::sin(by)}});
   }
 
   /// A pose in a frame that moves, at t = 0.
@@ -64,6 +99,7 @@ class BranchWalk {
   }
 
   void descend(std::size_t depth) {
+    move_driven_links(depth);
     if (depth == structure_.groups.size()) {
       list();
       return;
@@ -71,20 +107,23 @@ class BranchWalk {
     const GroupIndex group(depth);
     const Values::GroupNumbers& numbers = values_.numbers_of(group);
     const models::FlatSeries u = inputs(numbers);
+    const models::FlatSeries d = dimensions(*structure_.groups[group].model, numbers);
     const PlacedGroup& here = placed_.groups[group];
     // A group behind a singular one stands as firmly as that does: it was settled to rounding.
     const double displaced = std::isfinite(here.displaced) ? here.displaced : 0;
     for (const GroupBranch& branch :
-         branches_through({*structure_.groups[group].model, numbers.d, u, here.q, displaced})) {
+         branches_through({*structure_.groups[group].model, d, u, here.q, displaced})) {
       for (std::size_t link = 0; link < numbers.links.size(); ++link) {
         links_[numbers.links[link]] =
-            composed(branch.poses[link], models::at_rest(numbers.own[link].pose));
+            composed(branch.poses[link], placed_in(numbers.own[link]));
       }
       const std::size_t before = slides_.size();
       for (const values::MeasuredSlide& slide : numbers.slides) {
         const models::Series& moved = branch.unknowns[static_cast<std::size_t>(slide.unknown)];
+        const bool shifts = motions_.in_time;
         slides_.push_back(
-            {slide.joint, slide.sense * moved.rate(), slide.sense * moved.second_rate()});
+            {slide.joint, slide.sense * (moved.rate() + (shifts ? slide.shift_rate : 0)),
+             slide.sense * (moved.second_rate() + (shifts ? slide.shift_second_rate : 0))});
       }
       descend(depth + 1);
       slides_.resize(before);
@@ -96,7 +135,7 @@ class BranchWalk {
     auto* to = u.data();
     for (const values::HeldJoint& joint : numbers.held) {
       const Pose<models::Series> place =
-          composed(links_[joint.base], models::at_rest(values_.frame(joint.feature).pose));
+          composed(links_[joint.base], placed_in(values_.frame(joint.feature)));
       *to++ = place.x;
       *to++ = place.y;
       if (joint.prismatic) {
@@ -105,6 +144,34 @@ class BranchWalk {
       }
     }
     return u;
+  }
+
+  [[nodiscard]] models::FlatSeries dimensions(const GroupModel& model,
+                                              const Values::GroupNumbers& numbers) const {
+    models::FlatSeries d;
+    for (std::size_t place = 0; place < d.size(); ++place) {
+      d[place] = numbers.d[place];
+    }
+    if (!motions_.in_time || numbers.d_rate.size() == 0) {
+      return d;
+    }
+    std::size_t place = 0;
+    for (std::size_t row = 0; row < model.dimension_count; ++row) {
+      const auto at = static_cast<Eigen::Index>(row);
+      const auto part = [&](double value) {
+        return models::moving(value, numbers.d_rate(at), numbers.d_second_rate(at));
+      };
+      if (numbers.is_angle[row]) {
+        const Direction<models::Series> direction =
+            turning({numbers.d[place], numbers.d[place + 1]}, part(0));
+        d[place++] = direction.cos;
+        d[place++] = direction.sin;
+      } else {
+        d[place] = part(numbers.d[place]);
+        ++place;
+      }
+    }
+    return d;
   }
 
   void list() {
@@ -120,7 +187,7 @@ class BranchWalk {
     for (const OutputIndex output : mechanism.outputs().keys()) {
       const FeatureIndex point = mechanism.outputs()[output].point;
       const Pose<models::Series> place = composed(links_[mechanism.features()[point].link],
-                                                  models::at_rest(values_.frame(point).pose));
+                                                  placed_in(values_.frame(point)));
       result.outputs[output].velocity << place.x.rate(), place.y.rate();
       result.outputs[output].acceleration << place.x.second_rate(), place.y.second_rate();
     }
@@ -139,7 +206,7 @@ class BranchWalk {
     double velocity, acceleration;
   };
 
-  const DriverMotions& drivers_;
+  const Motions& motions_;
   const Values& values_;
   const Structure& structure_;
   const PlacedLinks& placed_;
@@ -198,28 +265,35 @@ void forget_accelerations(const PlanData& plan, Configuration& configuration) {
   configuration.rates_known = true;
 }
 
-DriverMotions in_time(const Values& values) {
-  DriverMotions motions;
-  for (const Driver& driver : values.plan().mechanism.drivers()) {
+Motions in_time(const Values& values) {
+  Motions motions{{}, true};
+  for (const DriverIndex driver : values.plan().mechanism.drivers().keys()) {
     models::Series motion;
-    motion.c[1] = values.number(driver.velocity).value();
-    motion.c[2] = values.number(driver.acceleration).value() / 2;
-    motions.add(motion);
+    motion.c[1] = values.motion(driver).velocity;
+    motion.c[2] = values.motion(driver).acceleration / 2;
+    motions.drivers.add(motion);
   }
   return motions;
 }
 
 /// Along the parameter of a column, to first order: of the motions that go through a configuration
 /// as one parameter moves, no higher rate of that parameter changes the first rates.
-DriverMotions along_parameter(const Values& values, Eigen::Index column) {
-  DriverMotions motions;
-  for (const Driver& driver : values.plan().mechanism.drivers()) {
-    const Dual& position = values.number(driver.position);
+Motions along_parameter(const Values& values, Eigen::Index column) {
+  Motions motions{{}, false};
+  for (const DriverIndex driver : values.plan().mechanism.drivers().keys()) {
+    const Dual& position = values.motion(driver).position;
     models::Series motion;
     motion.c[1] = position.derivatives().size() > 0 ? position.derivatives()(column) : 0;
-    motions.add(motion);
+    motions.drivers.add(motion);
   }
   return motions;
+}
+
+/// Whether what drives the mechanism is known; a law that reads a singular group's links is not.
+bool are_known(const Motions& motions) {
+  return std::ranges::all_of(motions.drivers, [](const models::Series& motion) {
+    return std::isfinite(motion.c[1]) && std::isfinite(motion.c[2]);
+  });
 }
 
 /// Whether a parameter moves drivers alone, and neither links nor the dimensions of groups.
@@ -266,8 +340,12 @@ void find_derivatives(const Values& values, const PlacedLinks& placed, Parameter
   if (!moves_drivers_alone(values, column)) {
     return;
   }
+  const Motions motions = along_parameter(values, column);
+  if (!are_known(motions)) {
+    return;
+  }
   const std::vector<Configuration> found =
-      BranchWalk(values, placed, configuration, along_parameter(values, column)).run();
+      BranchWalk(values, placed, configuration, motions).run();
   if (found.size() == 1) {
     take_derivatives(found.front(), column, configuration);
     configuration.path_known = true;
@@ -275,8 +353,11 @@ void find_derivatives(const Values& values, const PlacedLinks& placed, Parameter
 }
 
 void find_branches(const Values& values, const PlacedLinks& placed, Configuration& configuration) {
-  std::vector<Configuration> found =
-      BranchWalk(values, placed, configuration, in_time(values)).run();
+  const Motions motions = in_time(values);
+  if (!are_known(motions)) {
+    return;
+  }
+  std::vector<Configuration> found = BranchWalk(values, placed, configuration, motions).run();
   if (found.size() == 1) {
     configuration = std::move(found.front());
     return;

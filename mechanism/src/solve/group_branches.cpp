@@ -70,7 +70,7 @@ class BranchExpansion {
  private:
   /// J by one coefficient of the closures for each unknown, its columns scaled to one size.
   void factorise() {
-    const models::FlatSeries still = at_rest();
+    const Moving still = at_rest();
     Eigen::MatrixXd jacobian(count_, count_);
     for (Eigen::Index column = 0; column < count_; ++column) {
       parts_(column, 1) = 1;
@@ -86,10 +86,15 @@ class BranchExpansion {
     free_ = scale_.cwiseProduct(factors_.matrixV().col(count_ - 1));
   }
 
-  [[nodiscard]] models::FlatSeries at_rest() const {
-    models::FlatSeries still;
-    for (std::size_t place = 0; place < still.size(); ++place) {
-      still[place] = group_.u[place].value();
+  /// What moves a group from outside: its dimensions and its inputs.
+  struct Moving {
+    models::FlatSeries d, u;
+  };
+  [[nodiscard]] Moving at_rest() const {
+    Moving still;
+    for (std::size_t place = 0; place < still.u.size(); ++place) {
+      still.d[place] = group_.d[place].value();
+      still.u[place] = group_.u[place].value();
     }
     return still;
   }
@@ -121,9 +126,9 @@ class BranchExpansion {
   }
 
   /// The closures' coefficient of an order.
-  [[nodiscard]] Eigen::VectorXd closures(Eigen::Index order, const models::FlatSeries& u) const {
+  [[nodiscard]] Eigen::VectorXd closures(Eigen::Index order, const Moving& from) const {
     models::MovingGroup moving;
-    group_.model.kernel->expand(group_.d, u, unknowns(), moving);
+    group_.model.kernel->expand(from.d, from.u, unknowns(), moving);
     Eigen::VectorXd coefficients(count_);
     for (Eigen::Index row = 0; row < count_; ++row) {
       coefficients(row) =
@@ -132,7 +137,7 @@ class BranchExpansion {
     return coefficients;
   }
   [[nodiscard]] Eigen::VectorXd closures(Eigen::Index order) const {
-    return closures(order, group_.u);
+    return closures(order, {group_.d, group_.u});
   }
 
   /// Sets the part of an order, shortest where J lacks a rank.
@@ -149,19 +154,23 @@ class BranchExpansion {
     const Eigen::VectorXd f = closures(order);
     return std::abs(blocked_.dot(f)) <= negligible * size_of(order, f);
   }
-  /// The size of the terms that a coefficient of the closures is made of: of each input that moves
-  /// alone, and of the unknowns.
+  /// The size of the terms that a coefficient of the closures is made of: of each dimension and
+  /// each input that moves alone, and of the unknowns.
   [[nodiscard]] double size_of(Eigen::Index order, const Eigen::VectorXd& f) const {
     double size = std::max(f.norm(), size_of_order(order));
-    const models::FlatSeries still = at_rest();
+    const Moving still = at_rest();
     const Eigen::VectorXd of_unknowns = closures(order, still);
-    for (std::size_t place = 0; place < still.size(); ++place) {
-      if (group_.u[place].c[static_cast<std::size_t>(order)] != 0) {
-        models::FlatSeries one_moves = still;
-        one_moves[place] = group_.u[place];
-        size = std::max(size, (closures(order, one_moves) - of_unknowns).norm());
+    const auto include = [&](const models::FlatSeries& series, models::FlatSeries Moving::*of) {
+      for (std::size_t place = 0; place < series.size(); ++place) {
+        if (series[place].c[static_cast<std::size_t>(order)] != 0) {
+          Moving one_moves = still;
+          (one_moves.*of)[place] = series[place];
+          size = std::max(size, (closures(order, one_moves) - of_unknowns).norm());
+        }
       }
-    }
+    };
+    include(group_.d, &Moving::d);
+    include(group_.u, &Moving::u);
     return size;
   }
   /// By how much the unknowns move at an order, and what turning at the first makes of that there,

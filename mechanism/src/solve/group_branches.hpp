@@ -9,10 +9,10 @@
 
 namespace assur::mechanism::solve {
 
-/// A configuration of a group whose inputs move.
+/// A configuration of a group whose inputs move, and whose links may change their shapes.
 struct GroupOnTheMove {
   const GroupModel& model;
-  const models::FlatVariables& d;
+  const models::FlatSeries& d;
   const models::FlatSeries& u;
   const models::FlatVariables& q;
   /// How far rounding may have moved the configuration and its neighbours, in parts of their size.
@@ -25,7 +25,7 @@ struct GroupBranch {
   std::array<Pose<models::Series>, models::most_links> poses;
 };
 
-/// The motions q(t) with f(q(t), d, u(t)) = 0 through a configuration, order by order:
+/// The motions q(t) with f(q(t), d(t), u(t)) = 0 through a configuration, order by order:
 ///
 ///     J q_k = -f_k,    f_k the closures' coefficient without q_k.
 ///

@@ -69,7 +69,6 @@ GroupSolver::GroupSolver(const Values& values, GroupIndex group)
   if (values.second_order()) {
     of_u_.second.assign(model_.input_count, Eigen::MatrixXd(parameters, parameters));
   }
-  query_.derivatives = parameters > 0;
   query_.input_rate.resize(inputs);
   query_.input_second_rate.resize(inputs);
 }
@@ -139,7 +138,12 @@ bool GroupSolver::is_compatible() const { return model_.kernel->is_compatible(nu
 
 void GroupSolver::place(std::size_t configuration, std::size_t first_slide, PlacedLinks& placed) {
   const models::FlatVariables& q = found_.configurations[configuration];
+  const bool links_change = numbers().d_rate.size() > 0;
+  query_.derivatives = of_u_.first.cols() > 0 || links_change;
   model_.kernel->move(numbers().d, u_, q, query_, motion_);
+  if (links_change) {
+    add_rates_of_links(q);
+  }
   follow();
   if (values_.second_order()) {
     follow_twice(q);
@@ -158,12 +162,33 @@ void GroupSolver::place(std::size_t configuration, std::size_t first_slide, Plac
   }
 }
 
+/// With f(q, d, u) = 0 and p(q, d, u), along the motion in time (q', d', u'):
+/// q' = q_u u' + q_d d', J q'' = -f''(q', d', u') - F_u u'' - F_d d'', and so for p.
+void GroupSolver::add_rates_of_links(const models::FlatVariables& q) {
+  const auto& d_rate = numbers().d_rate;
+  const auto& d_second_rate = numbers().d_second_rate;
+  models::GroupMotion& motion = motion_;
+  motion.rate = motion.q_u * query_.input_rate + motion.q_d * d_rate;
+  models::SmallVector velocities =
+      motion.p_q * motion.rate + motion.p_d * d_rate + motion.p_u * query_.input_rate;
+  models::Curvature curvature;
+  model_.kernel->bend(numbers().d, u_, q, motion.rate, d_rate, query_.input_rate, curvature);
+  motion.second_rate = motion.inverse * curvature.closures + motion.q_u * query_.input_second_rate +
+                       motion.q_d * d_second_rate;
+  models::SmallVector accelerations = motion.p_q * motion.second_rate + motion.p_d * d_second_rate +
+                                      motion.p_u * query_.input_second_rate + curvature.poses;
+  for (Eigen::Index link = 0; link < motion.velocities.rows(); ++link) {
+    motion.velocities.row(link) = velocities.segment<3>(3 * link).transpose();
+    motion.accelerations.row(link) = accelerations.segment<3>(3 * link).transpose();
+  }
+}
+
 /// q_a = q_d d_a + q_u u_a and p_a = p_q q_a + p_d d_a + p_u u_a for every parameter a.
 void GroupSolver::follow() {
   of_q_.first.setZero(motion_.rate.size(), of_u_.first.cols());
   of_p_.first.setZero(3 * static_cast<Eigen::Index>(model_.group->link_count()),
                       of_u_.first.cols());
-  if (query_.derivatives) {
+  if (of_u_.first.cols() > 0) {
     add_product(motion_.q_d, numbers().nonzero_of_d, of_q_.first);
     add_product(motion_.q_u, of_u_.first, of_q_.first);
     add_product(motion_.p_q, of_q_.first, of_p_.first);
@@ -258,8 +283,8 @@ void GroupSolver::place_slides(const models::FlatVariables& q, std::size_t first
     SlideState& slide = placed.slides[first_slide + index];
     slide.joint = measured.joint;
     slide.displacement = measured.sense * (q[flat] + measured.shift.value());
-    slide.velocity = measured.sense * motion_.rate(row);
-    slide.acceleration = measured.sense * motion_.second_rate(row);
+    slide.velocity = measured.sense * (motion_.rate(row) + measured.shift_rate);
+    slide.acceleration = measured.sense * (motion_.second_rate(row) + measured.shift_second_rate);
     slide.follows.first = measured.sense * of_q_.first.row(row);
     if (measured.shift.derivatives().size() > 0) {
       slide.follows.first += measured.sense * measured.shift.derivatives().transpose();

@@ -60,6 +60,7 @@ class GroupSolver {
 
  private:
   [[nodiscard]] const Values::GroupNumbers& numbers() const { return values_.numbers_of(group_); }
+  void add_rates_of_links(const models::FlatVariables& q);
   void follow();
   void follow_twice(const models::FlatVariables& q);
   void place_links(PlacedLinks& placed);

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <optional>
 
 #include "branch_motions.hpp"
 #include "configuration_order.hpp"
 #include "group_solver.hpp"
+#include "limits.hpp"
 #include "plan/plan_data.hpp"
 
 namespace assur::mechanism::solve {
@@ -21,7 +23,9 @@ class ConfigurationWalk {
   explicit ConfigurationWalk(const Values& values)
       : plan_(values.shared_plan()),
         structure_(plan_->structure),
-        values_(values),
+        given_(values),
+        settled_(structure_.reading.empty() ? std::nullopt : std::optional(values)),
+        values_(settled_ ? *settled_ : given_),
         order_(plan_->named_parts) {
     const auto parameters = static_cast<Eigen::Index>(values.columns().size());
     placed_.links.resize(structure_.linkage.links.size());
@@ -37,7 +41,7 @@ class ConfigurationWalk {
     }
     solvers_.reserve(structure_.groups.size());
     for (const GroupIndex group : structure_.groups.keys()) {
-      solvers_.add(GroupSolver(values, group));
+      solvers_.add(GroupSolver(values_, group));
       first_slide_.add(slides);
       for (const ModelUnknown& unknown : structure_.groups[group].model->unknowns) {
         slides += unknown.is_angle ? 0 : 1;
@@ -48,7 +52,6 @@ class ConfigurationWalk {
 
   void run(bool measures_gap, Solution& result) {
     begin(measures_gap, result);
-    place_driven_links();
     descend(0);
     solution_->configurations.resize(listed_);
     conclude();
@@ -58,6 +61,9 @@ class ConfigurationWalk {
   /// Whatever the last position was left in.
   void begin(bool measures_gap, Solution& result) {
     measures_gap_ = measures_gap;
+    if (settled_) {
+      *settled_ = given_;
+    }
     solution_ = &result;
     result.status = SolutionStatus::ok;
     result.mobility = 0;
@@ -72,42 +78,73 @@ class ConfigurationWalk {
     least_gap_ = std::numeric_limits<double>::infinity();
   }
 
-  /// What drivers move against placed links.
-  void place_driven_links() {
+  /// What drivers say and move once the groups before one are placed, unless it is against links
+  /// that are left unplaced, or by what those say.
+  void move_driven_links(std::size_t groups, Table<LinkIndex, bool>* unplaced = nullptr) {
+    const auto is_missing = [unplaced](LinkIndex link) {
+      return unplaced != nullptr && (*unplaced)[link];
+    };
+    const auto is_unread = [&](const ReadingDriver& reading) {
+      return std::ranges::any_of(reading.reads, is_missing);
+    };
+    for (const ReadingDriver& reading : structure_.reading) {
+      if (reading.groups_before == groups && !is_unread(reading)) {
+        settled_->settle(reading.driver, [this](JointIndex joint) {
+          return coordinate_of(values_, placed_.links, placed_.slides, joint);
+        });
+      }
+    }
     std::size_t slide = 0;
     for (std::size_t place = 0; place < structure_.driven.size(); ++place) {
       const DrivenLink& link = structure_.driven[place];
-      const Driver& driver = plan_->mechanism.drivers()[link.driver];
-      const ElementaryJoint& at = structure_.linkage.joints[link.joint];
-      set_motion(driver, at.prismatic, at.first == link.from ? 1.0 : -1.0);
-      compose(placed_.links[link.from], values_.frame(at.on(link.from)), joint_);
-      compose(joint_, motion_, moved_);
-      compose(moved_, values_.driven_frame(place), placed_.links[link.to]);
-      const Pose<double>& near = values_.frame(at.on(link.from)).pose;
-      const Pose<double>& back = values_.driven_frame(place).pose;
-      const double position = values_.number(driver.position).value();
-      placed_.displaced[link.to] =
-          placed_.displaced[link.from]
-              .carries(near.x, near.y, values_.rounding(at.on(link.from)))
-              .carries(0, 0,
-                       at.prismatic ? support::Displacement::of_slide(position)
-                                    : support::Displacement::of_turn(position))
-              .carries(back.x, back.y, values_.rounding(at.on(link.to)));
-      if (at.prismatic) {
-        place_driven_slide(driver, at.joint, placed_.slides[slide++]);
+      const bool slides = structure_.linkage.joints[link.joint].prismatic;
+      if (link.groups_before == groups) {
+        const bool reads_nothing =
+            std::ranges::any_of(structure_.reading, [&](const ReadingDriver& reading) {
+              return reading.driver == link.driver && is_unread(reading);
+            });
+        if (is_missing(link.from) || reads_nothing) {
+          (*unplaced)[link.to] = true;
+        } else {
+          place_driven_link(place, slides ? &placed_.slides[slide] : nullptr);
+        }
       }
+      slide += slides ? 1 : 0;
+    }
+  }
+
+  void place_driven_link(std::size_t place, SlideState* slide) {
+    const DrivenLink& link = structure_.driven[place];
+    const JointMotion& motion = values_.motion(link.driver);
+    const ElementaryJoint& at = structure_.linkage.joints[link.joint];
+    set_motion(motion, at.prismatic, at.first == link.from ? 1.0 : -1.0);
+    compose(placed_.links[link.from], values_.frame(at.on(link.from)), joint_);
+    compose(joint_, motion_, moved_);
+    compose(moved_, values_.driven_frame(place), placed_.links[link.to]);
+    const Pose<double>& near = values_.frame(at.on(link.from)).pose;
+    const Pose<double>& back = values_.driven_frame(place).pose;
+    const double position = motion.position.value();
+    placed_.displaced[link.to] =
+        placed_.displaced[link.from]
+            .carries(near.x, near.y, values_.rounding(at.on(link.from)))
+            .carries(0, 0,
+                     at.prismatic ? support::Displacement::of_slide(position)
+                                  : support::Displacement::of_turn(position))
+            .carries(back.x, back.y, values_.rounding(at.on(link.to)));
+    if (slide != nullptr) {
+      set_slide(motion, at.joint, *slide);
     }
   }
 
   /// The moved frame in that of the joint: turned about its origin, or slid along its x-axis.
-  void set_motion(const Driver& driver, bool prismatic, double sense) {
-    const Dual& position = values_.number(driver.position);
+  void set_motion(const JointMotion& motion, bool prismatic, double sense) {
+    const Dual& position = motion.position;
     const Eigen::Index moved = prismatic ? 0 : 2;
     const double by = sense * position.value();
     motion_.pose =
         prismatic ? Pose<double>{by, 0, {1, 0}} : Pose<double>{0, 0, {std::cos(by), std::sin(by)}};
-    motion_.velocity(moved) = sense * values_.number(driver.velocity).value();
-    motion_.acceleration(moved) = sense * values_.number(driver.acceleration).value();
+    motion_.velocity(moved) = sense * motion.velocity;
+    motion_.acceleration(moved) = sense * motion.acceleration;
     motion_.velocity(2 - moved) = motion_.acceleration(2 - moved) = 0;
     motion_.follows.set_zero(position.derivatives().size(), values_.second_order());
     motion_.follows.first.row(moved) = sense * position.derivatives().transpose();
@@ -116,20 +153,20 @@ class ConfigurationWalk {
     }
   }
 
-  void place_driven_slide(const Driver& driver, JointIndex joint, SlideState& slide) const {
-    const Dual& position = values_.number(driver.position);
+  void set_slide(const JointMotion& motion, JointIndex joint, SlideState& slide) const {
     slide.joint = joint;
-    slide.displacement = position.value();
-    slide.velocity = values_.number(driver.velocity).value();
-    slide.acceleration = values_.number(driver.acceleration).value();
-    slide.follows.first = position.derivatives().transpose();
+    slide.displacement = motion.position.value();
+    slide.velocity = motion.velocity;
+    slide.acceleration = motion.acceleration;
+    slide.follows.first = motion.position.derivatives().transpose();
     if (values_.second_order()) {
-      slide.follows.second = {position.hessian()};
+      slide.follows.second = {motion.position.hessian()};
     }
   }
 
   /// Solves the groups from one on, where all before it are placed.
   void descend(std::size_t depth) {
+    move_driven_links(depth);
     if (depth == structure_.groups.size()) {
       list();
       return;
@@ -199,17 +236,12 @@ class ConfigurationWalk {
 
   /// Marks the links of the groups that hold a group, and of those that hold these.
   void place_what_holds(GroupIndex group, Table<LinkIndex, bool>& is_placed) const {
-    for (const ElementaryJoint& joint : structure_.linkage.joints) {
-      for (std::size_t place = 0; place < group.place(); ++place) {
-        const GroupIndex before(place);
-        const bool holds = (is_of(before, joint.first) && is_of(group, joint.second)) ||
-                           (is_of(before, joint.second) && is_of(group, joint.first));
-        if (holds && !is_placed[structure_.groups[before].links.front()]) {
-          for (const LinkIndex link : structure_.groups[before].links) {
-            is_placed[link] = true;
-          }
-          place_what_holds(before, is_placed);
+    for (const GroupIndex before : structure_.holders_of(group)) {
+      if (!is_placed[structure_.groups[before].links.front()]) {
+        for (const LinkIndex link : structure_.groups[before].links) {
+          is_placed[link] = true;
         }
+        place_what_holds(before, is_placed);
       }
     }
   }
@@ -238,13 +270,13 @@ class ConfigurationWalk {
 
   /// Reports the groups from `depth` on that move, whatever becomes of the links left unplaced.
   void find_families(std::size_t depth, Table<LinkIndex, bool> unplaced) {
+    move_driven_links(depth, &unplaced);
     if (depth == structure_.groups.size()) {
       return;
     }
     const GroupIndex group(depth);
     GroupSolver& solver = solvers_[group];
-    const bool is_asked = solver.has_normal_form() && structure_.groups[group].model->rigid &&
-                          !values_.numbers_of(group).is_held_by(unplaced);
+    const bool is_asked = can_be_solved(group, unplaced);
     if (!is_asked) {
       leave_out(group, unplaced);
       find_families(depth + 1, std::move(unplaced));
@@ -262,6 +294,19 @@ class ConfigurationWalk {
     }
   }
 
+  /// Whether a group is held, and shaped, by links that are placed.
+  [[nodiscard]] bool can_be_solved(GroupIndex group, const Table<LinkIndex, bool>& unplaced) const {
+    const auto shapes_it = [&](const ReadingDriver& reading) {
+      return std::ranges::any_of(reading.reads, [&](LinkIndex link) { return unplaced[link]; }) &&
+             std::ranges::any_of(structure_.driven, [&](const DrivenLink& link) {
+               return link.driver == reading.driver && is_of(group, link.to);
+             });
+    };
+    return std::ranges::none_of(structure_.reading, shapes_it) &&
+           solvers_[group].has_normal_form() && structure_.groups[group].model->rigid &&
+           !values_.numbers_of(group).is_held_by(unplaced);
+  }
+
   [[nodiscard]] Table<LinkIndex, bool> nothing_unplaced() const {
     return Table<LinkIndex, bool>(structure_.linkage.links.size(), false);
   }
@@ -275,13 +320,13 @@ class ConfigurationWalk {
   /// Whether the groups from `depth` on can be assembled together. Groups that `unplaced` links
   /// hold are left out, and so are groups that move.
   [[nodiscard]] bool rest_assembles(std::size_t depth, Table<LinkIndex, bool> unplaced) {
+    move_driven_links(depth, &unplaced);
     if (depth == structure_.groups.size()) {
       return true;
     }
     const GroupIndex group(depth);
     GroupSolver& solver = solvers_[group];
-    const bool is_asked = solver.has_normal_form() && structure_.groups[group].model->rigid &&
-                          !values_.numbers_of(group).is_held_by(unplaced);
+    const bool is_asked = can_be_solved(group, unplaced);
     if (!is_asked) {
       leave_out(group, unplaced);
       return rest_assembles(depth + 1, std::move(unplaced));
@@ -362,6 +407,7 @@ class ConfigurationWalk {
     result.rates_known = placed_.rates_known;
     result.path_known = placed_.derivatives_known;
     result.residual = placed_.residual;
+    result.within_limits = keeps_limits(values_, result);
     result.branches.clear();
     result.determinants = placed_.determinants;
     result.plan = plan_;
@@ -407,7 +453,9 @@ class ConfigurationWalk {
 
   std::shared_ptr<const PlanData> plan_;
   const Structure& structure_;
-  const Values& values_;
+  const Values& given_;
+  std::optional<Values> settled_;  ///< with the laws that read links, wherever these are placed
+  const Values& values_;           ///< one or the other
   ConfigurationOrder order_;
   Table<GroupIndex, GroupSolver> solvers_;
   Table<GroupIndex, std::size_t> first_slide_;

@@ -40,6 +40,7 @@ Values::GroupNumbers group_numbers(const Values& values, GroupIndex index) {
   const std::vector<DimensionValue<Dual>> dimensions = geometry.dimensions();
   double* to = numbers.d.data();
   for (const DimensionValue<Dual>& value : dimensions) {
+    numbers.is_angle.push_back(value.is_angle);
     if (value.is_angle) {
       *to++ = value.angle.cos.value();
       *to++ = value.angle.sin.value();
@@ -68,20 +69,20 @@ Values::GroupNumbers group_numbers(const Values& values, GroupIndex index) {
     if (!entry.is_angle) {
       const SlideMeasure<Dual> measure = values.slide_measure(index, entry.owner);
       numbers.slides.push_back(
-          {static_cast<int>(unknown), played(entry.owner).joint, measure.sense, measure.shift});
+          {static_cast<int>(unknown), played(entry.owner).joint, measure.sense, measure.shift, 0, 0});
     }
   }
   int joint = 0;
   for (const ModelJoint& wanted : group.model->group->joints) {
     const ElementaryJoint& at = played(joint);
     const LinkIndex inner = played_link(*geometry.roles, wanted.second);
-    numbers.rounding = numbers.rounding.worst_of(values.rounding(at.on(inner)));
+    numbers.rounding = numbers.rounding.worst_of(values.rounding(at, inner));
     if (wanted.first == base_link) {
       const LinkIndex base = at.other(inner);
       numbers.held.push_back({base, at.on(base), at.prismatic});
     } else {
       const LinkIndex other = at.other(inner);
-      numbers.rounding = numbers.rounding.worst_of(values.rounding(at.on(other)));
+      numbers.rounding = numbers.rounding.worst_of(values.rounding(at, other));
     }
     ++joint;
   }

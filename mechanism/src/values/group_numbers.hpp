@@ -23,6 +23,7 @@ struct MeasuredSlide {
   JointIndex joint;
   double sense;
   Dual shift;
+  double shift_rate = 0, shift_second_rate = 0;  ///< in time
 };
 
 /// Where a placed link holds an external joint of the group.
@@ -44,8 +45,10 @@ namespace assur::mechanism {
 
 struct Values::GroupNumbers {
   models::FlatVariables d;
+  std::vector<bool> is_angle;  ///< of each dimension
   values::ParameterDerivatives of_d;
   std::vector<values::DimensionDerivative> nonzero_of_d;
+  models::SmallVector d_rate, d_second_rate;  ///< in time; empty where the links keep their shapes
   std::vector<LinkIndex> links;  ///< that play the model's
   std::vector<Frame> own;        ///< their own frames, each in its normal frame
   std::vector<values::MeasuredSlide> slides;

@@ -1,9 +1,12 @@
 #include <assur/mechanism/values.hpp>
+#include <assur/support/displaced_frame.hpp>
 #include <cmath>
+#include <limits>
 
 #include "covariance.hpp"
 #include "group_numbers.hpp"
 #include "plan/plan_data.hpp"
+#include "rates.hpp"
 #include "rounded_number.hpp"
 
 namespace assur::mechanism::values {
@@ -33,6 +36,8 @@ Values::Values(std::shared_ptr<const PlanData> plan,
   dependents_.resize(mechanism.parameters().size());
   parameters_.resize(mechanism.parameters().size());
   numbers_.resize(mechanism.numbers().size());
+  motions_.resize(mechanism.drivers().size());
+  parameters_in_time_.resize(mechanism.parameters().size());
   features_.resize(mechanism.features().size());
   frames_.resize(mechanism.features().size());
   parameter_roundings_.assign(mechanism.parameters().size(), 0);
@@ -56,6 +61,12 @@ void Values::evaluate() {
   for (const NumberIndex number : order.numbers) {
     evaluate_number(number);
   }
+  for (const ParameterIndex parameter : order.parameters) {
+    evaluate_parameter_in_time(parameter);
+  }
+  for (const DriverIndex driver : order.drivers) {
+    evaluate_driver(driver, nullptr);
+  }
   for (const FeatureIndex feature : order.features) {
     evaluate_feature(feature);
   }
@@ -64,6 +75,18 @@ void Values::evaluate() {
     evaluate_group(group);
   }
   evaluate_requests();
+  expect_limits();
+}
+
+/// Throws MechanismError where limits are exchanged.
+void Values::expect_limits() const {
+  for (const Joint& joint : plan_->mechanism.joints()) {
+    if (joint.lowest.exists() &&
+        !(numbers_[joint.lowest].value() <= numbers_[joint.highest].value())) {
+      throw MechanismError("joints." + joint.name + ".limits",
+                           "the lowest is above the highest; exchange the two");
+    }
+  }
 }
 
 void Values::expect_finite(ParameterIndex parameter, double value) const {
@@ -112,6 +135,12 @@ void Values::evaluate_dependents(ParameterIndex parameter) {
   for (const NumberIndex number : dependents.numbers) {
     evaluate_number(number);
   }
+  for (const ParameterIndex moving : plan_->evaluation.parameters) {
+    evaluate_parameter_in_time(moving);
+  }
+  for (const DriverIndex driver : dependents.drivers) {
+    evaluate_driver(driver, nullptr);
+  }
   for (const FeatureIndex feature : dependents.features) {
     evaluate_feature(feature);
   }
@@ -124,6 +153,7 @@ void Values::evaluate_dependents(ParameterIndex parameter) {
   if (dependents.spread) {
     evaluate_requests();
   }
+  expect_limits();
 }
 
 double Values::value_of(NumberIndex index) const {
@@ -170,10 +200,12 @@ void Values::evaluate_parameter(ParameterIndex parameter) {
 
 void Values::evaluate_number(NumberIndex number) { numbers_[number] = evaluated(number); }
 
-Dual Values::evaluated(NumberIndex index) const {
+Dual Values::evaluated(NumberIndex index,
+                       const std::function<JointMotion(JointIndex)>& coordinate_of) const {
   const Number& number = plan_->mechanism.numbers()[index];
   Dual result = number.formula.evaluate<Dual>(
-      [&](ParameterIndex parameter) -> const Dual& { return parameters_[parameter]; });
+      [&](ParameterIndex parameter) -> const Dual& { return parameters_[parameter]; },
+      [&](JointIndex joint) { return coordinate_of(joint).position; });
   if (result.derivatives().size() == 0) {  // a bare number has no gradient
     result = constant(result.value());
   }
@@ -224,6 +256,10 @@ void Values::evaluate_feature(FeatureIndex index) {
     result.along = unit_direction(dx, dy);
   }
   frames_[index] = Frame::at({result.x, result.y, result.along});
+  if (moves(index)) {
+    const LinkFeature<Dual> moving = in_time(index, feature.is_line);
+    frames_[index].move({moving.x, moving.y, moving.along});
+  }
   roundings_[index] = support::Displacement::of_rounding(
       std::max(rounding(feature.x), rounding(feature.y)),
       feature.is_line
@@ -243,18 +279,86 @@ void Values::evaluate_driven_frames() {
     const ElementaryJoint& at = plan_->structure.linkage.joints[link.joint];
     const LinkFeature<Dual> on = feature(at.on(link.to), at.prismatic);
     driven_frames_.push_back(Frame::at(inverse<Dual>({on.x, on.y, on.along})));
+    if (moves(at.on(link.to))) {
+      const LinkFeature<Dual> moving = in_time(at.on(link.to), at.prismatic);
+      driven_frames_.back().move(inverse<Dual>({moving.x, moving.y, moving.along}));
+    }
   }
 }
 
-void Values::evaluate_group(GroupIndex group) {
-  groups_[group] = group_geometry(
-      plan_->structure, plan_->structure.groups[group],
-      [this](FeatureIndex feature, bool is_line) { return this->feature(feature, is_line); },
+void Values::evaluate_group(GroupIndex index) {
+  const FoundGroup& group = plan_->structure.groups[index];
+  groups_[index] = group_geometry(
+      plan_->structure, group,
+      [this](const ElementaryJoint& at, LinkIndex link) { return feature(at, link); },
       constant(0.0));
-  group_numbers_[group] =
-      groups_[group].roles == nullptr
-          ? nullptr
-          : std::make_shared<const GroupNumbers>(values::group_numbers(*this, group));
+  if (groups_[index].roles == nullptr) {
+    group_numbers_[index] = nullptr;
+    return;
+  }
+  GroupNumbers numbers = values::group_numbers(*this, index);
+  if (moves(group)) {
+    values::set_rates(in_time(group), plan_->structure, group, numbers);
+  }
+  group_numbers_[index] = std::make_shared<const GroupNumbers>(std::move(numbers));
+}
+
+LinkFeature<Dual> Values::feature(const ElementaryJoint& at, LinkIndex link) const {
+  return carried_feature<Dual>(
+      plan_->structure, at, link,
+      [this](FeatureIndex feature, bool is_line) { return this->feature(feature, is_line); },
+      [this](DriverIndex driver) { return motions_[driver].position; });
+}
+
+support::Displacement Values::rounding(const ElementaryJoint& at, LinkIndex link) const {
+  const LinkIndex holder = at.holder(link);
+  if (holder == link) {
+    return rounding(at.on(link));
+  }
+  using support::Displacement;
+  const DrivenLink& driven = *plan_->structure.driven_link(holder);
+  const ElementaryJoint& joint = plan_->structure.linkage.joints[driven.joint];
+  const double position = std::abs(motions_[driven.driver].position.value());
+  // The longest lever about which the driver turns it, and what it slides by.
+  const auto size_of = [this](FeatureIndex feature) {
+    const Pose<double>& pose = frame(feature).pose;
+    return std::abs(pose.x) + std::abs(pose.y);
+  };
+  ElementaryJoint nearer = at;
+  (link == at.first ? nearer.holder_first : nearer.holder_second) = driven.from;
+  const double lever = size_of(at.on(link)) + size_of(joint.on(driven.to));
+  return (joint.prismatic ? Displacement::of_slide(position) : Displacement::of_turn(position))
+      .carries(lever, 0, rounding(joint.on(driven.from)))
+      .carries(0, 0, rounding(joint.on(driven.to)))
+      .carries(0, 0, rounding(nearer, link));
+}
+
+void Values::evaluate_driver(DriverIndex index,
+                             const std::function<JointMotion(JointIndex)>& coordinate_of) {
+  if (plan_->evaluation.reads_links[index] && !coordinate_of) {
+    motions_[index] = {constant(std::numeric_limits<double>::quiet_NaN()), 0, 0};
+    return;
+  }
+  const auto of_joint = [&](JointIndex joint) {
+    const DriverIndex driver = plan_->mechanism.driver_of(joint);
+    return driver.exists() ? motions_[driver] : coordinate_of(joint);
+  };
+  const Driver& driver = plan_->mechanism.drivers()[index];
+  JointMotion& motion = motions_[index];
+  motion.position = evaluated(driver.position, of_joint);
+  const bool follows = !driver.velocity.exists() || !driver.acceleration.exists();
+  const Dual law = follows ? in_time(driver.position, of_joint) : Dual();
+  motion.velocity = driver.velocity.exists() ? numbers_[driver.velocity].value() : values::rate_of(law);
+  motion.acceleration =
+      driver.acceleration.exists() ? numbers_[driver.acceleration].value() : values::second_rate_of(law);
+}
+
+void Values::settle(DriverIndex driver,
+                    const std::function<JointMotion(JointIndex)>& coordinate_of) {
+  evaluate_driver(driver, coordinate_of);
+  for (const GroupIndex group : plan::groups_carried_by(driver, *plan_)) {
+    evaluate_group(group);
+  }
 }
 
 SlideMeasure<Dual> Values::slide_measure(GroupIndex group, int model_joint) const {

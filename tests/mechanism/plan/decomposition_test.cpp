@@ -72,11 +72,11 @@ TEST(RandomChains, FallIntoTheGroupsOfWhichTheyWereMade) {
     for (int listing = 0; listing < 3; ++listing) {
       const ListedChain listed = chain.listed(engine);
       const mechanism::plan::Decomposition found =
-          mechanism::plan::decompose(listed.linkage, listed.placed, listed.spent);
+          mechanism::plan::decompose(listed.linkage, listed.bodies);
       ASSERT_EQ(found.free.surplus, 0);
       ASSERT_EQ(found.overloaded.surplus, 0);
       std::vector<std::string> lines;
-      mechanism::Table<LinkIndex, bool> placed = listed.placed;
+      mechanism::Table<LinkIndex, bool> placed = listed.bodies.placed;
       for (const mechanism::plan::Component& component : found.components) {
         const auto group =
             mechanism::plan::find_group(found.linkage, component.links, component.joints);

@@ -27,8 +27,7 @@ inline std::string described(const mechanism::GroupModel& model, std::vector<std
 
 struct ListedChain {
   mechanism::Linkage linkage;
-  mechanism::Table<LinkIndex, bool> placed;
-  mechanism::Table<ElementaryJointIndex, bool> spent;
+  mechanism::plan::DrivenBodies bodies;
 };
 
 /// The ground, one to three driven links and one to six groups. An external joint goes to any link
@@ -61,11 +60,15 @@ class RandomChain {
     std::shuffle(place.begin(), place.end(), engine);
     ListedChain result;
     result.linkage.links.resize(names_.size());
-    result.placed.assign(names_.size(), false);
+    result.bodies.placed.assign(names_.size(), false);
+    result.bodies.read_for.resize(names_.size());
     for (std::size_t link = 0; link < names_.size(); ++link) {
       const LinkIndex at(static_cast<std::size_t>(place[link]));
       result.linkage.links[at] = names_[link];
-      result.placed[at] = static_cast<int>(link) < driven_count();
+      result.bodies.placed[at] = static_cast<int>(link) < driven_count();
+    }
+    for (const LinkIndex link : result.linkage.links.keys()) {
+      result.bodies.carrier.add(link);
     }
     result.linkage.ground = LinkIndex(static_cast<std::size_t>(place[0]));
     std::vector<ChainJoint> joints = joints_;
@@ -84,7 +87,7 @@ class RandomChain {
       } else {
         result.linkage.joints.add(
             {name, number, joints[index].prismatic, links[0], links[1], {}, {}});
-        result.spent.add(joints[index].driven);
+        result.bodies.driven.add(joints[index].driven);
       }
     }
     return result;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <array>
 #include <assur/mechanism/values.hpp>
 #include <cmath>
 #include <random>
@@ -25,29 +26,35 @@ class RigidScene {
 
   RigidScene(const mechanism::Mechanism& mechanism, const mechanism::Values& values)
       : mechanism_(mechanism) {
-    const auto number = [&](mechanism::NumberIndex index) -> Real {
-      return values.value_of(index);
-    };
+    for (const mechanism::ParameterIndex parameter : mechanism.parameters().keys()) {
+      parameters_.add(Jet(values.parameter(parameter), 0, 0, 0));
+    }
+    // Parameters may be listed before those on which they depend.
+    for (std::size_t round = 0; round < parameters_.size(); ++round) {
+      for (const mechanism::ParameterIndex parameter : mechanism.parameters().keys()) {
+        set_rates(parameter);
+      }
+    }
     for (const mechanism::Link& link : mechanism.links()) {
       body_of_.add(link.name == "ground" ? -1 : static_cast<int>(bodies_++));
     }
     for (const mechanism::Feature& feature : mechanism.features()) {
-      Feature local{number(feature.x), number(feature.y), 0};
+      Feature local{moved(feature.x), moved(feature.y), Jet(0)};
       if (feature.is_line) {
-        local.angle = std::atan2(number(feature.along_y), number(feature.along_x));
+        local.angle = differentiated([&](Real t) {
+          return std::atan2(at_time(feature.along_y, t), at_time(feature.along_x, t));
+        });
       }
-      reach_ += std::hypot(local.x, local.y);
+      reach_ += std::hypot(local.x.c0, local.y.c0);
       features_.add(local);
-    }
-    for (const mechanism::Driver& driver : mechanism.drivers()) {
-      laws_.push_back({driver.joint, number(driver.position), number(driver.velocity),
-                       number(driver.acceleration)});
     }
   }
 
   [[nodiscard]] Eigen::Index size() const { return 3 * bodies_; }
   /// Sum of the distances of all features from their links' origins.
   [[nodiscard]] Real reach() const { return reach_; }
+  /// Whether it is one of the mechanism's own links, and no block of a slot.
+  [[nodiscard]] bool has(mechanism::LinkIndex link) const { return link.place() < body_of_.size(); }
   /// The first coordinate of a link, or -1 for the ground.
   [[nodiscard]] Eigen::Index coordinate(mechanism::LinkIndex link) const {
     return 3L * body_of_[link];
@@ -75,16 +82,11 @@ class RigidScene {
         result.push_back(wrapped(other.angle - line.angle));
       }
     }
-    for (const Law& law : laws_) {
-      const mechanism::Joint& joint = mechanism_.joints()[law.joint];
-      const Jet wanted{law.position, law.velocity, law.acceleration / 2, 0};
-      if (joint.type == mechanism::JointType::revolute) {
-        const Jet turned = pose_of_owner(poses, joint.between[1]).theta -
-                           pose_of_owner(poses, joint.between[0]).theta;
-        result.push_back(wrapped(turned - wanted));
-      } else {
-        result.push_back(displacement(poses, joint) - wanted);
-      }
+    for (const mechanism::Driver& driver : mechanism_.drivers()) {
+      const Jet miss = coordinate(poses, driver.joint) - wanted(poses, driver);
+      const bool turns =
+          mechanism_.joints()[driver.joint].type == mechanism::JointType::revolute;
+      result.push_back(turns ? wrapped(miss) : miss);
     }
     return result;
   }
@@ -147,11 +149,7 @@ class RigidScene {
 
  private:
   struct Feature {
-    Real x, y, angle;
-  };
-  struct Law {
-    mechanism::JointIndex joint;
-    Real position, velocity, acceleration;
+    Jet x, y, angle;
   };
   struct Pose {
     Jet x, y, theta, cos, sin;
@@ -159,6 +157,75 @@ class RigidScene {
   struct Place {
     Jet x, y, angle, cos, sin;
   };
+
+  static Real at(const Jet& jet, Real t) { return jet.c0 + t * (jet.c1 + t * jet.c2); }
+  /// A function of time with its first two derivatives at t = 0, from nine of its values.
+  template <typename Function>
+  static Jet differentiated(const Function& f) {
+    constexpr Real h = 1 / 64.0L;
+    constexpr std::array<Real, 4> first = {4 / 5.0L, -1 / 5.0L, 4 / 105.0L, -1 / 280.0L};
+    constexpr std::array<Real, 4> second = {8 / 5.0L, -1 / 5.0L, 8 / 315.0L, -1 / 560.0L};
+    const Real here = f(0);
+    Real rate = 0;
+    Real second_rate = 0;
+    for (std::size_t step = 0; step < first.size(); ++step) {
+      const Real t = h * static_cast<Real>(step + 1);
+      const Real before = f(-t);
+      const Real after = f(t);
+      rate += first[step] * (after - before) / h;
+      second_rate += second[step] * ((after - here) - (here - before)) / (h * h);
+    }
+    return {here, rate, second_rate / 2, 0};
+  }
+  /// A number of the mechanism while its parameters move, and joints that it reads.
+  template <typename CoordinateOf>
+  [[nodiscard]] Real at_time(mechanism::NumberIndex number, Real t,
+                             const CoordinateOf& coordinate_of) const {
+    return mechanism_.numbers()[number].formula.template evaluate<Real>(
+        [&](mechanism::ParameterIndex parameter) { return at(parameters_[parameter], t); },
+        [&](mechanism::JointIndex joint) { return at(coordinate_of(joint), t); });
+  }
+  [[nodiscard]] Real at_time(mechanism::NumberIndex number, Real t) const {
+    return at_time(number, t, [](mechanism::JointIndex) { return Jet(0); });
+  }
+  [[nodiscard]] Jet moved(mechanism::NumberIndex number) const {
+    return differentiated([&](Real t) { return at_time(number, t); });
+  }
+  void set_rates(mechanism::ParameterIndex index) {
+    const mechanism::Parameter& parameter = mechanism_.parameters()[index];
+    const Jet follows = moved(parameter.value);
+    Jet& jet = parameters_[index];
+    jet.c1 = parameter.velocity.exists() ? at_time(parameter.velocity, 0) : follows.c1;
+    jet.c2 = parameter.acceleration.exists() ? at_time(parameter.acceleration, 0) / 2 : follows.c2;
+  }
+
+  /// The coordinate of a joint of two links.
+  [[nodiscard]] Jet coordinate(const std::vector<Pose>& poses, mechanism::JointIndex index) const {
+    const mechanism::Joint& joint = mechanism_.joints()[index];
+    if (joint.type == mechanism::JointType::revolute) {
+      return pose_of_owner(poses, joint.between[1]).theta -
+             pose_of_owner(poses, joint.between[0]).theta;
+    }
+    return displacement(poses, joint);
+  }
+  /// What the law of a driver says; of a driven joint it reads what that one's law says.
+  [[nodiscard]] Jet wanted(const std::vector<Pose>& poses, const mechanism::Driver& driver) const {
+    const auto read = [&](mechanism::JointIndex joint) {
+      for (const mechanism::Driver& other : mechanism_.drivers()) {
+        if (other.joint == joint) {
+          return wanted(poses, other);
+        }
+      }
+      const Jet coordinate_read = coordinate(poses, joint);
+      return mechanism_.joints()[joint].type == mechanism::JointType::revolute
+                 ? wrapped(coordinate_read)
+                 : coordinate_read;
+    };
+    Jet law = differentiated([&](Real t) { return at_time(driver.position, t, read); });
+    law.c1 = driver.velocity.exists() ? at_time(driver.velocity, 0) : law.c1;
+    law.c2 = driver.acceleration.exists() ? at_time(driver.acceleration, 0) / 2 : law.c2;
+    return law;
+  }
 
   [[nodiscard]] RealVector still() const { return RealVector::Zero(size()); }
   /// A difference of angles, brought to where its value is least.
@@ -209,12 +276,10 @@ class RigidScene {
   [[nodiscard]] Place place(const std::vector<Pose>& poses, mechanism::FeatureIndex feature) const {
     const Feature& local = features_[feature];
     const Pose at = pose_of_owner(poses, feature);
-    const auto fixed = [](Real value) -> Jet { return {value, 0, 0, 0}; };
-    const Jet c = fixed(std::cos(local.angle));
-    const Jet s = fixed(std::sin(local.angle));
-    return {at.x + at.cos * fixed(local.x) - at.sin * fixed(local.y),
-            at.y + at.sin * fixed(local.x) + at.cos * fixed(local.y), at.theta + fixed(local.angle),
-            at.cos * c - at.sin * s, at.sin * c + at.cos * s};
+    const Direction<Real> start{std::cos(local.angle.c0), std::sin(local.angle.c0)};
+    const auto [c, s] = moving<Real>(start, local.angle.c1, 2 * local.angle.c2, 0);
+    return {at.x + at.cos * local.x - at.sin * local.y, at.y + at.sin * local.x + at.cos * local.y,
+            at.theta + local.angle, at.cos * c - at.sin * s, at.sin * c + at.cos * s};
   }
   /// The two features of a sliding joint; of a point and a line the line first.
   [[nodiscard]] std::pair<Place, Place> line_first(const std::vector<Pose>& poses,
@@ -231,8 +296,8 @@ class RigidScene {
   const mechanism::Mechanism& mechanism_;
   Eigen::Index bodies_ = 0;
   mechanism::Table<mechanism::LinkIndex, int> body_of_;
+  mechanism::Table<mechanism::ParameterIndex, Jet> parameters_;
   mechanism::Table<mechanism::FeatureIndex, Feature> features_;
-  std::vector<Law> laws_;
   Real reach_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <assur/text/index.hpp>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,50 +15,77 @@ using text::Index;
 using text::Table;
 
 using ParameterIndex = Index<struct Parameter>;
+using JointIndex = Index<struct Joint>;
 
-/// A number of a mechanism, as a function of its parameters: operations in postfix order.
+/// A number of a mechanism, as a function of its parameters and, in the law of a driver, of the
+/// coordinates of other joints: operations in postfix order.
 class Formula {
  public:
+  /// What the names in an expression stand for; each function may throw.
+  struct Names {
+    std::function<ParameterIndex(const std::string&)> parameter;
+    std::function<JointIndex(const std::string&)> joint;  ///< of `joint(K)`
+  };
+
   /// A constant.
-  Formula(double number = 0) : steps_{{Step::Kind::number, text::Operation::other, number, {}}} {}
-  /// What an expression says, its names resolved; `parameter_named` may throw.
-  Formula(const text::Expression& expression,
-          const std::function<ParameterIndex(const std::string&)>& parameter_named);
+  Formula(double number = 0)
+      : steps_{{Step::Kind::number, text::Operation::other, number, {}, {}}} {}
+  /// What an expression says, its names resolved.
+  Formula(const text::Expression& expression, const Names& names);
 
   /// The parameters that occur in it, each once.
   [[nodiscard]] std::vector<ParameterIndex> parameters() const;
+  /// The joints that occur in it, each once.
+  [[nodiscard]] std::vector<JointIndex> joints() const;
+  /// The same formula in a mechanism in which the joints have other indices.
+  [[nodiscard]] Formula renumbered(const Table<JointIndex, JointIndex>& joint_of) const;
 
-  /// The value, with `value_of(parameter)` for parameters. A `Scalar` is made from a double, and
-  /// its operators and functions are found by argument-dependent look-up.
-  template <typename Scalar, typename ValueOf>
-  [[nodiscard]] Scalar evaluate(const ValueOf& value_of) const {
-    if (steps_.size() == 1) {  // most numbers: a constant, or one parameter
+  /// The value, with `value_of(parameter)` for parameters and `coordinate_of(joint)` for joints. A
+  /// `Scalar` is made from a double, and its operators and functions are found by
+  /// argument-dependent look-up.
+  template <typename Scalar, typename ValueOf, typename CoordinateOf>
+  [[nodiscard]] Scalar evaluate(const ValueOf& value_of, const CoordinateOf& coordinate_of) const {
+    if (steps_.size() == 1 && steps_[0].kind != Step::Kind::joint) {
+      // Most numbers are a constant, or one parameter.
       return steps_[0].kind == Step::Kind::number ? Scalar(steps_[0].number)
                                                   : Scalar(value_of(steps_[0].parameter));
     }
     std::vector<Scalar> stack;
     for (const Step& step : steps_) {
-      apply(step, value_of, stack);
+      if (step.kind == Step::Kind::joint) {
+        stack.push_back(Scalar(coordinate_of(step.joint)));
+      } else {
+        apply(step, value_of, stack);
+      }
     }
     return std::move(stack.back());
+  }
+  /// Of a formula in which no joint occurs.
+  template <typename Scalar, typename ValueOf>
+  [[nodiscard]] Scalar evaluate(const ValueOf& value_of) const {
+    return evaluate<Scalar>(value_of, [](JointIndex) {
+      return Scalar(std::numeric_limits<double>::quiet_NaN());
+    });
   }
 
  private:
   struct Step {
-    enum class Kind : unsigned char { number, parameter, unary, binary, constant_power };
+    enum class Kind : unsigned char { number, parameter, joint, unary, binary, constant_power };
     Kind kind;
     text::Operation operation;  ///< of a unary or binary step
     double number;              ///< the constant, or the exponent of a constant power
     ParameterIndex parameter;
+    JointIndex joint;
   };
 
-  void append(const text::Expression& expression,
-              const std::function<ParameterIndex(const std::string&)>& parameter_named);
+  void append(const text::Expression& expression, const Names& names);
 
   template <typename Scalar, typename ValueOf>
   static void apply(const Step& step, const ValueOf& value_of, std::vector<Scalar>& stack) {
     using std::pow;
     switch (step.kind) {
+      case Step::Kind::joint:  // is a coordinate, which `evaluate` has put on the stack
+        break;
       case Step::Kind::number:
         stack.push_back(Scalar(step.number));
         break;

@@ -35,6 +35,8 @@ struct Frame {
 
   /// At rest in the outer frame, where `pose` is.
   [[nodiscard]] static Frame at(const Pose<Dual>& pose);
+  /// Takes over the rates of a pose that is a function of time (one derivative, one second one).
+  void move(const Pose<Dual>& in_time);
   /// On the axes of the outer frame.
   [[nodiscard]] static Frame identity(Eigen::Index parameters, bool with_second);
 };

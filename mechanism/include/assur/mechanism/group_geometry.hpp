@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,54 @@ template <typename Scalar>
   const Scalar y = dy / scale;
   const Scalar length = sqrt(x * x + y * y);
   return {x / length, y / length};
+}
+
+/// A feature of a driven link, in the frame of the link against which it is moved: turned or slid in
+/// the frame of the driven joint. `near` and `far` are the joint's features on the two links.
+template <typename Scalar>
+[[nodiscard]] LinkFeature<Scalar> moved_feature(const LinkFeature<Scalar>& feature,
+                                                const LinkFeature<Scalar>& near,
+                                                const LinkFeature<Scalar>& far, bool slides,
+                                                const Scalar& by) {
+  const auto rotated = [](const Direction<Scalar>& turn, const Scalar& x, const Scalar& y) {
+    return std::make_pair(Scalar(turn.cos * x - turn.sin * y), Scalar(turn.sin * x + turn.cos * y));
+  };
+  const Direction<Scalar> back = reversed(far.along);
+  auto [x, y] = rotated(back, feature.x - far.x, feature.y - far.y);
+  LinkFeature<Scalar> result = feature;
+  if (slides) {
+    x = x + by;
+    result.along = turned(turned(feature.along, back), near.along);
+  } else {
+    const Direction<Scalar> turn{cos(by), sin(by)};
+    std::tie(x, y) = rotated(turn, x, y);
+    result.along = turned(turned(turned(feature.along, back), turn), near.along);
+  }
+  const auto [from_x, from_y] = rotated(near.along, x, y);
+  result.x = near.x + from_x;
+  result.y = near.y + from_y;
+  return result;
+}
+
+/// A joint's feature in the frame of a link that has it, or that carries the link that has it.
+/// `feature_of(feature, is_line)` is a feature in its own link's frame, `position_of(driver)` where
+/// a driver's law puts the driven joint.
+template <typename Scalar, typename FeatureOf, typename PositionOf>
+[[nodiscard]] LinkFeature<Scalar> carried_feature(const Structure& structure,
+                                                  const ElementaryJoint& at, LinkIndex link,
+                                                  const FeatureOf& feature_of,
+                                                  const PositionOf& position_of) {
+  LinkFeature<Scalar> result = feature_of(at.on(link), at.prismatic);
+  for (LinkIndex holder = at.holder(link); holder != link;) {
+    const DrivenLink& driven = *structure.driven_link(holder);
+    const ElementaryJoint& joint = structure.linkage.joints[driven.joint];
+    const Scalar position = position_of(driven.driver);
+    result = moved_feature(result, feature_of(joint.on(driven.from), joint.prismatic),
+                           feature_of(joint.on(driven.to), joint.prismatic), joint.prismatic,
+                           joint.first == driven.from ? position : Scalar(-position));
+    holder = driven.from;
+  }
+  return result;
 }
 
 /// How a mechanism measures a slide of a group: sense * (displacement + shift).
@@ -107,8 +156,8 @@ class NormalForms {
       std::array<LinkFeature<Scalar>, 3> features;
       std::size_t count = 0;
       for (const int joint : joints_of(*group.model, link)) {
-        const ElementaryJoint& at = played_joint(structure_, roles_, joint);
-        features[count++] = feature_of(at.on(roles.links[link]), at.prismatic);
+        features[count++] =
+            feature_of(played_joint(structure_, roles_, joint), roles.links[link]);
       }
       features_.push_back(features);
       NormalForm<Scalar> form;
@@ -274,8 +323,8 @@ class NormalForms {
 }  // namespace values
 
 /// The group with its links in normal form under the first assignment of roles that has one.
-/// `feature_of(feature, is_line)` is a feature in its link's frame, `zero` a number that depends on
-/// nothing. The value of a number is `value()`.
+/// `feature_of(joint, link)` is a joint's feature in the frame of a link (`carried_feature`), `zero`
+/// a number that depends on nothing. The value of a number is `value()`.
 template <typename Scalar, typename FeatureOf>
 [[nodiscard]] GroupGeometry<Scalar> group_geometry(const Structure& structure,
                                                    const FoundGroup& group,

@@ -13,7 +13,6 @@ namespace assur::mechanism {
 using NumberIndex = Index<struct Number>;
 using FeatureIndex = Index<struct Feature>;
 using LinkIndex = Index<struct Link>;
-using JointIndex = Index<struct Joint>;
 using DriverIndex = Index<struct Driver>;
 using OutputIndex = Index<struct Output>;
 
@@ -27,6 +26,8 @@ struct Parameter {
   std::string name;
   NumberIndex value;
   NumberIndex tolerance;  ///< a half-width; none if the parameter has no tolerance
+  /// Rates in time; where there are none, those of the parameters in its formula.
+  NumberIndex velocity, acceleration;
 };
 
 /// A named place on a link, in the link's local frame: a point, or a line through it.
@@ -53,12 +54,15 @@ struct Joint {
   std::string name;
   JointType type = JointType::revolute;
   std::vector<FeatureIndex> between;
+  NumberIndex lowest, highest;  ///< of its coordinate; none where it has no limits
 };
 
-/// The law of a joint of two links: the angle theta_second - theta_first, or the displacement.
+/// The law of a joint of two links: the angle theta_second - theta_first, or the displacement. It
+/// may read the coordinates of other joints.
 struct Driver {
   JointIndex joint;
-  NumberIndex position, velocity, acceleration;
+  NumberIndex position;
+  NumberIndex velocity, acceleration;  ///< where there are none, they follow from the law
 };
 
 struct Output {
@@ -105,6 +109,9 @@ class Mechanism {
   /// Gives a declared parameter a value, or another one; `part` is what messages call it.
   void set_parameter(const std::string& name, const Given& value, const std::string& part = "");
   void set_tolerance(const std::string& name, const Given& half_width);
+  /// Rates in time. What depends on the parameter gets its rates by the chain rule.
+  void set_velocity(const std::string& name, const Given& velocity);
+  void set_acceleration(const std::string& name, const Given& acceleration);
   /// Declares and sets.
   ParameterIndex add_parameter(const std::string& name, const Given& value);
 
@@ -115,8 +122,14 @@ class Mechanism {
                         const Given& along_x, const Given& along_y);
   JointIndex add_joint(const std::string& name, JointType type,
                        const std::vector<std::string>& between);
-  DriverIndex add_driver(const std::string& joint, const Given& position, const Given& velocity = 0,
-                         const Given& acceleration = 0);
+  /// What a configuration's coordinate of a joint of two links may be, both ends included; an angle
+  /// counts where it can be turned in by whole turns.
+  void set_limits(const std::string& joint, const Given& lowest, const Given& highest);
+  /// The position may contain `joint(K)`, the coordinate of another joint of two links. Rates that
+  /// are not given follow from it.
+  DriverIndex add_driver(const std::string& joint, const Given& position,
+                         const std::optional<Given>& velocity = std::nullopt,
+                         const std::optional<Given>& acceleration = std::nullopt);
   OutputIndex add_output(const std::string& name, const std::string& point);
 
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -128,6 +141,8 @@ class Mechanism {
   [[nodiscard]] const Table<JointIndex, Joint>& joints() const { return joints_; }
   [[nodiscard]] const Table<DriverIndex, Driver>& drivers() const { return drivers_; }
   [[nodiscard]] const Table<OutputIndex, Output>& outputs() const { return outputs_; }
+  /// The driver of a joint; none if it has none.
+  [[nodiscard]] DriverIndex driver_of(JointIndex joint) const;
   /// The fixed frame; none if no link is named `ground`.
   [[nodiscard]] LinkIndex ground() const { return index_of(links_, std::string("ground")); }
 
@@ -143,8 +158,13 @@ class Mechanism {
   NumberIndex add_number(const Given& given, const std::string& part);
 
  private:
-  [[nodiscard]] Formula formula(const std::string& text, const std::string& part) const;
-  [[nodiscard]] Number number(const Given& given, const std::string& part) const;
+  /// What an expression may name beside parameters.
+  enum class Reads : unsigned char { parameters, joints };
+  [[nodiscard]] Formula formula(const std::string& text, const std::string& part,
+                                Reads reads) const;
+  [[nodiscard]] Number number(const Given& given, const std::string& part,
+                              Reads reads = Reads::parameters) const;
+  [[nodiscard]] JointIndex joint_named(const std::string& name, const std::string& part) const;
   /// Puts a number where one stands already, or adds it.
   void put_number(const Given& given, const std::string& part, NumberIndex& place);
   void expect_new_parameter(const std::string& name) const;

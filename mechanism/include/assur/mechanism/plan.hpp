@@ -6,6 +6,7 @@
 #include <assur/mechanism/structure.hpp>
 #include <assur/mechanism/values.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,10 +39,16 @@ class Plan {
   /// The same in the memory of an earlier solution, which saves most allocations. What `result`
   /// holds after an error is not specified.
   void solve(const Values& values, Solution& result) const;
+  /// Nothing for a solution without configurations. Throws MechanismError where the request has no
+  /// reference.
+  [[nodiscard]] std::optional<Nearest> nearest(const Values& values,
+                                               const Solution& solution) const;
   /// Why there are no configurations: which group fails to close and by how much at least, or what
   /// moves freely. Takes longer than to solve. Empty where there are configurations.
   [[nodiscard]] std::string obstacle(const Values& values) const;
 
+  /// Whether a number depends on a parameter that has rates in time.
+  [[nodiscard]] bool has_rates(NumberIndex number) const;
   /// Throws MechanismError for values of another plan, or that were left by a refused
   /// `Values::set`.
   void expect_usable(const Values& values) const;

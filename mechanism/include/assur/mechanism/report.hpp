@@ -14,6 +14,7 @@ struct Report {
   const Solution& solution;
   std::string title;  ///< for people, where the mechanism has no name
   int branch = 0;     ///< number of the one configuration to report, or 0 for all
+  std::optional<Nearest> nearest = std::nullopt;  ///< where it was asked for, to be told as such
 };
 
 /// The JSON object of the scene format (docs/scenes.md).

@@ -47,11 +47,18 @@ struct Reported {
   }
 };
 
+/// About where a link stands.
+struct ReferenceAngle {
+  LinkIndex link;
+  NumberIndex theta;
+};
+
 struct Request {
   Want want;
   Reported reported;
   std::optional<Sweep> sweep;
   std::optional<Covariance> covariance;
+  std::vector<ReferenceAngle> reference;  ///< by which one configuration is told from the others
   /// What stays an argument of an emitted solver; the other parameters become numbers there.
   std::vector<ParameterIndex> variable;
 };

@@ -5,6 +5,7 @@
 #include <assur/mechanism/structure.hpp>
 #include <assur/status.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,9 @@ struct Configuration {
   /// rates that are known.
   std::vector<Configuration> branches;
   double residual = 0;  ///< largest of the closures
+  /// Whether every joint keeps its limits. Solving leaves out what does not; a sweep, which follows
+  /// branches beyond the limits and back, tells no rows there.
+  bool within_limits = true;
   /// Of the loop Jacobian of every group, without a unit, NaN where it has no inverse; only where
   /// the request has a sweep. Along a branch it changes its sign in singular configurations alone.
   Table<GroupIndex, double> determinants;
@@ -75,6 +79,15 @@ struct Solution {
   /// In an order that depends on the mechanism alone.
   std::vector<Configuration> configurations;
   std::vector<Family> families;
+  std::size_t left_out = 0;  ///< configurations beyond the limits of joints
+};
+
+/// The configuration whose links stand closest to the angles of a request's reference: with the
+/// least root of the sum of the squares of their differences, in radians.
+struct Nearest {
+  std::size_t configuration;     ///< its place in the solution
+  double distance;
+  std::optional<double> runner_up;  ///< the distance of the next one; none if it is the only one
 };
 
 }  // namespace assur::mechanism

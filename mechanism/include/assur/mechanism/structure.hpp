@@ -1,4 +1,4 @@
-// Turns a mechanism into the order in which its links are placed: driven links, then Assur groups.
+// Turns a mechanism into the order in which its links are placed: driven links and Assur groups.
 #pragma once
 
 #include <assur/mechanism/group_model.hpp>
@@ -9,13 +9,15 @@
 namespace assur::mechanism {
 
 /// A joint between two links, revolute or prismatic, with its feature on each; the feature of a
-/// block, which has no size, is none.
+/// block, which has no size, is none. In a group, links that drivers tie together count as one of
+/// them: the joint joins that one, and the feature may be that of a link that it carries.
 struct ElementaryJoint {
   std::string name;
   JointIndex joint;  ///< of the mechanism
   bool prismatic;
   LinkIndex first, second;  ///< the displacement runs from first to second
   FeatureIndex on_first, on_second;
+  LinkIndex holder_first = first, holder_second = second;  ///< the links that have the features
 
   [[nodiscard]] bool joins(LinkIndex one, LinkIndex other) const {
     return (first == one && second == other) || (first == other && second == one);
@@ -24,6 +26,9 @@ struct ElementaryJoint {
   [[nodiscard]] LinkIndex other(LinkIndex link) const { return first == link ? second : first; }
   [[nodiscard]] FeatureIndex on(LinkIndex link) const {
     return link == first ? on_first : on_second;
+  }
+  [[nodiscard]] LinkIndex holder(LinkIndex link) const {
+    return link == first ? holder_first : holder_second;
   }
 };
 using ElementaryJointIndex = Index<ElementaryJoint>;
@@ -48,11 +53,20 @@ struct Linkage {
 
 [[nodiscard]] Linkage linkage_of(const Mechanism& mechanism);
 
-/// A link that a driver moves against one that is placed before.
+/// A link that a driver moves against another one, which is placed before it.
 struct DrivenLink {
   DriverIndex driver;
   ElementaryJointIndex joint;
   LinkIndex from, to;
+  std::size_t groups_before = 0;  ///< how many groups are placed before; none where it is the
+                                  ///< ground that carries it
+};
+
+/// A driver whose law reads where links are.
+struct ReadingDriver {
+  DriverIndex driver;
+  std::size_t groups_before;      ///< how many groups are placed before the law can be evaluated
+  std::vector<LinkIndex> reads;   ///< the links at the joints that it reads
 };
 
 /// Which links and joints of a linkage play those of a group, by their indices in the group.
@@ -65,7 +79,8 @@ struct RoleAssignment {
 struct FoundGroup {
   const GroupModel* model;
   std::string kind;              ///< spelled by the mechanism's order of links and joints
-  std::vector<LinkIndex> links;  ///< in the order of the mechanism
+  /// In the order of the mechanism; with those that drivers move against a link of the group.
+  std::vector<LinkIndex> links;
   /// Assignments under which the kind is the model's representative, in a fixed order.
   std::vector<RoleAssignment> assignments;
 };
@@ -88,15 +103,27 @@ struct NamedParts {
 /// The order in which the links of a mechanism are placed.
 struct Structure {
   Linkage linkage;  ///< with every pin of several links as joints of two
-  std::vector<DrivenLink> driven;
+  std::vector<DrivenLink> driven;  ///< in the order in which they are placed
   Table<GroupIndex, FoundGroup> groups;
+  std::vector<DriverIndex> laws;       ///< of all drivers, each behind those that its law reads
+  std::vector<ReadingDriver> reading;  ///< in the same order
 
   [[nodiscard]] std::vector<std::string> names_of(const std::vector<LinkIndex>& links) const;
   /// Links and slides in the order of their names.
   [[nodiscard]] NamedParts named_parts(const Mechanism& mechanism) const;
-  /// For each link whether it is the ground or driven: no group places it.
+  /// For each link whether it is the ground or carried by it: no group places it.
   [[nodiscard]] Table<LinkIndex, bool> placed_by_drivers() const;
+  /// The groups that hold a group, directly or by a link that waits for them: each once.
+  [[nodiscard]] std::vector<GroupIndex> holders_of(GroupIndex group) const;
+  /// Whether laws of drivers change the shapes of groups' links, or read other joints.
+  [[nodiscard]] bool moves_by_laws(const Mechanism& mechanism) const;
+  /// The driven link that is this one; null if no driver moves it.
+  [[nodiscard]] const DrivenLink* driven_link(LinkIndex link) const;
 };
+
+/// The joints that the law of a driver names, and those that the laws of these name.
+[[nodiscard]] std::vector<JointIndex> joints_in_laws(const Mechanism& mechanism,
+                                                     DriverIndex driver);
 
 /// Throws MechanismError for a mechanism that is over- or under-constrained, that has no ground, or
 /// that holds a group that is not known.

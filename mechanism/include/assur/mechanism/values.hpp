@@ -6,6 +6,7 @@
 #include <assur/mechanism/frame.hpp>
 #include <assur/mechanism/group_geometry.hpp>
 #include <assur/support/displaced_frame.hpp>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -21,6 +22,14 @@ struct Spread {
   Eigen::VectorXd tolerances;  ///< half-widths of all parameters; zero where one has none
   /// Of all parameters, zero for those that the request does not name; empty without a covariance.
   Eigen::MatrixXd covariance;
+};
+
+/// The coordinate of a joint, the angle theta_second - theta_first or the displacement, and its rates
+/// in time.
+struct JointMotion {
+  Dual position;
+  double velocity = 0;
+  double acceleration = 0;
 };
 
 /// The numbers of a mechanism at one set of parameter values. A parameter may be a formula in
@@ -46,10 +55,17 @@ class Values {
   /// A number of a joint's or an output's feature, of a driver or a tolerance, with its
   /// derivatives.
   [[nodiscard]] const Dual& number(NumberIndex number) const { return numbers_[number]; }
+  /// What a driver's law says. A law that reads where links are has no value until they are placed.
+  [[nodiscard]] const JointMotion& motion(DriverIndex driver) const { return motions_[driver]; }
+  /// Evaluates a law that reads where links are, and what depends on it, with the coordinates of the
+  /// joints without drivers. Throws as the constructor does.
+  void settle(DriverIndex driver, const std::function<JointMotion(JointIndex)>& coordinate_of);
   /// The value of any number, evaluated here and now. Throws MechanismError where it is not finite.
   [[nodiscard]] double value_of(NumberIndex number) const;
   /// A feature in its link's frame; that of a block, which is none, has no extent.
   [[nodiscard]] LinkFeature<Dual> feature(FeatureIndex feature, bool is_line) const;
+  /// A joint's feature in the frame of a link that has it, or that carries the link that has it.
+  [[nodiscard]] LinkFeature<Dual> feature(const ElementaryJoint& at, LinkIndex link) const;
   /// The frame of a feature on its link: a line along its x-axis, a point on the link's axes.
   [[nodiscard]] const Frame& frame(FeatureIndex feature) const {
     return feature.exists() ? frames_[feature] : block_;
@@ -61,6 +77,8 @@ class Values {
   [[nodiscard]] support::Displacement rounding(FeatureIndex feature) const {
     return feature.exists() ? roundings_[feature] : support::Displacement();
   }
+  /// Likewise of a joint's feature, on a link that has it or carries it.
+  [[nodiscard]] support::Displacement rounding(const ElementaryJoint& at, LinkIndex link) const;
   [[nodiscard]] const GroupGeometry<Dual>& group(GroupIndex group) const { return groups_[group]; }
   [[nodiscard]] SlideMeasure<Dual> slide_measure(GroupIndex group, int model_joint) const;
 
@@ -77,16 +95,31 @@ class Values {
 
  private:
   void expect_finite(ParameterIndex parameter, double value) const;
+  void expect_limits() const;
   void evaluate();
   void evaluate_dependents(ParameterIndex parameter);
   void evaluate_parameter(ParameterIndex parameter);
   void evaluate_number(NumberIndex number);
   void evaluate_feature(FeatureIndex feature);
+  void evaluate_parameter_in_time(ParameterIndex parameter);
+  void evaluate_driver(DriverIndex driver,
+                       const std::function<JointMotion(JointIndex)>& coordinate_of);
   void evaluate_driven_frames();
   void evaluate_group(GroupIndex group);
   void evaluate_requests();
-  [[nodiscard]] Dual evaluated(NumberIndex number) const;
+  [[nodiscard]] Dual evaluated(
+      NumberIndex number,
+      const std::function<JointMotion(JointIndex)>& coordinate_of = nullptr) const;
   [[nodiscard]] double rounding(NumberIndex number) const;
+  // As functions of time. What does not move is a constant.
+  [[nodiscard]] bool moves(NumberIndex number) const;
+  [[nodiscard]] bool moves(FeatureIndex feature) const;
+  [[nodiscard]] bool moves(const FoundGroup& group) const;
+  [[nodiscard]] Dual in_time(NumberIndex number,
+                             const std::function<JointMotion(JointIndex)>& coordinate_of) const;
+  [[nodiscard]] LinkFeature<Dual> in_time(FeatureIndex feature, bool is_line) const;
+  [[nodiscard]] LinkFeature<Dual> in_time(const ElementaryJoint& at, LinkIndex link) const;
+  [[nodiscard]] GroupGeometry<Dual> in_time(const FoundGroup& group) const;
   /// A parameter's value, or its deviation from its formula, with its own derivative one.
   [[nodiscard]] Dual independent(ParameterIndex parameter, double value) const;
 
@@ -97,6 +130,9 @@ class Values {
   Table<ParameterIndex, Dual> parameters_;
   Table<ParameterIndex, double> parameter_roundings_;
   Table<NumberIndex, Dual> numbers_;
+  Table<DriverIndex, JointMotion> motions_;
+  /// As functions of time, where they have rates: one derivative, and one second derivative.
+  Table<ParameterIndex, Dual> parameters_in_time_;
   Table<FeatureIndex, LinkFeature<Dual>> features_;
   Table<FeatureIndex, Frame> frames_;
   Table<FeatureIndex, support::Displacement> roundings_;

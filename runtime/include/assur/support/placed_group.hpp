@@ -19,8 +19,7 @@ struct Slide {
 };
 
 /// Where placed links hold the external joints of a specialised group, and how these move; and the
-/// group's dimensions that the solver's parameters change, which do not move. Lengths in the
-/// group's unit.
+/// group's dimensions that the solver's parameters or drivers change. Lengths in the group's unit.
 template <typename Group, int Order, int Parameters>
 struct HeldJoints {
   typename Group::template Inputs<double> u;
@@ -49,19 +48,23 @@ struct HeldJoints {
     gradient.row(First + 2) = frame.gradient.row(2);
   }
   using ParameterRow = Matrix<double, 1, Parameters>;
-  /// A length of the group that the solver's parameters change, whose input stands at `Place`.
+  using RateRow = Matrix<double, 1, Order>;
+  /// A length of the group that the solver's parameters or drivers change, whose input stands at
+  /// `Place`.
   template <int Place>
-  void hold_length(double length, const ParameterRow& of_parameters = ParameterRow::Zero()) {
+  void hold_length(double length, const ParameterRow& of_parameters = ParameterRow::Zero(),
+                   const RateRow& in_time = RateRow::Zero()) {
     std::get<Place>(u.members()) = length / Group::unit;
-    rates.row(Place).setZero();
+    rates.row(Place) = in_time / Group::unit;
     gradient.row(Place) = of_parameters / Group::unit;
   }
   /// An angle, likewise.
   template <int Place>
   void hold_angle(const Direction<double>& angle,
-                  const ParameterRow& of_parameters = ParameterRow::Zero()) {
+                  const ParameterRow& of_parameters = ParameterRow::Zero(),
+                  const RateRow& in_time = RateRow::Zero()) {
     std::get<Place>(u.members()) = angle;
-    rates.row(Place).setZero();
+    rates.row(Place) = in_time;
     gradient.row(Place) = of_parameters;
   }
 };

@@ -84,6 +84,42 @@ template <typename Scalar, int Order, int Parameters>
   return result;
 }
 
+/// The coordinate of a joint between two frames: an angle in (-pi, pi] or a displacement.
+template <int Order, int Parameters>
+struct Coordinate {
+  double position = 0;
+  Matrix<double, 1, Order> rates = Matrix<double, 1, Order>::Zero();
+  Matrix<double, 1, Parameters> gradient = Matrix<double, 1, Parameters>::Zero();
+};
+
+/// The angle from one frame to another, theta_other - theta_one.
+template <int Order, int Parameters>
+[[nodiscard]] Coordinate<Order, Parameters> angle_between(
+    const Frame<double, Order, Parameters>& one, const Frame<double, Order, Parameters>& other) {
+  return {angle_of(turned(other.pose.direction, reversed(one.pose.direction))),
+          other.rates.row(2) - one.rates.row(2), other.gradient.row(2) - one.gradient.row(2)};
+}
+
+/// How far along the x-axis of one frame, on which it lies, the origin of another is: with r from
+/// one to the other and c along the axis, s = c.r, s' = c.r', s'' = c.r'' + omega^2 s.
+template <int Order, int Parameters>
+[[nodiscard]] Coordinate<Order, Parameters> displacement_along(
+    const Frame<double, Order, Parameters>& one, const Frame<double, Order, Parameters>& other) {
+  const Vector<double, 2> axis(one.pose.direction.cos, one.pose.direction.sin);
+  Coordinate<Order, Parameters> result;
+  result.position =
+      axis(0) * (other.pose.x - one.pose.x) + axis(1) * (other.pose.y - one.pose.y);
+  const auto along = [&](const auto& two, const auto& from) {
+    return (axis.transpose() * (two.template topRows<2>() - from.template topRows<2>())).eval();
+  };
+  result.rates = along(other.rates, one.rates);
+  result.gradient = along(other.gradient, one.gradient);
+  if constexpr (Order > 1) {
+    result.rates(1) += one.rates(2, 0) * one.rates(2, 0) * result.position;
+  }
+  return result;
+}
+
 /// The frame on the far side of a revolute joint, in that on the near side, for the joint's angle,
 /// its rates and its derivatives to the parameters.
 template <typename Scalar, int Order, int Parameters>
