@@ -6,7 +6,7 @@ namespace assur::generator::audit {
 
 namespace {
 
-const std::string negated = "both sides negated";
+const std::string turned_round = "both sides turned_round";
 
 /// `a`, or `a - b` for `a = b`.
 GiNaC::ex read_equation(closures::ClosureSystem& system, const closures::PlacedText& text) {
@@ -43,7 +43,7 @@ Finding audit_closure(closures::ClosurePoints& points, const std::string& name,
                   ""};
   if (finding.comparison.verdict == Verdict::differs_by_sign) {
     finding.comparison = compare(points, read, -derived, false);
-    finding.note = negated;
+    finding.note = turned_round;
   }
   if (!finding.agrees() && !points.system().follows_closures(read)) {
     finding.note = "printed less derived: " + closures::formula_text((read - derived).expand());
@@ -65,7 +65,7 @@ DerivedEntry derived_entry(closures::ClosureSystem& system, const PrintedMatrix&
                                    : system.partial(*closure, by.symbol)};
 }
 
-bool is_turned(const Finding& closure) { return closure.agrees() && closure.note == negated; }
+bool is_turned(const Finding& closure) { return closure.agrees() && closure.note == turned_round; }
 
 std::vector<Finding> audit_matrix(closures::ClosurePoints& points, const PrintedMatrix& matrix) {
   std::vector<Finding> findings;

@@ -4,6 +4,7 @@
 #include <assur/text/input_file.hpp>
 
 #include "audit/latex/paper_map.hpp"
+#include "audit/source_lines.hpp"
 #include "latex/macros.hpp"
 #include "latex/rows.hpp"
 
