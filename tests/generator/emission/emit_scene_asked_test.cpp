@@ -275,6 +275,9 @@ void expect_everything_is_called(const std::vector<Emitted>& all, std::size_t mo
     for (const EmittedStruct& part : structs_of(solver->code)) {
       const std::multiset<std::string> declared = functions_of(part.code);
       for (const std::string& function : std::set<std::string>(declared.begin(), declared.end())) {
+        if (function == "Configuration::members const") {
+          continue;  // its type tells the runtime what a configuration holds; not all are read so
+        }
         EXPECT_GE(compiled.count(part.name + "::" + function), declared.count(function))
             << part.name << "::" << function << "\n"
             << solver->text.substr(0, 300);
