@@ -39,6 +39,13 @@ void Formula::append(const text::Expression& expression, const Names& names) {
   steps_.push_back({kind, expression.operation, 0, {}, {}});
 }
 
+Formula Formula::difference(const Formula& one, const Formula& other) {
+  Formula result = one;
+  result.steps_.insert(result.steps_.end(), other.steps_.begin(), other.steps_.end());
+  result.steps_.push_back({Step::Kind::binary, text::Operation::subtract, 0, {}, {}});
+  return result;
+}
+
 std::vector<ParameterIndex> Formula::parameters() const {
   std::vector<ParameterIndex> found;
   for (const Step& step : steps_) {

@@ -309,6 +309,58 @@ OutputIndex Mechanism::add_output(const std::string& name, const std::string& po
   return outputs_.add({name, feature});
 }
 
+Mechanism Mechanism::without(JointIndex joint, FeatureIndex feature) const {
+  Mechanism part = *this;
+  std::vector<FeatureIndex>& between = part.joints_[joint].between;
+  std::erase(between, feature);
+  if (between.size() > 1) {
+    return part;
+  }
+  Table<JointIndex, JointIndex> joint_of(joints_.size());
+  part.joints_ = {};
+  for (const JointIndex index : joints_.keys()) {
+    if (index != joint) {
+      joint_of[index] = part.joints_.add(joints_[index]);
+    }
+  }
+  part.drivers_ = {};
+  for (Driver driver : drivers_) {
+    driver.joint = joint_of[driver.joint];
+    if (driver.joint.exists()) {
+      Formula& law = part.numbers_[driver.position].formula;
+      law = law.renumbered(joint_of);
+      part.drivers_.add(driver);
+    }
+  }
+  return part;
+}
+
+Mechanism Mechanism::with_slot(JointIndex pin, FeatureIndex feature,
+                               FeatureIndex along_from) const {
+  Mechanism part = *this;
+  Feature slot = features_[feature];
+  slot.is_line = true;
+  slot.name = joints_[pin].name + " as a slot";
+  const auto along = [&](NumberIndex to, NumberIndex from) {
+    return part.numbers_.add({Formula::difference(numbers_[to].formula, numbers_[from].formula),
+                              numbers_[to].part});
+  };
+  slot.along_x = along(slot.x, features_[along_from].x);
+  slot.along_y = along(slot.y, features_[along_from].y);
+  const FeatureIndex line = part.add_feature(std::move(slot));
+  const std::vector<FeatureIndex>& between = joints_[pin].between;
+  const FeatureIndex other = between[0] == feature ? between[1] : between[0];
+  Joint relaxed{joints_[pin].name, JointType::pin_in_slot, {other, line}, {}, {}};
+  if (between.size() == 2) {
+    part.joints_[pin] = std::move(relaxed);
+  } else {
+    std::erase(part.joints_[pin].between, feature);
+    relaxed.name += " of " + links_[features_[feature].link].name;
+    part.joints_.add(std::move(relaxed));
+  }
+  return part;
+}
+
 Mechanism Mechanism::only(const Table<LinkIndex, bool>& kept) const {
   Mechanism part = *this;
   part.features_ = {};

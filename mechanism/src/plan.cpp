@@ -8,6 +8,7 @@
 #include "plan/plan_data.hpp"
 #include "plan/reported_part.hpp"
 #include "solve/limits.hpp"
+#include "solve/redundant_joints.hpp"
 #include "solve/solver.hpp"
 
 namespace assur::mechanism {
@@ -98,13 +99,33 @@ std::shared_ptr<const PlanData> planned_whole(const Mechanism& mechanism, const 
                                               Structure structure) {
   plan::EvaluationOrder order = plan::evaluation_order(mechanism, request);
   NamedParts parts = structure.named_parts(mechanism);
-  return std::make_shared<const PlanData>(
-      PlanData{mechanism, request, std::move(structure), std::move(order), std::move(parts)});
+  return std::make_shared<const PlanData>(PlanData{
+      mechanism, request, std::move(structure), std::move(order), std::move(parts), {}, {}});
+}
+
+/// Of a mechanism with constraints that hold where the others do, if they do.
+std::shared_ptr<const PlanData> planned_with_redundancy(const Mechanism& mechanism,
+                                                        const Request& request,
+                                                        const OverConstrained& excess) {
+  std::optional<plan::BalancedMechanism> part = plan::balanced(mechanism, excess);
+  if (!part) {
+    throw OverConstrained(excess);
+  }
+  PlanData data = *planned_whole(part->mechanism, request, std::move(part->structure));
+  data.redundant = std::move(part->redundant);
+  data.excess = excess;
+  return std::make_shared<const PlanData>(std::move(data));
 }
 
 std::shared_ptr<const PlanData> planned(const Mechanism& mechanism, const Request& request) {
   expect_usable(mechanism, request);
-  Structure structure = structure_of(mechanism);
+  std::optional<Structure> found;
+  try {
+    found = structure_of(mechanism);
+  } catch (const OverConstrained& excess) {
+    return planned_with_redundancy(mechanism, request, excess);
+  }
+  Structure& structure = *found;
   if (request.reported.everything()) {
     return planned_whole(mechanism, request, std::move(structure));
   }
@@ -170,7 +191,16 @@ Solution Plan::solve(const Values& values) const {
 void Plan::solve(const Values& values, Solution& result) const {
   expect_usable(values);
   solve::MechanismSolver(values).solve(false, result);
+  solve::leave_out_inconsistent(*data_, result);
   solve::leave_out_beyond_limits(result);
+}
+
+std::vector<std::string> Plan::redundant() const {
+  std::vector<std::string> names;
+  for (const RedundantJoint& joint : data_->redundant) {
+    names.push_back(joint.name);
+  }
+  return names;
 }
 
 std::optional<Nearest> Plan::nearest(const Values& values, const Solution& solution) const {
@@ -204,6 +234,7 @@ std::string Plan::obstacle(const Values& values) const {
   expect_usable(values);
   Solution result;
   solve::MechanismSolver(values).solve(true, result);
+  solve::leave_out_inconsistent(*data_, result);
   solve::leave_out_beyond_limits(result);
   return result.reason;
 }

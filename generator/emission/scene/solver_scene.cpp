@@ -144,6 +144,12 @@ mechanism::Table<mechanism::LinkIndex, FrameNeed> needs_of_links(const SolverSce
 /// Throws MechanismError for what solvers do not model.
 mechanism::Plan expect_modelled(mechanism::Plan plan) {
   const mechanism::Mechanism& mechanism = plan.mechanism();
+  if (!plan.redundant().empty()) {
+    throw mechanism::MechanismError(
+        "joints." + plan.redundant().front(),
+        "the joint has constraints that are too many, which a solver does not check; take them "
+        "away: where the others hold, this one does");
+  }
   for (const mechanism::ReadingDriver& reading : plan.structure().reading) {
     const mechanism::NumberIndex law = mechanism.drivers()[reading.driver].position;
     const auto is_driver = [&](const mechanism::DrivenLink& link) {

@@ -20,7 +20,7 @@ class SceneReader {
     expect_object(root_, "");
     expect_keys(root_, "",
                 {"name", "parameters", "links", "joints", "drivers", "outputs", "want", "report",
-                 "reference", "sweep", "covariance"});
+                 "reference", "redundancy", "sweep", "covariance"});
     if (root_.contains("name")) {
       mechanism_.set_name(text_of(root_["name"], "name"));
     }
@@ -33,6 +33,7 @@ class SceneReader {
     read_want();
     read_report();
     read_reference();
+    read_redundancy();
     read_sweep();
     read_covariance();
   }
@@ -232,6 +233,18 @@ class SceneReader {
       }
       request_.reference.push_back({link, mechanism_.add_number(number_of(angle, part), part)});
     }
+  }
+
+  void read_redundancy() {
+    if (!root_.contains("redundancy")) {
+      return;
+    }
+    const SceneJson& value = root_["redundancy"];
+    expect_object(value, "redundancy");
+    expect_keys(value, "redundancy", {"tolerance"});
+    const std::string part = "redundancy.tolerance";
+    request_.redundancy_tolerance = mechanism_.add_number(
+        number_of(required(value, "tolerance", "redundancy"), part), part);
   }
 
   template <typename Key, typename Part>

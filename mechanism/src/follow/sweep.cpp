@@ -243,13 +243,15 @@ class Sweeper {
   void report_row(int step, const Snapshot& set, PointIndex point, int branch,
                   const Configuration& state) {
     const int number = shown(branch);
-    if (!state.within_limits) {
+    const auto is_told = [](const Configuration& one) {
+      return one.is_consistent && one.within_limits;
+    };
+    if (!is_told(state)) {
       return;
     }
     const auto first = set.solution.configurations.begin();
     const auto within =
-        std::count_if(first, first + static_cast<std::ptrdiff_t>(point.place()) + 1,
-                      [](const Configuration& one) { return one.within_limits; });
+        std::count_if(first, first + static_cast<std::ptrdiff_t>(point.place()) + 1, is_told);
     observer_.record({step, static_cast<int>(within), number, "", set.parameter, &set.spread,
                       &state});
   }
@@ -364,6 +366,11 @@ void sweep(const Plan& plan, const Values& values, const SweepObserver& observer
   }
   if (!complete.progress) {
     complete.progress = [](int) {};
+  }
+  if (!plan.redundant().empty()) {  // throws where they do not hold as the sweep begins
+    Values first = values;
+    first.set(plan.request().sweep->parameter, values.value_of(plan.request().sweep->from));
+    (void)plan.solve(first);
   }
   follow::Sweeper(plan, values, complete).run();
 }

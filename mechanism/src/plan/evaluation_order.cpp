@@ -95,6 +95,7 @@ class OrderFinder {
     for (const ReferenceAngle& angle : request_.reference) {
       add({angle.theta});
     }
+    add({request_.redundancy_tolerance});
     for (const Parameter& parameter : mechanism_.parameters()) {
       add({parameter.tolerance, parameter.velocity, parameter.acceleration});
     }

@@ -6,6 +6,7 @@
 #include <assur/mechanism/structure.hpp>
 
 #include "plan/evaluation_order.hpp"
+#include "plan/redundancy.hpp"
 
 namespace assur::mechanism {
 
@@ -16,6 +17,9 @@ struct PlanData {
   Structure structure;
   plan::EvaluationOrder evaluation;
   NamedParts named_parts;
+  /// What holds beside the structure, and what to say where it does not.
+  std::vector<RedundantJoint> redundant;
+  std::optional<OverConstrained> excess;
 };
 
 }  // namespace assur::mechanism

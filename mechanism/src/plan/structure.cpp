@@ -261,7 +261,8 @@ class PlacementPlanner {
                              ": the links " + text::listed(under.links) +
                              " keep a freedom; drive one of their joints, or add a joint";
     if (over.surplus > 0) {
-      throw MechanismError("joints", excess + (under.surplus > 0 ? "; elsewhere " + lack : ""));
+      throw OverConstrained("joints", excess + (under.surplus > 0 ? "; elsewhere " + lack : ""),
+                            over.surplus, over.joints);
     }
     if (under.surplus > 0) {
       throw MechanismError("links", lack);

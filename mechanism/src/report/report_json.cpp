@@ -169,6 +169,9 @@ std::string report_json(const Report& report) {
   if (!reason.empty()) {
     root["reason"] = reason;
   }
+  if (!report.plan.redundant().empty()) {
+    root["redundant"] = report.plan.redundant();
+  }
   root["groups"] = report::groups_json(report.plan.structure());
   if (std::ranges::any_of(report.plan.mechanism().joints(),
                           [](const Joint& joint) { return joint.lowest.exists(); })) {

@@ -158,6 +158,9 @@ std::string report_text(const Report& report) {
     }
     text += "\n";
   }
+  for (const std::string& joint : report.plan.redundant()) {
+    text += "redundant: the joint " + joint + " holds wherever the other joints do\n";
+  }
   for (const Family& family : solution.families) {
     text += "family of group " + std::to_string(family.group.place() + 1) + ", mobility " +
             std::to_string(family.mobility) + ": " + family.reason + "\n";

@@ -12,6 +12,7 @@
 #include "configuration_order.hpp"
 #include "group_solver.hpp"
 #include "limits.hpp"
+#include "redundant_joints.hpp"
 #include "plan/plan_data.hpp"
 
 namespace assur::mechanism::solve {
@@ -407,6 +408,7 @@ class ConfigurationWalk {
     result.rates_known = placed_.rates_known;
     result.path_known = placed_.derivatives_known;
     result.residual = placed_.residual;
+    result.is_consistent = holds_redundantly(values_, result);
     result.within_limits = keeps_limits(values_, result);
     result.branches.clear();
     result.determinants = placed_.determinants;

@@ -129,12 +129,21 @@ class ReadingList {
   std::vector<Reading> readings_;
 };
 
-/// The scene with every driver moved on by a step.
+/// Whether a driver's law reads no other joint: then its position is an argument of the solver.
+inline bool is_argument(const nlohmann::ordered_json& driver) {
+  const nlohmann::ordered_json& position = driver["position"];
+  return !position.is_string() || position.get<std::string>().find("joint(") == std::string::npos;
+}
+
+/// The scene with every driver that is an argument moved on by a step.
 inline nlohmann::ordered_json stepped(nlohmann::ordered_json scene, double step) {
   if (!scene.contains("drivers")) {
     return scene;
   }
   for (auto& [name, driver] : scene["drivers"].items()) {
+    if (!is_argument(driver)) {
+      continue;
+    }
     const nlohmann::ordered_json position = driver["position"];
     const std::string text = position.is_string() ? position.get<std::string>() : position.dump();
     std::ostringstream moved;

@@ -80,7 +80,9 @@ inline std::string printing_function(const EmittedScene& scene, const SolveReadi
   for (const double step : driver_steps) {
     code << "  {\n    S::Drivers<double> drivers;\n";
     for (const auto& [joint, driver] : drivers.items()) {
-      code << "    drivers." << scene.member(joint) << ".position += " << step << ";\n";
+      if (is_argument(driver)) {
+        code << "    drivers." << scene.member(joint) << ".position += " << step << ";\n";
+      }
     }
     if (!parameters.empty()) {
       code << "    S::Parameters<double> parameters;\n";

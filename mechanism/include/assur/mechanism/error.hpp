@@ -3,6 +3,8 @@
 
 #include <assur/text/error.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace assur::mechanism {
 
@@ -23,6 +25,17 @@ class MechanismError : public InputError {
     }
     return text;
   }
+};
+
+/// There are more constraints than the links have freedoms.
+class OverConstrained : public MechanismError {
+ public:
+  OverConstrained(const std::string& part, const std::string& what, int by,
+                  std::vector<std::string> at)
+      : MechanismError(part, what), surplus(by), joints(std::move(at)) {}
+
+  int surplus;                      ///< constraints that are too many
+  std::vector<std::string> joints;  ///< among which they are
 };
 
 }  // namespace assur::mechanism

@@ -33,6 +33,8 @@ class Formula {
   /// What an expression says, its names resolved.
   Formula(const text::Expression& expression, const Names& names);
 
+  [[nodiscard]] static Formula difference(const Formula& one, const Formula& other);
+
   /// The parameters that occur in it, each once.
   [[nodiscard]] std::vector<ParameterIndex> parameters() const;
   /// The joints that occur in it, each once.

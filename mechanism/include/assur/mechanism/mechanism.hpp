@@ -151,6 +151,13 @@ class Mechanism {
   /// and numbers stay as they are.
   [[nodiscard]] Mechanism only(const Table<LinkIndex, bool>& kept) const;
 
+  /// The mechanism without what a joint says of one of its links, by a feature of that link.
+  [[nodiscard]] Mechanism without(JointIndex joint, FeatureIndex feature) const;
+  /// The mechanism with a slot on one of the links of a revolute joint, along the line from another
+  /// of the link's points: the joint holds by one constraint less.
+  [[nodiscard]] Mechanism with_slot(JointIndex pin, FeatureIndex feature,
+                                    FeatureIndex along_from) const;
+
   /// The parameter with a name; `part` is what a message says of the place that names it.
   [[nodiscard]] ParameterIndex parameter_named(const std::string& name,
                                                const std::string& part = "") const;

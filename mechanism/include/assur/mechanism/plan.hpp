@@ -23,7 +23,8 @@ struct Scene;
 class Plan {
  public:
   /// Throws MechanismError for a mechanism that is over- or under-constrained, that has no ground,
-  /// that holds a group that is not known, or whose parameters depend on themselves.
+  /// that holds a group that is not known, or whose parameters depend on themselves. Constraints
+  /// that are too many are left out if that leaves known groups; `solve` tells whether they hold.
   explicit Plan(const Mechanism& mechanism, const Request& request = {});
   /// Throws InputError, with the scene's file before what a MechanismError says.
   explicit Plan(const Scene& scene);
@@ -34,7 +35,8 @@ class Plan {
 
   /// The driven links, then the groups one after the other; every combination of their
   /// configurations is one of the mechanism. Throws MechanismError where the lengths differ by more
-  /// powers of ten than double precision holds.
+  /// powers of ten than double precision holds, and where constraints that are too many hold in no
+  /// configuration.
   [[nodiscard]] Solution solve(const Values& values) const;
   /// The same in the memory of an earlier solution, which saves most allocations. What `result`
   /// holds after an error is not specified.
@@ -47,6 +49,8 @@ class Plan {
   /// moves freely. Takes longer than to solve. Empty where there are configurations.
   [[nodiscard]] std::string obstacle(const Values& values) const;
 
+  /// The joints that hold where the others do: they have constraints that are left out.
+  [[nodiscard]] std::vector<std::string> redundant() const;
   /// Whether a number depends on a parameter that has rates in time.
   [[nodiscard]] bool has_rates(NumberIndex number) const;
   /// Throws MechanismError for values of another plan, or that were left by a refused

@@ -58,6 +58,8 @@ struct Request {
   Reported reported;
   std::optional<Sweep> sweep;
   std::optional<Covariance> covariance;
+  /// How far constraints that a mechanism has too many may miss, a length; none: by rounding alone.
+  NumberIndex redundancy_tolerance;
   std::vector<ReferenceAngle> reference;  ///< by which one configuration is told from the others
   /// What stays an argument of an emitted solver; the other parameters become numbers there.
   std::vector<ParameterIndex> variable;

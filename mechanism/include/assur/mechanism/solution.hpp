@@ -44,6 +44,8 @@ struct Configuration {
   /// rates that are known.
   std::vector<Configuration> branches;
   double residual = 0;  ///< largest of the closures
+  /// Whether constraints that are too many hold, and go on to as the mechanism moves.
+  bool is_consistent = true;
   /// Whether every joint keeps its limits. Solving leaves out what does not; a sweep, which follows
   /// branches beyond the limits and back, tells no rows there.
   bool within_limits = true;

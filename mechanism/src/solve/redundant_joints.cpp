@@ -1,0 +1,86 @@
+#include "redundant_joints.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plan/plan_data.hpp"
+
+namespace assur::mechanism::solve {
+
+namespace {
+
+/// Of the mechanism's size: what rounding may leave of a configuration that is regular, or is not.
+constexpr double rounding = 1e-11;
+constexpr double rounding_where_singular = 1e-6;
+
+/// Two features in the ground's frame, and the largest length that went into them.
+struct Pair {
+  Frame one, other;
+  bool are_lines;
+  double size;
+};
+
+Pair placed(const Values& values, const Configuration& configuration,
+            const RedundantJoint& joint) {
+  const Mechanism& mechanism = values.plan().mechanism;
+  const auto frame = [&](FeatureIndex feature) {
+    return composed(configuration.links[mechanism.features()[feature].link],
+                    values.frame(feature));
+  };
+  Pair pair{frame(joint.one), frame(joint.other), mechanism.features()[joint.one].is_line, 0};
+  for (const FeatureIndex feature : {joint.one, joint.other}) {
+    const Frame& link = configuration.links[mechanism.features()[feature].link];
+    const Pose<double>& local = values.frame(feature).pose;
+    pair.size = std::max({pair.size, std::abs(link.pose.x), std::abs(link.pose.y),
+                          std::abs(local.x), std::abs(local.y)});
+  }
+  return pair;
+}
+
+bool holds(const Values& values, const Configuration& configuration, const RedundantJoint& joint) {
+  const Pair pair = placed(values, configuration, joint);
+  const Pose<double>& one = pair.one.pose;
+  const Pose<double>& other = pair.other.pose;
+  const double relative =
+      configuration.regularity == Status::ok ? rounding : rounding_where_singular;
+  const NumberIndex given = values.plan().request.redundancy_tolerance;
+  const double tolerance =
+      std::max(relative * pair.size, given.exists() ? values.number(given).value() : 0);
+  const Eigen::Vector2d arm(other.x - one.x, other.y - one.y);
+  const Eigen::Vector2d rate = pair.other.velocity.head<2>() - pair.one.velocity.head<2>();
+  const double speed =
+      std::max(pair.one.velocity.head<2>().norm(), pair.other.velocity.head<2>().norm());
+  const bool has_rates = configuration.rates_known && rate.allFinite() && !given.exists();
+  if (pair.are_lines) {
+    const Direction<double>& along = one.direction;
+    const double across = along.cos * arm.y() - along.sin * arm.x();
+    const double sine = turned(other.direction, reversed(along)).sin;
+    const double turning = pair.other.velocity(2) - pair.one.velocity(2);
+    const double turns = std::max(std::abs(pair.other.velocity(2)), std::abs(turning));
+    return std::abs(across) <= tolerance && std::abs(sine) * pair.size <= tolerance &&
+           (!has_rates || std::abs(turning) <= 1e-8 * turns || turns == 0);
+  }
+  return arm.norm() <= tolerance && (!has_rates || rate.norm() <= 1e-8 * speed || speed == 0);
+}
+
+}  // namespace
+
+bool holds_redundantly(const Values& values, const Configuration& configuration) {
+  return std::ranges::all_of(values.plan().redundant, [&](const RedundantJoint& joint) {
+    return holds(values, configuration, joint);
+  });
+}
+
+void leave_out_inconsistent(const PlanData& plan, Solution& solution) {
+  if (plan.redundant.empty()) {
+    return;
+  }
+  const auto left_out =
+      std::erase_if(solution.configurations,
+                    [](const Configuration& one) { return !one.is_consistent; });
+  if (left_out > 0 && solution.configurations.empty() && solution.families.empty()) {
+    throw OverConstrained(*plan.excess);
+  }
+}
+
+}  // namespace assur::mechanism::solve
