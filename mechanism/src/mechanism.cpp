@@ -7,6 +7,9 @@ namespace assur::mechanism {
 
 namespace {
 
+/// A chain of a thousand cranks takes two seconds to plan, and the time grows as the cube.
+constexpr std::size_t most_links = 1000;
+
 void expect_new(bool is_known, const std::string& name, const std::string& part) {
   if (is_known) {
     throw MechanismError(part, "the name " + in_quotes(name) + " is taken");
@@ -134,6 +137,9 @@ LinkIndex Mechanism::add_link(const std::string& name) {
     throw MechanismError("links", in_quotes(name) + " is not a name: it is empty or has a dot");
   }
   expect_new(index_of(links_, name).exists(), name, "links");
+  if (links_.size() == most_links) {
+    throw MechanismError("links", "there are more than " + std::to_string(most_links));
+  }
   return links_.add({name, {}});
 }
 

@@ -7,7 +7,7 @@
 
 #include "plan/plan_data.hpp"
 #include "plan/reported_part.hpp"
-#include "solve/limits.hpp"
+#include "solve/reference.hpp"
 #include "solve/solver.hpp"
 
 namespace assur::mechanism {
@@ -42,6 +42,28 @@ void expect_reported(const Mechanism& mechanism, const Reported& reported) {
                                                 "prismatic joints, pins in slots, or links");
     }
   }
+}
+
+/// How many parameters there may be, with derivatives to each, and with second derivatives.
+constexpr std::size_t most_parameters = 20000;
+constexpr std::size_t most_with_sensitivities = 2000;
+constexpr std::size_t most_with_covariance = 200;
+
+void expect_few_parameters(const Mechanism& mechanism, const Request& request) {
+  const std::size_t count = mechanism.parameters().size();
+  const auto expect = [count](bool counts, std::size_t most, const std::string& mend) {
+    if (counts && count > most) {
+      throw MechanismError("parameters", "there are " + std::to_string(count) +
+                                             ", and no more than " + std::to_string(most) +
+                                             " can be used" + mend);
+    }
+  };
+  const bool derives = request.want.sensitivity;
+  expect(true, most_parameters, "");
+  expect(derives, most_with_sensitivities,
+         " where each has sensitivities; leave 'sensitivity' out of 'want'");
+  expect(derives && request.covariance, most_with_covariance,
+         " with a covariance; leave that out, or 'sensitivity' out of 'want'");
 }
 
 /// Throws MechanismError where a request names what the mechanism does not have.
@@ -93,6 +115,12 @@ void expect_usable(const Mechanism& mechanism, const Request& request) {
   }
 }
 
+void expect_reference(const Request& request) {
+  if (request.reference.empty()) {
+    throw MechanismError("reference", "the request has no angles of links to be near to");
+  }
+}
+
 /// Of a mechanism all of which is modelled.
 std::shared_ptr<const PlanData> planned_whole(const Mechanism& mechanism, const Request& request,
                                               Structure structure) {
@@ -104,6 +132,7 @@ std::shared_ptr<const PlanData> planned_whole(const Mechanism& mechanism, const 
 
 std::shared_ptr<const PlanData> planned(const Mechanism& mechanism, const Request& request) {
   expect_usable(mechanism, request);
+  expect_few_parameters(mechanism, request);
   Structure structure = structure_of(mechanism);
   if (request.reported.everything()) {
     return planned_whole(mechanism, request, std::move(structure));
@@ -169,21 +198,25 @@ Solution Plan::solve(const Values& values) const {
 
 void Plan::solve(const Values& values, Solution& result) const {
   expect_usable(values);
-  solve::MechanismSolver(values).solve(false, result);
-  solve::leave_out_beyond_limits(result);
+  solve::MechanismSolver(values).solve({}, result);
+}
+
+double Plan::most_configurations() const { return solve::most_configurations(data_->structure); }
+
+std::optional<Nearest> Plan::solve_nearest(const Values& values, Solution& result) const {
+  expect_usable(values);
+  expect_reference(data_->request);
+  return solve::MechanismSolver(values).solve_nearest(result);
 }
 
 std::optional<Nearest> Plan::nearest(const Values& values, const Solution& solution) const {
   expect_usable(values);
-  if (data_->request.reference.empty()) {
-    throw MechanismError("reference", "the request has no angles of links to be near to");
-  }
+  expect_reference(data_->request);
   const auto distance = [&](const Configuration& configuration) {
     double square = 0;
     for (const ReferenceAngle& angle : data_->request.reference) {
-      const Direction<double> wanted = direction_of(values.number(angle.theta).value());
       const double difference =
-          angle_of(turned(configuration.links[angle.link].pose.direction, reversed(wanted)));
+          solve::difference_from(values, configuration.links[angle.link], angle);
       square += difference * difference;
     }
     return std::sqrt(square);
@@ -203,8 +236,7 @@ std::optional<Nearest> Plan::nearest(const Values& values, const Solution& solut
 std::string Plan::obstacle(const Values& values) const {
   expect_usable(values);
   Solution result;
-  solve::MechanismSolver(values).solve(true, result);
-  solve::leave_out_beyond_limits(result);
+  solve::MechanismSolver(values).solve({.measures_gap = true}, result);
   return result.reason;
 }
 

@@ -61,7 +61,7 @@ class Sweeper {
     }
     for (int step = 0; step < count(); ++step) {
       const SnapshotPointer set = solver_.at_step(value_at(step));
-      observer_.solved(set->solution);
+      observer_.solved(set->parameter, set->solution);
       if (passage_ && passage_->covers(value_at(step), sense())) {
         pass_within(step, *set);
       } else if (set->separable) {
@@ -355,12 +355,16 @@ void sweep(const Plan& plan, const Values& values, const SweepObserver& observer
     throw MechanismError("sweep", "the request has no sweep");
   }
   plan.expect_usable(values);
+  const Sweep& range = *plan.request().sweep;
+  if (!std::isfinite(values.value_of(range.to) - values.value_of(range.from))) {
+    throw MechanismError("sweep", "the range from 'from' to 'to' is not finite");
+  }
   SweepObserver complete = observer;
   if (!complete.record) {
     complete.record = [](const SweepRecord&) {};
   }
   if (!complete.solved) {
-    complete.solved = [](const Solution&) {};
+    complete.solved = [](double, const Solution&) {};
   }
   if (!complete.progress) {
     complete.progress = [](int) {};
