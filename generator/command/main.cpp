@@ -1,16 +1,17 @@
 // The command `assur`: each subcommand is one pass through the pipeline.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <assur/mechanism/scene_file.hpp>
 #include <assur/text/error.hpp>
 #include <assur/text/names.hpp>
 #include <assur/text/suggestion.hpp>
 #include <csignal>
 #include <functional>
 #include <iostream>
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "command/arguments.hpp"
 #include "command/audit.hpp"
 #include "command/catalogue.hpp"
 #include "command/derive.hpp"
@@ -61,13 +62,34 @@ std::vector<std::string> group_names() {
   return names;
 }
 
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  return {[words](const std::string& word) { return complaint_of_word(word, words); },
+          "{" + assur::text::joined(words, ",") + "}"};
+}
+
+/// The long names of a command's options, those of its option groups among them.
+void add_options(const CLI::App& command, std::vector<std::string>& names) {
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      names.push_back("--" + name);
+    }
+  }
+  for (const CLI::App* group : command.get_subcommands(nullptr)) {
+    add_options(*group, names);
+  }
+}
+
 /// What is wrong with a command line, after the subcommand that it belongs to, and where help
 /// stands.
 std::string complaint(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   if (!chosen.empty()) {
     const std::string name = chosen.front()->get_name();
-    return name + ": " + error.what() + " (see assur " + name + " --help)";
+    std::vector<std::string> options;
+    add_options(*chosen.front(), options);
+    const std::string mistyped = complaint_of_options({argv + 1, argv + argc}, options);
+    return name + ": " + (mistyped.empty() ? error.what() : mistyped) + " (see assur " + name +
+           " --help)";
   }
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands(nullptr)) {
@@ -81,6 +103,7 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error, int arg
 }
 
 int run(int argc, char** argv) {
+  const CLI::Validator whole_number(complaint_of_number, "");
   const CLI::Validator not_empty(
       [](const std::string& name) { return name.empty() ? std::string("the name is empty") : ""; },
       "");
@@ -94,7 +117,7 @@ int run(int argc, char** argv) {
   CLI::App* command =
       app.add_subcommand("catalogue", "the kinds and models of each group, derived");
   command->add_option("--format", catalogue.format)
-      ->check(CLI::IsMember({"text", "markdown", "json"}))
+      ->check(one_of({"text", "markdown", "json"}))
       ->capture_default_str();
   command->callback([&] { chosen = [&] { return run_catalogue(catalogue); }; });
 
@@ -107,9 +130,9 @@ int run(int argc, char** argv) {
   command
       ->add_option("--group", derivation.group,
                    "the group of the model (default: tetrad) or of the kind (default: by spelling)")
-      ->check(CLI::IsMember(group_names()));
+      ->check(one_of(group_names()));
   command->add_option("--format", derivation.format)
-      ->check(CLI::IsMember({"text", "latex", "json"}))
+      ->check(one_of({"text", "latex", "json"}))
       ->capture_default_str();
   command->callback([&] { chosen = [&] { return run_derive(derivation); }; });
 
@@ -128,7 +151,7 @@ int run(int argc, char** argv) {
                    "with --scene: parameters X,Y that stay arguments of the solver, or all")
       ->delimiter(',');
   command->add_option("--group", emit.group, "the group that --model means")
-      ->check(CLI::IsMember(group_names()))
+      ->check(one_of(group_names()))
       ->capture_default_str();
   command->add_option("--output", emit.output, "directory to write to")
       ->required()
@@ -143,18 +166,27 @@ int run(int argc, char** argv) {
       ->expected(1)
       ->take_all();
   command->add_option("--format", solve.format)
-      ->check(CLI::IsMember({"text", "json", "csv"}))
+      ->check(one_of({"text", "json", "csv"}))
       ->capture_default_str();
   command
       ->add_option("--branch", solve.branch,
                    "report configuration N alone; of a sweep, the rows of branch N")
       ->type_name("N")
-      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
-  command->add_flag("--nearest", solve.nearest,
-                    "report the configuration nearest to the scene's reference alone; of a sweep, "
-                    "the branch that begins there")
+      ->check(whole_number);
+  command
+      ->add_flag("--nearest", solve.nearest,
+                 "report the configuration nearest to the scene's reference alone; of a sweep, "
+                 "the branch that begins there")
       ->excludes("--branch");
   command->callback([&] { chosen = [&] { return run_solve(solve); }; });
+
+  command = app.add_subcommand("schema", "the JSON Schema of scene files");
+  command->callback([&] {
+    chosen = [] {
+      print(assur::mechanism::scene_schema());
+      return exit_ok;
+    };
+  });
 
   AuditOptions audit;
   command = app.add_subcommand("audit", "what a source prints against what the derivation says");
@@ -163,7 +195,7 @@ int run(int argc, char** argv) {
   command->add_option("--map", audit.map, "what the notation of the papers stands for")
       ->check(not_empty);
   command->add_option("--format", audit.format)
-      ->check(CLI::IsMember({"text", "markdown", "json", "github"}))
+      ->check(one_of({"text", "markdown", "json", "github"}))
       ->capture_default_str();
   command->add_flag("--run", audit.run,
                     "compile and run the programs that 'printed run' names, on this machine");

@@ -1,9 +1,11 @@
 #include "command/solve.hpp"
 
 #include <algorithm>
+#include <array>
 #include <assur/mechanism/report.hpp>
 #include <assur/mechanism/scene_file.hpp>
 #include <assur/text/error.hpp>
+#include <cstdio>
 #include <iostream>
 #include <optional>
 #include <utility>
@@ -25,15 +27,21 @@ void expect_branch(const SolveOptions& options, std::ptrdiff_t count, const std:
 
 bool print_one(const SolveOptions& options, const mechanism::Plan& plan) {
   const mechanism::Values values = plan.values();
-  const mechanism::Solution solution = plan.solve(values);
+  const bool alone = options.nearest && plan.most_configurations() > mechanism::Plan::most_listed;
+  mechanism::Solution solution;
+  std::optional<mechanism::Nearest> nearest;
+  if (alone) {
+    nearest = plan.solve_nearest(values, solution);
+  } else {
+    plan.solve(values, solution);
+    nearest = options.nearest ? plan.nearest(values, solution) : std::nullopt;
+  }
   const bool degenerate = solution.status == mechanism::SolutionStatus::degenerate;
   if (!degenerate) {
     expect_branch(options, std::ssize(solution.configurations), "configuration");
   }
-  const std::optional<mechanism::Nearest> nearest =
-      options.nearest ? plan.nearest(values, solution) : std::nullopt;
   const int branch = nearest ? static_cast<int>(nearest->configuration) + 1 : options.branch;
-  const mechanism::Report report{plan, values, solution, options.scene, branch, nearest};
+  const mechanism::Report report{plan, values, solution, options.scene, branch, nearest, alone};
   if (degenerate && options.format == "csv") {
     std::cerr << "degenerate: " << solution.reason << '\n';
   }
@@ -49,25 +57,127 @@ struct SweptConfiguration {
   std::size_t place;
 };
 
+/// The values of a sweep's parameter, step by step, with all other parameters.
+class SweptValues {
+ public:
+  explicit SweptValues(const mechanism::Plan& plan)
+      : sweep_(*plan.request().sweep),
+        values_(plan.values()),
+        from_(values_.value_of(sweep_.from)),
+        range_(values_.value_of(sweep_.to) - from_) {}
+
+  const mechanism::Values& at(int step) {
+    const int last = sweep_.count - 1;
+    values_.set(sweep_.parameter,
+                last == 0 ? from_ : from_ + range_ * (static_cast<double>(step) / last));
+    return values_;
+  }
+
+ private:
+  const mechanism::Sweep& sweep_;
+  mechanism::Values values_;
+  double from_, range_;
+};
+
 /// The configuration nearest to the reference at the first step that has any.
 std::optional<SweptConfiguration> nearest_in_sweep(const mechanism::Plan& plan) {
-  mechanism::Values values = plan.values();
-  const mechanism::Sweep& sweep = *plan.request().sweep;
-  const double from = values.value_of(sweep.from);
-  const double range = values.value_of(sweep.to) - from;
-  for (int step = 0; step < sweep.count; ++step) {
-    values.set(sweep.parameter, from + (step > 0 ? range * step / (sweep.count - 1) : 0));
-    if (const auto found = plan.nearest(values, plan.solve(values))) {
+  SweptValues values(plan);
+  for (int step = 0; step < plan.request().sweep->count; ++step) {
+    const mechanism::Values& here = values.at(step);
+    if (const auto found = plan.nearest(here, plan.solve(here))) {
       return SweptConfiguration{step, found->configuration};
     }
   }
   return std::nullopt;
 }
 
+std::string short_number(double number) {
+  std::array<char, 32> text{};
+  (void)std::snprintf(text.data(), text.size(), "%.6g", number);
+  return text.data();
+}
+
+/// Tells each stretch of steps without configurations once, at its end: from where to where, and
+/// why.
+class StretchTeller {
+ public:
+  explicit StretchTeller(const mechanism::Plan& plan) : plan_(plan), values_(plan) {}
+
+  /// The next step.
+  void step(double parameter, const mechanism::Solution& solution) {
+    const std::string what = what_is_missing(solution);
+    if (what != what_ || solution.reason != reason_) {
+      finish();
+      what_ = what;
+      reason_ = solution.reason;
+      first_ = step_;
+      from_ = parameter;
+    }
+    to_ = parameter;
+    ++step_;
+  }
+
+  void finish() {
+    if (what_.empty()) {
+      return;
+    }
+    const int count = step_ - first_;
+    const std::string& name = plan_.mechanism().parameters()[plan_.request().sweep->parameter].name;
+    std::cerr << what_
+              << (count == 1 ? " at " + name + " = " + short_number(from_)
+                             : " from " + name + " = " + short_number(from_) + " to " +
+                                   short_number(to_) + " (" + std::to_string(count) + " steps)")
+              << reason_of_stretch(count) << '\n';
+    what_.clear();
+  }
+
+ private:
+  static std::string what_is_missing(const mechanism::Solution& solution) {
+    using mechanism::SolutionStatus;
+    const bool all_beyond =
+        std::ranges::none_of(solution.configurations,
+                             [](const mechanism::Configuration& one) { return one.within_limits; });
+    return solution.status == SolutionStatus::degenerate    ? "degenerate"
+           : solution.status == SolutionStatus::no_assembly ? "no-assembly"
+           : all_beyond                                     ? "beyond the limits of joints"
+                                                            : "";
+  }
+
+  /// By how much the links fail to close is measured half-way.
+  std::string reason_of_stretch(int count) {
+    if (what_ != "no-assembly") {
+      return reason_.empty() ? "" : ": " + reason_;
+    }
+    const mechanism::Values& values = values_.at(first_ + count / 2);
+    const double place = values.parameter(plan_.request().sweep->parameter);
+    const std::string reason = plan_.obstacle(values);
+    return count == 1 ? ": " + reason : ": at " + short_number(place) + ", " + reason;
+  }
+
+  const mechanism::Plan& plan_;
+  SweptValues values_;
+  std::string what_, reason_;  ///< of the stretch that is open; nothing where there is none
+  int step_ = 0, first_ = 0;
+  double from_ = 0, to_ = 0;
+};
+
+/// A value that a sweep replaces is none of its parameters'.
+void expect_no_setting_of(const std::string& parameter, const SolveOptions& options) {
+  for (const std::string& setting : options.settings) {
+    if (setting.substr(0, setting.find('=')) == parameter) {
+      throw text::InputError(options.scene + ": --set " + parameter + ": the sweep gives '" +
+                             parameter + "' its values; leave this out, or change the sweep");
+    }
+  }
+}
+
 /// Prints rows as they are computed. The head waits for the first row of the branch that is asked
-/// for, so that nothing is printed of one that does not exist.
+/// for, so that nothing is printed of one that does not exist; and the first step for the second,
+/// so that nothing is printed of steps that are too far apart.
 bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
-  ProgressBar bar(plan.request().sweep->count);
+  const mechanism::Sweep& range = *plan.request().sweep;
+  expect_no_setting_of(plan.mechanism().parameters()[range.parameter].name, options);
+  ProgressBar bar(range.count);
   bool degenerate = false;
   int last_branch = 0;
   int chosen = options.branch;  // 0 for all, until the nearest one is known
@@ -80,32 +190,26 @@ bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
         std::cmp_equal(row.configuration, nearest->place + 1)) {
       chosen = row.branch;
     }
-    const bool is_chosen = options.nearest ? chosen > 0 && row.branch == chosen
-                                           : chosen == 0 || row.branch == chosen;
+    const bool is_chosen =
+        options.nearest ? chosen > 0 && row.branch == chosen : chosen == 0 || row.branch == chosen;
     if (is_chosen) {
       add_csv_row(plan, row, text);
     }
   };
-  std::string reason;  // of the step before: a stretch of steps is told once
-  const auto judge = [&](const mechanism::Solution& solution) {
-    if (solution.status != mechanism::SolutionStatus::degenerate) {
-      reason.clear();
-      return;
-    }
-    degenerate = true;
-    if (solution.reason != reason) {
-      reason = solution.reason;
-      std::cerr << "degenerate: " << reason << '\n';
-    }
+  StretchTeller stretches(plan);
+  const auto judge = [&](double parameter, const mechanism::Solution& solution) {
+    degenerate = degenerate || solution.status == mechanism::SolutionStatus::degenerate;
+    stretches.step(parameter, solution);
   };
   const auto step_done = [&](int done) {
     bar.show(done);
-    if (options.branch <= last_branch) {
+    if (done > 1 && options.branch <= last_branch) {
       print(text);
       text.clear();
     }
   };
   sweep(plan, {record, judge, step_done});
+  stretches.finish();
   expect_branch(options, last_branch, "branch");
   print(text);
   return degenerate;

@@ -7,6 +7,9 @@ namespace assur::mechanism {
 
 namespace {
 
+/// A chain of a thousand cranks takes two seconds to plan, and the time grows as the cube.
+constexpr std::size_t most_links = 1000;
+
 void expect_new(bool is_known, const std::string& name, const std::string& part) {
   if (is_known) {
     throw MechanismError(part, "the name " + in_quotes(name) + " is taken");
@@ -134,6 +137,9 @@ LinkIndex Mechanism::add_link(const std::string& name) {
     throw MechanismError("links", in_quotes(name) + " is not a name: it is empty or has a dot");
   }
   expect_new(index_of(links_, name).exists(), name, "links");
+  if (links_.size() == most_links) {
+    throw MechanismError("links", "there are more than " + std::to_string(most_links));
+  }
   return links_.add({name, {}});
 }
 
@@ -307,6 +313,15 @@ OutputIndex Mechanism::add_output(const std::string& name, const std::string& po
     throw MechanismError(part, "an output is a point, and this feature is a line");
   }
   return outputs_.add({name, feature});
+}
+
+Mechanism Mechanism::driven_on(double by) const {
+  Mechanism moved = *this;
+  for (const Driver& driver : drivers_) {
+    Formula& law = moved.numbers_[driver.position].formula;
+    law = Formula::difference(law, Formula(-by));
+  }
+  return moved;
 }
 
 Mechanism Mechanism::without(JointIndex joint, FeatureIndex feature) const {

@@ -7,8 +7,7 @@
 
 #include "plan/plan_data.hpp"
 #include "plan/reported_part.hpp"
-#include "solve/limits.hpp"
-#include "solve/redundant_joints.hpp"
+#include "solve/reference.hpp"
 #include "solve/solver.hpp"
 
 namespace assur::mechanism {
@@ -43,6 +42,28 @@ void expect_reported(const Mechanism& mechanism, const Reported& reported) {
                                                 "prismatic joints, pins in slots, or links");
     }
   }
+}
+
+/// How many parameters there may be, with derivatives to each, and with second derivatives.
+constexpr std::size_t most_parameters = 20000;
+constexpr std::size_t most_with_sensitivities = 2000;
+constexpr std::size_t most_with_covariance = 200;
+
+void expect_few_parameters(const Mechanism& mechanism, const Request& request) {
+  const std::size_t count = mechanism.parameters().size();
+  const auto expect = [count](bool counts, std::size_t most, const std::string& mend) {
+    if (counts && count > most) {
+      throw MechanismError("parameters", "there are " + std::to_string(count) +
+                                             ", and no more than " + std::to_string(most) +
+                                             " can be used" + mend);
+    }
+  };
+  const bool derives = request.want.sensitivity;
+  expect(true, most_parameters, "");
+  expect(derives, most_with_sensitivities,
+         " where each has sensitivities; leave 'sensitivity' out of 'want'");
+  expect(derives && request.covariance, most_with_covariance,
+         " with a covariance; leave that out, or 'sensitivity' out of 'want'");
 }
 
 /// Throws MechanismError where a request names what the mechanism does not have.
@@ -94,16 +115,36 @@ void expect_usable(const Mechanism& mechanism, const Request& request) {
   }
 }
 
+void expect_reference(const Request& request) {
+  if (request.reference.empty()) {
+    throw MechanismError("reference", "the request has no angles of links to be near to");
+  }
+}
+
 /// Of a mechanism all of which is modelled.
 std::shared_ptr<const PlanData> planned_whole(const Mechanism& mechanism, const Request& request,
-                                              Structure structure) {
-  plan::EvaluationOrder order = plan::evaluation_order(mechanism, request);
+                                              Structure structure,
+                                              const std::vector<FeatureIndex>& more = {}) {
+  plan::EvaluationOrder order = plan::evaluation_order(mechanism, request, more);
   NamedParts parts = structure.named_parts(mechanism);
   return std::make_shared<const PlanData>(PlanData{
       mechanism, request, std::move(structure), std::move(order), std::move(parts), {}, {}});
 }
 
-/// Of a mechanism with constraints that hold where the others do, if they do.
+/// Whether the redundant joints of a plan hold in a configuration.
+bool holds(const std::shared_ptr<const PlanData>& plan) {
+  try {
+    const Values values(plan, {});
+    Solution solution;
+    solve::MechanismSolver(values).solve({}, solution);
+    return !solution.configurations.empty();
+  } catch (const OverConstrained&) {
+    return false;
+  }
+}
+
+/// Of a mechanism with constraints that hold where the others do, if they do at its own numbers and
+/// where the drivers have gone on: what holds at one instant alone locks the mechanism.
 std::shared_ptr<const PlanData> planned_with_redundancy(const Mechanism& mechanism,
                                                         const Request& request,
                                                         const OverConstrained& excess) {
@@ -111,14 +152,30 @@ std::shared_ptr<const PlanData> planned_with_redundancy(const Mechanism& mechani
   if (!part) {
     throw OverConstrained(excess);
   }
-  PlanData data = *planned_whole(part->mechanism, request, std::move(part->structure));
-  data.redundant = std::move(part->redundant);
-  data.excess = excess;
-  return std::make_shared<const PlanData>(std::move(data));
+  std::vector<FeatureIndex> features;
+  for (const RedundantJoint& joint : part->redundant) {
+    features.insert(features.end(), {joint.one, joint.other});
+  }
+  const auto planned_with = [&](const Mechanism& whole) {
+    PlanData data = *planned_whole(whole, request, part->structure, features);
+    data.redundant = part->redundant;
+    data.excess = excess;
+    return std::make_shared<const PlanData>(std::move(data));
+  };
+  constexpr double on = 0.01;
+  const std::shared_ptr<const PlanData> plan = planned_with(part->mechanism);
+  const bool goes_on = mechanism.drivers().empty() ||
+                       holds(planned_with(part->mechanism.driven_on(on))) ||
+                       holds(planned_with(part->mechanism.driven_on(-on)));
+  if (!goes_on || !holds(plan)) {
+    throw OverConstrained(excess);
+  }
+  return plan;
 }
 
 std::shared_ptr<const PlanData> planned(const Mechanism& mechanism, const Request& request) {
   expect_usable(mechanism, request);
+  expect_few_parameters(mechanism, request);
   std::optional<Structure> found;
   try {
     found = structure_of(mechanism);
@@ -190,9 +247,15 @@ Solution Plan::solve(const Values& values) const {
 
 void Plan::solve(const Values& values, Solution& result) const {
   expect_usable(values);
-  solve::MechanismSolver(values).solve(false, result);
-  solve::leave_out_inconsistent(*data_, result);
-  solve::leave_out_beyond_limits(result);
+  solve::MechanismSolver(values).solve({}, result);
+}
+
+double Plan::most_configurations() const { return solve::most_configurations(data_->structure); }
+
+std::optional<Nearest> Plan::solve_nearest(const Values& values, Solution& result) const {
+  expect_usable(values);
+  expect_reference(data_->request);
+  return solve::MechanismSolver(values).solve_nearest(result);
 }
 
 std::vector<std::string> Plan::redundant() const {
@@ -205,15 +268,12 @@ std::vector<std::string> Plan::redundant() const {
 
 std::optional<Nearest> Plan::nearest(const Values& values, const Solution& solution) const {
   expect_usable(values);
-  if (data_->request.reference.empty()) {
-    throw MechanismError("reference", "the request has no angles of links to be near to");
-  }
+  expect_reference(data_->request);
   const auto distance = [&](const Configuration& configuration) {
     double square = 0;
     for (const ReferenceAngle& angle : data_->request.reference) {
-      const Direction<double> wanted = direction_of(values.number(angle.theta).value());
       const double difference =
-          angle_of(turned(configuration.links[angle.link].pose.direction, reversed(wanted)));
+          solve::difference_from(values, configuration.links[angle.link], angle);
       square += difference * difference;
     }
     return std::sqrt(square);
@@ -233,9 +293,7 @@ std::optional<Nearest> Plan::nearest(const Values& values, const Solution& solut
 std::string Plan::obstacle(const Values& values) const {
   expect_usable(values);
   Solution result;
-  solve::MechanismSolver(values).solve(true, result);
-  solve::leave_out_inconsistent(*data_, result);
-  solve::leave_out_beyond_limits(result);
+  solve::MechanismSolver(values).solve({.measures_gap = true}, result);
   return result.reason;
 }
 

@@ -195,6 +195,24 @@ TEST(BadFile, NumberOutOfRange) {
   const auto file = directory.write("scene.json", R"({"links": {"ground": {"A": [1e999, 0]}}})");
   expect_one_line(run_assur("solve " + file.string()), "not JSON: number overflow");
 }
+TEST(BadFile, Endless) { expect_one_line(run_assur("solve /dev/zero"), "longer than 8 MiB"); }
+TEST(BadFile, Huge) {
+  const TemporaryDirectory directory;
+  const auto file = directory.write("scene.json", "{}");
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 30);
+  expect_one_line(run_assur("solve " + file.string()), "longer than 8 MiB");
+}
+TEST(BadFile, ListsInLists) {
+  const TemporaryDirectory directory;
+  for (const std::string text : {"[", "{\"links\":"}) {
+    std::string nested;
+    for (int depth = 0; depth < 100000; ++depth) {
+      nested += text;
+    }
+    expect_one_line(run_assur("solve " + directory.write("scene.json", nested).string()),
+                    "the lists and objects are nested too deeply for a scene");
+  }
+}
 TEST(BadFile, DeeplyNested) {
   const TemporaryDirectory directory;
   const auto file = directory.write("scene.json", R"({"joints": {}, "links": {"ground": {"A": [")" +
@@ -231,6 +249,36 @@ TEST(BadArguments, NameTheirSubcommand) {
   expect_one_line(run_assur("derive"),
                   "derive: KIND_OR_MODEL is required (see assur derive --help)");
 }
+
+TEST(BadArguments, SuggestWhatWasMeant) {
+  const std::string scene = ASSUR_EXAMPLES "/four_bar_coupler_curve.json";
+  const std::vector<std::array<std::string, 2>> calls = {
+      {"sovle " + scene,
+       "error: no subcommand 'sovle' (did you mean 'solve'?); the subcommands are "},
+      {"solve --fromat json " + scene, "solve: no option '--fromat' (did you mean '--format'?)"},
+      {"solve --fromat=json", "solve: no option '--fromat' (did you mean '--format'?)"},
+      {"emit --sceen " + scene, "emit: no option '--sceen' (did you mean '--scene'?)"},
+      {"solve --format jsn " + scene,
+       "--format: 'jsn' is none of text, json, csv (did you mean 'json'?)"},
+      {"derive RRR-RRR --group tetrd",
+       "--group: 'tetrd' is none of dyad, triad, tetrad (did you mean"},
+      {"solve --branch 0 " + scene, "--branch: expected a whole number from 1 on, found '0' (see"},
+      {"solve --branch -1 " + scene,
+       "--branch: expected a whole number from 1 on, found '-1' (see"},
+      {"solve --branch 99999999999 " + scene,
+       "expected a whole number from 1 on, found '99999999999'"}};
+  for (const auto& [call, message] : calls) {
+    expect_one_line(run_assur(call), message);
+  }
+}
+
+TEST(BadArguments, SettingThatASweepOverrides) {
+  const std::string scene = ASSUR_EXAMPLES "/four_bar_coupler_curve.json";
+  expect_one_line(
+      run_assur("solve --format csv --set phi=1 " + scene),
+      "--set phi: the sweep gives 'phi' its values; leave this out, or change the sweep");
+  EXPECT_EQ(run_assur("solve --format json --set phi=1 " + scene).status, 0);
+}
 TEST(BadArguments, NoSubcommand) { expect_one_line(run_assur(""), "subcommand"); }
 TEST(BadArguments, UnknownFormat) {
   expect_one_line(run_assur("catalogue --format xml"), "--format");
@@ -243,7 +291,8 @@ TEST(BadArguments, UnknownModelOfAGroup) {
                   "no triad model 21; the models are 1 to 20");
 }
 TEST(BadArguments, UnknownGroup) {
-  expect_one_line(run_assur("emit --group pentad --model 1 --output /tmp"), "--group: pentad");
+  expect_one_line(run_assur("emit --group pentad --model 1 --output /tmp"),
+                  "--group: 'pentad' is none of dyad, triad, tetrad");
 }
 TEST(BadArguments, OutputNotWritable) {
   expect_one_line(run_assur("emit --model 1 --output /dev/null/x"), "--output: cannot write");

@@ -300,7 +300,7 @@ TEST(Solve, SweepThroughADegenerateStep) {
     const bool at_step = count % 2 == 1;
     EXPECT_EQ(result.status, at_step ? 1 : 0);
     EXPECT_EQ(events.find("degenerate") != std::string::npos, at_step);
-    EXPECT_EQ(result.messages.find("degenerate: ") == 0, at_step);
+    EXPECT_EQ(result.messages.find("degenerate at p = 0: ") == 0, at_step);
   }
 }
 

@@ -126,7 +126,7 @@ TEST_P(Example, HasABranchThatLivesThroughout) {
   const Plan plan(mechanism::read_scene(file()));
   std::map<int, int> rows;
   mechanism::sweep(plan, {[&](const mechanism::SweepRecord& record) { ++rows[record.branch]; },
-                          [](const Solution&) {}, [](int) {}});
+                          [](double, const Solution&) {}, [](int) {}});
   const auto lasting = std::count_if(rows.begin(), rows.end(), [&](const auto& branch) {
     return branch.first > 0 && branch.second == plan.request().sweep->count;
   });

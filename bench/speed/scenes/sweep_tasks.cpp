@@ -98,7 +98,7 @@ void sweep_by_library(const mechanism::Scene& scene, const CrankAngles& angles, 
                             record.state->outputs[mechanism::OutputIndex(0)].position);
                       }
                     },
-                    [](const mechanism::Solution&) {}, [](int) {}});
+                    [](double, const mechanism::Solution&) {}, [](int) {}});
 }
 
 template <typename Use>

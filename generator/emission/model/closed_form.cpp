@@ -1,9 +1,9 @@
 #include "emission/model/closed_form.hpp"
 
 #include <algorithm>
-#include <assur/detail/closed_form.hpp>
-#include <assur/detail/pivots.hpp>
 #include <assur/numeric/magnitude.hpp>
+#include <assur/support/derivative_digits.hpp>
+#include <assur/support/discriminant.hpp>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -106,7 +106,7 @@ class Estimate {
 };
 
 /// The discriminants of what a program computes, as the runtime computes them.
-detail::Discriminants<Magnitude> discriminants(const elimination::Elimination& elimination,
+support::Discriminants<Magnitude> discriminants(const elimination::Elimination& elimination,
                                                const Estimate& polynomial, double off) {
   const auto coefficient = [&](const std::string& target) {
     return polynomial.result(target) + Magnitude::error(off);
@@ -118,16 +118,16 @@ detail::Discriminants<Magnitude> discriminants(const elimination::Elimination& e
       T.cosine[power] = coefficient("T.cosine" + place);
       T.sine[power] = coefficient("T.sine" + place);
     }
-    return detail::discriminants_of(T);
+    return support::discriminants_of(T);
   }
   if (elimination.degree == 1) {
     Vector<Magnitude, 2> T;
     T << coefficient("T(0)"), coefficient("T(1)");
-    return detail::discriminants_of(T);
+    return support::discriminants_of(T);
   }
   Vector<Magnitude, 3> T;
   T << coefficient("T(0)"), coefficient("T(1)"), coefficient("T(2)");
-  return detail::discriminants_of(T);
+  return support::discriminants_of(T);
 }
 
 /// What a polynomial is at most.
@@ -200,7 +200,7 @@ class Circle {
     const auto size_of = [&](const GiNaC::ex& size) {
       return most(structured_.vocabulary().expand(size), sizes);
     };
-    double square = detail::derivative_rounding<double>() / detail::six_digits *
+    double square = support::derivative_rounding<double>() / support::six_digits *
                     size_of(structured_.core_terms());
     for (std::size_t index = 0; index < structured_.pivots().size(); ++index) {
       const double size = size_of(structured_.pivots()[index].bound);
@@ -210,8 +210,7 @@ class Circle {
     return std::isfinite(square) ? square / (factor * factor) : 0;
   }
 
-  /// Where the two roots differ first, in what puts configurations in order (see
-  /// assur/detail/assembly_order.hpp).
+  /// Where the two roots differ first, in what puts configurations in order.
   struct Difference {
     int key;
     /// The square of the difference is at least so many times the discriminant; zero if it may be
@@ -328,12 +327,12 @@ int show_closed_form(const equations::ClosureEquations& equations,
     const Sizes sizes = sizes_up_to(longest, equations, range.numbers);
     return discriminants(elimination, Estimate(polynomial, sizes), range.rounding_of_numbers);
   };
-  const detail::Discriminants<Magnitude> found = up_to(range.longest);
-  const detail::Discriminants<Magnitude> twice = up_to(2 * range.longest);
+  const support::Discriminants<Magnitude> found = up_to(range.longest);
+  const support::Discriminants<Magnitude> twice = up_to(2 * range.longest);
   const auto show = [&](const std::string& name, const Magnitude& one, const Magnitude& two) {
     const int degree = range.is_scaled ? std::ilogb(two.size / one.size) : 0;
     // Products of errors are not estimated: of what has no size they are all that there is.
-    const bool is_known = one.rounding() > 0 && degree <= detail::Certainty::highest_degree;
+    const bool is_known = one.rounding() > 0 && degree <= support::highest_discriminant_degree;
     constexpr double nothing_is_certain = 1e300;
     view.set(name + "_degree", std::to_string(degree));
     view.set(name + "_error", bound_text(is_known ? std::min(one.rounding(), nothing_is_certain)

@@ -1,8 +1,10 @@
 #include "emission/scene/emit_scene.hpp"
 
 #include <algorithm>
+#include <array>
 #include <assur/text/identifiers.hpp>
 #include <assur/text/names.hpp>
+#include <cstdio>
 #include <iterator>
 
 #include "emission/cpp/cpp_text.hpp"
@@ -13,6 +15,30 @@
 namespace assur::generator::emission::scene {
 
 namespace {
+
+/// What a solver lists is an array of so many states at most, on the stack of who calls it.
+constexpr double most_listed = 4096;
+/// Which groups hold which others is a number of so many bits.
+constexpr std::size_t most_groups = 64;
+
+/// Throws MechanismError for a mechanism whose configurations cannot be listed by an emitted
+/// solver.
+void expect_listable(const mechanism::Plan& plan) {
+  const double most = plan.most_configurations();
+  if (most > most_listed) {
+    std::array<char, 32> number{};
+    (void)std::snprintf(number.data(), number.size(), most < 1e15 ? "%.0f" : "%.3g", most);
+    throw mechanism::MechanismError(
+        "", std::string("there may be ") + number.data() +
+                " configurations, and an emitted solver lists 4096 at most; 'report' less of the "
+                "mechanism, or emit parts of it");
+  }
+  if (plan.structure().groups.size() > most_groups) {
+    throw mechanism::MechanismError("", "there are " +
+                                            std::to_string(plan.structure().groups.size()) +
+                                            " groups, and an emitted solver has 64 at most");
+  }
+}
 
 cpp::View::List member_list(const std::vector<std::string>& members) {
   cpp::View::List list;
@@ -34,6 +60,7 @@ class SceneEmitter {
   explicit SceneEmitter(const mechanism::Scene& scene) : solver_(scene) {}
 
   cpp::EmittedFile run() {
+    expect_listable(solver_.plan);
     show_drivers();
     show_variables();
     for (const mechanism::GroupIndex group : solver_.plan.structure().groups.keys()) {

@@ -7,6 +7,7 @@
 
 #include "emission/cpp/cpp_text.hpp"
 #include "emission/scene/specialised_numbers.hpp"
+#include "equations/closure.hpp"
 
 namespace assur::generator::emission::scene {
 

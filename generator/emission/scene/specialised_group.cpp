@@ -1,7 +1,7 @@
 #include "emission/scene/specialised_group.hpp"
 
 #include <algorithm>
-#include <assur/detail/closed_form.hpp>
+#include <assur/support/discriminant.hpp>
 #include <assur/support/scale.hpp>
 #include <assur/text/names.hpp>
 #include <cmath>
@@ -63,7 +63,7 @@ class GroupSpecialiser {
           model::function_view(folded, program, spelling, model::ZeroResults::assigned));
       named.merge(cpp::constants_of(program));
       if (function.name == "position_polynomial") {
-        const model::GroupRange range = {detail::most_length_of_numbers, false, sizes_,
+        const model::GroupRange range = {support::most_length_of_numbers, false, sizes_,
                                          support::rounding_of_named_numbers};
         result.first_key = model::show_closed_form(equations_, elimination_, structured_, program,
                                                    range, result.view);

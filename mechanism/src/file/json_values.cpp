@@ -6,10 +6,22 @@
 
 namespace assur::mechanism::file {
 
+namespace {
+
+/// No scene has more lists and objects in one another than six.
+constexpr int deepest = 20;
+/// An object looks its keys up one by one.
+constexpr std::size_t most_keys = 20000;
+
+}  // namespace
+
 SceneJson parsed(const std::string& text) {
   // The library keeps the last of two equal keys without a word; a scene must not.
   std::vector<std::set<std::string>> open;
-  const auto watch = [&](int /*depth*/, SceneJson::parse_event_t event, SceneJson& value) {
+  const auto watch = [&](int depth, SceneJson::parse_event_t event, SceneJson& value) {
+    if (depth > deepest) {
+      throw MechanismError("", "the lists and objects are nested too deeply for a scene");
+    }
     if (event == SceneJson::parse_event_t::object_start) {
       open.emplace_back();
     } else if (event == SceneJson::parse_event_t::object_end) {
@@ -18,6 +30,9 @@ SceneJson parsed(const std::string& text) {
       const auto key = value.get<std::string>();
       if (!open.back().insert(key).second) {
         throw MechanismError("", "the key " + in_quotes(key) + " stands twice in one object");
+      }
+      if (open.back().size() > most_keys) {
+        throw MechanismError("", "an object has more than " + std::to_string(most_keys) + " keys");
       }
     }
     return true;
@@ -40,11 +55,14 @@ void expect_object(const SceneJson& value, const std::string& part) {
   }
 }
 
-void expect_keys(const SceneJson& value, const std::string& part,
-                 const std::vector<std::string>& known) {
+void expect_keys(const SceneJson& value, const std::string& part, std::span<const SceneKey> known) {
+  std::vector<std::string> names;
+  for (const SceneKey& key : known) {
+    names.emplace_back(key.name);
+  }
   for (const auto& [key, ignored] : value.items()) {
-    if (std::find(known.begin(), known.end(), key) == known.end()) {
-      throw MechanismError(part, "unknown key " + in_quotes(key) + text::suggestion(key, known));
+    if (std::find(names.begin(), names.end(), key) == names.end()) {
+      throw MechanismError(part, "unknown key " + in_quotes(key) + text::suggestion(key, names));
     }
   }
 }

@@ -4,8 +4,10 @@
 #include <array>
 #include <assur/mechanism/mechanism.hpp>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
-#include <vector>
+
+#include "scene_keys.hpp"
 
 namespace assur::mechanism::file {
 
@@ -18,8 +20,7 @@ using SceneJson = nlohmann::ordered_json;
 
 /// Each throws MechanismError where a value is not what it must be; `part` is what it calls it.
 void expect_object(const SceneJson& value, const std::string& part);
-void expect_keys(const SceneJson& value, const std::string& part,
-                 const std::vector<std::string>& known);
+void expect_keys(const SceneJson& value, const std::string& part, std::span<const SceneKey> known);
 [[nodiscard]] const SceneJson& required(const SceneJson& value, const std::string& key,
                                         const std::string& part);
 [[nodiscard]] std::string text_of(const SceneJson& value, const std::string& part);

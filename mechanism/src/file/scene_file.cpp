@@ -5,6 +5,7 @@
 #include <assur/text/suggestion.hpp>
 
 #include "json_values.hpp"
+#include "scene_keys.hpp"
 
 namespace assur::mechanism::file {
 
@@ -18,9 +19,7 @@ class SceneReader {
 
   void read() {
     expect_object(root_, "");
-    expect_keys(root_, "",
-                {"name", "parameters", "links", "joints", "drivers", "outputs", "want", "report",
-                 "reference", "redundancy", "sweep", "covariance"});
+    expect_keys(root_, "", scene_keys);
     if (root_.contains("name")) {
       mechanism_.set_name(text_of(root_["name"], "name"));
     }
@@ -54,7 +53,7 @@ class SceneReader {
         mechanism_.set_parameter(name, number_of(value, part), part);
         continue;
       }
-      expect_keys(value, part, {"value", "tolerance", "velocity", "acceleration", "variable"});
+      expect_keys(value, part, parameter_keys);
       const std::string value_part = part + ".value";
       mechanism_.set_parameter(name, number_of(required(value, "value", part), value_part),
                                value_part);
@@ -101,7 +100,7 @@ class SceneReader {
     const std::string whole = link + "." + name;
     const std::string part = "links." + whole;
     if (value.is_object()) {
-      expect_keys(value, part, {"through", "along"});
+      expect_keys(value, part, line_keys);
       const auto through = pair_of(required(value, "through", part), part + ".through");
       const auto along = pair_of(required(value, "along", part), part + ".along");
       mechanism_.add_line(whole, through[0], through[1], along[0], along[1]);
@@ -121,7 +120,7 @@ class SceneReader {
     for (const auto& [name, value] : joints.items()) {
       const std::string part = "joints." + name;
       expect_object(value, part);
-      expect_keys(value, part, {"type", "between", "limits"});
+      expect_keys(value, part, joint_keys);
       const std::string type = text_of(required(value, "type", part), part + ".type");
       const auto found = std::find(types.begin(), types.end(), type);
       if (found == types.end()) {
@@ -162,7 +161,7 @@ class SceneReader {
                                             text::suggestion(name, names_of(mechanism_.joints())));
       }
       expect_object(value, part);
-      expect_keys(value, part, {"position", "velocity", "acceleration"});
+      expect_keys(value, part, driver_keys);
       const auto rate = [&, &driver = value](const std::string& key) {
         return driver.contains(key) ? std::optional(number_of(driver[key], part + "." + key))
                                     : std::nullopt;
@@ -213,7 +212,7 @@ class SceneReader {
     }
     const SceneJson& value = root_["report"];
     expect_object(value, "report");
-    expect_keys(value, "report", {"links", "joints"});
+    expect_keys(value, "report", report_keys);
     request_.reported.links = listed_parts(value, "links", mechanism_.links(), "link");
     request_.reported.joints = listed_parts(value, "joints", mechanism_.joints(), "joint");
   }
@@ -241,7 +240,7 @@ class SceneReader {
     }
     const SceneJson& value = root_["redundancy"];
     expect_object(value, "redundancy");
-    expect_keys(value, "redundancy", {"tolerance"});
+    expect_keys(value, "redundancy", redundancy_keys);
     const std::string part = "redundancy.tolerance";
     request_.redundancy_tolerance = mechanism_.add_number(
         number_of(required(value, "tolerance", "redundancy"), part), part);
@@ -278,7 +277,7 @@ class SceneReader {
     }
     const SceneJson& value = root_["sweep"];
     expect_object(value, "sweep");
-    expect_keys(value, "sweep", {"parameter", "from", "to", "count"});
+    expect_keys(value, "sweep", sweep_keys);
     Sweep sweep;
     sweep.parameter = mechanism_.parameter_named(
         text_of(required(value, "parameter", "sweep"), "sweep.parameter"), "sweep.parameter");
@@ -302,7 +301,7 @@ class SceneReader {
     }
     const SceneJson& value = root_["covariance"];
     expect_object(value, "covariance");
-    expect_keys(value, "covariance", {"parameters", "matrix"});
+    expect_keys(value, "covariance", covariance_keys);
     const SceneJson& parameters = required(value, "parameters", "covariance");
     if (!parameters.is_array() || parameters.empty()) {
       throw MechanismError("covariance.parameters",

@@ -8,6 +8,11 @@ namespace assur::mechanism::follow {
 
 namespace {
 
+/// Every pair of them is compared.
+constexpr std::size_t most_followed = 1000;
+/// Between two steps; a turn takes about a hundred.
+constexpr int most_between_steps = 200000;
+
 /// The longest distance between two features of one link, which no motion changes; where no link
 /// has two, the largest coordinate of a feature.
 double length_of(const Mechanism& mechanism, const Values& values) {
@@ -79,6 +84,11 @@ std::unique_ptr<Snapshot> SnapshotSolver::spare() const {
 }
 
 SnapshotPointer SnapshotSolver::at_step(double parameter) {
+  between_steps_ = 0;
+  return solved(parameter);
+}
+
+SnapshotPointer SnapshotSolver::solved(double parameter) {
   const Values& values = values_at(parameter);
   std::unique_ptr<Snapshot> snapshot = spare();
   snapshot->parameter = parameter;
@@ -87,13 +97,22 @@ SnapshotPointer SnapshotSolver::at_step(double parameter) {
   for (const GroupIndex group : snapshot->roles.keys()) {
     snapshot->roles[group] = values.group(group).roles;
   }
-  solver_.solve(false, snapshot->solution);
+  solver_.solve({.within_limits = false}, snapshot->solution);
+  if (snapshot->solution.configurations.size() > most_followed) {
+    throw MechanismError("sweep", "more than " + std::to_string(most_followed) +
+                                      " configurations at one value cannot be followed");
+  }
   return completed(std::move(snapshot));
 }
 
 SnapshotPointer SnapshotSolver::at(double parameter) {
+  if (++between_steps_ > most_between_steps) {
+    throw MechanismError("sweep",
+                         "between two steps the mechanism moves too far to be followed; "
+                         "take more steps, or a shorter range");
+  }
   try {
-    return at_step(parameter);
+    return solved(parameter);
   } catch (const MechanismError& error) {
     // Between steps a formula may have no value.
     auto snapshot = std::make_unique<Snapshot>();

@@ -46,7 +46,8 @@ class SnapshotSolver {
 
   /// At a step of the sweep. Throws MechanismError where it cannot be solved in doubles.
   [[nodiscard]] SnapshotPointer at_step(double parameter);
-  /// Anywhere: what `at_step` throws is the reason of a degenerate solution.
+  /// Anywhere: what `at_step` would throw is the reason of a degenerate solution. Throws
+  /// MechanismError where too much is asked for between two steps.
   [[nodiscard]] SnapshotPointer at(double parameter);
   /// The mechanism's values there. They change with the next call.
   [[nodiscard]] const Values& values_at(double parameter);
@@ -61,6 +62,7 @@ class SnapshotSolver {
  private:
   using Spares = std::vector<std::unique_ptr<Snapshot>>;
 
+  [[nodiscard]] SnapshotPointer solved(double parameter);
   /// One to be written: whatever it holds is of another value.
   [[nodiscard]] std::unique_ptr<Snapshot> spare() const;
   /// With its configurations' points, and whether these can be told apart.
@@ -76,6 +78,7 @@ class SnapshotSolver {
   double from_ = 0;
   double to_ = 0;
   double length_ = 1;
+  int between_steps_ = 0;  ///< how many were asked for since the last step
 };
 
 }  // namespace assur::mechanism::follow

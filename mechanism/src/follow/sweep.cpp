@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "branch_tracker.hpp"
 #include "passage.hpp"
@@ -61,7 +62,7 @@ class Sweeper {
     }
     for (int step = 0; step < count(); ++step) {
       const SnapshotPointer set = solver_.at_step(value_at(step));
-      observer_.solved(set->solution);
+      observer_.solved(set->parameter, set->solution);
       if (passage_ && passage_->covers(value_at(step), sense())) {
         pass_within(step, *set);
       } else if (set->separable) {
@@ -252,6 +253,7 @@ class Sweeper {
     const auto first = set.solution.configurations.begin();
     const auto within =
         std::count_if(first, first + static_cast<std::ptrdiff_t>(point.place()) + 1, is_told);
+    told_.insert(number);
     observer_.record({step, static_cast<int>(within), number, "", set.parameter, &set.spread,
                       &state});
   }
@@ -325,10 +327,20 @@ class Sweeper {
         std::ranges::transform(*list, list->begin(), [this](int branch) { return shown(branch); });
         std::ranges::sort(*list);
       }
-      observer_.record(
-          {step, 0, 0, event_text(event), event.parameter, &spread, &event.configuration});
+      if (is_told(event)) {
+        observer_.record(
+            {step, 0, 0, event_text(event), event.parameter, &spread, &event.configuration});
+      }
       later_.erase(later_.begin());
     }
+  }
+
+  /// Where a mechanism has too many constraints, some branches do not hold them and are none of its
+  /// own: nothing is told of them.
+  [[nodiscard]] bool is_told(const BranchEvent& event) const {
+    const auto is_own = [this](int branch) { return told_.contains(branch); };
+    return solver_.plan().redundant().empty() || is_own(event.through) ||
+           std::ranges::any_of(event.ended, is_own) || std::ranges::any_of(event.begun, is_own);
   }
 
   const SweepObserver& observer_;
@@ -336,6 +348,7 @@ class Sweeper {
   BranchTracker tracker_;
   std::vector<BranchEvent> later_;  ///< not yet reported
   std::vector<int> outside_;        ///< numbers of branches that are not within the sweep
+  std::set<int> told_;              ///< numbers of branches that have rows
   std::vector<int> numbers_;        ///< as shown, by the tracker's; 0 if not yet
   int last_shown_ = 0;
   std::optional<EventKind> gap_;    ///< why no branch is followed at present
@@ -357,12 +370,16 @@ void sweep(const Plan& plan, const Values& values, const SweepObserver& observer
     throw MechanismError("sweep", "the request has no sweep");
   }
   plan.expect_usable(values);
+  const Sweep& range = *plan.request().sweep;
+  if (!std::isfinite(values.value_of(range.to) - values.value_of(range.from))) {
+    throw MechanismError("sweep", "the range from 'from' to 'to' is not finite");
+  }
   SweepObserver complete = observer;
   if (!complete.record) {
     complete.record = [](const SweepRecord&) {};
   }
   if (!complete.solved) {
-    complete.solved = [](const Solution&) {};
+    complete.solved = [](double, const Solution&) {};
   }
   if (!complete.progress) {
     complete.progress = [](int) {};

@@ -212,6 +212,15 @@ template <typename Model>
   }
 }
 
+template <typename Model>
+[[nodiscard]] constexpr int most_configurations_of() {
+  if constexpr (Model::rigid) {
+    return Model::max_configurations;
+  } else {
+    return 0;
+  }
+}
+
 /// The row of a model, but for its group.
 template <typename Model>
 [[nodiscard]] GroupModel row_of() {
@@ -219,6 +228,7 @@ template <typename Model>
                  Model::number,
                  Model::rigid,
                  Model::mobility,
+                 most_configurations_of<Model>(),
                  {},
                  {},
                  {Model::unknowns.begin(), Model::unknowns.end()},

@@ -9,7 +9,8 @@ namespace {
 
 class LawOrder {
  public:
-  explicit LawOrder(const Mechanism& mechanism) : mechanism_(mechanism) {
+  explicit LawOrder(const Mechanism& mechanism)
+      : mechanism_(mechanism), marks_(mechanism.drivers().size(), Mark::untouched) {
     for (const DriverIndex driver : mechanism.drivers().keys()) {
       settle(driver);
     }
@@ -18,22 +19,41 @@ class LawOrder {
   [[nodiscard]] std::vector<DriverIndex> take() { return std::move(order_); }
 
  private:
-  void settle(DriverIndex driver) {
-    if (std::ranges::find(order_, driver) != order_.end()) {
-      return;
-    }
-    const bool is_open = std::ranges::find(open_, driver) != open_.end();
-    open_.push_back(driver);
-    if (is_open) {
-      refuse();
-    }
-    for (const JointIndex joint : joints_in_law(mechanism_, driver)) {
-      if (const DriverIndex read = mechanism_.driver_of(joint); read.exists()) {
-        settle(read);
+  enum class Mark : unsigned char { untouched, open, known };
+
+  /// Puts a driver behind those whose laws its own law reads. The list of open drivers stands in
+  /// for recursion, which a long chain of laws would exhaust.
+  void settle(DriverIndex first) {
+    open_ = {first};
+    while (!open_.empty()) {
+      const DriverIndex driver = open_.back();
+      if (marks_[driver] == Mark::known) {
+        open_.pop_back();
+        continue;
+      }
+      marks_[driver] = Mark::open;
+      if (const DriverIndex unsettled = first_unsettled(driver); unsettled.exists()) {
+        open_.push_back(unsettled);
+        if (marks_[unsettled] == Mark::open) {
+          refuse();
+        }
+      } else {
+        marks_[driver] = Mark::known;
+        order_.push_back(driver);
+        open_.pop_back();
       }
     }
-    open_.pop_back();
-    order_.push_back(driver);
+  }
+
+  /// Of the drivers whose laws a law reads, one that has no place in the order yet.
+  [[nodiscard]] DriverIndex first_unsettled(DriverIndex driver) const {
+    for (const JointIndex joint : joints_in_law(mechanism_, driver)) {
+      const DriverIndex read = mechanism_.driver_of(joint);
+      if (read.exists() && marks_[read] != Mark::known) {
+        return read;
+      }
+    }
+    return {};
   }
 
   [[noreturn]] void refuse() const {
@@ -52,6 +72,7 @@ class LawOrder {
   }
 
   const Mechanism& mechanism_;
+  Table<DriverIndex, Mark> marks_;
   std::vector<DriverIndex> order_, open_;
 };
 
@@ -67,7 +88,11 @@ std::vector<DriverIndex> laws_in_order(const Mechanism& mechanism) {
 
 std::vector<JointIndex> joints_read(const Mechanism& mechanism, DriverIndex driver) {
   std::vector<JointIndex> result = joints_in_laws(mechanism, driver);
-  std::erase_if(result, [&](JointIndex read) { return mechanism.driver_of(read).exists(); });
+  Table<JointIndex, bool> is_driven(mechanism.joints().size(), false);
+  for (const Driver& other : mechanism.drivers()) {
+    is_driven[other.joint] = true;
+  }
+  std::erase_if(result, [&](JointIndex read) { return is_driven[read]; });
   return result;
 }
 
@@ -76,11 +101,23 @@ std::vector<JointIndex> joints_read(const Mechanism& mechanism, DriverIndex driv
 namespace assur::mechanism {
 
 std::vector<JointIndex> joints_in_laws(const Mechanism& mechanism, DriverIndex driver) {
+  Table<JointIndex, DriverIndex> driver_of(mechanism.joints().size());
+  for (const DriverIndex other : mechanism.drivers().keys()) {
+    driver_of[mechanism.drivers()[other].joint] = other;
+  }
   std::vector<JointIndex> result = plan::joints_in_law(mechanism, driver);
+  Table<JointIndex, bool> is_found(mechanism.joints().size(), false);
+  for (const JointIndex joint : result) {
+    is_found[joint] = true;
+  }
   for (std::size_t place = 0; place < result.size(); ++place) {
-    if (const DriverIndex other = mechanism.driver_of(result[place]); other.exists()) {
-      const std::vector<JointIndex> more = plan::joints_in_law(mechanism, other);
-      result.insert(result.end(), more.begin(), more.end());
+    if (const DriverIndex other = driver_of[result[place]]; other.exists()) {
+      for (const JointIndex joint : plan::joints_in_law(mechanism, other)) {
+        if (!is_found[joint]) {
+          is_found[joint] = true;
+          result.push_back(joint);
+        }
+      }
     }
   }
   return result;

@@ -11,14 +11,15 @@ namespace {
 
 class OrderFinder {
  public:
-  OrderFinder(const Mechanism& mechanism, const Request& request)
+  OrderFinder(const Mechanism& mechanism, const Request& request,
+              const std::vector<FeatureIndex>& more)
       : mechanism_(mechanism), request_(request) {
     const auto& parameters = mechanism.parameters();
     marks_.assign(parameters.size(), Mark::untouched);
     for (const ParameterIndex parameter : parameters.keys()) {
       settle(parameter);
     }
-    list_numbers();
+    list_numbers(more);
     list_drivers();
     list_moving();
     choose_columns();
@@ -69,8 +70,11 @@ class OrderFinder {
   }
 
   /// Where a sweep begins and ends is not among them, nor what no joint and no output has.
-  void list_numbers() {
+  void list_numbers(const std::vector<FeatureIndex>& more) {
     Table<FeatureIndex, bool> used(mechanism_.features().size(), false);
+    for (const FeatureIndex feature : more) {
+      used[feature] = true;
+    }
     for (const Joint& joint : mechanism_.joints()) {
       for (const FeatureIndex feature : joint.between) {
         used[feature] = true;
@@ -153,8 +157,9 @@ class OrderFinder {
 
 }  // namespace
 
-EvaluationOrder evaluation_order(const Mechanism& mechanism, const Request& request) {
-  return OrderFinder(mechanism, request).order();
+EvaluationOrder evaluation_order(const Mechanism& mechanism, const Request& request,
+                                 const std::vector<FeatureIndex>& more) {
+  return OrderFinder(mechanism, request, more).order();
 }
 
 namespace {

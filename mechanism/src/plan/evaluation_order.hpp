@@ -45,6 +45,8 @@ struct EvaluationOrder {
 [[nodiscard]] std::vector<GroupIndex> groups_carried_by(DriverIndex driver, const PlanData& plan);
 
 /// Throws MechanismError where a parameter depends on itself or has no value.
-[[nodiscard]] EvaluationOrder evaluation_order(const Mechanism& mechanism, const Request& request);
+/// `more`: features that are evaluated beside those of joints and outputs.
+[[nodiscard]] EvaluationOrder evaluation_order(const Mechanism& mechanism, const Request& request,
+                                               const std::vector<FeatureIndex>& more = {});
 
 }  // namespace assur::mechanism::plan

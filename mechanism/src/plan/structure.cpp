@@ -47,8 +47,9 @@ class PlacementPlanner {
     for (const DriverIndex driver : mechanism_.drivers().keys()) {
       const Joint& named = mechanism_.joints()[mechanism_.drivers()[driver].joint];
       if (named.between.size() != 2) {
-        throw MechanismError("drivers." + named.name,
-                             "a driver moves a joint of two links; give each link a pin of its own");
+        throw MechanismError(
+            "drivers." + named.name,
+            "a driver moves a joint of two links; give each link a pin of its own");
       }
       const ElementaryJoint& at = joint(joint_of(driver));
       const LinkIndex one = bodies_.carrier[at.first];
@@ -66,8 +67,10 @@ class PlacementPlanner {
       bodies_.placed[link] = bodies_.carrier[link] == structure_.linkage.ground;
     }
     carry_from(structure_.linkage.ground);
+    // The law of its driver, and those of what carries it, which is listed before.
     for (const DrivenLink& link : structure_.driven) {
-      bodies_.read_for[link.to] = links_read_for(link);
+      bodies_.read_for[link.to] = links_read_by(link.driver);
+      append(bodies_.read_for[link.from], bodies_.read_for[link.to]);
     }
     // Links that no ground carries read what any driver among them reads.
     for (const DriverIndex driver : mechanism_.drivers().keys()) {
@@ -80,15 +83,6 @@ class PlacementPlanner {
 
   static void append(const std::vector<LinkIndex>& more, std::vector<LinkIndex>& links) {
     links.insert(links.end(), more.begin(), more.end());
-  }
-
-  /// What the law of a driver reads, and of those that carry the link from which it moves another.
-  [[nodiscard]] std::vector<LinkIndex> links_read_for(const DrivenLink& link) const {
-    std::vector<LinkIndex> links = links_read_by(link.driver);
-    if (const DrivenLink* before = structure_.driven_link(link.from)) {
-      append(links_read_for(*before), links);
-    }
-    return links;
   }
 
   /// The links at the joints that a law reads. Of a driven joint it reads the law, and no link.
@@ -180,18 +174,23 @@ class PlacementPlanner {
       }
       return groups;
     };
+    Table<DriverIndex, std::vector<LinkIndex>> reads;
+    for (const DriverIndex driver : mechanism_.drivers().keys()) {
+      reads.add(links_read_by(driver));
+    }
     // A link that a law reads may be driven as well, by a driver that is listed behind.
-    for (std::size_t round = 0; round < structure_.driven.size(); ++round) {
+    for (bool changes = true; changes;) {
+      changes = false;
       for (DrivenLink& link : structure_.driven) {
-        link.groups_before =
-            std::max(groups_before[link.from], latest(links_read_by(link.driver)));
+        link.groups_before = std::max(groups_before[link.from], latest(reads[link.driver]));
+        changes = changes || groups_before[link.to] != link.groups_before;
         groups_before[link.to] = link.groups_before;
       }
     }
     std::ranges::stable_sort(structure_.driven, {}, &DrivenLink::groups_before);
     structure_.laws = laws_in_order(mechanism_);
     for (const DriverIndex driver : structure_.laws) {
-      if (std::vector<LinkIndex> read = links_read_by(driver); !read.empty()) {
+      if (std::vector<LinkIndex>& read = reads[driver]; !read.empty()) {
         structure_.reading.push_back({driver, latest(read), std::move(read)});
       }
     }

@@ -175,12 +175,13 @@ std::string report_json(const Report& report) {
   root["groups"] = report::groups_json(report.plan.structure());
   if (std::ranges::any_of(report.plan.mechanism().joints(),
                           [](const Joint& joint) { return joint.lowest.exists(); })) {
-    root["left_out"] = solution.left_out;
+    root["left_out"] = solution.left_out ? report::Json(*solution.left_out) : report::Json();
   }
   if (report.nearest) {
-    root["nearest"] = {{"configuration", report.nearest->configuration + 1},
-                       {"distance", report.nearest->distance},
-                       {"runner_up", nullptr}};
+    const auto number =
+        report.alone ? report::Json() : report::Json(report.nearest->configuration + 1);
+    root["nearest"] = {
+        {"configuration", number}, {"distance", report.nearest->distance}, {"runner_up", nullptr}};
     if (report.nearest->runner_up) {
       root["nearest"]["runner_up"] = *report.nearest->runner_up;
     }

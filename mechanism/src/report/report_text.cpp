@@ -165,9 +165,11 @@ std::string report_text(const Report& report) {
     text += "family of group " + std::to_string(family.group.place() + 1) + ", mobility " +
             std::to_string(family.mobility) + ": " + family.reason + "\n";
   }
-  if (solution.left_out > 0) {
-    text += "left out: " + std::to_string(solution.left_out) +
-            (solution.left_out == 1 ? " configuration" : " configurations") +
+  if (!solution.left_out) {
+    text += "left out, and not counted: configurations beyond the limits of joints\n";
+  } else if (*solution.left_out > 0) {
+    text += "left out: " + std::to_string(*solution.left_out) +
+            (*solution.left_out == 1 ? " configuration" : " configurations") +
             " beyond the limits of joints\n";
   }
   if (report.nearest) {
@@ -176,8 +178,10 @@ std::string report_text(const Report& report) {
       (void)std::snprintf(digits.data(), digits.size(), "%.4g deg", angle * 180 / std::numbers::pi);
       return std::string(digits.data());
     };
-    text += "nearest to the reference: configuration " +
-            std::to_string(report.nearest->configuration + 1) + ", " +
+    text += "nearest to the reference: " +
+            (report.alone
+                 ? "one "
+                 : "configuration " + std::to_string(report.nearest->configuration + 1) + ", ") +
             degrees(report.nearest->distance) + " away" +
             (report.nearest->runner_up
                  ? "; the next one is " + degrees(*report.nearest->runner_up) + " away"
@@ -191,10 +195,12 @@ std::string report_text(const Report& report) {
     const Configuration& configuration = solution.configurations[index];
     std::array<char, 32> residual{};
     (void)std::snprintf(residual.data(), residual.size(), "%.1e", configuration.residual);
-    text += "\nconfiguration " + std::to_string(index + 1) + " of " +
-            std::to_string(solution.configurations.size()) + ": " +
-            report::regularity_text(configuration.regularity) + ", residual " + residual.data() +
-            "\n";
+    text += "\nconfiguration " +
+            (report.alone ? "nearest to the reference"
+                          : std::to_string(index + 1) + " of " +
+                                std::to_string(solution.configurations.size())) +
+            ": " + report::regularity_text(configuration.regularity) + ", residual " +
+            residual.data() + "\n";
     text += report::configuration_text(configuration, report);
   }
   return text;

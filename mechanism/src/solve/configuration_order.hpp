@@ -19,6 +19,7 @@ class ConfigurationOrder {
   void sort(std::vector<Configuration>& configurations);
 
  private:
+  void sort_roughly(std::vector<Configuration>& configurations);
   void set_key(const Configuration& configuration, std::vector<double>& key);
 
   const NamedParts& parts_;

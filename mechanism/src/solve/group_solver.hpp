@@ -42,6 +42,10 @@ class GroupSolver {
   void hold(const PlacedLinks& placed);
   /// Finds all configurations of the group where it is held.
   [[nodiscard]] const models::GroupAssemblies& assemble();
+  /// One of those that were found last.
+  [[nodiscard]] const models::FlatVariables& configuration(std::size_t index) const {
+    return found_.configurations[index];
+  }
   /// How far rounding may have moved what holds the group where it was placed last, in parts of the
   /// group's size.
   [[nodiscard]] double displaced() const { return query_.displaced.moved / motion_.size; }

@@ -56,35 +56,19 @@ JointMotion coordinate_of(const Values& values, const Table<LinkIndex, Frame>& l
           slide.acceleration};
 }
 
-bool keeps_limits(const Values& values, const Configuration& configuration) {
+bool keeps_limits(const Values& values, const Table<LinkIndex, Frame>& links,
+                  const std::vector<SlideState>& slides, JointIndex index) {
   const Mechanism& mechanism = values.plan().mechanism;
-  for (const JointIndex index : mechanism.joints().keys()) {
-    const Joint& joint = mechanism.joints()[index];
-    if (!joint.lowest.exists()) {
-      continue;
-    }
-    const DriverIndex driver = mechanism.driver_of(index);
-    const JointMotion motion =
-        driver.exists() ? values.motion(driver)
-                        : coordinate_of(values, configuration.links, configuration.slides, index);
-    const auto keeps = joint.type == JointType::revolute ? is_turned_between : is_between;
-    if (!keeps(values.number(joint.lowest).value(), motion.position.value(),
-               values.number(joint.highest).value())) {
-      return false;
-    }
+  const Joint& joint = mechanism.joints()[index];
+  if (!joint.lowest.exists()) {
+    return true;
   }
-  return true;
-}
-
-void leave_out_beyond_limits(Solution& solution) {
-  solution.left_out =
-      std::erase_if(solution.configurations,
-                    [](const Configuration& one) { return !one.within_limits; });
-  if (solution.left_out > 0 && solution.configurations.empty() && solution.families.empty()) {
-    solution.status = SolutionStatus::no_assembly;
-    solution.reason = "of " + std::to_string(solution.left_out) +
-                      " configurations each is beyond the limits of a joint";
-  }
+  const DriverIndex driver = mechanism.driver_of(index);
+  const JointMotion motion =
+      driver.exists() ? values.motion(driver) : coordinate_of(values, links, slides, index);
+  const auto keeps = joint.type == JointType::revolute ? is_turned_between : is_between;
+  return keeps(values.number(joint.lowest).value(), motion.position.value(),
+               values.number(joint.highest).value());
 }
 
 }  // namespace assur::mechanism::solve

@@ -1,4 +1,5 @@
-// Turns a configuration into the coordinates of its joints, and these into whether limits are kept.
+// Turns links that are placed into the coordinates of joints, and these into whether limits are
+// kept.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
@@ -7,14 +8,12 @@
 namespace assur::mechanism::solve {
 
 /// The coordinate of a joint without a driver, between links of the mechanism that are placed.
-[[nodiscard]] JointMotion coordinate_of(const Values& values,
-                                        const Table<LinkIndex, Frame>& links,
+[[nodiscard]] JointMotion coordinate_of(const Values& values, const Table<LinkIndex, Frame>& links,
                                         const std::vector<SlideState>& slides, JointIndex joint);
 
-/// Whether every joint of a configuration keeps its limits, to the rounding of its coordinate.
-[[nodiscard]] bool keeps_limits(const Values& values, const Configuration& configuration);
-
-/// Leaves out the configurations that do not, and says so if none is left.
-void leave_out_beyond_limits(Solution& solution);
+/// Whether a joint keeps its limits, to the rounding of its coordinate, where what it joins is
+/// placed. One that has none keeps them.
+[[nodiscard]] bool keeps_limits(const Values& values, const Table<LinkIndex, Frame>& links,
+                                const std::vector<SlideState>& slides, JointIndex joint);
 
 }  // namespace assur::mechanism::solve

@@ -20,16 +20,16 @@ struct Pair {
   double size;
 };
 
-Pair placed(const Values& values, const Configuration& configuration,
+Pair placed(const Values& values, const Table<LinkIndex, Frame>& links,
             const RedundantJoint& joint) {
   const Mechanism& mechanism = values.plan().mechanism;
   const auto frame = [&](FeatureIndex feature) {
-    return composed(configuration.links[mechanism.features()[feature].link],
+    return composed(links[mechanism.features()[feature].link],
                     values.frame(feature));
   };
   Pair pair{frame(joint.one), frame(joint.other), mechanism.features()[joint.one].is_line, 0};
   for (const FeatureIndex feature : {joint.one, joint.other}) {
-    const Frame& link = configuration.links[mechanism.features()[feature].link];
+    const Frame& link = links[mechanism.features()[feature].link];
     const Pose<double>& local = values.frame(feature).pose;
     pair.size = std::max({pair.size, std::abs(link.pose.x), std::abs(link.pose.y),
                           std::abs(local.x), std::abs(local.y)});
@@ -37,12 +37,13 @@ Pair placed(const Values& values, const Configuration& configuration,
   return pair;
 }
 
-bool holds(const Values& values, const Configuration& configuration, const RedundantJoint& joint) {
-  const Pair pair = placed(values, configuration, joint);
+bool holds(const Values& values, const Table<LinkIndex, Frame>& links, const RedundantJoint& joint,
+           bool is_regular, bool rates_known) {
+  const Pair pair = placed(values, links, joint);
   const Pose<double>& one = pair.one.pose;
   const Pose<double>& other = pair.other.pose;
   const double relative =
-      configuration.regularity == Status::ok ? rounding : rounding_where_singular;
+      is_regular ? rounding : rounding_where_singular;
   const NumberIndex given = values.plan().request.redundancy_tolerance;
   const double tolerance =
       std::max(relative * pair.size, given.exists() ? values.number(given).value() : 0);
@@ -50,7 +51,7 @@ bool holds(const Values& values, const Configuration& configuration, const Redun
   const Eigen::Vector2d rate = pair.other.velocity.head<2>() - pair.one.velocity.head<2>();
   const double speed =
       std::max(pair.one.velocity.head<2>().norm(), pair.other.velocity.head<2>().norm());
-  const bool has_rates = configuration.rates_known && rate.allFinite() && !given.exists();
+  const bool has_rates = rates_known && rate.allFinite() && !given.exists();
   if (pair.are_lines) {
     const Direction<double>& along = one.direction;
     const double across = along.cos * arm.y() - along.sin * arm.x();
@@ -65,22 +66,11 @@ bool holds(const Values& values, const Configuration& configuration, const Redun
 
 }  // namespace
 
-bool holds_redundantly(const Values& values, const Configuration& configuration) {
+bool holds_redundantly(const Values& values, const Table<LinkIndex, Frame>& links,
+                       Status regularity, bool rates_known) {
   return std::ranges::all_of(values.plan().redundant, [&](const RedundantJoint& joint) {
-    return holds(values, configuration, joint);
+    return holds(values, links, joint, regularity == Status::ok, rates_known);
   });
-}
-
-void leave_out_inconsistent(const PlanData& plan, Solution& solution) {
-  if (plan.redundant.empty()) {
-    return;
-  }
-  const auto left_out =
-      std::erase_if(solution.configurations,
-                    [](const Configuration& one) { return !one.is_consistent; });
-  if (left_out > 0 && solution.configurations.empty() && solution.families.empty()) {
-    throw OverConstrained(*plan.excess);
-  }
 }
 
 }  // namespace assur::mechanism::solve

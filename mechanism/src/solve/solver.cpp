@@ -2,20 +2,55 @@
 
 #include <algorithm>
 #include <array>
+#include <assur/mechanism/plan.hpp>
 #include <assur/text/names.hpp>
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <numbers>
+#include <numeric>
 #include <optional>
+#include <set>
 
 #include "branch_motions.hpp"
 #include "configuration_order.hpp"
 #include "group_solver.hpp"
 #include "limits.hpp"
-#include "redundant_joints.hpp"
 #include "plan/plan_data.hpp"
+#include "redundant_joints.hpp"
+#include "reference.hpp"
 
 namespace assur::mechanism::solve {
+
+namespace {
+
+/// What a search takes at most: groups that are solved, families that are told, and numbers that
+/// the list of configurations holds (800 MB).
+constexpr std::size_t most_steps = 300000;
+constexpr std::size_t most_families = 1000;
+constexpr double most_numbers = 1e8;
+
+std::string whole_number(double number) {
+  std::array<char, 32> text{};
+  (void)std::snprintf(text.data(), text.size(), number < 1e15 ? "%.0f" : "%.3g", number);
+  return text.data();
+}
+
+std::string short_number(double number) {
+  std::array<char, 32> text{};
+  (void)std::snprintf(text.data(), text.size(), "%.3g", number);
+  return text.data();
+}
+
+}  // namespace
+
+double most_configurations(const Structure& structure) {
+  double product = 1;
+  for (const FoundGroup& group : structure.groups) {
+    product *= std::max(1, group.model->max_configurations);
+  }
+  return product;
+}
 
 /// Walks depth first through the configurations of the groups: what is placed stays placed while
 /// the groups behind it are solved, and is overwritten by the next configuration.
@@ -27,7 +62,11 @@ class ConfigurationWalk {
         given_(values),
         settled_(structure_.reading.empty() ? std::nullopt : std::optional(values)),
         values_(settled_ ? *settled_ : given_),
-        order_(plan_->named_parts) {
+        order_(plan_->named_parts),
+        failures_(structure_.groups.size()),
+        chosen_(structure_.groups.size(), 0),
+        limited_(structure_.groups.size() + 1),
+        referred_(structure_.groups.size() + 1) {
     const auto parameters = static_cast<Eigen::Index>(values.columns().size());
     placed_.links.resize(structure_.linkage.links.size());
     placed_.links[structure_.linkage.ground] = Frame::identity(parameters, values.second_order());
@@ -49,19 +88,68 @@ class ConfigurationWalk {
       }
     }
     placed_.slides.resize(slides);
+    find_what_is_placed_when();
   }
 
-  void run(bool measures_gap, Solution& result) {
-    begin(measures_gap, result);
+  void run(const Search& search, Solution& result) {
+    search_ = search;
+    seeks_nearest_ = false;
+    cuts_ =
+        search.within_limits && has_limits_ && most_configurations(structure_) > Plan::most_listed;
+    walk(result);
+  }
+
+  std::optional<Nearest> run_to_nearest(Solution& result) {
+    search_ = Search();
+    seeks_nearest_ = true;
+    cuts_ = has_limits_;
+    walk(result);
+    if (result.configurations.empty()) {
+      return std::nullopt;
+    }
+    const bool has_runner_up = std::isfinite(next_square_);
+    return Nearest{0, std::sqrt(least_square_),
+                   has_runner_up ? std::optional(std::sqrt(next_square_)) : std::nullopt};
+  }
+
+ private:
+  /// After how many groups each limited joint has its coordinate, and each link of the reference
+  /// its angle.
+  void find_what_is_placed_when() {
+    Table<LinkIndex, std::size_t> groups_before(structure_.linkage.links.size(), 0);
+    for (const GroupIndex group : structure_.groups.keys()) {
+      for (const LinkIndex link : structure_.groups[group].links) {
+        groups_before[link] = group.place() + 1;
+      }
+    }
+    for (const DrivenLink& link : structure_.driven) {
+      groups_before[link.to] = link.groups_before;
+    }
+    const Mechanism& mechanism = plan_->mechanism;
+    for (const JointIndex joint : mechanism.joints().keys()) {
+      if (mechanism.joints()[joint].lowest.exists()) {
+        std::size_t groups = 0;
+        for (const FeatureIndex feature : mechanism.joints()[joint].between) {
+          groups = std::max(groups, groups_before[mechanism.features()[feature].link]);
+        }
+        limited_[groups].push_back(joint);
+        has_limits_ = true;
+      }
+    }
+    for (const ReferenceAngle& angle : plan_->request.reference) {
+      referred_[groups_before[angle.link]].push_back(angle);
+    }
+  }
+
+  void walk(Solution& result) {
+    begin(result);
     descend(0);
     solution_->configurations.resize(listed_);
     conclude();
   }
 
- private:
   /// Whatever the last position was left in.
-  void begin(bool measures_gap, Solution& result) {
-    measures_gap_ = measures_gap;
+  void begin(Solution& result) {
     if (settled_) {
       *settled_ = given_;
     }
@@ -70,13 +158,20 @@ class ConfigurationWalk {
     result.mobility = 0;
     result.reason.clear();
     result.families.clear();
+    result.left_out = cuts_ ? std::nullopt : std::optional<std::size_t>(0);
     placed_.regularity = Status::ok;
     placed_.derivatives_known = true;
     placed_.rates_known = true;
     placed_.residual = 0;
+    is_inconsistent_ = false;
     listed_ = 0;
-    unreached_ = GroupIndex();
-    least_gap_ = std::numeric_limits<double>::infinity();
+    steps_ = 0;
+    has_cut_ = false;
+    for (Failures& failures : failures_) {
+      failures = Failures();
+    }
+    square_ = 0;
+    least_square_ = next_square_ = std::numeric_limits<double>::infinity();
   }
 
   /// What drivers say and move once the groups before one are placed, unless it is against links
@@ -168,6 +263,36 @@ class ConfigurationWalk {
   /// Solves the groups from one on, where all before it are placed.
   void descend(std::size_t depth) {
     move_driven_links(depth);
+    if (cuts_ && !keeps_limits_at(depth)) {
+      has_cut_ = true;
+      return;
+    }
+    const double square = square_;
+    if (seeks_nearest_) {
+      square_ += square_of_differences(referred_[depth]);
+    }
+    if (square_ < next_square_) {
+      descend_on(depth);
+    }
+    square_ = square;
+  }
+
+  [[nodiscard]] bool keeps_limits_at(std::size_t depth) const {
+    return std::ranges::all_of(limited_[depth], [this](JointIndex joint) {
+      return keeps_limits(values_, placed_.links, placed_.slides, joint);
+    });
+  }
+
+  [[nodiscard]] double square_of_differences(const std::vector<ReferenceAngle>& angles) const {
+    double square = 0;
+    for (const ReferenceAngle& angle : angles) {
+      const double difference = difference_from(values_, placed_.links[angle.link], angle);
+      square += difference * difference;
+    }
+    return square;
+  }
+
+  void descend_on(std::size_t depth) {
     if (depth == structure_.groups.size()) {
       list();
       return;
@@ -186,7 +311,7 @@ class ConfigurationWalk {
                  nothing_unplaced());
       return;
     }
-    const models::GroupAssemblies& found = solver.assemble();
+    const models::GroupAssemblies& found = assembled(group);
     if (found.status == AssemblyStatus::not_finite) {
       throw MechanismError(
           "links", "the lengths differ by more powers of ten than double precision can hold");
@@ -194,20 +319,20 @@ class ConfigurationWalk {
     if (found.mobility > 0 || found.status == AssemblyStatus::degenerate) {
       add_family(group, found.mobility, reason_of_freedom(group, found.mobility),
                  nothing_unplaced());
-    } else if (found.count == 0 && measures_gap_ && listed_ == 0) {
+    } else if (found.count == 0) {
       measure_gap(group);
     }
     const Status regularity = placed_.regularity;
     const double residual = placed_.residual;
     const bool derivatives_known = placed_.derivatives_known;
     const bool rates_known = placed_.rates_known;
-    for (std::size_t index = 0; index < found.count; ++index) {
+    const Visits visits = order_of_visits(group, found.count);
+    for (std::size_t visit = 0; visit < found.count; ++visit) {
       placed_.regularity = regularity;
       placed_.residual = residual;
       placed_.derivatives_known = derivatives_known;
       placed_.rates_known = rates_known;
-      solver.place(index, first_slide_[group], placed_);
-      placed_.groups[group] = {found.configurations[index], solver.displaced()};
+      place(group, visits[visit]);
       if (plan_->request.sweep) {
         placed_.determinants[group] = solver.determinant();
       }
@@ -215,11 +340,59 @@ class ConfigurationWalk {
     }
   }
 
+  /// Finds the configurations of a group where it is held.
+  const models::GroupAssemblies& assembled(GroupIndex group) {
+    if (++steps_ > most_steps) {
+      refuse("to find them takes more than " + std::to_string(most_steps) + " steps");
+    }
+    const models::GroupAssemblies& found = solvers_[group].assemble();
+    if (search_.measures_gap) {
+      failures_[group].met.insert(choices_of(holders_of(group)));
+    }
+    return found;
+  }
+
+  void place(GroupIndex group, std::size_t index) {
+    solvers_[group].place(index, first_slide_[group], placed_);
+    placed_.groups[group] = {solvers_[group].configuration(index), solvers_[group].displaced()};
+    chosen_[group] = index;
+  }
+
+  using Visits = std::array<std::size_t, models::most_configurations>;
+
+  /// The configurations of a group as they are found; where the nearest one is sought, those first
+  /// that are nearer.
+  [[nodiscard]] Visits order_of_visits(GroupIndex group, std::size_t count) {
+    Visits order{};
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    if (seeks_nearest_) {
+      std::array<double, models::most_configurations> squares{};
+      for (std::size_t index = 0; index < count; ++index) {
+        place(group, index);
+        squares[index] = square_of_differences(referred_[group.place() + 1]);
+      }
+      std::stable_sort(
+          order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count),
+          [&](std::size_t one, std::size_t other) { return squares[one] < squares[other]; });
+    }
+    return order;
+  }
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw MechanismError("", "there may be " + whole_number(most_configurations(structure_)) +
+                                 " configurations, and " + what +
+                                 "; give joints limits, or ask for the one that is nearest to a "
+                                 "reference of more links");
+  }
+
   /// Reports a group that moves where it is held, once for each choice of the groups that hold it.
   /// If a later group that does not depend on it cannot be assembled, nothing is reported: the
   /// answer must not depend on which of the two comes first. Nor may it hide another that moves.
   void add_family(GroupIndex group, int mobility, std::string reason,
                   Table<LinkIndex, bool> unplaced) {
+    if (seeks_nearest_ && !solution_->families.empty()) {
+      return;
+    }
     leave_out(group, unplaced);
     const PlacedLinks placed = placed_;
     if (rest_assembles(group.place() + 1, unplaced)) {
@@ -228,6 +401,9 @@ class ConfigurationWalk {
                     placed_.links};
       place_what_holds(group, family.is_placed);
       if (!is_listed(family)) {
+        if (solution_->families.size() == most_families) {
+          refuse("more than " + std::to_string(most_families) + " families");
+        }
         solution_->families.push_back(std::move(family));
       }
       find_families(group.place() + 1, std::move(unplaced));
@@ -284,13 +460,12 @@ class ConfigurationWalk {
       return;
     }
     solver.hold(placed_);
-    const models::GroupAssemblies& found = solver.assemble();
+    const models::GroupAssemblies& found = assembled(group);
     if (found.mobility > 0 || found.status == AssemblyStatus::degenerate) {
       add_family(group, found.mobility, reason_of_freedom(group, found.mobility), unplaced);
     }
     for (std::size_t index = 0; index < found.count; ++index) {
-      solver.place(index, first_slide_[group], placed_);
-      placed_.groups[group] = {found.configurations[index], solver.displaced()};
+      place(group, index);
       find_families(depth + 1, unplaced);
     }
   }
@@ -333,10 +508,9 @@ class ConfigurationWalk {
       return rest_assembles(depth + 1, std::move(unplaced));
     }
     solver.hold(placed_);
-    const models::GroupAssemblies& found = solver.assemble();
+    const models::GroupAssemblies& found = assembled(group);
     for (std::size_t index = 0; index < found.count; ++index) {
-      solver.place(index, first_slide_[group], placed_);
-      placed_.groups[group] = {found.configurations[index], solver.displaced()};
+      place(group, index);
       if (rest_assembles(depth + 1, unplaced)) {
         return true;
       }
@@ -345,19 +519,101 @@ class ConfigurationWalk {
       leave_out(group, unplaced);
       return rest_assembles(depth + 1, std::move(unplaced));
     }
-    if (found.count == 0 && measures_gap_ && listed_ == 0) {
+    if (found.count == 0) {
       measure_gap(group);
     }
     return false;
   }
 
-  /// Of the groups that cannot be assembled the one that fails by least is told.
+  /// With which configurations of the groups that hold it a group was met, with which it fails to
+  /// close, and by how much at least.
+  struct Failures {
+    std::set<std::vector<std::size_t>> met, failed;
+    double least_gap = std::numeric_limits<double>::infinity();
+    std::vector<std::string> holders;  ///< then: what holds it, and how it stands
+  };
+
   void measure_gap(GroupIndex group) {
     double gap = 0;
-    if (solvers_[group].gap(gap) == Status::ok && gap < least_gap_) {
-      least_gap_ = gap;
-      unreached_ = group;
+    if (!search_.measures_gap || listed_ > 0 || solvers_[group].gap(gap) != Status::ok) {
+      return;
     }
+    Failures& failures = failures_[group];
+    failures.failed.insert(choices_of(holders_of(group)));
+    if (gap < failures.least_gap) {
+      failures.least_gap = gap;
+      failures.holders = stance_of_holders(group);
+    }
+  }
+
+  /// The groups that hold a group, and those that hold these, in order.
+  [[nodiscard]] std::vector<GroupIndex> holders_of(GroupIndex group) const {
+    Table<LinkIndex, bool> is_placed = structure_.placed_by_drivers();
+    place_what_holds(group, is_placed);
+    std::vector<GroupIndex> holders;
+    for (std::size_t place = 0; place < group.place(); ++place) {
+      if (is_placed[structure_.groups[GroupIndex(place)].links.front()]) {
+        holders.emplace_back(place);
+      }
+    }
+    return holders;
+  }
+
+  [[nodiscard]] std::vector<std::size_t> choices_of(const std::vector<GroupIndex>& groups) const {
+    std::vector<std::size_t> choices;
+    for (const GroupIndex group : groups) {
+      choices.push_back(chosen_[group]);
+    }
+    return choices;
+  }
+
+  /// The links of groups that hold a group themselves, each with its angle.
+  [[nodiscard]] std::vector<std::string> stance_of_holders(GroupIndex group) const {
+    std::vector<std::string> holders;
+    for (const LinkIndex link : plan_->mechanism.links().keys()) {
+      const bool holds = std::ranges::any_of(
+          values_.numbers_of(group).held,
+          [link](const values::HeldJoint& joint) { return joint.base == link; });
+      const bool is_of_group =
+          std::ranges::any_of(structure_.groups, [link](const FoundGroup& other) {
+            return std::ranges::find(other.links, link) != other.links.end();
+          });
+      if (holds && is_of_group) {
+        const double degrees =
+            angle_of(placed_.links[link].pose.direction) * 180 / std::numbers::pi;
+        holders.push_back(structure_.linkage.links[link] + " at " + short_number(degrees) + " deg");
+      }
+    }
+    return holders;
+  }
+
+  /// Of the groups that cannot be assembled the one that fails by least is told.
+  [[nodiscard]] std::string reason_of_failure() const {
+    const auto least = std::ranges::min_element(failures_, {}, &Failures::least_gap);
+    if (least == failures_.end() || least->failed.empty()) {
+      return "";
+    }
+    const GroupIndex group(static_cast<std::size_t>(least - failures_.begin()));
+    const FoundGroup& found = structure_.groups[group];
+    std::string reason = "group " + std::to_string(group.place() + 1) + " (" +
+                         found.model->group->name + " " + found.kind + ": " +
+                         text::listed(structure_.names_of(found.links)) + "): the joints " +
+                         text::listed(joint_names(group, false)) + " fail to close by " +
+                         short_number(least->least_gap) + " at least";
+    std::vector<std::string> holders;
+    for (const GroupIndex holder : holders_of(group)) {
+      holders.push_back(std::to_string(holder.place() + 1));
+    }
+    if (!holders.empty()) {
+      reason += ", in " + std::to_string(least->failed.size()) + " of " +
+                std::to_string(least->met.size()) + " configurations of " +
+                (holders.size() == 1 ? "group " : "the groups ") + text::listed(holders) +
+                " (by so little with " + text::listed(least->holders) + ")";
+    }
+    if (const std::string& flaw = values_.group(group).flaw; !flaw.empty()) {
+      reason += "; " + flaw;
+    }
+    return reason;
   }
 
   [[nodiscard]] std::vector<std::string> joint_names(GroupIndex group, bool slides_only) const {
@@ -387,6 +643,32 @@ class ConfigurationWalk {
 
   /// A configuration in which everything is placed.
   void list() {
+    const bool is_consistent =
+        holds_redundantly(values_, placed_.links, placed_.regularity, placed_.rates_known);
+    if (!is_consistent && search_.within_limits) {
+      is_inconsistent_ = true;
+      return;
+    }
+    if (seeks_nearest_) {
+      if (square_ >= least_square_) {
+        next_square_ = square_;
+        return;
+      }
+      next_square_ = least_square_;
+      least_square_ = square_;
+      listed_ = 0;
+    }
+    bool keeps = true;
+    if (has_limits_ && !cuts_) {
+      for (std::size_t depth = 0; depth < limited_.size() && keeps; ++depth) {
+        keeps = keeps_limits_at(depth);
+      }
+    }
+    if (!keeps && search_.within_limits) {
+      ++*solution_->left_out;
+      return;
+    }
+    expect_room();
     if (listed_ == solution_->configurations.size()) {
       solution_->configurations.emplace_back();
     }
@@ -408,8 +690,8 @@ class ConfigurationWalk {
     result.rates_known = placed_.rates_known;
     result.path_known = placed_.derivatives_known;
     result.residual = placed_.residual;
-    result.is_consistent = holds_redundantly(values_, result);
-    result.within_limits = keeps_limits(values_, result);
+    result.is_consistent = is_consistent;
+    result.within_limits = keeps;
     result.branches.clear();
     result.determinants = placed_.determinants;
     result.plan = plan_;
@@ -422,7 +704,20 @@ class ConfigurationWalk {
     }
   }
 
+  /// Of a configuration with its derivatives to each parameter.
+  void expect_room() const {
+    const double parameters = 1 + static_cast<double>(values_.columns().size());
+    const double numbers = static_cast<double>(structure_.linkage.links.size()) *
+                           (12 + 3 * parameters * (values_.second_order() ? parameters : 1));
+    if (listed_ == Plan::most_listed || static_cast<double>(listed_) * numbers > most_numbers) {
+      refuse("no more than " + std::to_string(listed_) + " can be listed");
+    }
+  }
+
   void conclude() {
+    if (is_inconsistent_ && solution_->configurations.empty() && solution_->families.empty()) {
+      throw OverConstrained(*plan_->excess);
+    }
     if (solution_->configurations.empty()) {
       conclude_without_configurations();
       return;
@@ -433,16 +728,11 @@ class ConfigurationWalk {
   void conclude_without_configurations() {
     if (solution_->families.empty()) {
       solution_->status = SolutionStatus::no_assembly;
-      if (!unreached_.exists()) {
-        return;
-      }
-      std::array<char, 32> gap{};
-      (void)std::snprintf(gap.data(), gap.size(), "%.3g", least_gap_);
-      solution_->reason = "the joints " + text::listed(joint_names(unreached_, false)) +
-                          " fail to close by " + gap.data() + " at least";
-      if (const std::string& flaw = values_.group(unreached_).flaw; !flaw.empty()) {
-        solution_->reason += "; " + flaw;
-      }
+      solution_->reason = has_cut_ ? "what can be assembled is beyond the limits of joints"
+                          : solution_->left_out > 0
+                              ? "of " + std::to_string(*solution_->left_out) +
+                                    " configurations each is beyond the limits of a joint"
+                              : reason_of_failure();
       return;
     }
     solution_->status = SolutionStatus::degenerate;
@@ -463,17 +753,31 @@ class ConfigurationWalk {
   Table<GroupIndex, std::size_t> first_slide_;
   PlacedLinks placed_;
   Frame joint_, motion_, moved_;  ///< room for what drivers move
-  bool measures_gap_ = false;
+  Search search_;
+  bool seeks_nearest_ = false;
+  bool cuts_ = false;             ///< whether what is beyond limits is left as soon as it is placed
+  bool has_cut_ = false;          ///< whether something was
   Solution* solution_ = nullptr;  ///< that is being written
+  bool is_inconsistent_ = false;  ///< constraints that are too many did not hold somewhere
   std::size_t listed_ = 0;        ///< configurations; those behind are of an earlier solution
-  GroupIndex unreached_;
-  double least_gap_ = 0;
+  std::size_t steps_ = 0;
+  Table<GroupIndex, Failures> failures_;
+  Table<GroupIndex, std::size_t> chosen_;         ///< which of its configurations each group is in
+  std::vector<std::vector<JointIndex>> limited_;  ///< by the groups before them
+  std::vector<std::vector<ReferenceAngle>> referred_;  ///< likewise
+  bool has_limits_ = false;
+  double square_ = 0;  ///< of the distance from the reference, of what is placed
+  double least_square_ = 0, next_square_ = 0;  ///< of the nearest configuration, and the next one
 };
 
 MechanismSolver::MechanismSolver(const Values& values)
     : walk_(std::make_unique<ConfigurationWalk>(values)) {}
 MechanismSolver::~MechanismSolver() = default;
 
-void MechanismSolver::solve(bool measure_gap, Solution& result) { walk_->run(measure_gap, result); }
+void MechanismSolver::solve(const Search& search, Solution& result) { walk_->run(search, result); }
+
+std::optional<Nearest> MechanismSolver::solve_nearest(Solution& result) {
+  return walk_->run_to_nearest(result);
+}
 
 }  // namespace assur::mechanism::solve

@@ -4,12 +4,27 @@
 #include <assur/mechanism/solution.hpp>
 #include <assur/mechanism/values.hpp>
 #include <memory>
+#include <optional>
 
 namespace assur::mechanism::solve {
 
 class ConfigurationWalk;
 
+/// What is asked of the configurations of a mechanism.
+struct Search {
+  /// Whether those beyond the limits of joints are left out: a sweep follows branches through them.
+  bool within_limits = true;
+  /// Whether a solution without configurations tells by how much the links fail to close, which
+  /// takes longer than to solve.
+  bool measures_gap = false;
+};
+
+/// How many configurations a mechanism has at most, by the models of its groups.
+[[nodiscard]] double most_configurations(const Structure& structure);
+
 /// Solves a mechanism wherever its values are set, in memory that it keeps from one to the next.
+/// Throws MechanismError where there are more configurations than can be listed, or where they
+/// cannot be found in a bounded time.
 class MechanismSolver {
  public:
   /// The values must outlive the solver, and stay where they are.
@@ -18,9 +33,10 @@ class MechanismSolver {
   MechanismSolver(const MechanismSolver&) = delete;
   MechanismSolver& operator=(const MechanismSolver&) = delete;
 
-  /// See `Plan::solve`. On demand a solution without configurations tells by how much the links
-  /// fail to close, which takes longer than to solve.
-  void solve(bool measure_gap, Solution& result);
+  /// See `Plan::solve`.
+  void solve(const Search& search, Solution& result);
+  /// See `Plan::solve_nearest`.
+  [[nodiscard]] std::optional<Nearest> solve_nearest(Solution& result);
 
  private:
   std::unique_ptr<ConfigurationWalk> walk_;

@@ -34,7 +34,7 @@ TEST(SweepStream, RecordsArriveWhileTheSweepRuns) {
     EXPECT_EQ(done, row.step);  // the steps before, and none behind
     solved_before_row.push_back(solved);
   };
-  mechanism::sweep(plan, {record, [&](const Solution&) { ++solved; },
+  mechanism::sweep(plan, {record, [&](double, const Solution&) { ++solved; },
                           [&](int steps) {
                             EXPECT_EQ(steps, done + 1);
                             done = steps;
@@ -54,7 +54,7 @@ TEST(SweepStream, AnObserverMayStopASweepByThrowing) {
       throw std::runtime_error("enough");
     }
   };
-  EXPECT_THROW(mechanism::sweep(plan, {record, [](const Solution&) {}, [](int) {}}),
+  EXPECT_THROW(mechanism::sweep(plan, {record, [](double, const Solution&) {}, [](int) {}}),
                std::runtime_error);
   EXPECT_EQ(rows, 5);
 }
@@ -93,9 +93,10 @@ TEST(SweepStream, AValueThatIsNotFiniteLateIsNotReportedBefore) {
   scene["drivers"]["A"]["position"] = "sqrt(5 - phi)";
   const Plan plan(mechanism::parse_scene(scene.dump(), "scene"));
   int calls = 0;
-  EXPECT_THROW(mechanism::sweep(plan, {[&](const mechanism::SweepRecord&) { ++calls; },
-                                       [&](const Solution&) { ++calls; }, [&](int) { ++calls; }}),
-               mechanism::MechanismError);
+  EXPECT_THROW(
+      mechanism::sweep(plan, {[&](const mechanism::SweepRecord&) { ++calls; },
+                              [&](double, const Solution&) { ++calls; }, [&](int) { ++calls; }}),
+      mechanism::MechanismError);
   EXPECT_EQ(calls, 0);
 }
 

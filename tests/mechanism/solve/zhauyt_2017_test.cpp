@@ -50,7 +50,7 @@ TEST(Zhauyt2017, TurnsFullyOnTwoBranchesAndDwellsOnTheSecond) {
     const double last = angles.empty() ? angle : angles.back();
     angles.push_back(last + std::remainder(angle - last, 360 * degree));
   };
-  mechanism::sweep(plan, {follow, [](const Solution&) {}, [](int) {}});
+  mechanism::sweep(plan, {follow, [](double, const Solution&) {}, [](int) {}});
   for (const std::vector<double>& angles : outputs) {
     ASSERT_EQ(angles.size(), 361U);
     EXPECT_NEAR(angles.back(), angles.front(), 1e-12);

@@ -101,8 +101,8 @@ inline SweepKept run_sweep(const mechanism::Scene& scene) {
       kept.events.push_back({at.step, at.event, at.parameter, at.state->residual, pose_of(at)});
     }
   };
-  mechanism::sweep(
-      plan, {record, [](const mechanism::Solution&) {}, [&](int done) { kept.steps = done; }});
+  mechanism::sweep(plan, {record, [](double, const mechanism::Solution&) {},
+                          [&](int done) { kept.steps = done; }});
   return kept;
 }
 

@@ -26,6 +26,7 @@ struct GroupModel {
   int number;
   bool rigid;
   int mobility;                    ///< generic, where it can be assembled
+  int max_configurations;          ///< at most, of a rigid model; 0 of another
   std::vector<bool> prismatic;     ///< of each joint
   std::vector<std::string> kinds;  ///< that it serves, spelled
   std::vector<ModelUnknown> unknowns;

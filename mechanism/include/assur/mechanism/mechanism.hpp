@@ -151,6 +151,8 @@ class Mechanism {
   /// and numbers stay as they are.
   [[nodiscard]] Mechanism only(const Table<LinkIndex, bool>& kept) const;
 
+  /// The mechanism with all its drivers moved on.
+  [[nodiscard]] Mechanism driven_on(double by) const;
   /// The mechanism without what a joint says of one of its links, by a feature of that link.
   [[nodiscard]] Mechanism without(JointIndex joint, FeatureIndex feature) const;
   /// The mechanism with a slot on one of the links of a revolute joint, along the line from another

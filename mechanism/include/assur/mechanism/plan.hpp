@@ -35,8 +35,9 @@ class Plan {
 
   /// The driven links, then the groups one after the other; every combination of their
   /// configurations is one of the mechanism. Throws MechanismError where the lengths differ by more
-  /// powers of ten than double precision holds, and where constraints that are too many hold in no
-  /// configuration.
+  /// powers of ten than double precision holds, where constraints that are too many hold in no
+  /// configuration, and where there are more configurations than `most_listed`, or than can be found
+  /// in a bounded time.
   [[nodiscard]] Solution solve(const Values& values) const;
   /// The same in the memory of an earlier solution, which saves most allocations. What `result`
   /// holds after an error is not specified.
@@ -45,6 +46,15 @@ class Plan {
   /// reference.
   [[nodiscard]] std::optional<Nearest> nearest(const Values& values,
                                                const Solution& solution) const;
+  /// The configuration nearest to the request's reference, alone in the solution, and in the memory
+  /// of one: what is farther than the runner-up so far, or beyond limits, is left as soon as it is
+  /// placed. Of families the first is told. Throws MechanismError as `solve` and `nearest` do.
+  [[nodiscard]] std::optional<Nearest> solve_nearest(const Values& values, Solution& result) const;
+  /// How many configurations there are at most, by the models of the groups.
+  [[nodiscard]] double most_configurations() const;
+  /// How many of them `solve` lists at most. Where there may be more, it leaves what is beyond the
+  /// limits of joints as soon as it is placed, and does not count it.
+  static constexpr std::size_t most_listed = 20000;
   /// Why there are no configurations: which group fails to close and by how much at least, or what
   /// moves freely. Takes longer than to solve. Empty where there are configurations.
   [[nodiscard]] std::string obstacle(const Values& values) const;

@@ -23,4 +23,7 @@ struct Scene {
 [[nodiscard]] Scene parse_scene(const std::string& text, const std::string& file,
                                 const std::vector<std::string>& settings = {});
 
+/// The JSON Schema (draft 2020-12) of scenes: every key that the reader knows, and what it means.
+[[nodiscard]] std::string scene_schema();
+
 }  // namespace assur::mechanism

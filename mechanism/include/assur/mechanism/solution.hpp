@@ -81,13 +81,14 @@ struct Solution {
   /// In an order that depends on the mechanism alone.
   std::vector<Configuration> configurations;
   std::vector<Family> families;
-  std::size_t left_out = 0;  ///< configurations beyond the limits of joints
+  /// Configurations beyond the limits of joints; nothing where there are too many to be counted.
+  std::optional<std::size_t> left_out = 0;
 };
 
 /// The configuration whose links stand closest to the angles of a request's reference: with the
 /// least root of the sum of the squares of their differences, in radians.
 struct Nearest {
-  std::size_t configuration;     ///< its place in the solution
+  std::size_t configuration;  ///< its place in the solution
   double distance;
   std::optional<double> runner_up;  ///< the distance of the next one; none if it is the only one
 };

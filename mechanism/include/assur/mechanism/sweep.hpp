@@ -21,8 +21,10 @@ struct SweepRecord {
 /// What a sweep reports while it runs, in its order. Any of them may be left out.
 struct SweepObserver {
   std::function<void(const SweepRecord&)> record;
-  std::function<void(const Solution&)> solved;  ///< each step's solution, ahead of its records
-  std::function<void(int)> progress;            ///< steps done
+  /// Each step's value of the swept parameter, and its solution, ahead of its records. The solution
+  /// has the configurations beyond the limits of joints, too.
+  std::function<void(double, const Solution&)> solved;
+  std::function<void(int)> progress;  ///< steps done
 };
 
 /// Follows every branch of a mechanism's configurations through its sweep. Two neighbouring sets of

@@ -6,6 +6,7 @@
 #include <assur/model.hpp>
 #include <assur/numeric/magnitude.hpp>
 #include <assur/numeric/pair.hpp>
+#include <assur/support/discriminant.hpp>
 #include <assur/support/displaced_frame.hpp>
 #include <cmath>
 #include <cstddef>
@@ -19,31 +20,8 @@ inline constexpr bool has_closed_form = Model::polynomial_degree == 1 ||
                                         (!is_angle<Model>(Model::first_unknown) &&
                                          Model::polynomial_degree == 2);
 
-/// What decides how many real roots a final polynomial of first or second degree has, and what
-/// its formula divides by: the discriminant, and the leading coefficient of a polynomial in a
-/// displacement (that of a trigonometric one is no less than its discriminant).
-template <typename Scalar>
-struct Discriminants {
-  Scalar discriminant{};
-  Scalar leading{};
-};
-
-/// Of T = c0 + c1 cos x + s1 sin x: c1^2 + s1^2 - c0^2.
-template <typename Scalar>
-[[nodiscard]] Discriminants<Scalar> discriminants_of(const TrigonometricPolynomial<Scalar, 1>& T) {
-  const Scalar leading = T.cosine[1] * T.cosine[1] + T.sine[1] * T.sine[1];
-  return {leading - T.cosine[0] * T.cosine[0], leading};
-}
-/// Of T = a + b x, which has one root wherever it has a leading coefficient.
-template <typename Scalar>
-[[nodiscard]] Discriminants<Scalar> discriminants_of(const Vector<Scalar, 2>& T) {
-  return {T(1) * T(1), T(1)};
-}
-/// Of T = a + b x + c x^2: b^2 - 4 a c.
-template <typename Scalar>
-[[nodiscard]] Discriminants<Scalar> discriminants_of(const Vector<Scalar, 3>& T) {
-  return {T(1) * T(1) - Scalar(4) * T(2) * T(0), T(2)};
-}
+using support::Discriminants;
+using support::discriminants_of;
 
 /// With r = sqrt(discriminant): c1 cos x + s1 sin x = -c0 and s1 cos x - c1 sin x = -+r.
 [[nodiscard]] inline Direction<numeric::Pair> roots_of(const TrigonometricPolynomial<double, 1>& T,
@@ -94,18 +72,15 @@ void widen(Vector<Scalar, Count>& T, const Scalar& error) {
   }
 }
 
-/// The length up to which what is said of a specialised group holds: it has a unit of its own, as
-/// its dimensions are numbers. Of a model it is said of a longest length of one.
-inline constexpr double most_length_of_numbers = 8;
+/// The length up to which what is said of a model, or of a specialised group, holds.
 template <typename Model>
-inline constexpr double most_length = Model::dimension_count == 0 ? most_length_of_numbers : 1;
+inline constexpr double most_length = Model::dimension_count == 0 ? support::most_length_of_numbers : 1;
 
 /// Tells whether a discriminant of a model has a certain sign. It is homogeneous in the lengths; of
 /// a specialised group it counts as of degree zero.
 struct Certainty {
   double firmness = 0;  ///< one over the largest error where the longest length is `most_length`
   int degree = 0;       ///< of the discriminant in the lengths
-  static constexpr int highest_degree = 7;
 
   /// A length to the discriminant's degree, by the length's square.
   [[nodiscard]] double power(double square) const {

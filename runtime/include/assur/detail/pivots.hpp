@@ -3,6 +3,7 @@
 
 #include <assur/model.hpp>
 #include <assur/status.hpp>
+#include <assur/support/derivative_digits.hpp>
 #include <cmath>
 #include <limits>
 
@@ -27,13 +28,8 @@ template <typename Model, typename Scalar>
   return pivots;
 }
 
-/// The relative error of a derivative is at most this over the margin; see `regularity`.
-template <typename Scalar>
-[[nodiscard]] Scalar derivative_rounding() {
-  return Scalar(derivative_error_constant) * std::numeric_limits<Scalar>::epsilon();
-}
-
-inline constexpr double six_digits = 5e-7;
+using support::derivative_rounding;
+using support::six_digits;
 
 /// `rounding`: the relative error of what the pivots are computed from, with all constants.
 template <typename Model, typename Scalar>

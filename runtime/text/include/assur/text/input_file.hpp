@@ -6,7 +6,7 @@
 
 namespace assur::text {
 
-/// The whole text. Throws InputError where there is no file to read.
+/// The whole text. Throws InputError where there is no file to read, or one of more than 8 MiB.
 [[nodiscard]] std::string read_input_file(const std::filesystem::path& file);
 
 }  // namespace assur::text

@@ -1,0 +1,44 @@
+#include "command/arguments.hpp"
+
+#include <algorithm>
+#include <assur/text/names.hpp>
+#include <assur/text/suggestion.hpp>
+#include <charconv>
+
+namespace assur::generator::command {
+
+namespace {
+
+bool has(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+}  // namespace
+
+std::string complaint_of_word(const std::string& word, const std::vector<std::string>& words) {
+  return has(words, word)
+             ? ""
+             : "'" + word + "' is none of " + text::listed(words) + text::suggestion(word, words);
+}
+
+std::string complaint_of_number(const std::string& text) {
+  int number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && at == end && number >= 1
+             ? ""
+             : "expected a whole number from 1 on, found '" + text + "'";
+}
+
+std::string complaint_of_options(const std::vector<std::string>& words,
+                                 const std::vector<std::string>& options) {
+  for (const std::string& word : words) {
+    const std::string option = word.substr(0, word.find('='));
+    if (option.size() > 2 && option.starts_with("--") && !has(options, option)) {
+      return "no option '" + option + "'" + text::suggestion(option, options);
+    }
+  }
+  return "";
+}
+
+}  // namespace assur::generator::command

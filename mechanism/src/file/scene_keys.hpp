@@ -1,0 +1,126 @@
+// Turns the scene format into tables of keys, which its reader and its JSON Schema share.
+#pragma once
+
+#include <array>
+
+namespace assur::mechanism::file {
+
+/// A key of an object of a scene.
+struct SceneKey {
+  const char* name;
+  bool required;
+  const char* form;     ///< the JSON Schema of its value
+  const char* meaning;  ///< with its unit and its sign
+};
+
+inline constexpr std::array scene_keys = {
+    SceneKey{"name", false, R"({"type": "string"})", "What messages and reports call the scene."},
+    SceneKey{"parameters", false, R"({"$ref": "#/$defs/parameters"})",
+             "Numbers with names, which expressions may use."},
+    SceneKey{
+        "links", true, R"({"$ref": "#/$defs/links"})",
+        "The rigid bodies, each with its named features in its own frame. The link 'ground' is "
+        "the fixed frame."},
+    SceneKey{"joints", true, R"({"$ref": "#/$defs/joints"})", "What joins features of links."},
+    SceneKey{"drivers", false, R"({"$ref": "#/$defs/drivers"})",
+             "The joints whose coordinates are given."},
+    SceneKey{"outputs", false, R"({"$ref": "#/$defs/outputs"})",
+             "Points to report, each with a name."},
+    SceneKey{"want", false,
+             R"({"type": "array", "items": {"enum": ["position", "velocity", "acceleration",
+                 "sensitivity"]}})",
+             "What is computed; all four where this is left out."},
+    SceneKey{"report", false, R"({"$ref": "#/$defs/report"})",
+             "Which links and slides are reported beside the outputs."},
+    SceneKey{"reference", false,
+             R"({"type": "object", "additionalProperties": {"$ref": "#/$defs/number"}})",
+             "About how some links are turned against the ground, in radians: what --nearest is "
+             "nearest to."},
+    SceneKey{"redundancy", false, R"({"$ref": "#/$defs/redundancy"})",
+             "How far constraints that are too many may miss."},
+    SceneKey{"sweep", false, R"({"$ref": "#/$defs/sweep"})", "A range of one parameter."},
+    SceneKey{"covariance", false, R"({"$ref": "#/$defs/covariance"})",
+             "How some parameters vary together."},
+};
+
+inline constexpr std::array parameter_keys = {
+    SceneKey{"value", true, R"({"$ref": "#/$defs/number"})",
+             "A length in the scene's unit, an angle in radians, or any other number."},
+    SceneKey{"tolerance", false, R"({"$ref": "#/$defs/number"})",
+             "A half-width, in the parameter's unit; not negative."},
+    SceneKey{"velocity", false, R"({"$ref": "#/$defs/number"})",
+             "The rate in time, in the parameter's unit a second; where it is left out that of the "
+             "parameters in its value."},
+    SceneKey{"acceleration", false, R"({"$ref": "#/$defs/number"})",
+             "The second rate in time, likewise."},
+    SceneKey{"variable", false, R"({"type": "boolean"})",
+             "Whether the parameter stays an argument of the emitted solver."},
+};
+
+inline constexpr std::array line_keys = {
+    SceneKey{"through", true, R"({"$ref": "#/$defs/point"})",
+             "A point of the line, from which displacements are measured."},
+    SceneKey{"along", true, R"({"$ref": "#/$defs/point"})",
+             "The direction of the line, of any length but zero; its sense is that of positive "
+             "displacements."},
+};
+
+inline constexpr std::array joint_keys = {
+    SceneKey{"type", true, R"({"enum": ["revolute", "prismatic", "pin-in-slot"]})",
+             "Revolute: points coincide. Prismatic: two lines coincide and point the same way. "
+             "Pin-in-slot: a point lies on a line."},
+    SceneKey{
+        "between", true,
+        R"({"type": "array", "minItems": 2, "items": {"$ref": "#/$defs/feature_name"}})",
+        "Features of different links. The coordinate is measured from the first to the second: "
+        "the angle theta_second - theta_first, counter-clockwise, or the displacement of the "
+        "second line's 'through' from the first's, along the line."},
+    SceneKey{"limits", false, R"({"$ref": "#/$defs/pair"})",
+             "Lowest and highest coordinate, both included, in radians or the scene's unit; an "
+             "angle counts by whole turns."},
+};
+
+inline constexpr std::array driver_keys = {
+    SceneKey{"position", true, R"({"$ref": "#/$defs/number"})",
+             "The joint's coordinate: an angle in radians or a displacement. It may contain "
+             "joint(K), the coordinate of another joint of two links."},
+    SceneKey{"velocity", false, R"({"$ref": "#/$defs/number"})",
+             "Its rate in time; where it is left out it follows from the position."},
+    SceneKey{"acceleration", false, R"({"$ref": "#/$defs/number"})",
+             "Its second rate in time; likewise."},
+};
+
+inline constexpr std::array report_keys = {
+    SceneKey{"links", false,
+             R"({"type": "array", "items": {"type": "string"}, "uniqueItems": true})",
+             "Names of links; all where this is left out."},
+    SceneKey{"joints", false,
+             R"({"type": "array", "items": {"type": "string"}, "uniqueItems": true})",
+             "Names of prismatic and pin-in-slot joints; all where this is left out."},
+};
+
+inline constexpr std::array sweep_keys = {
+    SceneKey{"parameter", true, R"({"type": "string"})", "The parameter that is swept."},
+    SceneKey{"from", true, R"({"$ref": "#/$defs/number"})", "Its first value."},
+    SceneKey{"to", true, R"({"$ref": "#/$defs/number"})", "Its last value."},
+    SceneKey{"count", true, R"({"type": "integer", "minimum": 1, "maximum": 10000000})",
+             "How many equally spaced values, both ends among them."},
+};
+
+inline constexpr std::array redundancy_keys = {
+    SceneKey{"tolerance", true, R"({"$ref": "#/$defs/number"})",
+             "A length in the scene's unit; without it, they hold to rounding or not at all."},
+};
+
+inline constexpr std::array covariance_keys = {
+    SceneKey{
+        "parameters", true,
+        R"({"type": "array", "items": {"type": "string"}, "minItems": 1, "uniqueItems": true})",
+        "The parameters that vary."},
+    SceneKey{
+        "matrix", true,
+        R"({"type": "array", "items": {"type": "array", "items": {"$ref": "#/$defs/number"}}})",
+        "Variances and covariances, in the order of the parameters."},
+};
+
+}  // namespace assur::mechanism::file

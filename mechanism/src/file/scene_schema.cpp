@@ -1,0 +1,94 @@
+// Turns the tables of a scene's keys into a JSON Schema.
+#include <assur/mechanism/scene_file.hpp>
+#include <span>
+
+#include "json_values.hpp"
+#include "scene_keys.hpp"
+
+namespace assur::mechanism::file {
+
+namespace {
+
+/// An object that has these keys and no others.
+SceneJson object_of(std::span<const SceneKey> keys, const std::string& description) {
+  SceneJson schema = {{"description", description},
+                      {"type", "object"},
+                      {"properties", SceneJson::object()},
+                      {"required", SceneJson::array()},
+                      {"additionalProperties", false}};
+  for (const SceneKey& key : keys) {
+    SceneJson form = {{"description", key.meaning}};
+    form.update(SceneJson::parse(key.form));
+    schema["properties"][key.name] = form;
+    if (key.required) {
+      schema["required"].push_back(key.name);
+    }
+  }
+  return schema;
+}
+
+/// An object whose keys are names that the scene gives.
+SceneJson names_of(const SceneJson& named, const char* pattern = nullptr) {
+  SceneJson schema = {{"type", "object"}};
+  if (pattern != nullptr) {
+    schema["propertyNames"] = {{"pattern", pattern}};
+  }
+  schema["additionalProperties"] = named;
+  return schema;
+}
+
+SceneJson reference_to(const std::string& name) { return {{"$ref", "#/$defs/" + name}}; }
+
+SceneJson definitions() {
+  const SceneJson number = {
+      {"description",
+       "A number, or an expression in parameters: + - * / ^, parentheses, sqrt sin cos tan asin "
+       "acos atan atan2, pi, and deg = pi/180"},
+      {"anyOf", {{{"type", "number"}}, {{"type", "string"}, {"minLength", 1}}}}};
+  const auto two = [](const std::string& description) {
+    return SceneJson{{"description", description},
+                     {"type", "array"},
+                     {"items", reference_to("number")},
+                     {"minItems", 2},
+                     {"maxItems", 2}};
+  };
+  SceneJson joint = object_of(joint_keys, "A joint of two links; a revolute one may have more");
+  joint["if"] = {{"properties", {{"type", {{"enum", {"prismatic", "pin-in-slot"}}}}}}};
+  joint["then"] = {{"properties", {{"between", {{"maxItems", 2}}}}}};
+  const SceneJson line = object_of(line_keys, "A line in the frame of its link");
+  const SceneJson parameter = object_of(parameter_keys, "A parameter and what is known of it");
+  return {{"number", number},
+          {"pair", two("[lowest, highest]")},
+          {"point", two("[x, y] in the frame of its link, in the scene's unit of length")},
+          {"feature_name",
+           {{"description", "link.feature"}, {"type", "string"}, {"pattern", "^[^.]+\\."}}},
+          {"parameters",
+           names_of({{"anyOf", {reference_to("number"), parameter}}}, "^[A-Za-z_][A-Za-z0-9_]*$")},
+          {"links", names_of(names_of({{"anyOf", {reference_to("point"), line}}}), "^[^.]+$")},
+          {"joints", names_of(joint)},
+          {"drivers", names_of(object_of(driver_keys, "The law of the joint of this name"))},
+          {"outputs", names_of(reference_to("feature_name"))},
+          {"report", object_of(report_keys, "Lists of names")},
+          {"sweep", object_of(sweep_keys, "Equally spaced values of a parameter")},
+          {"redundancy", object_of(redundancy_keys, "What redundant constraints may miss")},
+          {"covariance", object_of(covariance_keys, "A symmetric matrix")}};
+}
+
+}  // namespace
+
+}  // namespace assur::mechanism::file
+
+namespace assur::mechanism {
+
+std::string scene_schema() {
+  file::SceneJson schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                            {"title", "A scene: one planar mechanism, and what is wanted of it"}};
+  schema.update(file::object_of(
+      file::scene_keys,
+      "Lengths share one unit, and angles are in radians, counter-clockwise. A link's pose is the "
+      "place of its frame's origin and the angle of its x-axis, in the frame of the ground."));
+  schema["$defs"] = file::definitions();
+  return schema.dump(2) + "\n";
+}
+
+}  // namespace assur::mechanism

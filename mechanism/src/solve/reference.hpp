@@ -1,0 +1,17 @@
+// Turns a link that is placed into how far it is turned from its angle in the request's reference.
+#pragma once
+
+#include <assur/directions.hpp>
+#include <assur/mechanism/request.hpp>
+#include <assur/mechanism/values.hpp>
+
+namespace assur::mechanism::solve {
+
+/// In radians, half a turn at most.
+[[nodiscard]] inline double difference_from(const Values& values, const Frame& link,
+                                            const ReferenceAngle& angle) {
+  const Direction<double> wanted = direction_of(values.number(angle.theta).value());
+  return angle_of(turned(link.pose.direction, reversed(wanted)));
+}
+
+}  // namespace assur::mechanism::solve

@@ -1,0 +1,18 @@
+// Turns the margin of a configuration from singular ones into the digits that its derivatives keep.
+#pragma once
+
+#include <assur/status.hpp>
+#include <limits>
+
+namespace assur::support {
+
+/// The relative error of a derivative is at most this over the margin; see `regularity`.
+template <typename Scalar>
+[[nodiscard]] Scalar derivative_rounding() {
+  return Scalar(derivative_error_constant) * std::numeric_limits<Scalar>::epsilon();
+}
+
+/// What a regular configuration promises of its derivatives.
+inline constexpr double six_digits = 5e-7;
+
+}  // namespace assur::support

@@ -1,0 +1,40 @@
+// Turns a final polynomial of first or second degree into what decides how many roots it has.
+#pragma once
+
+#include <assur/model.hpp>
+
+namespace assur::support {
+
+/// What decides how many real roots a final polynomial of first or second degree has, and what
+/// its formula divides by: the discriminant, and the leading coefficient of a polynomial in a
+/// displacement (that of a trigonometric one is no less than its discriminant).
+template <typename Scalar>
+struct Discriminants {
+  Scalar discriminant{};
+  Scalar leading{};
+};
+
+/// Of T = c0 + c1 cos x + s1 sin x: c1^2 + s1^2 - c0^2.
+template <typename Scalar>
+[[nodiscard]] Discriminants<Scalar> discriminants_of(const TrigonometricPolynomial<Scalar, 1>& T) {
+  const Scalar leading = T.cosine[1] * T.cosine[1] + T.sine[1] * T.sine[1];
+  return {leading - T.cosine[0] * T.cosine[0], leading};
+}
+/// Of T = a + b x, which has one root wherever it has a leading coefficient.
+template <typename Scalar>
+[[nodiscard]] Discriminants<Scalar> discriminants_of(const Vector<Scalar, 2>& T) {
+  return {T(1) * T(1), T(1)};
+}
+/// Of T = a + b x + c x^2: b^2 - 4 a c.
+template <typename Scalar>
+[[nodiscard]] Discriminants<Scalar> discriminants_of(const Vector<Scalar, 3>& T) {
+  return {T(1) * T(1) - Scalar(4) * T(2) * T(0), T(2)};
+}
+
+/// The length up to which what is said of a specialised group holds: it has a unit of its own, as
+/// its dimensions are numbers. Of a model it is said of a longest length of one.
+inline constexpr double most_length_of_numbers = 8;
+/// The highest degree in the lengths of a discriminant of which errors are known.
+inline constexpr int highest_discriminant_degree = 7;
+
+}  // namespace assur::support

@@ -1,0 +1,133 @@
+// Law: what would need too much time or memory is refused in one line, in little of both.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include "command/command.hpp"
+#include "mechanism/many_dyads.hpp"
+
+namespace assur::test::resources_test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The message of a call that is refused, after the name of the file. It may take ten seconds: that
+/// is a hundred times what it takes, and nothing of what it would take to do what was asked.
+std::string refusal_of(const std::string& scene, const std::string& call) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.write("scene.json", scene).string();
+  const auto before = std::chrono::steady_clock::now();
+  const CommandResult result = run_assur(
+      call + " " + file +
+      (call.starts_with("emit") ? " --output " + (directory.path() / "out").string() : ""));
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - before;
+  EXPECT_LT(time.count(), 10);
+  EXPECT_EQ(result.status, 2) << result.messages;
+  EXPECT_EQ(result.output, "");
+  EXPECT_EQ(std::count(result.messages.begin(), result.messages.end(), '\n'), 1);
+  const std::string head = "error: " + file + ": ";
+  EXPECT_EQ(result.messages.find(head), 0U) << result.messages;
+  EXPECT_FALSE(std::filesystem::exists(directory.path() / "out"));
+  return result.messages.substr(std::min(head.size(), result.messages.size()));
+}
+
+double upright(int /*number*/) { return 1.4; }
+
+TEST(Resources, OfALongListing) {
+  const Json scene = many_dyads(29, upright);
+  for (const std::string format : {"text", "json", "csv"}) {
+    EXPECT_EQ(refusal_of(scene.dump(), "solve --format " + format),
+              "there may be 536870912 configurations, and no more than 20000 can be listed; give "
+              "joints limits, or ask for the one that is nearest to a reference of more links\n");
+  }
+  EXPECT_EQ(refusal_of(scene.dump(), "emit --scene"),
+            "there may be 536870912 configurations, and an emitted solver lists 4096 at most; "
+            "'report' less of the mechanism, or emit parts of it\n");
+  const TemporaryDirectory directory;
+  const std::string file = directory.write("scene.json", scene.dump()).string();
+  const Json nearest = Json::parse(run_assur("solve --nearest --format json " + file).output);
+  EXPECT_EQ(nearest["configurations"].size(), 1U);
+  EXPECT_TRUE(nearest["nearest"]["configuration"].is_null());
+  EXPECT_LT(nearest["nearest"]["distance"], nearest["nearest"]["runner_up"]);
+}
+
+Json swept(double from, double to) {
+  Json scene = Json::parse(read_file(ASSUR_EXAMPLES "/four_bar_coupler_curve.json"));
+  scene["sweep"] = {{"parameter", "phi"}, {"from", from}, {"to", to}, {"count", 11}};
+  return scene;
+}
+
+TEST(Resources, OfASweep) {
+  EXPECT_EQ(refusal_of(swept(0, 1e9).dump(), "solve --format csv"),
+            "sweep: between two steps the mechanism moves too far to be followed; take more steps, "
+            "or a shorter range\n");
+  constexpr double largest = std::numeric_limits<double>::max();
+  EXPECT_EQ(refusal_of(swept(-largest, largest).dump(), "solve --format csv"),
+            "sweep: the range from 'from' to 'to' is not finite\n");
+  Json scene = many_dyads(11, upright);
+  scene["parameters"]["phi"] = 0.3;
+  scene["drivers"]["A"]["position"] = "phi";
+  scene["sweep"] = {{"parameter", "phi"}, {"from", 0}, {"to", 1}, {"count", 11}};
+  EXPECT_EQ(refusal_of(scene.dump(), "solve --format csv"),
+            "sweep: more than 1000 configurations at one value cannot be followed\n");
+}
+
+/// The four-bar with more parameters, each a formula in the one before.
+std::string chain_of_parameters(int count, bool with_sensitivities) {
+  nlohmann::json scene =
+      nlohmann::json::parse(read_file(ASSUR_EXAMPLES "/four_bar_coupler_curve.json"));
+  std::string last = "1";
+  for (int number = 0; number < count; ++number) {
+    const std::string name = "p" + std::to_string(number);
+    scene["parameters"][name] = last + "+0.001";
+    last = name;
+  }
+  if (!with_sensitivities) {
+    scene["want"] = {"position"};
+  }
+  return scene.dump();
+}
+
+int status_of(const std::string& scene) {
+  const TemporaryDirectory directory;
+  return run_assur("solve " + directory.write("scene.json", scene).string()).status;
+}
+
+TEST(Resources, OfManyParameters) {
+  EXPECT_EQ(refusal_of(chain_of_parameters(20001, true), "solve"),
+            "an object has more than 20000 keys\n");
+  EXPECT_NE(refusal_of(chain_of_parameters(2000, true), "solve")
+                .find("leave 'sensitivity' out of 'want'\n"),
+            std::string::npos);
+  EXPECT_EQ(status_of(chain_of_parameters(15000, false)), 0);
+}
+
+/// Cranks in a row, each law in two others.
+std::string chain_of_laws(int count) {
+  nlohmann::json scene;
+  scene["links"]["ground"] = {{"P", {0, 0}}};
+  std::string last = "ground";
+  for (int number = 0; number < count; ++number) {
+    const std::string own = std::to_string(number);
+    scene["links"]["link" + own] = {{"A", {0, 0}}, {"P", {1, 0}}};
+    scene["joints"]["j" + own] = {{"type", "revolute"},
+                                  {"between", {last + ".P", "link" + own + ".A"}}};
+    scene["drivers"]["j" + own]["position"] = number < 2 ? "0.01"
+                                                         : "joint(j" + std::to_string(number - 1) +
+                                                               ") - joint(j" +
+                                                               std::to_string(number - 2) + ")";
+    last = "link" + own;
+  }
+  scene["want"] = {"position"};
+  return scene.dump();
+}
+
+TEST(Resources, OfManyLaws) {
+  EXPECT_EQ(refusal_of(chain_of_laws(2000), "solve"), "links: there are more than 1000\n");
+  EXPECT_EQ(status_of(chain_of_laws(600)), 0);
+}
+
+}  // namespace
+}  // namespace assur::test::resources_test

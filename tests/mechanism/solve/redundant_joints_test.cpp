@@ -1,0 +1,87 @@
+// Law: constraints that are too many are left out where they hold and go on to, and named; elsewhere
+// the mechanism is refused as over-constrained.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mechanism/bars.hpp"
+
+namespace assur::test {
+namespace {
+
+/// A parallelogram with a third crank, which the other two would do without.
+Bars five_bars(double third_pivot, double third_length) {
+  Bars bars;
+  bars.json()["links"]["crank"]["B"] = {1.5, 0};
+  bars.json()["drivers"]["A"]["velocity"] = 2;
+  bars.point("ground", "D", 4, 0).point("coupler", "B", 0, 0).point("coupler", "C", 4, 0);
+  bars.point("rocker", "D", 0, 0).point("rocker", "C", 1.5, 0);
+  bars.point("ground", "F", third_pivot, 0).point("coupler", "G", 2, 0);
+  bars.point("third", "F", 0, 0).point("third", "G", third_length, 0);
+  bars.join("B", {"crank.B", "coupler.B"}).join("C", {"coupler.C", "rocker.C"});
+  bars.join("D", {"ground.D", "rocker.D"}).join("F", {"ground.F", "third.F"});
+  bars.join("G", {"coupler.G", "third.G"});
+  bars.json()["outputs"]["G"] = "third.G";
+  return bars;
+}
+
+/// Why a scene is not solved; empty if it is.
+std::string message_of(const Json& json) {
+  try {
+    (void)solved(json);
+  } catch (const mechanism::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+constexpr const char* too_many =
+    "scene: joints: over-constrained by 1: the joints B, C, D, F, G hold the links coupler, "
+    "rocker, third more often than they can move; take a joint or a driver away";
+
+TEST(RedundantJoints, OfAParallelogramOfFiveBarsHold) {
+  for (const double phi : {0.7, 2.0, 3.5, -1.1}) {
+    Bars bars = five_bars(2, 1.5);
+    bars.json()["parameters"]["phi"] = phi;
+    const Solved found = solved(bars.json());
+    ASSERT_EQ(found.configurations().size(), 1U) << phi;  // the antiparallelogram does not hold
+    EXPECT_EQ(found.plan.redundant().size(), 1U);
+    const mechanism::Point& point = found.configurations()[0].output("G");
+    EXPECT_NEAR(point.position.x(), 2 + 1.5 * std::cos(phi), 1e-14);
+    EXPECT_NEAR(point.position.y(), 1.5 * std::sin(phi), 1e-14);
+    EXPECT_NEAR(point.velocity.x(), -3 * std::sin(phi), 1e-13);
+    EXPECT_NEAR(point.acceleration.y(), -6 * std::sin(phi), 1e-13);
+  }
+}
+
+TEST(RedundantJoints, ThatDoNotHoldAreRefused) {
+  Bars bars = five_bars(2, 1.500001);
+  EXPECT_EQ(message_of(bars.json()), too_many);
+  bars.json()["redundancy"]["tolerance"] = 1e-5;
+  EXPECT_EQ(solved(bars.json()).configurations().size(), 1U);
+}
+
+/// The third crank has another pivot, and fits where the first stands upright alone: the mechanism
+/// is locked there.
+TEST(RedundantJoints, ThatHoldAtOneInstantAreRefused) {
+  Bars bars = five_bars(1, std::hypot(1.0, 1.5));
+  bars.json()["parameters"]["phi"] = "pi/2";
+  EXPECT_EQ(message_of(bars.json()), too_many);
+}
+
+TEST(RedundantJoints, OfADoorOnThreeHingesHold) {
+  Bars bars;
+  for (const char* hinge : {"H1", "H2"}) {
+    bars.point("ground", hinge, 0, 0).point("crank", hinge, 0, 0);
+    bars.join(hinge, {std::string("ground.") + hinge, std::string("crank.") + hinge});
+  }
+  bars.json()["outputs"]["B"] = "crank.B";
+  const Solved found = solved(bars.json());
+  EXPECT_EQ(found.configurations().size(), 1U);
+  EXPECT_EQ(found.plan.redundant(), (std::vector<std::string>{"H1", "H2"}));
+  bars.json()["links"]["crank"]["H2"] = {0, 1e-3};
+  EXPECT_NE(message_of(bars.json()).find("over-constrained by 4"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace assur::test
