@@ -43,9 +43,10 @@ class LawOrder {
       names.push_back(name_of(*driver));
     }
     throw MechanismError("drivers." + name_of(*first) + ".position",
-                         names.size() == 1 ? "the law reads its own joint"
+                         names.size() == 1 ? "the law reads its own joint; let it read another one"
                                            : "the laws of the joints " + text::listed(names) +
-                                                 " read one another in a circle");
+                                                 " read one another in a circle; "
+                                                 "let one of them read none of the others");
   }
   [[nodiscard]] const std::string& name_of(DriverIndex driver) const {
     return mechanism_.joints()[mechanism_.drivers()[driver].joint].name;
@@ -79,8 +80,11 @@ std::vector<JointIndex> joints_in_laws(const Mechanism& mechanism, DriverIndex d
   std::vector<JointIndex> result = plan::joints_in_law(mechanism, driver);
   for (std::size_t place = 0; place < result.size(); ++place) {
     if (const DriverIndex other = mechanism.driver_of(result[place]); other.exists()) {
-      const std::vector<JointIndex> more = plan::joints_in_law(mechanism, other);
-      result.insert(result.end(), more.begin(), more.end());
+      for (const JointIndex joint : plan::joints_in_law(mechanism, other)) {
+        if (std::ranges::find(result, joint) == result.end()) {
+          result.push_back(joint);
+        }
+      }
     }
   }
   return result;
