@@ -159,22 +159,19 @@ class PlacementPlanner {
       }
       return groups;
     };
-    // A link that a law reads may be driven as well, by a driver that is listed behind.
-    for (std::size_t round = 0; round < structure_.driven.size(); ++round) {
-      for (DrivenLink& link : structure_.driven) {
-        link.groups_before = std::max(groups_before[link.from], latest(links_read_by(link.driver)));
-        groups_before[link.to] = link.groups_before;
-      }
+    put_driven_links_behind_what_they_read();
+    for (DrivenLink& link : structure_.driven) {
+      link.groups_before = std::max(groups_before[link.from], latest(bodies_.read[link.joint]));
+      groups_before[link.to] = link.groups_before;
     }
     std::ranges::stable_sort(structure_.driven, {}, &DrivenLink::groups_before);
-    put_driven_links_behind_what_they_read();
     Table<LinkIndex, std::size_t> links_before(structure_.linkage.links.size(), 0);
     for (std::size_t place = 0; place < structure_.driven.size(); ++place) {
       links_before[structure_.driven[place].to] = place + 1;
     }
     structure_.laws = laws_in_order(mechanism_);
     for (const DriverIndex driver : structure_.laws) {
-      if (std::vector<LinkIndex> read = links_read_by(driver); !read.empty()) {
+      if (std::vector<LinkIndex>& read = bodies_.read[joint_of(driver)]; !read.empty()) {
         std::size_t links = 0;
         for (const LinkIndex link : read) {
           links = std::max(links, links_before[link]);
@@ -187,8 +184,7 @@ class PlacementPlanner {
     });
   }
 
-  /// Of driven links with as many groups before them, those on which others stand, or which the
-  /// laws of others read, come first.
+  /// Links on which others stand, or which the laws of others read, come first.
   void put_driven_links_behind_what_they_read() {
     std::vector<DrivenLink> waiting = std::move(structure_.driven);
     structure_.driven.clear();
@@ -197,7 +193,7 @@ class PlacementPlanner {
       waits[link.to] = true;
     }
     const auto is_ready = [&](const DrivenLink& link) {
-      return !waits[link.from] && std::ranges::none_of(links_read_by(link.driver),
+      return !waits[link.from] && std::ranges::none_of(bodies_.read[link.joint],
                                                        [&](LinkIndex read) { return waits[read]; });
     };
     while (!waiting.empty()) {
@@ -212,7 +208,6 @@ class PlacementPlanner {
       }
       waiting = std::move(left);
     }
-    std::ranges::stable_sort(structure_.driven, {}, &DrivenLink::groups_before);
   }
 
   static void expect_order(const Decomposition& decomposition) {
