@@ -83,6 +83,10 @@ void expect_usable(const Mechanism& mechanism, const Request& request) {
     if (!angle.link.exists() || angle.link.place() >= mechanism.links().size()) {
       throw MechanismError("reference", "the mechanism has no such link");
     }
+    if (angle.link == mechanism.ground()) {
+      throw MechanismError("reference.ground",
+                           "the ground stands still in all configurations; name a moving link");
+    }
     expect_number(angle.theta, "reference");
   }
   if (request.sweep) {
@@ -117,7 +121,8 @@ void expect_usable(const Mechanism& mechanism, const Request& request) {
 
 void expect_reference(const Request& request) {
   if (request.reference.empty()) {
-    throw MechanismError("reference", "the request has no angles of links to be near to");
+    throw MechanismError(
+        "reference", "there is no angle of a link to be near to; give the angles of some links");
   }
 }
 

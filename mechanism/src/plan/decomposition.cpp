@@ -24,19 +24,23 @@ struct Body {
   std::vector<TieIndex> matched;  ///< for each freedom that is taken, the tie that takes it
 };
 
-/// What ties one body to another, or to what is placed: two equations.
+/// What ties one body to another, or to what is placed.
 struct Tie {
   BodyIndex body;
   BodyIndex other;  ///< none for what is placed
   std::string joint;
-  int unmatched = 0;  ///< equations that take no freedom
+  int equations = 2;
+  std::vector<LinkIndex> read = {};  ///< by the law of its driver
+  int unmatched = 0;                 ///< equations that take no freedom
 
   [[nodiscard]] bool touches(BodyIndex at) const {
     return at.exists() && (body == at || other == at);
   }
 };
 
-constexpr int equations_of_a_tie = 2;
+/// Whether links that drivers tie together are one body, or each is one and the drivers constrain
+/// it.
+enum class DrivenAs : unsigned char { one_body, bodies };
 
 /// The strongly connected components of bodies that depend on one another (Tarjan).
 class StrongComponents {
@@ -89,102 +93,17 @@ class StrongComponents {
 
 class StructuralGraph {
  public:
-  StructuralGraph(const Linkage& linkage, const DrivenBodies& driven)
-      : linkage_(linkage), driven_(driven) {
+  StructuralGraph(const Linkage& linkage, const DrivenBodies& driven, DrivenAs driven_as)
+      : linkage_(linkage), driven_(driven), driven_as_(driven_as) {
     collect_bodies();
     collect_ties();
     asked_.assign(bodies_.size(), 0);
     for (const TieIndex tie : ties_.keys()) {
-      for (int equation = 0; equation < equations_of_a_tie; ++equation) {
+      for (int equation = 0; equation < ties_[tie].equations; ++equation) {
         ++round_;
         ties_[tie].unmatched += matched(tie) ? 0 : 1;
       }
     }
-  }
-
-  Decomposition run() {
-    Decomposition result;
-    result.linkage = linkage_;
-    find_imbalances(result);
-    if (result.free.surplus > 0 || result.overloaded.surplus > 0) {
-      return result;
-    }
-    rank_bodies(result);
-    if (result.coupled.empty()) {
-      resolve_pins(result.linkage);
-      list_components(result);
-    }
-    return result;
-  }
-
- private:
-  void collect_bodies() {
-    body_of_link_.assign(linkage_.links.size(), BodyIndex());
-    for (const LinkIndex link : linkage_.links.keys()) {
-      if (!driven_.placed[link] && driven_.carrier[link] == link) {
-        body_of_link_[link] = bodies_.add({link, 3, {}});
-      }
-    }
-    for (const LinkIndex link : linkage_.links.keys()) {
-      body_of_link_[link] = body_of_link_[driven_.carrier[link]];
-    }
-    for (const SharedPin& pin : linkage_.pins) {
-      const bool holds = std::any_of(pin.links.begin(), pin.links.end(),
-                                     [&](LinkIndex link) { return driven_.placed[link]; });
-      body_of_pin_.push_back(holds ? BodyIndex() : bodies_.add({LinkIndex(), 2, {}}));
-    }
-  }
-
-  void tie(BodyIndex one, BodyIndex other, const std::string& joint) {
-    if (!one.exists()) {
-      std::swap(one, other);
-    }
-    ties_.add({one, other, joint});
-  }
-
-  void collect_ties() {
-    for (const ElementaryJointIndex index : linkage_.joints.keys()) {
-      const ElementaryJoint& joint = linkage_.joints[index];
-      if (!driven_.driven[index]) {
-        const BodyIndex one = body_of_link_[joint.first];
-        const BodyIndex other = body_of_link_[joint.second];
-        // Within what moves as one, a joint has no freedom to take.
-        tie(one == other ? BodyIndex() : one, one == other ? BodyIndex() : other, joint.name);
-      }
-    }
-    for (std::size_t pin = 0; pin < linkage_.pins.size(); ++pin) {
-      bool holder = !body_of_pin_[pin].exists();  // the first placed link is the pin's own
-      for (const LinkIndex link : linkage_.pins[pin].links) {
-        const BodyIndex body = body_of_link_[link];
-        if (!body.exists() && holder) {
-          holder = false;
-          continue;
-        }
-        tie(body, body_of_pin_[pin], linkage_.pins[pin].name);
-      }
-    }
-  }
-
-  /// Finds a freedom for one equation of a tie, and others for those that must make way; each body
-  /// is asked once in a round.
-  [[nodiscard]] bool matched(TieIndex tie) {
-    for (const BodyIndex body : {ties_[tie].body, ties_[tie].other}) {
-      if (!body.exists() || asked_[body] == round_) {
-        continue;
-      }
-      asked_[body] = round_;
-      if (std::ssize(bodies_[body].matched) < bodies_[body].freedoms) {
-        bodies_[body].matched.push_back(tie);
-        return true;
-      }
-      for (std::size_t freedom = 0; freedom < bodies_[body].matched.size(); ++freedom) {
-        if (matched(bodies_[body].matched[freedom])) {
-          bodies_[body].matched[freedom] = tie;
-          return true;
-        }
-      }
-    }
-    return false;
   }
 
   /// What alternating paths from what is left over on one side reach.
@@ -239,6 +158,98 @@ class StructuralGraph {
     add_links(overloaded, result.overloaded);
   }
 
+  void decompose(Decomposition& result) {
+    rank_bodies(result);
+    if (result.coupled.links.empty()) {
+      resolve_pins(result.linkage);
+      list_components(result);
+    }
+  }
+
+ private:
+  [[nodiscard]] bool is_placed(LinkIndex link) const {
+    return driven_as_ == DrivenAs::one_body ? driven_.placed[link] : link == linkage_.ground;
+  }
+  [[nodiscard]] LinkIndex carrier(LinkIndex link) const {
+    return driven_as_ == DrivenAs::one_body ? driven_.carrier[link] : link;
+  }
+
+  void collect_bodies() {
+    body_of_link_.assign(linkage_.links.size(), BodyIndex());
+    for (const LinkIndex link : linkage_.links.keys()) {
+      if (!is_placed(link) && carrier(link) == link) {
+        body_of_link_[link] = bodies_.add({link, 3, {}});
+      }
+    }
+    for (const LinkIndex link : linkage_.links.keys()) {
+      body_of_link_[link] = body_of_link_[carrier(link)];
+    }
+    for (const SharedPin& pin : linkage_.pins) {
+      const bool holds = std::any_of(pin.links.begin(), pin.links.end(),
+                                     [&](LinkIndex link) { return is_placed(link); });
+      body_of_pin_.push_back(holds ? BodyIndex() : bodies_.add({LinkIndex(), 2, {}}));
+    }
+  }
+
+  void tie(BodyIndex one, BodyIndex other, const std::string& joint, int equations = 2,
+           std::vector<LinkIndex> read = {}) {
+    if (one == other) {  // within what moves as one there is no freedom to take
+      one = other = BodyIndex();
+    }
+    if (!one.exists()) {
+      std::swap(one, other);
+    }
+    ties_.add({one, other, joint, equations, std::move(read)});
+  }
+
+  void collect_ties() {
+    for (const ElementaryJointIndex index : linkage_.joints.keys()) {
+      const ElementaryJoint& joint = linkage_.joints[index];
+      const BodyIndex one = body_of_link_[joint.first];
+      const BodyIndex other = body_of_link_[joint.second];
+      if (!driven_.driven[index]) {
+        tie(one, other, joint.name);
+      } else if (driven_as_ == DrivenAs::bodies) {
+        tie(one, other, joint.name, 3, driven_.read[index]);
+      }
+    }
+    for (std::size_t pin = 0; pin < linkage_.pins.size(); ++pin) {
+      bool holder = !body_of_pin_[pin].exists();  // the first placed link is the pin's own
+      std::set<BodyIndex> tied;
+      for (const LinkIndex link : linkage_.pins[pin].links) {
+        const BodyIndex body = body_of_link_[link];
+        if (!body.exists() && holder) {
+          holder = false;
+          continue;
+        }
+        const bool is_tied = body.exists() && !tied.insert(body).second;
+        tie(is_tied ? body_of_pin_[pin] : body, body_of_pin_[pin], linkage_.pins[pin].name);
+      }
+    }
+  }
+
+  /// Finds a freedom for one equation of a tie, and others for those that must make way; each body
+  /// is asked once in a round.
+  [[nodiscard]] bool matched(TieIndex tie) {
+    for (const BodyIndex body : {ties_[tie].body, ties_[tie].other}) {
+      if (!body.exists() || asked_[body] == round_) {
+        continue;
+      }
+      asked_[body] = round_;
+      if (std::ssize(bodies_[body].matched) < bodies_[body].freedoms) {
+        bodies_[body].matched.push_back(tie);
+        return true;
+      }
+      for (std::size_t freedom = 0; freedom < bodies_[body].matched.size(); ++freedom) {
+        if (matched(bodies_[body].matched[freedom])) {
+          bodies_[body].matched[freedom] = tie;
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
   void add_links(const std::set<BodyIndex>& bodies, Imbalance& part) const {
     for (const BodyIndex body : bodies) {
       if (body.exists() && bodies_[body].link.exists()) {
@@ -247,50 +258,23 @@ class StructuralGraph {
     }
   }
 
-  /// What drivers' laws read before each body can be placed: for its own links, and for links that
-  /// the ground carries and that hold it.
-  [[nodiscard]] Table<BodyIndex, std::vector<BodyIndex>> bodies_read() const {
-    Table<BodyIndex, std::vector<BodyIndex>> read(bodies_.size());
-    const auto add = [&](BodyIndex body, LinkIndex link) {
-      if (!body.exists() || (body_of_link_[link].exists() && body_of_link_[link] != body)) {
-        return;
-      }
-      for (const LinkIndex other : driven_.read_for[link]) {
-        if (body_of_link_[other].exists()) {
-          read[body].push_back(body_of_link_[other]);
-        }
-      }
-    };
-    for (const LinkIndex link : linkage_.links.keys()) {
-      add(body_of_link_[link], link);
-    }
-    for (const ElementaryJoint& joint : linkage_.joints) {
-      add(body_of_link_[joint.first], joint.second);
-      add(body_of_link_[joint.second], joint.first);
-    }
-    for (const SharedPin& pin : linkage_.pins) {
-      for (const LinkIndex one : pin.links) {
-        for (const LinkIndex other : pin.links) {
-          add(body_of_link_[one], other);
-        }
-      }
-    }
-    return read;
-  }
-
   /// Of the components that depend on ranked ones only, the smallest goes next.
   void rank_bodies(Decomposition& result) {
-    Table<BodyIndex, std::vector<BodyIndex>> needs(bodies_.size());
+    Table<BodyIndex, std::vector<BodyIndex>> needs(bodies_.size()), read(bodies_.size());
     for (const BodyIndex body : bodies_.keys()) {
       for (const TieIndex tie : bodies_[body].matched) {
         const BodyIndex other = ties_[tie].body == body ? ties_[tie].other : ties_[tie].body;
         if (other.exists()) {
           needs[body].push_back(other);
         }
+        for (const LinkIndex link : ties_[tie].read) {
+          if (body_of_link_[link].exists()) {
+            read[body].push_back(body_of_link_[link]);
+          }
+        }
       }
     }
     const StrongComponents components(needs);
-    const Table<BodyIndex, std::vector<BodyIndex>> read = bodies_read();
     using Rank = std::tuple<std::size_t, BodyIndex>;  // links, first body
     Table<ComponentIndex, Rank> ranks(components.count(), Rank(0, BodyIndex(bodies_.size())));
     Table<ComponentIndex, std::set<ComponentIndex>> waits_for(components.count());
@@ -330,16 +314,44 @@ class StructuralGraph {
         }
       }
     }
-    std::set<BodyIndex> waiting;
     for (const BodyIndex body : bodies_.keys()) {
       rank_.add(rank_of[components.of(body)]);
-      if (!rank_[body].exists()) {
-        waiting.insert(body);
+    }
+    if (std::ranges::any_of(rank_, [](RankIndex rank) { return !rank.exists(); })) {
+      find_circle(needs, read, result.coupled);
+    }
+  }
+
+  /// What depends on itself by way of what laws read; not what waits behind it.
+  void find_circle(Table<BodyIndex, std::vector<BodyIndex>> needs,
+                   const Table<BodyIndex, std::vector<BodyIndex>>& read, Imbalance& coupled) const {
+    for (const BodyIndex body : bodies_.keys()) {
+      needs[body].insert(needs[body].end(), read[body].begin(), read[body].end());
+    }
+    const StrongComponents circles(needs);
+    const auto is_closed = [&](BodyIndex body) {
+      return std::ranges::any_of(
+          read[body], [&](BodyIndex other) { return circles.of(other) == circles.of(body); });
+    };
+    std::set<BodyIndex> bodies;
+    for (const BodyIndex closing : bodies_.keys()) {
+      if (!is_closed(closing)) {
+        continue;
+      }
+      for (const TieIndex tie : bodies_[closing].matched) {
+        const std::string& joint = ties_[tie].joint;
+        if (!ties_[tie].read.empty() &&
+            std::ranges::find(coupled.joints, joint) == coupled.joints.end()) {
+          coupled.joints.push_back(joint);
+        }
+      }
+      for (const BodyIndex body : bodies_.keys()) {
+        if (circles.of(body) == circles.of(closing)) {
+          bodies.insert(body);
+        }
       }
     }
-    Imbalance coupled;
-    add_links(waiting, coupled);
-    result.coupled = std::move(coupled.links);
+    add_links(bodies, coupled);
   }
 
   [[nodiscard]] RankIndex rank_of_link(LinkIndex link) const {
@@ -389,6 +401,7 @@ class StructuralGraph {
 
   const Linkage& linkage_;
   const DrivenBodies& driven_;
+  DrivenAs driven_as_;
   Table<BodyIndex, Body> bodies_;
   Table<LinkIndex, BodyIndex> body_of_link_;
   std::vector<BodyIndex> body_of_pin_;
@@ -402,7 +415,13 @@ class StructuralGraph {
 }  // namespace
 
 Decomposition decompose(const Linkage& linkage, const DrivenBodies& bodies) {
-  return StructuralGraph(linkage, bodies).run();
+  Decomposition result;
+  result.linkage = linkage;
+  StructuralGraph(linkage, bodies, DrivenAs::one_body).find_imbalances(result);
+  if (result.free.surplus == 0 && result.overloaded.surplus == 0) {
+    StructuralGraph(linkage, bodies, DrivenAs::bodies).decompose(result);
+  }
+  return result;
 }
 
 }  // namespace assur::mechanism::plan

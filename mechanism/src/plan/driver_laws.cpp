@@ -63,9 +63,10 @@ class LawOrder {
       names.push_back(name_of(*driver));
     }
     throw MechanismError("drivers." + name_of(*first) + ".position",
-                         names.size() == 1 ? "the law reads its own joint"
+                         names.size() == 1 ? "the law reads its own joint; let it read another one"
                                            : "the laws of the joints " + text::listed(names) +
-                                                 " read one another in a circle");
+                                                 " read one another in a circle; "
+                                                 "let one of them read none of the others");
   }
   [[nodiscard]] const std::string& name_of(DriverIndex driver) const {
     return mechanism_.joints()[mechanism_.drivers()[driver].joint].name;

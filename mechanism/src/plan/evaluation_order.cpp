@@ -231,7 +231,8 @@ Dependents dependents_of(ParameterIndex changed, const PlanData& plan) {
       result.parameters.push_back(parameter);
     }
   }
-  // A parameter that moves may change what others' rates are: then all that moves is computed again.
+  // A parameter that moves may change what others' rates are: then all that moves is computed
+  // again.
   const bool rates_change = plan.evaluation.moves[changed] ||
                             std::ranges::any_of(mechanism.parameters(), [&](const Parameter& one) {
                               return (one.velocity.exists() && depends(one.velocity)) ||
@@ -280,8 +281,7 @@ Dependents dependents_of(ParameterIndex changed, const PlanData& plan) {
       const ElementaryJoint& at = plan.structure.linkage.joints[joint];
       const auto is_moved_by = [&](const DrivenLink& link) {
         const ElementaryJoint& driven = plan.structure.linkage.joints[link.joint];
-        return is_moved[link.driver] || is_touched(driven.on_first) ||
-               is_touched(driven.on_second);
+        return is_moved[link.driver] || is_touched(driven.on_first) || is_touched(driven.on_second);
       };
       return is_touched(at.on_first) || is_touched(at.on_second) ||
              is_carried(plan.structure, at, is_moved_by);

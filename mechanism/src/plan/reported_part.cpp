@@ -100,7 +100,8 @@ std::optional<std::vector<Key>> translated(const std::optional<std::vector<Key>>
 
 ReportedPart reported_part(const Mechanism& mechanism, const Structure& structure,
                            const Request& request) {
-  Mechanism part = mechanism.only(PartFinder(mechanism, structure, request.reported, request.reference).run());
+  Mechanism part =
+      mechanism.only(PartFinder(mechanism, structure, request.reported, request.reference).run());
   Request asked = request;
   asked.reported = {translated(request.reported.links, mechanism.links(), part.links()),
                     translated(request.reported.joints, mechanism.joints(), part.joints())};

@@ -19,11 +19,11 @@ class PlacementPlanner {
     structure_.linkage = linkage_of(mechanism);
     const std::size_t links = structure_.linkage.links.size();
     bodies_.placed.assign(links, false);
-    bodies_.read_for.resize(links);
     for (const LinkIndex link : structure_.linkage.links.keys()) {
       bodies_.carrier.add(link);
     }
     bodies_.driven.assign(structure_.linkage.joints.size(), false);
+    bodies_.read.resize(structure_.linkage.joints.size());
   }
 
   Structure run() {
@@ -62,27 +62,12 @@ class PlacementPlanner {
         carrier = carrier == one || carrier == other ? kept : carrier;
       }
       bodies_.driven[joint_of(driver)] = true;
+      bodies_.read[joint_of(driver)] = links_read_by(driver);
     }
     for (const LinkIndex link : bodies_.placed.keys()) {
       bodies_.placed[link] = bodies_.carrier[link] == structure_.linkage.ground;
     }
     carry_from(structure_.linkage.ground);
-    // The law of its driver, and those of what carries it, which is listed before.
-    for (const DrivenLink& link : structure_.driven) {
-      bodies_.read_for[link.to] = links_read_by(link.driver);
-      append(bodies_.read_for[link.from], bodies_.read_for[link.to]);
-    }
-    // Links that no ground carries read what any driver among them reads.
-    for (const DriverIndex driver : mechanism_.drivers().keys()) {
-      const LinkIndex carrier = bodies_.carrier[joint(joint_of(driver)).first];
-      if (carrier != structure_.linkage.ground) {
-        append(links_read_by(driver), bodies_.read_for[carrier]);
-      }
-    }
-  }
-
-  static void append(const std::vector<LinkIndex>& more, std::vector<LinkIndex>& links) {
-    links.insert(links.end(), more.begin(), more.end());
   }
 
   /// The links at the joints that a law reads. Of a driven joint it reads the law, and no link.
@@ -137,10 +122,10 @@ class PlacementPlanner {
     expect_order(decomposition);
     structure_.linkage = std::move(decomposition.linkage);
     for (Component& component : decomposition.components) {
-      for (LinkIndex& link : component.links) {
-        choose_carrier(link, component);
+      if (component.joints.empty()) {  // a driver places it, against a link that has listed it
+        continue;
       }
-      std::sort(component.links.begin(), component.links.end());
+      component.links = carriers_of(component);
       std::optional<FoundGroup> found =
           find_group(structure_.linkage, component.links, component.joints);
       if (!found) {
@@ -174,44 +159,73 @@ class PlacementPlanner {
       }
       return groups;
     };
-    Table<DriverIndex, std::vector<LinkIndex>> reads;
-    for (const DriverIndex driver : mechanism_.drivers().keys()) {
-      reads.add(links_read_by(driver));
-    }
-    // A link that a law reads may be driven as well, by a driver that is listed behind.
-    for (bool changes = true; changes;) {
-      changes = false;
-      for (DrivenLink& link : structure_.driven) {
-        link.groups_before = std::max(groups_before[link.from], latest(reads[link.driver]));
-        changes = changes || groups_before[link.to] != link.groups_before;
-        groups_before[link.to] = link.groups_before;
-      }
+    put_driven_links_behind_what_they_read();
+    for (DrivenLink& link : structure_.driven) {
+      link.groups_before = std::max(groups_before[link.from], latest(bodies_.read[link.joint]));
+      groups_before[link.to] = link.groups_before;
     }
     std::ranges::stable_sort(structure_.driven, {}, &DrivenLink::groups_before);
+    Table<LinkIndex, std::size_t> links_before(structure_.linkage.links.size(), 0);
+    for (std::size_t place = 0; place < structure_.driven.size(); ++place) {
+      links_before[structure_.driven[place].to] = place + 1;
+    }
     structure_.laws = laws_in_order(mechanism_);
     for (const DriverIndex driver : structure_.laws) {
-      if (std::vector<LinkIndex>& read = reads[driver]; !read.empty()) {
-        structure_.reading.push_back({driver, latest(read), std::move(read)});
+      if (std::vector<LinkIndex>& read = bodies_.read[joint_of(driver)]; !read.empty()) {
+        std::size_t links = 0;
+        for (const LinkIndex link : read) {
+          links = std::max(links, links_before[link]);
+        }
+        structure_.reading.push_back({driver, latest(read), links, std::move(read)});
       }
+    }
+    std::ranges::stable_sort(structure_.reading, {}, [](const ReadingDriver& reading) {
+      return std::make_pair(reading.groups_before, reading.links_before);
+    });
+  }
+
+  /// Links on which others stand, or which the laws of others read, come first.
+  void put_driven_links_behind_what_they_read() {
+    std::vector<DrivenLink> waiting = std::move(structure_.driven);
+    structure_.driven.clear();
+    Table<LinkIndex, bool> waits(structure_.linkage.links.size(), false);
+    for (const DrivenLink& link : waiting) {
+      waits[link.to] = true;
+    }
+    const auto is_ready = [&](const DrivenLink& link) {
+      return !waits[link.from] && std::ranges::none_of(bodies_.read[link.joint],
+                                                       [&](LinkIndex read) { return waits[read]; });
+    };
+    while (!waiting.empty()) {
+      std::vector<DrivenLink> left;
+      for (const DrivenLink& link : waiting) {
+        if (is_ready(link)) {
+          waits[link.to] = false;
+          structure_.driven.push_back(link);
+        } else {
+          left.push_back(link);
+        }
+      }
+      waiting = std::move(left);
     }
   }
 
   static void expect_order(const Decomposition& decomposition) {
-    if (!decomposition.coupled.empty()) {
+    const Imbalance& coupled = decomposition.coupled;
+    if (!coupled.links.empty()) {
       throw MechanismError(
-          "drivers", "the laws that read other joints make the links " +
-                         text::listed(decomposition.coupled) +
+          "drivers", "what the laws of the joints " + text::listed(coupled.joints) +
+                         " read makes the links " + text::listed(coupled.links) +
                          " wait for one another: they can only be solved together, as a group "
                          "that is not known here; let a law read joints that are placed before");
     }
   }
 
-  /// Of links that drivers tie together, the one with most of the group's joints, and then the one
-  /// whose name comes first, carries the others: what a driver does not move between stays
-  /// constant.
-  void choose_carrier(LinkIndex& carrier, const Component& component) {
-    const LinkIndex before = carrier;
-    const auto is_tied = [&](LinkIndex link) { return bodies_.carrier[link] == before; };
+  /// Of links that drivers tie together in a group, the one with most of the group's joints, and
+  /// then the one whose name comes first, carries the others: what a driver does not move between
+  /// stays constant. The group's joints are handed to those that carry, which are the result,
+  /// ascending.
+  std::vector<LinkIndex> carriers_of(const Component& component) {
     Table<LinkIndex, int> joints(bodies_.carrier.size(), 0);
     for (const ElementaryJointIndex index : component.joints) {
       ++joints[joint(index).first];
@@ -221,16 +235,33 @@ class PlacementPlanner {
       const bool is_block = link.place() >= mechanism_.links().size();
       return std::make_tuple(is_block, -joints[link], structure_.linkage.links[link]);
     };
-    for (const LinkIndex link : bodies_.carrier.keys()) {
-      if (is_tied(link) && rank(link) < rank(carrier)) {
-        carrier = link;
+    Table<LinkIndex, LinkIndex> carrier(bodies_.carrier.size());
+    for (const LinkIndex link : component.links) {
+      carrier[link] = link;
+    }
+    for (const DriverIndex driver : mechanism_.drivers().keys()) {
+      const ElementaryJoint& at = joint(joint_of(driver));
+      const LinkIndex one = carrier[at.first];
+      const LinkIndex other = carrier[at.second];
+      if (one.exists() && other.exists()) {
+        const LinkIndex kept = rank(one) < rank(other) ? one : other;
+        for (const LinkIndex link : component.links) {
+          carrier[link] = carrier[link] == one || carrier[link] == other ? kept : carrier[link];
+        }
       }
     }
     for (const ElementaryJointIndex index : component.joints) {
       ElementaryJoint& at = structure_.linkage.joints[index];
-      at.first = is_tied(at.first) ? carrier : at.first;
-      at.second = is_tied(at.second) ? carrier : at.second;
+      at.first = carrier[at.first].exists() ? carrier[at.first] : at.first;
+      at.second = carrier[at.second].exists() ? carrier[at.second] : at.second;
     }
+    std::vector<LinkIndex> carriers;
+    for (const LinkIndex link : component.links) {
+      if (carrier[link] == link) {
+        carriers.push_back(link);
+      }
+    }
+    return carriers;
   }
 
   [[noreturn]] void refuse(const Component& component) const {
@@ -247,15 +278,33 @@ class PlacementPlanner {
                      " links, which is not known here (known: " + text::listed(known) + ")");
   }
 
-  static void expect_balance(const Decomposition& decomposition) {
+  /// Whether one of some joints joins links that drivers tie together, none of which is placed.
+  [[nodiscard]] bool is_within_tied(const std::vector<std::string>& joints) const {
+    const auto is_tied = [this](FeatureIndex one, FeatureIndex other) {
+      const LinkIndex carrier = bodies_.carrier[mechanism_.features()[one].link];
+      return one != other && carrier != structure_.linkage.ground &&
+             carrier == bodies_.carrier[mechanism_.features()[other].link];
+    };
+    return std::ranges::any_of(mechanism_.joints(), [&](const Joint& joint) {
+      return std::ranges::find(joints, joint.name) != joints.end() &&
+             std::ranges::any_of(joint.between, [&](FeatureIndex one) {
+               return std::ranges::any_of(joint.between,
+                                          [&](FeatureIndex other) { return is_tied(one, other); });
+             });
+    });
+  }
+
+  void expect_balance(const Decomposition& decomposition) const {
     const Imbalance& over = decomposition.overloaded;
     const Imbalance& under = decomposition.free;
-    const std::string excess = "over-constrained by " + std::to_string(over.surplus) +
-                               ": the joints " + text::listed(over.joints) +
-                               (over.links.empty() ? " join links that are placed already"
-                                                   : " hold the links " + text::listed(over.links) +
-                                                         " more often than they can move") +
-                               "; take a joint or a driver away";
+    const std::string excess =
+        "over-constrained by " + std::to_string(over.surplus) + ": the joints " +
+        text::listed(over.joints) +
+        (over.links.empty() && is_within_tied(over.joints) ? " join links that drivers tie together"
+         : over.links.empty()
+             ? " join links that are placed already"
+             : " hold the links " + text::listed(over.links) + " more often than they can move") +
+        "; take a joint or a driver away";
     const std::string lack = "under-constrained by " + std::to_string(under.surplus) +
                              ": the links " + text::listed(under.links) +
                              " keep a freedom; drive one of their joints, or add a joint";

@@ -9,6 +9,7 @@
 
 #include "group_branches.hpp"
 #include "plan/plan_data.hpp"
+#include "precision.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -83,9 +84,8 @@ class BranchWalk {
                                               const ElementaryJoint& joint) const {
     const double position = values_.motion(link.driver).position.value();
     const double by = joint.first == link.from ? position : -position;
-    return models::at_rest(joint.prismatic
-                               ? Pose<double>{by, 0, {1, 0}}
-                               : Pose<double>{0, 0, {std::cos(by), std::sin(by)}});
+    return models::at_rest(joint.prismatic ? Pose<double>{by, 0, {1, 0}}
+                                           : Pose<double>{0, 0, {std::cos(by), std::sin(by)}});
   }
 
   /// A pose in a frame that moves, at t = 0.
@@ -114,8 +114,7 @@ class BranchWalk {
     for (const GroupBranch& branch :
          branches_through({*structure_.groups[group].model, d, u, here.q, displaced})) {
       for (std::size_t link = 0; link < numbers.links.size(); ++link) {
-        links_[numbers.links[link]] =
-            composed(branch.poses[link], placed_in(numbers.own[link]));
+        links_[numbers.links[link]] = composed(branch.poses[link], placed_in(numbers.own[link]));
       }
       const std::size_t before = slides_.size();
       for (const values::MeasuredSlide& slide : numbers.slides) {
@@ -186,8 +185,8 @@ class BranchWalk {
     }
     for (const OutputIndex output : mechanism.outputs().keys()) {
       const FeatureIndex point = mechanism.outputs()[output].point;
-      const Pose<models::Series> place = composed(links_[mechanism.features()[point].link],
-                                                  placed_in(values_.frame(point)));
+      const Pose<models::Series> place =
+          composed(links_[mechanism.features()[point].link], placed_in(values_.frame(point)));
       result.outputs[output].velocity << place.x.rate(), place.y.rate();
       result.outputs[output].acceleration << place.x.second_rate(), place.y.second_rate();
     }
@@ -289,8 +288,14 @@ Motions along_parameter(const Values& values, Eigen::Index column) {
   return motions;
 }
 
-/// Whether what drives the mechanism is known; a law that reads a singular group's links is not.
-bool are_known(const Motions& motions) {
+/// Whether what drives the mechanism is known; a law that reads a singular group's links is not,
+/// nor is how a driver changes a link whose features hardly define its frame.
+bool are_known(const Motions& motions, const Values& values) {
+  for (const GroupIndex group : values.plan().structure.groups.keys()) {
+    if (!precision_of_shape(values.numbers_of(group).firmness).second_rates_known) {
+      return false;
+    }
+  }
   return std::ranges::all_of(motions.drivers, [](const models::Series& motion) {
     return std::isfinite(motion.c[1]) && std::isfinite(motion.c[2]);
   });
@@ -341,11 +346,10 @@ void find_derivatives(const Values& values, const PlacedLinks& placed, Parameter
     return;
   }
   const Motions motions = along_parameter(values, column);
-  if (!are_known(motions)) {
+  if (!are_known(motions, values)) {
     return;
   }
-  const std::vector<Configuration> found =
-      BranchWalk(values, placed, configuration, motions).run();
+  const std::vector<Configuration> found = BranchWalk(values, placed, configuration, motions).run();
   if (found.size() == 1) {
     take_derivatives(found.front(), column, configuration);
     configuration.path_known = true;
@@ -354,7 +358,7 @@ void find_derivatives(const Values& values, const PlacedLinks& placed, Parameter
 
 void find_branches(const Values& values, const PlacedLinks& placed, Configuration& configuration) {
   const Motions motions = in_time(values);
-  if (!are_known(motions)) {
+  if (!are_known(motions, values)) {
     return;
   }
   std::vector<Configuration> found = BranchWalk(values, placed, configuration, motions).run();

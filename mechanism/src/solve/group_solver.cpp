@@ -151,11 +151,14 @@ void GroupSolver::place(std::size_t configuration, std::size_t first_slide, Plac
   place_links(placed);
   place_slides(q, first_slide, placed);
   const Precision precision = precision_of(model_, numbers().d, u_, q, motion_);
-  if (precision.regularity != Status::ok) {
+  const Precision of_shape = precision_of_shape(numbers().firmness);
+  if (precision.regularity != Status::ok || of_shape.regularity != Status::ok) {
     placed.regularity = Status::near_singular;
   }
-  placed.derivatives_known = placed.derivatives_known && precision.derivatives_known;
-  placed.rates_known = placed.rates_known && precision.second_rates_known;
+  placed.derivatives_known =
+      placed.derivatives_known && precision.derivatives_known && of_shape.derivatives_known;
+  placed.rates_known =
+      placed.rates_known && precision.second_rates_known && of_shape.second_rates_known;
   placed.residual = std::max(placed.residual, motion_.residual);
   for (const LinkIndex link : numbers().links) {
     placed.displaced[link] = motion_.displaced;

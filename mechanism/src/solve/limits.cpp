@@ -27,6 +27,14 @@ bool is_turned_between(double lowest, double angle, double highest) {
   return first <= highest + slack;
 }
 
+/// Above -pi, and not at it by what rounding leaves of half a turn: a law that reads the angle says
+/// the same however the links are listed.
+double whole_angle(const Direction<double>& direction) {
+  constexpr double negligible = 1e-9;
+  const double angle = angle_of(direction);
+  return angle < negligible - std::numbers::pi ? angle + 2 * std::numbers::pi : angle;
+}
+
 }  // namespace
 
 JointMotion coordinate_of(const Values& values, const Table<LinkIndex, Frame>& links,
@@ -42,9 +50,10 @@ JointMotion coordinate_of(const Values& values, const Table<LinkIndex, Frame>& l
     if (values.second_order()) {
       second = other.follows.second[2] - one.follows.second[2];
     }
-    return {{angle_of(turned(other.pose.direction, reversed(one.pose.direction))), first, second},
-            other.velocity(2) - one.velocity(2),
-            other.acceleration(2) - one.acceleration(2)};
+    return {
+        {whole_angle(turned(other.pose.direction, reversed(one.pose.direction))), first, second},
+        other.velocity(2) - one.velocity(2),
+        other.acceleration(2) - one.acceleration(2)};
   }
   const SlideState& slide = *std::ranges::find(slides, index, &SlideState::joint);
   Eigen::MatrixXd second;

@@ -155,4 +155,10 @@ Precision precision_of(const GroupModel& model, const models::FlatVariables& d,
   return result;
 }
 
+Precision precision_of_shape(double firmness) {
+  const double error = std::numeric_limits<double>::epsilon() / firmness;
+  return {error / firmness < six_digits ? Status::ok : Status::near_singular, error < two_digits,
+          error / firmness < two_digits};
+}
+
 }  // namespace assur::mechanism::solve

@@ -24,4 +24,8 @@ struct Precision {
                                      const models::FlatVariables& u, const models::FlatVariables& q,
                                      const models::GroupMotion& motion);
 
+/// Of the frames of links that drivers change, by how firmly features define them: their first
+/// rates are multiplied by one over the firmness, and their second ones by its square.
+[[nodiscard]] Precision precision_of_shape(double firmness);
+
 }  // namespace assur::mechanism::solve

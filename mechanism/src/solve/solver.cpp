@@ -180,25 +180,35 @@ class ConfigurationWalk {
     const auto is_missing = [unplaced](LinkIndex link) {
       return unplaced != nullptr && (*unplaced)[link];
     };
-    const auto is_unread = [&](const ReadingDriver& reading) {
-      return std::ranges::any_of(reading.reads, is_missing);
+    const auto is_unread = [&](const ReadingDriver& one) {
+      return std::ranges::any_of(one.reads, is_missing);
     };
-    for (const ReadingDriver& reading : structure_.reading) {
-      if (reading.groups_before == groups && !is_unread(reading)) {
-        settled_->settle(reading.driver, [this](JointIndex joint) {
-          return coordinate_of(values_, placed_.links, placed_.slides, joint);
-        });
+    auto reading =
+        std::ranges::lower_bound(structure_.reading, groups, {}, &ReadingDriver::groups_before);
+    const auto settle_what_reads = [&](std::size_t links) {
+      for (; reading != structure_.reading.end() && reading->groups_before == groups &&
+             reading->links_before <= links;
+           ++reading) {
+        if (!is_unread(*reading)) {
+          settled_->settle(reading->driver, [this](JointIndex joint) {
+            return coordinate_of(values_, placed_.links, placed_.slides, joint);
+          });
+          if (!values_.motion(reading->driver).is_known()) {
+            placed_.regularity = Status::near_singular;
+            placed_.derivatives_known = placed_.rates_known = false;
+          }
+        }
       }
-    }
+    };
     std::size_t slide = 0;
     for (std::size_t place = 0; place < structure_.driven.size(); ++place) {
+      settle_what_reads(place);
       const DrivenLink& link = structure_.driven[place];
       const bool slides = structure_.linkage.joints[link.joint].prismatic;
       if (link.groups_before == groups) {
-        const bool reads_nothing =
-            std::ranges::any_of(structure_.reading, [&](const ReadingDriver& reading) {
-              return reading.driver == link.driver && is_unread(reading);
-            });
+        const bool reads_nothing = std::ranges::any_of(
+            structure_.reading,
+            [&](const ReadingDriver& one) { return one.driver == link.driver && is_unread(one); });
         if (is_missing(link.from) || reads_nothing) {
           (*unplaced)[link.to] = true;
         } else {
@@ -207,6 +217,7 @@ class ConfigurationWalk {
       }
       slide += slides ? 1 : 0;
     }
+    settle_what_reads(structure_.driven.size());
   }
 
   void place_driven_link(std::size_t place, SlideState* slide) {

@@ -68,8 +68,8 @@ Values::GroupNumbers group_numbers(const Values& values, GroupIndex index) {
     const ModelUnknown& entry = group.model->unknowns[unknown];
     if (!entry.is_angle) {
       const SlideMeasure<Dual> measure = values.slide_measure(index, entry.owner);
-      numbers.slides.push_back(
-          {static_cast<int>(unknown), played(entry.owner).joint, measure.sense, measure.shift, 0, 0});
+      numbers.slides.push_back({static_cast<int>(unknown), played(entry.owner).joint, measure.sense,
+                                measure.shift, 0, 0});
     }
   }
   int joint = 0;
@@ -83,6 +83,9 @@ Values::GroupNumbers group_numbers(const Values& values, GroupIndex index) {
     } else {
       const LinkIndex other = at.other(inner);
       numbers.rounding = numbers.rounding.worst_of(values.rounding(at, other));
+    }
+    if (at.first != at.holder_first || at.second != at.holder_second) {
+      numbers.firmness = geometry.firmness;
     }
     ++joint;
   }

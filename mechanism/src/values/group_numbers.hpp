@@ -49,11 +49,14 @@ struct Values::GroupNumbers {
   values::ParameterDerivatives of_d;
   std::vector<values::DimensionDerivative> nonzero_of_d;
   models::SmallVector d_rate, d_second_rate;  ///< in time; empty where the links keep their shapes
-  std::vector<LinkIndex> links;  ///< that play the model's
-  std::vector<Frame> own;        ///< their own frames, each in its normal frame
+  std::vector<LinkIndex> links;               ///< that play the model's
+  std::vector<Frame> own;                     ///< their own frames, each in its normal frame
   std::vector<values::MeasuredSlide> slides;
   std::vector<values::HeldJoint> held;
   support::Displacement rounding;  ///< of its links' features, beyond that of their coordinates
+  /// How well features that drivers carry define the frames of their links, from zero to one. Where
+  /// they nearly meet, rounding turns the frame, and its rates even more.
+  double firmness = 1;
 
   /// Whether one of these links holds the group.
   [[nodiscard]] bool is_held_by(const Table<LinkIndex, bool>& links_in_question) const {

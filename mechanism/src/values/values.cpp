@@ -194,11 +194,16 @@ void Values::evaluate_parameter(ParameterIndex parameter) {
     }
   }
   const NumberIndex formula = plan_->mechanism.parameters()[parameter].value;
-  parameters_[parameter] = evaluated(formula) + independent(parameter, 0.0);
+  const Dual value = evaluated(formula);
+  expect_derivatives(formula, value);
+  parameters_[parameter] = value + independent(parameter, 0.0);
   parameter_roundings_[parameter] = rounding(formula);
 }
 
-void Values::evaluate_number(NumberIndex number) { numbers_[number] = evaluated(number); }
+void Values::evaluate_number(NumberIndex number) {
+  numbers_[number] = evaluated(number);
+  expect_derivatives(number, numbers_[number]);
+}
 
 Dual Values::evaluated(NumberIndex index,
                        const std::function<JointMotion(JointIndex)>& coordinate_of) const {
@@ -212,16 +217,19 @@ Dual Values::evaluated(NumberIndex index,
   if (!std::isfinite(result.value())) {
     throw MechanismError(number.part, "the value is not a finite number");
   }
-  if (!result.derivatives().allFinite()) {
-    throw MechanismError(number.part,
-                         "the derivative with respect to the parameters is not finite here");
+  return result;
+}
+
+void Values::expect_derivatives(NumberIndex index, const Dual& value) const {
+  const std::string& part = plan_->mechanism.numbers()[index].part;
+  if (!value.derivatives().allFinite()) {
+    throw MechanismError(part, "the derivative with respect to the parameters is not finite here");
   }
-  if (!result.hessian().allFinite()) {
-    throw MechanismError(number.part,
+  if (!value.hessian().allFinite()) {
+    throw MechanismError(part,
                          "the second derivative with respect to the parameters is not finite here, "
                          "and a covariance needs it");
   }
-  return result;
 }
 
 double Values::rounding(NumberIndex index) const {
@@ -346,11 +354,15 @@ void Values::evaluate_driver(DriverIndex index,
   const Driver& driver = plan_->mechanism.drivers()[index];
   JointMotion& motion = motions_[index];
   motion.position = evaluated(driver.position, of_joint);
+  if (!plan_->evaluation.reads_links[index]) {  // a link that it reads may stand singular
+    expect_derivatives(driver.position, motion.position);
+  }
   const bool follows = !driver.velocity.exists() || !driver.acceleration.exists();
   const Dual law = follows ? in_time(driver.position, of_joint) : Dual();
-  motion.velocity = driver.velocity.exists() ? numbers_[driver.velocity].value() : values::rate_of(law);
-  motion.acceleration =
-      driver.acceleration.exists() ? numbers_[driver.acceleration].value() : values::second_rate_of(law);
+  motion.velocity =
+      driver.velocity.exists() ? numbers_[driver.velocity].value() : values::rate_of(law);
+  motion.acceleration = driver.acceleration.exists() ? numbers_[driver.acceleration].value()
+                                                     : values::second_rate_of(law);
 }
 
 void Values::settle(DriverIndex driver,

@@ -61,7 +61,6 @@ class RandomChain {
     ListedChain result;
     result.linkage.links.resize(names_.size());
     result.bodies.placed.assign(names_.size(), false);
-    result.bodies.read_for.resize(names_.size());
     for (std::size_t link = 0; link < names_.size(); ++link) {
       const LinkIndex at(static_cast<std::size_t>(place[link]));
       result.linkage.links[at] = names_[link];
@@ -88,6 +87,7 @@ class RandomChain {
         result.linkage.joints.add(
             {name, number, joints[index].prismatic, links[0], links[1], {}, {}});
         result.bodies.driven.add(joints[index].driven);
+        result.bodies.read.add({});
       }
     }
     return result;

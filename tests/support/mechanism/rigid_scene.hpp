@@ -23,6 +23,8 @@ using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 class RigidScene {
  public:
   using Jet = Taylor<Real>;  ///< a quantity on the move; the first and second rates are used
+  /// Whether rates that a driver gives stand in place of those of its law.
+  enum class Laws : unsigned char { alone, with_given_rates };
 
   RigidScene(const mechanism::Mechanism& mechanism, const mechanism::Values& values)
       : mechanism_(mechanism) {
@@ -41,8 +43,12 @@ class RigidScene {
     for (const mechanism::Feature& feature : mechanism.features()) {
       Feature local{moved(feature.x), moved(feature.y), Jet(0)};
       if (feature.is_line) {
-        local.angle = differentiated([&](Real t) {
+        const auto angle = [&](Real t) {
           return std::atan2(at_time(feature.along_y, t), at_time(feature.along_x, t));
+        };
+        // On the move it may pass half a turn, where the arctangent leaps.
+        local.angle = differentiated([&, start = angle(0)](Real t) {
+          return start + std::remainder(angle(t) - start, 2 * std::acos(-1.0L));
         });
       }
       reach_ += std::hypot(local.x.c0, local.y.c0);
@@ -63,7 +69,8 @@ class RigidScene {
   /// Constraints and their rates at t = 0 along q + v t + a t^2 / 2: coincident points, points on
   /// lines, lines on lines of the same sense, and the laws of the drivers.
   [[nodiscard]] std::vector<Jet> constraints(const RealVector& q, const RealVector& v,
-                                             const RealVector& a) const {
+                                             const RealVector& a,
+                                             Laws laws = Laws::with_given_rates) const {
     const std::vector<Pose> poses = moving_poses(q, v, a);
     std::vector<Jet> result;
     for (const mechanism::Joint& joint : mechanism_.joints()) {
@@ -83,7 +90,7 @@ class RigidScene {
       }
     }
     for (const mechanism::Driver& driver : mechanism_.drivers()) {
-      const Jet miss = coordinate(poses, driver.joint) - wanted(poses, driver);
+      const Jet miss = coordinate(poses, driver.joint) - wanted(poses, driver, laws);
       const bool turns =
           mechanism_.joints()[driver.joint].type == mechanism::JointType::revolute;
       result.push_back(turns ? wrapped(miss) : miss);
@@ -117,12 +124,12 @@ class RigidScene {
   [[nodiscard]] RealVector values_of(const RealVector& q) const {
     return part_of(constraints(q, still(), still()), 0);
   }
-  /// What the constraints' first rates demand: J v = -(rates at v = 0).
+  /// What makes the constraints' first rates vanish; they are affine in it.
   [[nodiscard]] RealVector velocity(const RealVector& q) const {
-    return jacobian(q).fullPivLu().solve(-part_of(constraints(q, still(), still()), 1));
+    return root_of([&](const RealVector& v) { return part_of(constraints(q, v, still()), 1); });
   }
   [[nodiscard]] RealVector acceleration(const RealVector& q, const RealVector& v) const {
-    return jacobian(q).fullPivLu().solve(-part_of(constraints(q, v, still()), 2));
+    return root_of([&](const RealVector& a) { return part_of(constraints(q, v, a), 2); });
   }
 
   /// Coordinates of a point of a link on the move.
@@ -147,6 +154,14 @@ class RigidScene {
     return q;
   }
 
+  /// A column is the rate of the constraints along its coordinate; rates that are given beside a law
+  /// say nothing of that.
+  [[nodiscard]] RealMatrix jacobian(const RealVector& q) const {
+    return matrix_of([&](const RealVector& v) {
+      return part_of(constraints(q, v, still(), Laws::alone), 1);
+    });
+  }
+
  private:
   struct Feature {
     Jet x, y, angle;
@@ -159,10 +174,11 @@ class RigidScene {
   };
 
   static Real at(const Jet& jet, Real t) { return jet.c0 + t * (jet.c1 + t * jet.c2); }
-  /// A function of time with its first two derivatives at t = 0, from nine of its values.
+  /// A function of time with its first two derivatives at t = 0, from nine of its values, the closer
+  /// the faster what it depends on moves.
   template <typename Function>
-  static Jet differentiated(const Function& f) {
-    constexpr Real h = 1 / 64.0L;
+  static Jet differentiated(const Function& f, Real speed = 1) {
+    const Real h = 1 / (256 * speed);
     constexpr std::array<Real, 4> first = {4 / 5.0L, -1 / 5.0L, 4 / 105.0L, -1 / 280.0L};
     constexpr std::array<Real, 4> second = {8 / 5.0L, -1 / 5.0L, 8 / 315.0L, -1 / 560.0L};
     const Real here = f(0);
@@ -209,25 +225,42 @@ class RigidScene {
     return displacement(poses, joint);
   }
   /// What the law of a driver says; of a driven joint it reads what that one's law says.
-  [[nodiscard]] Jet wanted(const std::vector<Pose>& poses, const mechanism::Driver& driver) const {
+  [[nodiscard]] Jet wanted(const std::vector<Pose>& poses, const mechanism::Driver& driver,
+                           Laws laws) const {
     const auto read = [&](mechanism::JointIndex joint) {
       for (const mechanism::Driver& other : mechanism_.drivers()) {
         if (other.joint == joint) {
-          return wanted(poses, other);
+          return wanted(poses, other, laws);
         }
       }
       const Jet coordinate_read = coordinate(poses, joint);
       return mechanism_.joints()[joint].type == mechanism::JointType::revolute
-                 ? wrapped(coordinate_read)
+                 ? above_half_a_turn(coordinate_read)
                  : coordinate_read;
     };
-    Jet law = differentiated([&](Real t) { return at_time(driver.position, t, read); });
-    law.c1 = driver.velocity.exists() ? at_time(driver.velocity, 0) : law.c1;
-    law.c2 = driver.acceleration.exists() ? at_time(driver.acceleration, 0) / 2 : law.c2;
+    Real speed = 1;
+    for (const mechanism::JointIndex joint :
+         mechanism_.numbers()[driver.position].formula.joints()) {
+      const Jet moving = read(joint);
+      speed += std::abs(moving.c1) + std::sqrt(std::abs(moving.c2));
+    }
+    Jet law = differentiated([&](Real t) { return at_time(driver.position, t, read); }, speed);
+    if (laws == Laws::with_given_rates && driver.velocity.exists()) {
+      law.c1 = at_time(driver.velocity, 0);
+    }
+    if (laws == Laws::with_given_rates && driver.acceleration.exists()) {
+      law.c2 = at_time(driver.acceleration, 0) / 2;
+    }
     return law;
   }
 
   [[nodiscard]] RealVector still() const { return RealVector::Zero(size()); }
+  /// An angle as laws read it: above -pi, by more than rounding.
+  static Jet above_half_a_turn(Jet angle) {
+    angle = wrapped(angle);
+    angle.c0 += angle.c0 < 1e-9L - std::acos(-1.0L) ? 2 * std::acos(-1.0L) : 0;
+    return angle;
+  }
   /// A difference of angles, brought to where its value is least.
   static Jet wrapped(Jet angle) {
     angle.c0 = std::remainder(angle.c0, 2 * std::acos(-1.0L));
@@ -242,15 +275,19 @@ class RigidScene {
     }
     return part;
   }
-  /// A column is the rate of the constraints along its coordinate, less that of the drivers.
-  [[nodiscard]] RealMatrix jacobian(const RealVector& q) const {
-    const RealVector resting = part_of(constraints(q, still(), still()), 1);
+  /// The matrix of an affine function of the coordinates, and of their rates.
+  template <typename Affine>
+  [[nodiscard]] RealMatrix matrix_of(const Affine& affine) const {
+    const RealVector resting = affine(still());
     RealMatrix result(resting.size(), size());
     for (Eigen::Index column = 0; column < size(); ++column) {
-      result.col(column) =
-          part_of(constraints(q, RealVector::Unit(size(), column), still()), 1) - resting;
+      result.col(column) = affine(RealVector::Unit(size(), column)) - resting;
     }
     return result;
+  }
+  template <typename Affine>
+  [[nodiscard]] RealVector root_of(const Affine& affine) const {
+    return matrix_of(affine).fullPivLu().solve(-affine(still()));
   }
 
   [[nodiscard]] std::vector<Pose> moving_poses(const RealVector& q, const RealVector& v,

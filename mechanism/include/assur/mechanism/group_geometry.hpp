@@ -24,6 +24,7 @@ struct GroupGeometry {
   std::string obstacle;                   ///< then: which link has none, and why
   std::string flaw;                       ///< which link has no length, if one has none
   std::vector<NormalForm<Scalar>> links;  ///< of each link of the model
+  double firmness = 0;  ///< how well the links' features define their frames, from zero to one
 
   /// The dimensions of the model, in its order.
   [[nodiscard]] std::vector<DimensionValue<Scalar>> dimensions() const {
@@ -333,7 +334,8 @@ template <typename Scalar, typename FeatureOf>
   GroupGeometry<Scalar> geometry;
   // The first assignment that defines the frames well, or else the one that does so best.
   constexpr double well = 0.05;
-  double firmest = -1;
+  double& firmest = geometry.firmness;
+  firmest = -1;
   for (const RoleAssignment& roles : group.assignments) {
     for (const std::size_t first_size : {2U, 3U}) {
       values::NormalForms<Scalar> normal(structure, group, roles, feature_of, zero);

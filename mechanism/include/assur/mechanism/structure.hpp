@@ -65,7 +65,8 @@ struct DrivenLink {
 /// A driver whose law reads where links are.
 struct ReadingDriver {
   DriverIndex driver;
-  std::size_t groups_before;      ///< how many groups are placed before the law can be evaluated
+  /// How many groups, and driven links, are placed before the law can be evaluated.
+  std::size_t groups_before, links_before;
   std::vector<LinkIndex> reads;   ///< the links at the joints that it reads
 };
 
@@ -106,7 +107,7 @@ struct Structure {
   std::vector<DrivenLink> driven;  ///< in the order in which they are placed
   Table<GroupIndex, FoundGroup> groups;
   std::vector<DriverIndex> laws;       ///< of all drivers, each behind those that its law reads
-  std::vector<ReadingDriver> reading;  ///< in the same order
+  std::vector<ReadingDriver> reading;  ///< in the order in which they can be evaluated
 
   [[nodiscard]] std::vector<std::string> names_of(const std::vector<LinkIndex>& links) const;
   /// Links and slides in the order of their names.

@@ -6,6 +6,7 @@
 #include <assur/mechanism/frame.hpp>
 #include <assur/mechanism/group_geometry.hpp>
 #include <assur/support/displaced_frame.hpp>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
@@ -30,6 +31,11 @@ struct JointMotion {
   Dual position;
   double velocity = 0;
   double acceleration = 0;
+
+  [[nodiscard]] bool is_known() const {
+    return position.derivatives().allFinite() && position.hessian().allFinite() &&
+           std::isfinite(velocity) && std::isfinite(acceleration);
+  }
 };
 
 /// The numbers of a mechanism at one set of parameter values. A parameter may be a formula in
@@ -58,7 +64,8 @@ class Values {
   /// What a driver's law says. A law that reads where links are has no value until they are placed.
   [[nodiscard]] const JointMotion& motion(DriverIndex driver) const { return motions_[driver]; }
   /// Evaluates a law that reads where links are, and what depends on it, with the coordinates of the
-  /// joints without drivers. Throws as the constructor does.
+  /// joints without drivers. Throws as the constructor does, but for derivatives, which are not finite
+  /// where such a joint's are not.
   void settle(DriverIndex driver, const std::function<JointMotion(JointIndex)>& coordinate_of);
   /// The value of any number, evaluated here and now. Throws MechanismError where it is not finite.
   [[nodiscard]] double value_of(NumberIndex number) const;
@@ -110,6 +117,8 @@ class Values {
   [[nodiscard]] Dual evaluated(
       NumberIndex number,
       const std::function<JointMotion(JointIndex)>& coordinate_of = nullptr) const;
+  /// Throws MechanismError where a derivative of a number is not finite.
+  void expect_derivatives(NumberIndex number, const Dual& value) const;
   [[nodiscard]] double rounding(NumberIndex number) const;
   // As functions of time. What does not move is a constant.
   [[nodiscard]] bool moves(NumberIndex number) const;

@@ -92,12 +92,16 @@ struct Coordinate {
   Matrix<double, 1, Parameters> gradient = Matrix<double, 1, Parameters>::Zero();
 };
 
-/// The angle from one frame to another, theta_other - theta_one.
+/// The angle from one frame to another, theta_other - theta_one. It is above -pi by more than what
+/// rounding leaves of half a turn, so that a law that reads it says the same for both.
 template <int Order, int Parameters>
 [[nodiscard]] Coordinate<Order, Parameters> angle_between(
     const Frame<double, Order, Parameters>& one, const Frame<double, Order, Parameters>& other) {
-  return {angle_of(turned(other.pose.direction, reversed(one.pose.direction))),
-          other.rates.row(2) - one.rates.row(2), other.gradient.row(2) - one.gradient.row(2)};
+  constexpr double pi = 3.14159265358979323846;
+  constexpr double negligible = 1e-9;
+  const double angle = angle_of(turned(other.pose.direction, reversed(one.pose.direction)));
+  return {angle < negligible - pi ? angle + 2 * pi : angle, other.rates.row(2) - one.rates.row(2),
+          other.gradient.row(2) - one.gradient.row(2)};
 }
 
 /// How far along the x-axis of one frame, on which it lies, the origin of another is: with r from

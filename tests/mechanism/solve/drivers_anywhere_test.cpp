@@ -1,0 +1,521 @@
+// Law: wherever drivers stand and whatever their laws read, rigid bodies that know no groups agree
+// with all that the solver says.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <assur/mechanism/sweep.hpp>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+
+#include "largest.hpp"
+#include "mechanism/random_driven_scene.hpp"
+#include "mechanism/rigid_scene.hpp"
+#include "mechanism/scene_solutions.hpp"
+#include "richardson.hpp"
+
+namespace assur::test::drivers_anywhere_test {
+namespace {
+
+constexpr unsigned first_seed = 27182;
+bool is_whole_campaign() { return std::getenv("ASSUR_WHOLE_CAMPAIGN") != nullptr; }
+
+/// The pose of every moving link, as rigid bodies have it.
+RealVector coordinates_of(const RigidScene& rigid, const Configuration& configuration) {
+  RealVector q(rigid.size());
+  for (const mechanism::LinkIndex link : configuration.links.keys()) {
+    if (const Eigen::Index first = rigid.coordinate(link); first >= 0) {
+      const ::assur::Pose<double>& pose = configuration.links[link].pose;
+      q.segment<3>(first) << pose.x, pose.y,
+          std::atan2(static_cast<Real>(pose.direction.sin), static_cast<Real>(pose.direction.cos));
+    }
+  }
+  return q;
+}
+
+RealVector coordinates_of(const RigidScene& rigid, const mechanism::Mechanism& mechanism,
+                          const RandomDrivenScene& made) {
+  RealVector q(rigid.size());
+  for (const mechanism::LinkIndex link : mechanism.links().keys()) {
+    if (const Eigen::Index first = rigid.coordinate(link); first >= 0) {
+      const RandomDrivenScene::BodyPose& pose = made.poses().at(mechanism.links()[link].name);
+      q.segment<3>(first) << pose.x, pose.y, pose.theta;
+    }
+  }
+  return q;
+}
+
+/// Velocities, or accelerations, of all moving links.
+RealVector rates_of(const RigidScene& rigid, const Configuration& configuration,
+                    Eigen::Vector3d mechanism::Frame::*rate) {
+  RealVector result(rigid.size());
+  for (const mechanism::LinkIndex link : configuration.links.keys()) {
+    if (const Eigen::Index first = rigid.coordinate(link); first >= 0) {
+      result.segment<3>(first) = (configuration.links[link].*rate).cast<Real>();
+    }
+  }
+  return result;
+}
+
+/// Largest difference of poses: lengths as parts of the reach, angles modulo a turn.
+Real distance(const RigidScene& rigid, const RealVector& one, const RealVector& other) {
+  Real worst = 0;
+  for (Eigen::Index index = 0; index < one.size(); ++index) {
+    const Real difference = one(index) - other(index);
+    worst =
+        largest(worst, index % 3 == 2 ? std::abs(std::remainder(difference, 2 * std::acos(-1.0L)))
+                                      : std::abs(difference) / rigid.reach());
+  }
+  return worst;
+}
+
+/// Difference of two vectors as a part of the larger of them.
+double relative(const RealVector& one, const RealVector& other) {
+  const Real size = std::max({one.cwiseAbs().maxCoeff(), other.cwiseAbs().maxCoeff(), Real(1e-9)});
+  return static_cast<double>((one - other).cwiseAbs().maxCoeff() / size);
+}
+
+struct Errors {
+  double closure = 0, pose = 0, velocity = 0, acceleration = 0, joints = 0;
+};
+
+struct Tally {
+  int scenes = 0, driven_in_groups = 0, couplings = 0, configurations = 0, singular = 0,
+      without_rates = 0, largest_listing = 0;
+  Errors regular, other;
+};
+
+void compare(const Solved& scene, const RigidScene& rigid, const Configuration& configuration,
+             Tally& tally) {
+  const bool is_regular = configuration.regularity == Status::ok;
+  Errors& errors = is_regular ? tally.regular : tally.other;
+  ++(is_regular ? tally.configurations : tally.singular);
+  const RealVector listed = coordinates_of(rigid, configuration);
+  errors.closure =
+      largest(errors.closure,
+              static_cast<double>(rigid.values_of(listed).cwiseAbs().maxCoeff() / rigid.reach()));
+  RealVector q = listed;
+  if (!rigid.assemble(q)) {
+    EXPECT_FALSE(is_regular) << "does not come to rest";
+    return;
+  }
+  errors.pose = largest(errors.pose, static_cast<double>(distance(rigid, q, listed)));
+  if (!configuration.rates_known) {
+    EXPECT_FALSE(is_regular);
+    ++tally.without_rates;
+    return;
+  }
+  const RealVector v = rigid.velocity(q);
+  const RealVector a = rigid.acceleration(q, v);
+  const double velocity = relative(rates_of(rigid, configuration, &mechanism::Frame::velocity), v);
+  const double acceleration =
+      relative(rates_of(rigid, configuration, &mechanism::Frame::acceleration), a);
+  errors.velocity = largest(errors.velocity, velocity);
+  errors.acceleration = largest(errors.acceleration, acceleration);
+  EXPECT_LT(velocity, is_regular ? 1e-6 : 1e-2);
+  EXPECT_LT(acceleration, is_regular ? 1e-6 : 1e-2);
+  for (const mechanism::SlideState& state : configuration.slides) {
+    ASSERT_TRUE(state.joint.exists());
+    const RigidScene::Jet moved =
+        rigid.displacement(scene.plan.mechanism().joints()[state.joint], q, v, a);
+    const Real size = 1 + a.cwiseAbs().maxCoeff();
+    const double error = static_cast<double>(
+        std::max({std::abs(state.displacement - moved.c0), std::abs(state.velocity - moved.c1),
+                  std::abs(state.acceleration - 2 * moved.c2)}) /
+        size);
+    errors.joints = largest(errors.joints, error);
+    EXPECT_LT(error, is_regular ? 1e-6 : 1e-2);
+  }
+}
+
+/// The same configurations, one by one, whatever the order of links, joints, drivers, parameters.
+void expect_listing_is_free(const Solved& one, const Solved& other) {
+  ASSERT_EQ(one.configurations().size(), other.configurations().size());
+  const RigidScene rigid(one.plan.mechanism(), one.values);
+  for (std::size_t place = 0; place < one.configurations().size(); ++place) {
+    Real worst = 0;
+    for (const mechanism::Link& link : one.plan.mechanism().links()) {
+      const mechanism::Frame& a = one.configurations()[place].link(link.name);
+      const mechanism::Frame& b = other.configurations()[place].link(link.name);
+      worst = largest<Real>(
+          worst, std::max({std::abs(a.pose.x - b.pose.x), std::abs(a.pose.y - b.pose.y),
+                           std::abs(turned(a.pose.direction, reversed(b.pose.direction)).sin)}));
+    }
+    EXPECT_LT(worst / (1 + rigid.reach()), 1e-7) << "configuration " << place + 1;
+  }
+}
+
+bool is_listed(const RigidScene& rigid, const RealVector& q, const Solved& scene, Real within) {
+  return std::ranges::any_of(scene.configurations(), [&](const Configuration& configuration) {
+    return distance(rigid, q, coordinates_of(rigid, configuration)) < within;
+  });
+}
+
+void check(const RandomDrivenScene& made, unsigned seed, Tally& tally) {
+  const Solved scene(mechanism::parse_scene(made.scene().dump(), "random"));
+  ++tally.scenes;
+  tally.largest_listing =
+      std::max(tally.largest_listing, static_cast<int>(scene.configurations().size()));
+  ASSERT_EQ(scene.solution.status, SolutionStatus::ok) << scene.plan.obstacle(scene.values);
+  const RigidScene rigid(scene.plan.mechanism(), scene.values);
+  ASSERT_EQ(rigid.values_of(RealVector::Zero(rigid.size())).size(), rigid.size());
+  const RealVector thrown = coordinates_of(rigid, scene.plan.mechanism(), made);
+  ASSERT_LT(rigid.values_of(thrown).cwiseAbs().maxCoeff(), 1e-13) << "the scene is made wrong";
+  EXPECT_TRUE(is_listed(rigid, thrown, scene, 1e-7)) << "the thrown pose is not listed";
+  for (std::size_t place = 0; place < scene.configurations().size(); ++place) {
+    SCOPED_TRACE("configuration " + std::to_string(place + 1));
+    compare(scene, rigid, scene.configurations()[place], tally);
+  }
+  for (unsigned listing = 1; listing <= 2; ++listing) {
+    SCOPED_TRACE("listing " + std::to_string(listing));
+    const Solved other(mechanism::parse_scene(made.listed(seed + listing).dump(), "random"));
+    expect_listing_is_free(scene, other);
+  }
+  for (const auto& [name, driver] : made.scene()["drivers"].items()) {
+    const std::string law = driver["position"];
+    tally.couplings += law.find("joint(") != std::string::npos ? 1 : 0;
+  }
+  const auto& structure = scene.plan.structure();
+  const auto placed = structure.placed_by_drivers();
+  for (const mechanism::DrivenLink& link : structure.driven) {
+    tally.driven_in_groups += placed[link.to] ? 0 : 1;
+  }
+}
+
+std::ostream& operator<<(std::ostream& out, const Errors& errors) {
+  return out << "closure " << errors.closure << ", pose " << errors.pose << ", velocity "
+             << errors.velocity << ", acceleration " << errors.acceleration << ", joints "
+             << errors.joints;
+}
+
+RandomDrivenScene scene_of(unsigned number, Places places) {
+  return {first_seed + number, places, 1 + static_cast<int>(number % 3)};
+}
+
+/// Runs a check of many scenes: a refusal is a failure of one of them.
+template <typename Check>
+void for_each_scene(unsigned few, unsigned many, Places places, const Check& check_one) {
+  const unsigned scenes = is_whole_campaign() ? many : few;
+  for (unsigned number = 0; number < scenes; ++number) {
+    const unsigned seed = first_seed + number;
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    try {
+      check_one(scene_of(number, places), seed);
+    } catch (const mechanism::InputError& error) {
+      ADD_FAILURE() << error.what();
+    }
+  }
+  std::cout << scenes << " scenes, seeds from " << first_seed << ": ";
+}
+
+TEST(DriversAnywhere, AgreeWithRigidBodiesInMotion) {
+  Tally tally;
+  for_each_scene(60, 1000, Places::anywhere,
+                 [&](const RandomDrivenScene& made, unsigned seed) { check(made, seed, tally); });
+  std::cout << tally.driven_in_groups << " driven links in or behind groups, " << tally.couplings
+            << " laws that read joints, " << tally.configurations << " regular configurations and "
+            << tally.singular << " others (" << tally.without_rates << " without rates), at most "
+            << tally.largest_listing
+            << " of a scene; relative errors of regular ones: " << tally.regular
+            << "; of others: " << tally.other << '\n';
+  EXPECT_LT(tally.regular.closure, 1e-15);
+  EXPECT_LT(tally.other.closure, 1e-15);
+}
+
+/// Newton's method from many places finds nothing that is not listed.
+TEST(DriversAnywhere, ListWhateverNewtonFinds) {
+  constexpr int starts = 25;
+  constexpr Eigen::Index largest_scene = 24;
+  int arrived = 0;
+  int searched = 0;
+  for_each_scene(12, 600, Places::anywhere, [&](const RandomDrivenScene& made, unsigned seed) {
+    const Solved scene(mechanism::parse_scene(made.scene().dump(), "random"));
+    const RigidScene rigid(scene.plan.mechanism(), scene.values);
+    if (rigid.size() > largest_scene) {
+      return;
+    }
+    ++searched;
+    std::mt19937 engine(seed);
+    for (int start = 0; start < starts; ++start) {
+      RealVector q = rigid.scattered(engine);
+      if (rigid.assemble(q, 40)) {
+        ++arrived;
+        EXPECT_TRUE(is_listed(rigid, q, scene, 1e-7)) << "start " << start << " found\n"
+                                                      << q.transpose();
+      }
+    }
+  });
+  std::cout << searched << " of them small, " << arrived << " starts of " << starts
+            << " for each arrived\n";
+  EXPECT_GT(arrived, searched);
+}
+
+/// Of all links to all parameters, against bodies that are assembled again with one moved.
+TEST(DriversAnywhere, HaveTheSensitivitiesOfRigidBodies) {
+  double worst = 0;
+  int count = 0;
+  int at_folds = 0;
+  for_each_scene(3, 150, Places::anywhere, [&](const RandomDrivenScene& made, unsigned) {
+    const Solved scene(mechanism::parse_scene(made.scene().dump(), "random"));
+    const RigidScene rigid(scene.plan.mechanism(), scene.values);
+    const std::size_t checked = std::min<std::size_t>(scene.configurations().size(), 3);
+    for (std::size_t place = 0; place < checked; ++place) {
+      const Configuration& configuration = scene.configurations()[place];
+      if (configuration.regularity != Status::ok) {
+        continue;
+      }
+      const RealVector start = coordinates_of(rigid, configuration);
+      for (const mechanism::ParameterIndex index : scene.plan.mechanism().parameters().keys()) {
+        const std::string& name = scene.plan.mechanism().parameters()[index].name;
+        SCOPED_TRACE("configuration " + std::to_string(place + 1) + ", " + name);
+        const auto assembled = [&](double offset, RealVector& q) {
+          const Values there = scene.plan.values({{name, scene.values.parameter(index) + offset}});
+          q = start;
+          return RigidScene(scene.plan.mechanism(), there).assemble(q) &&
+                 distance(rigid, q, start) < 0.1;
+        };
+        // Near a fold only within small steps.
+        double step = 2e-3;
+        RealVector q;
+        while (step > 1e-5 && !(assembled(step, q) && assembled(-step, q))) {
+          step /= 4;
+        }
+        if (step <= 1e-5) {
+          ++at_folds;
+          continue;
+        }
+        const auto moved = [&](double offset) -> Eigen::VectorXd {
+          EXPECT_TRUE(assembled(offset, q));
+          return (q - start).cast<double>();
+        };
+        const auto difference = best_richardson<Eigen::VectorXd>(moved, step, 3);
+        Eigen::VectorXd listed(rigid.size());
+        for (const mechanism::LinkIndex link : configuration.links.keys()) {
+          if (const Eigen::Index first = rigid.coordinate(link); first >= 0) {
+            listed.segment<3>(first) = configuration.links[link].follows.first.col(index.row());
+          }
+        }
+        const double size = std::max(1e-3, listed.cwiseAbs().maxCoeff());
+        const double error = (listed - difference.derivative).cwiseAbs().maxCoeff() / size;
+        EXPECT_LT(error, 1e-7 + 10 * difference.uncertainty / size);
+        if (difference.uncertainty < 1e-9 * size) {
+          worst = largest(worst, error);
+          ++count;
+        }
+      }
+    }
+  });
+  std::cout << count << " sensitivities of all links, " << at_folds
+            << " too near to a fold; relative error " << worst << '\n';
+  EXPECT_LT(at_folds, 1 + count / 20);
+  EXPECT_GT(count, 0);
+  EXPECT_LT(worst, 1e-7);
+}
+
+/// The scene with one parameter moving, at a constant rate, and nothing else.
+Json with_one_moving(Json scene, const std::string& name, double velocity) {
+  for (auto& [other, entry] : scene["parameters"].items()) {
+    if (entry.is_object()) {
+      entry = entry["value"];
+    }
+  }
+  for (auto& [joint, driver] : scene["drivers"].items()) {
+    driver.erase("velocity");
+    driver.erase("acceleration");
+  }
+  scene["parameters"][name] = {{"value", scene["parameters"][name]}, {"velocity", velocity}};
+  return scene;
+}
+
+/// Every row of a sweep is the solution at its value, and moves as its branch goes.
+TEST(DriversAnywhere, SweepAsTheyAreSolvedAtEachStep) {
+  constexpr int steps = 21;
+  constexpr double range = 0.02;
+  constexpr double velocity = 0.7;
+  int rows = 0;
+  int differences = 0;
+  double pointwise = 0;
+  double followed = 0;
+  double along_branch = 0;
+  for_each_scene(12, 200, Places::anywhere, [&](const RandomDrivenScene& made, unsigned seed) {
+    const std::string name = made.free_parameters()[seed % made.free_parameters().size()];
+    Json json = with_one_moving(made.scene(), name, velocity);
+    const double middle = json["parameters"][name]["value"];
+    const Plan alone(mechanism::parse_scene(json.dump(), "random"));
+    json["sweep"] = {
+        {"parameter", name}, {"from", middle - range}, {"to", middle + range}, {"count", steps}};
+    const Plan plan(mechanism::parse_scene(json.dump(), "random"));
+    const mechanism::ParameterIndex swept = plan.request().sweep->parameter;
+    Values values = alone.values();
+    Solution solution;
+    int step = -1;
+    std::size_t rows_of_step = 0;
+    // Where no row is, there is no configuration.
+    const auto go_to = [&](int next) {
+      while (step < next) {
+        EXPECT_EQ(rows_of_step, solution.configurations.size()) << "step " << step;
+        if (++step == steps) {
+          return;
+        }
+        rows_of_step = 0;
+        const double from = plan.values().value_of(plan.request().sweep->from);
+        const double to = plan.values().value_of(plan.request().sweep->to);
+        values.set(swept, from + (to - from) * step / (steps - 1));
+        alone.solve(values, solution);
+      }
+    };
+    const auto rigid = [&] { return RigidScene(alone.mechanism(), values); };
+    std::map<int, std::map<int, RealVector>> poses;       // by branch and step
+    std::map<int, std::map<int, RealVector>> velocities;  // likewise
+    const auto record = [&](const mechanism::SweepRecord& row) {
+      if (!row.event.empty()) {
+        return;
+      }
+      go_to(row.step);
+      EXPECT_NEAR(row.parameter, values.parameter(swept), 1e-15);
+      ++rows_of_step;
+      ++rows;
+      ASSERT_LE(static_cast<std::size_t>(row.configuration), solution.configurations.size());
+      const Configuration& here =
+          solution.configurations[static_cast<std::size_t>(row.configuration - 1)];
+      const RigidScene bodies = rigid();
+      const RealVector q = coordinates_of(bodies, *row.state);
+      const double apart = static_cast<double>(distance(bodies, q, coordinates_of(bodies, here)));
+      EXPECT_LT(apart, 1e-9);
+      pointwise = largest(pointwise, apart);
+      if (row.state->regularity != Status::ok) {
+        return;
+      }
+      const RealVector v = rates_of(bodies, *row.state, &mechanism::Frame::velocity);
+      const double rates = relative(v, rates_of(bodies, here, &mechanism::Frame::velocity)) +
+                           relative(rates_of(bodies, *row.state, &mechanism::Frame::acceleration),
+                                    rates_of(bodies, here, &mechanism::Frame::acceleration));
+      EXPECT_LT(rates, 1e-6);
+      RealVector follows(bodies.size());
+      for (const mechanism::LinkIndex link : here.links.keys()) {
+        if (const Eigen::Index first = bodies.coordinate(link); first >= 0) {
+          follows.segment<3>(first) =
+              here.links[link].follows.first.col(swept.row()).cast<Real>() * velocity;
+        }
+      }
+      const double follow = relative(v, follows);
+      EXPECT_LT(follow, 1e-6);
+      followed = largest(followed, std::max(rates, follow));
+      poses[row.branch][row.step] = q;
+      velocities[row.branch][row.step] = v;
+    };
+    mechanism::sweep(plan, {record, [](const Solution&) {}, [](int) {}});
+    go_to(steps);
+    const double h = 2 * range / (steps - 1) / velocity;  // in time
+    const Real turn = 2 * std::acos(-1.0L);
+    for (const auto& [branch, by_step] : poses) {
+      for (const auto& [at, q] : by_step) {
+        if (branch > 0 && by_step.count(at - 1) > 0 && by_step.count(at + 1) > 0 &&
+            by_step.count(at - 2) > 0 && by_step.count(at + 2) > 0) {
+          const auto central = [&](int by) {
+            RealVector change = by_step.at(at + by) - by_step.at(at - by);
+            for (Eigen::Index angle = 2; angle < change.size(); angle += 3) {
+              change(angle) = std::remainder(change(angle), turn);
+            }
+            return RealVector(change / (2 * by * h));
+          };
+          const RealVector near = central(1);
+          const RealVector best = near + (near - central(2)) / 3;
+          const Real size = 1 + velocities[branch][at].cwiseAbs().maxCoeff();
+          const auto error =
+              static_cast<double>((best - velocities[branch][at]).cwiseAbs().maxCoeff() / size);
+          const auto trust = static_cast<double>((best - near).cwiseAbs().maxCoeff() / size);
+          if (trust < 1e-3) {  // elsewhere the steps are too long for differences
+            EXPECT_LT(error, 1e-7 + trust) << "branch " << branch << ", step " << at;
+            along_branch = largest(along_branch, error);
+            ++differences;
+          }
+        }
+      }
+    }
+  });
+  std::cout << rows << " rows of sweeps; from solutions at their values " << pointwise << ", rates "
+            << followed << ", from " << differences << " differences along branches "
+            << along_branch << '\n';
+  EXPECT_GT(differences, 0);
+}
+
+/// In special positions nothing is no number, and what is told is true.
+TEST(DriversAnywhere, TellTheTruthInSpecialPositions) {
+  int configurations = 0;
+  int families = 0;
+  int missed = 0;
+  int singular = 0;
+  int without_rates = 0;
+  int rates = 0;
+  double velocity = 0;
+  double acceleration = 0;
+  for_each_scene(40, 2000, Places::lattice, [&](const RandomDrivenScene& made, unsigned seed) {
+    const Solved scene(mechanism::parse_scene(made.scene().dump(), "lattice"));
+    const std::string report = mechanism::report_json(scene.report());
+    EXPECT_EQ(report.find("nan"), std::string::npos);
+    EXPECT_EQ(report.find("inf,"), std::string::npos);
+    const RigidScene rigid(scene.plan.mechanism(), scene.values);
+    const RealVector thrown = coordinates_of(rigid, scene.plan.mechanism(), made);
+    ASSERT_LT(rigid.values_of(thrown).cwiseAbs().maxCoeff(), 1e-13) << "the scene is made wrong";
+    families += static_cast<int>(scene.solution.families.size());
+    const auto conditions = [&](const RealVector& q) {
+      const auto singular_values = Eigen::JacobiSVD<RealMatrix>(rigid.jacobian(q)).singularValues();
+      return singular_values(singular_values.size() - 1) / singular_values(0);
+    };
+    const Real condition_thrown = conditions(thrown);
+    if (scene.solution.families.empty()) {
+      // Where several solutions meet, or a motion goes through, a group may tell another place.
+      const bool is_found = is_listed(rigid, thrown, scene, 1e-4);
+      EXPECT_TRUE(is_found || condition_thrown < 1e-7)
+          << "the thrown pose, of condition " << condition_thrown << ", is not listed among "
+          << scene.configurations().size() << "; " << scene.plan.obstacle(scene.values);
+      missed += is_found ? 0 : 1;
+    }
+    for (std::size_t place = 0; place < scene.configurations().size(); ++place) {
+      SCOPED_TRACE("configuration " + std::to_string(place + 1));
+      const Configuration& configuration = scene.configurations()[place];
+      ++configurations;
+      RealVector q = coordinates_of(rigid, configuration);
+      EXPECT_LT(rigid.values_of(q).cwiseAbs().maxCoeff() / (1 + rigid.reach()), 1e-14);
+      const Real condition = conditions(q);
+      const bool is_singular = condition < 1e-7;
+      singular += is_singular ? 1 : 0;
+      without_rates += configuration.rates_known ? 0 : 1;
+      if (q.cwiseAbs().maxCoeff() > 100 * rigid.reach()) {
+        continue;  // far away the condition of the constraints says nothing
+      }
+      if (is_singular) {
+        EXPECT_NE(configuration.regularity, Status::ok);
+        EXPECT_FALSE(configuration.derivatives_known);
+        continue;
+      }
+      if (!configuration.rates_known || condition < 1e-5) {
+        continue;
+      }
+      (void)rigid.assemble(q);
+      const RealVector v = rigid.velocity(q);
+      const double of_velocity =
+          relative(rates_of(rigid, configuration, &mechanism::Frame::velocity), v);
+      EXPECT_LT(of_velocity, 1e-2);
+      velocity = largest(velocity, of_velocity);
+      const RealVector listed_a = rates_of(rigid, configuration, &mechanism::Frame::acceleration);
+      if (listed_a.allFinite()) {
+        const double of_acceleration = relative(listed_a, rigid.acceleration(q, v));
+        EXPECT_LT(of_acceleration, 1e-2);
+        acceleration = largest(acceleration, of_acceleration);
+      }
+      ++rates;
+    }
+    const Solved other(mechanism::parse_scene(made.listed(seed).dump(), "lattice"));
+    EXPECT_EQ(other.solution.families.empty(), scene.solution.families.empty());
+    expect_listing_is_free(scene, other);
+  });
+  std::cout << configurations << " configurations, " << singular << " of them singular, "
+            << without_rates << " without rates, " << missed << " singular poses not listed, "
+            << families << " families; the rates of " << rates << " differ by " << velocity
+            << " and " << acceleration << '\n';
+}
+
+}  // namespace
+}  // namespace assur::test::drivers_anywhere_test
