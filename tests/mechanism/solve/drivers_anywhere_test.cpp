@@ -404,7 +404,7 @@ TEST(DriversAnywhere, SweepAsTheyAreSolvedAtEachStep) {
       poses[row.branch][row.step] = q;
       velocities[row.branch][row.step] = v;
     };
-    mechanism::sweep(plan, {record, [](const Solution&) {}, [](int) {}});
+    mechanism::sweep(plan, {record, [](double, const Solution&) {}, [](int) {}});
     go_to(steps);
     const double h = 2 * range / (steps - 1) / velocity;  // in time
     const Real turn = 2 * std::acos(-1.0L);
