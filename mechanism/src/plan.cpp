@@ -158,7 +158,7 @@ std::shared_ptr<const PlanData> planned_with_redundancy(const Mechanism& mechani
     throw OverConstrained(excess);
   }
   std::vector<FeatureIndex> features;
-  for (const RedundantJoint& joint : part->redundant) {
+  for (const plan::RedundantJoint& joint : part->redundant) {
     features.insert(features.end(), {joint.one, joint.other});
   }
   const auto planned_with = [&](const Mechanism& whole) {
@@ -265,7 +265,7 @@ std::optional<Nearest> Plan::solve_nearest(const Values& values, Solution& resul
 
 std::vector<std::string> Plan::redundant() const {
   std::vector<std::string> names;
-  for (const RedundantJoint& joint : data_->redundant) {
+  for (const plan::RedundantJoint& joint : data_->redundant) {
     names.push_back(joint.name);
   }
   return names;

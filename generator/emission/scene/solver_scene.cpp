@@ -79,7 +79,7 @@ SceneMembers scene_members(const mechanism::Mechanism& described) {
   SceneMembers members;
   members.joints = members_of<mechanism::JointIndex>(names_of(described.joints()), {});
   // In what is placed so far, slides and other things stand among the links.
-  std::vector<std::string> taken = {"order", "parameters", "regularity"};
+  std::vector<std::string> taken = {"drivers", "order", "parameters", "regularity"};
   for (const std::string& member : members.joints) {
     taken.push_back("slide_" + member);
   }

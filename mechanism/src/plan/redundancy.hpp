@@ -7,17 +7,13 @@
 #include <string>
 #include <vector>
 
-namespace assur::mechanism {
+namespace assur::mechanism::plan {
 
 /// A joint that must hold where the others do: two features, of one sort, that coincide.
 struct RedundantJoint {
   std::string name;
   FeatureIndex one, other;
 };
-
-}  // namespace assur::mechanism
-
-namespace assur::mechanism::plan {
 
 struct BalancedMechanism {
   Mechanism mechanism;

@@ -21,7 +21,7 @@ struct Pair {
 };
 
 Pair placed(const Values& values, const Table<LinkIndex, Frame>& links,
-            const RedundantJoint& joint) {
+            const plan::RedundantJoint& joint) {
   const Mechanism& mechanism = values.plan().mechanism;
   const auto frame = [&](FeatureIndex feature) {
     return composed(links[mechanism.features()[feature].link],
@@ -37,7 +37,7 @@ Pair placed(const Values& values, const Table<LinkIndex, Frame>& links,
   return pair;
 }
 
-bool holds(const Values& values, const Table<LinkIndex, Frame>& links, const RedundantJoint& joint,
+bool holds(const Values& values, const Table<LinkIndex, Frame>& links, const plan::RedundantJoint& joint,
            bool is_regular, bool rates_known) {
   const Pair pair = placed(values, links, joint);
   const Pose<double>& one = pair.one.pose;
@@ -68,7 +68,7 @@ bool holds(const Values& values, const Table<LinkIndex, Frame>& links, const Red
 
 bool holds_redundantly(const Values& values, const Table<LinkIndex, Frame>& links,
                        Status regularity, bool rates_known) {
-  return std::ranges::all_of(values.plan().redundant, [&](const RedundantJoint& joint) {
+  return std::ranges::all_of(values.plan().redundant, [&](const plan::RedundantJoint& joint) {
     return holds(values, links, joint, regularity == Status::ok, rates_known);
   });
 }
