@@ -41,6 +41,7 @@ EVERY_KEY = {
     "want": ["position", "velocity", "acceleration", "sensitivity"],
     "report": {"links": ["rod"], "joints": ["slide"]},
     "reference": {"rod": "-20*deg"},
+    "redundancy": {"tolerance": 0.01},
     "sweep": {"parameter": "phi", "from": 0, "to": "2*pi", "count": 11},
     "covariance": {"parameters": ["AB"], "matrix": [[1e-6]]},
 }
