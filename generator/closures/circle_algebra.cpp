@@ -7,6 +7,13 @@
 
 namespace assur::generator::closures {
 
+namespace {
+
+/// Values for symbols: nothing is to be matched as a pattern, which takes much longer.
+constexpr unsigned unmatched = GiNaC::subs_options::no_pattern;
+
+}  // namespace
+
 bool makes_roots(const GiNaC::ex& expression) {
   return std::any_of(expression.preorder_begin(), expression.preorder_end(),
                      [](const GiNaC::ex& part) {
@@ -226,7 +233,7 @@ GiNaC::exmap CircleAlgebra::with_roots(const GiNaC::exmap& point, unsigned rever
   GiNaC::exmap values = point;
   for (std::size_t place = 0; place < roots_.size(); ++place) {
     const Root& root = roots_[place];
-    const GiNaC::ex radicand = root.radicand.subs(values).expand();
+    const GiNaC::ex radicand = root.radicand.subs(values, unmatched).expand();
     const GiNaC::ex number = radicand.evalf();
     if (!GiNaC::is_a<GiNaC::numeric>(number)) {
       continue;  // in symbols that the point leaves free
@@ -243,7 +250,7 @@ GiNaC::exmap CircleAlgebra::with_roots(const GiNaC::exmap& point, unsigned rever
 GiNaC::ex CircleAlgebra::at(const GiNaC::ex& algebraic, const GiNaC::exmap& point,
                             unsigned reversed) const {
   try {
-    return algebraic.subs(with_roots(point, reversed)).expand();
+    return algebraic.subs(with_roots(point, reversed), unmatched).expand();
   } catch (const GiNaC::pole_error&) {
     throw NotAlgebraic("division by zero");
   }

@@ -48,6 +48,8 @@ void ClosurePoints::follow_system() {
     }
   }
   lists_.clear();
+  rates_.clear();
+  second_rates_.clear();
   for (const ClosureSystem::Closure& closure : system_.closures()) {
     try {  // the roots of closures come first, whatever is asked of them first
       static_cast<void>(algebraic(closure.expression));
@@ -319,22 +321,31 @@ void ClosurePoints::solve_sensitivities(const GiNaC::ex& expression, Point& poin
   }
 }
 
+const std::vector<GiNaC::ex>& ClosurePoints::rates_of_closures(bool second) {
+  follow_system();
+  std::vector<GiNaC::ex>& rates = second ? second_rates_ : rates_;
+  if (!rates.empty()) {
+    return rates;
+  }
+  for (const ClosureSystem::Closure& closure : system_.closures()) {
+    GiNaC::ex rate = system_.rate(closure.expression);
+    rate = second ? system_.rate(rate) : rate;
+    for (const AuditSymbol* unknown : system_.unknowns()) {
+      rate = rate.subs((second ? unknown->second_rate : unknown->rate) == 0,
+                       GiNaC::subs_options::no_pattern);
+    }
+    rates.push_back(rate);
+  }
+  return rates;
+}
+
 void ClosurePoints::solve_rates(Point& point) {
   const std::vector<const AuditSymbol*> solved = system_.unknowns();
   if (solved.empty() || point.values.contains(solved[0]->rate)) {
     return;
   }
   for (const bool second : {false, true}) {
-    std::vector<GiNaC::ex> slopes;
-    for (const ClosureSystem::Closure& closure : system_.closures()) {
-      GiNaC::ex slope = system_.rate(closure.expression);
-      slope = second ? system_.rate(slope) : slope;
-      for (const AuditSymbol* unknown : solved) {
-        slope = slope.subs((second ? unknown->second_rate : unknown->rate) == 0);
-      }
-      slopes.push_back(slope);
-    }
-    const GiNaC::matrix solution = solution_of(slopes, point);
+    const GiNaC::matrix solution = solution_of(rates_of_closures(second), point);
     for (unsigned row = 0; row < solved.size(); ++row) {
       point.values[second ? solved[row]->second_rate : solved[row]->rate] =
           solution(row, 0).expand();

@@ -83,11 +83,14 @@ class ClosurePoints {
   void invert_jacobian(Point& point);
   void solve_sensitivities(const GiNaC::ex& expression, Point& point);
   void solve_rates(Point& point);
+  /// What the rates of the closures are where those of the unknowns are zero.
+  [[nodiscard]] const std::vector<GiNaC::ex>& rates_of_closures(bool second);
   [[nodiscard]] GiNaC::matrix solution_of(const std::vector<GiNaC::ex>& slopes, const Point& point);
   [[nodiscard]] GiNaC::matrix values_of(const std::vector<GiNaC::ex>& expressions,
                                         const GiNaC::exmap& values);
 
   ClosureSystem& system_;
+  std::vector<GiNaC::ex> rates_, second_rates_;  ///< of the closures, of this revision
   CircleAlgebra algebra_;
   unsigned revision_ = 0;            ///< of the system that the points belong to
   std::size_t angles_ = 0;           ///< symbols of the system that the algebra knows

@@ -139,7 +139,7 @@ GiNaC::ex ClosureSystem::expanded(const GiNaC::ex& expression) const {
   GiNaC::ex result = expression;
   for (std::size_t place = abbreviations_.size(); place-- > 0;) {
     const auto& [symbol, definition] = abbreviations_[place];
-    result = result.subs(symbol == definition);
+    result = result.subs(symbol == definition, GiNaC::subs_options::no_pattern);
   }
   return result;
 }

@@ -21,9 +21,8 @@ bool run_audit(const AuditOptions& options) {
   }
   std::vector<audit::AuditReport> reports;
   for (const std::string& file : options.files) {
-    reports.push_back(options.map.empty()
-                          ? audit::audit_file(file, audit::scene::scene_values, run)
-                          : audit::latex::audit_paper(file, options.map));
+    reports.push_back(options.map.empty() ? audit::audit_file(file, audit::scene::scene_values, run)
+                                          : audit::latex::audit_paper(file, options.map));
   }
   print(options.format == "json"       ? audit::audit_report_json(reports)
         : options.format == "markdown" ? audit::audit_report_markdown(reports)

@@ -277,8 +277,7 @@ ClosureEquations::ClosureEquations(const structure::Model& of_model) : model(&of
   residuals_meaning = "the x and y of each loop closure";
 }
 
-ClosureEquations closure_equations(const structure::Model& model,
-                                   const std::vector<bool>& moves) {
+ClosureEquations closure_equations(const structure::Model& model, const std::vector<bool>& moves) {
   return ClosureWalk(model, moves).run();
 }
 

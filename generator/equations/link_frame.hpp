@@ -30,8 +30,8 @@ struct LinkFrame {
 };
 
 /// A variable for a dimension, by its name, quantity and meaning; it stays where it is.
-using DeclareDimension = std::function<const Variable&(const std::string&, Variable::Quantity,
-                                                       const std::string&)>;
+using DeclareDimension =
+    std::function<const Variable&(const std::string&, Variable::Quantity, const std::string&)>;
 
 /// The frame of `link` in the model's representative kind, whose features refer to the variables of
 /// its dimensions.

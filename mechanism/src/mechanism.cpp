@@ -42,8 +42,8 @@ JointIndex Mechanism::joint_named(const std::string& name, const std::string& pa
         part, "no joint named " + in_quotes(name) + text::suggestion(name, names_of(joints_)));
   }
   if (joints_[joint].between.size() != 2) {
-    throw MechanismError(part, "the joint " + in_quotes(name) +
-                                   " joins more than two links and has no coordinate");
+    throw MechanismError(
+        part, "the joint " + in_quotes(name) + " joins more than two links and has no coordinate");
   }
   return joint;
 }
@@ -55,8 +55,8 @@ Formula Mechanism::formula(const std::string& text, const std::string& part, Rea
             {[&](const std::string& name) { return parameter_named(name, part); },
              [&](const std::string& name) {
                if (reads == Reads::parameters) {
-                 throw MechanismError(part, "joint(" + name + ") may stand in the position of a " +
-                                                "driver alone");
+                 throw MechanismError(
+                     part, "joint(" + name + ") may stand in the position of a " + "driver alone");
                }
                return joint_named(name, part);
              }}};
@@ -357,8 +357,8 @@ Mechanism Mechanism::with_slot(JointIndex pin, FeatureIndex feature,
   slot.is_line = true;
   slot.name = joints_[pin].name + " as a slot";
   const auto along = [&](NumberIndex to, NumberIndex from) {
-    return part.numbers_.add({Formula::difference(numbers_[to].formula, numbers_[from].formula),
-                              numbers_[to].part});
+    return part.numbers_.add(
+        {Formula::difference(numbers_[to].formula, numbers_[from].formula), numbers_[to].part});
   };
   slot.along_x = along(slot.x, features_[along_from].x);
   slot.along_y = along(slot.y, features_[along_from].y);
@@ -397,7 +397,10 @@ Mechanism Mechanism::only(const Table<LinkIndex, bool>& kept) const {
   }
   Table<JointIndex, JointIndex> joint_of(joints_.size());
   for (const JointIndex index : joints_.keys()) {
-    Joint joint{joints_[index].name, joints_[index].type, {}, joints_[index].lowest,
+    Joint joint{joints_[index].name,
+                joints_[index].type,
+                {},
+                joints_[index].lowest,
                 joints_[index].highest};
     for (const FeatureIndex feature : joints_[index].between) {
       if (feature_of[feature].exists()) {

@@ -303,7 +303,9 @@ TEST_P(Example, ListsWhateverNewtonFinds) {
           found[index] = true;
         }
       }
-      EXPECT_TRUE(known || is_of_a_family(rigid, q, solution)) << "start " << start << " of seed " << seed << " found\n" << q.transpose();
+      EXPECT_TRUE(known || is_of_a_family(rigid, q, solution))
+          << "start " << start << " of seed " << seed << " found\n"
+          << q.transpose();
     }
     const auto reached = std::count(found.begin(), found.end(), true);
     std::cout << "seed " << seed << ": " << arrived << " of " << start << " starts arrived at "

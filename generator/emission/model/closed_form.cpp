@@ -107,7 +107,7 @@ class Estimate {
 
 /// The discriminants of what a program computes, as the runtime computes them.
 support::Discriminants<Magnitude> discriminants(const elimination::Elimination& elimination,
-                                               const Estimate& polynomial, double off) {
+                                                const Estimate& polynomial, double off) {
   const auto coefficient = [&](const std::string& target) {
     return polynomial.result(target) + Magnitude::error(off);
   };

@@ -214,8 +214,7 @@ class SceneEmitter {
     std::vector<std::uint64_t> sets;
     for (const mechanism::GroupIndex group : groups.keys()) {
       std::uint64_t holders = 0;
-      for (const mechanism::GroupIndex before :
-           solver_.plan.structure().holders_of(group)) {
+      for (const mechanism::GroupIndex before : solver_.plan.structure().holders_of(group)) {
         holders |= sets[before.place()] | std::uint64_t{1} << before.place();
       }
       sets.push_back(holders);

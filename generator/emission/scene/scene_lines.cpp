@@ -75,9 +75,8 @@ std::vector<std::string> SceneLines::lines(bool has_drivers) const {
 }
 
 bool SceneLines::declares(const std::string& beginning) const {
-  return std::any_of(lines_.begin(), lines_.end(), [&](const std::string& line) {
-    return line.starts_with(beginning + " ");
-  });
+  return std::any_of(lines_.begin(), lines_.end(),
+                     [&](const std::string& line) { return line.starts_with(beginning + " "); });
 }
 
 std::string SceneLines::number(const SceneNumber& number) {

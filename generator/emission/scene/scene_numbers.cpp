@@ -129,8 +129,11 @@ void SceneNumbers::add_positions(
   const auto add = [this](const std::string& position, const std::string& velocity,
                           const std::string& acceleration, mechanism::DriverIndex driver,
                           const mechanism::Dual& value) {
-    movers_.push_back({GiNaC::symbol(position), GiNaC::symbol(velocity),
-                       GiNaC::symbol(acceleration), driver, {}});
+    movers_.push_back({GiNaC::symbol(position),
+                       GiNaC::symbol(velocity),
+                       GiNaC::symbol(acceleration),
+                       driver,
+                       {}});
     const GiNaC::symbol& symbol = movers_.back().position;
     symbols_.add(symbol, cpp::exact(value.value()));
     variables_.push_back(symbol);
@@ -143,8 +146,8 @@ void SceneNumbers::add_positions(
         mechanism.numbers()[mechanism.drivers()[driver].position].formula;
     if (law.joints().empty()) {
       const std::string member = "drivers." + drivers[driver];
-      positions_[driver] = add(member + ".position", member + ".velocity",
-                               member + ".acceleration", driver, values_.motion(driver).position);
+      positions_[driver] = add(member + ".position", member + ".velocity", member + ".acceleration",
+                               driver, values_.motion(driver).position);
       const SceneNumber given = this->law(driver);
       for (const GiNaC::ex& symbol : modelled_) {
         movers_.back().gradient.push_back(
@@ -183,8 +186,8 @@ bool SceneNumbers::moves(const SceneNumber& number) const {
     return false;
   }
   const GiNaC::ex whole = symbols_.written_out(number.formula());
-  return std::ranges::any_of(
-      movers_, [&](const Mover& mover) { return whole.has(mover.position); });
+  return std::ranges::any_of(movers_,
+                             [&](const Mover& mover) { return whole.has(mover.position); });
 }
 
 GiNaC::ex SceneNumbers::rate(const GiNaC::ex& formula) const {

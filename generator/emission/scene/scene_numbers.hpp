@@ -83,8 +83,8 @@ class SceneNumbers {
   /// reads where groups place it.
   struct Mover {
     GiNaC::symbol position, velocity, acceleration;
-    mechanism::DriverIndex driver;     ///< none of a joint that is read
-    std::vector<GiNaC::ex> gradient;   ///< to the modelled parameters
+    mechanism::DriverIndex driver;    ///< none of a joint that is read
+    std::vector<GiNaC::ex> gradient;  ///< to the modelled parameters
   };
   void add_positions(const mechanism::Table<mechanism::DriverIndex, std::string>& drivers,
                      const mechanism::Table<mechanism::JointIndex, std::string>& joints);

@@ -136,8 +136,9 @@ void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, S
   const auto frame_of = [&](mechanism::FeatureIndex index) {
     const LinkFeature<SceneNumber> feature =
         solver.numbers.feature(index, mechanism.features()[index].is_line);
-    const std::string own = lines.frame(on(solver, mechanism.features()[index].name, link_of(index)),
-                                        {feature.x, feature.y, feature.along});
+    const std::string own =
+        lines.frame(on(solver, mechanism.features()[index].name, link_of(index)),
+                    {feature.x, feature.y, feature.along});
     return nested_frames({solver.placed(link_of(index)), own});
   };
   for (const mechanism::JointIndex joint : mechanism::joints_in_laws(mechanism, driver)) {
@@ -281,8 +282,8 @@ PlacingStatements placing_statements(const SolverScene& solver, mechanism::Group
     const std::string shifted = by == "0.0" ? unknown : "(" + unknown + sum + ")";
     lines.add(slide + ".displacement = " + sign + shifted + ";");
     if (solver.derivative_order > 0 && solver.reports(at.joint)) {
-      const std::string rates = solver.group_struct(group) + "::unit * group.rates.row(" +
-                                std::to_string(index) + ")";
+      const std::string rates =
+          solver.group_struct(group) + "::unit * group.rates.row(" + std::to_string(index) + ")";
       const std::string by_drivers = lines.rates(shift);
       lines.add(slide + ".rates = " + sign +
                 (by_drivers.empty() ? rates : "(" + rates + " + " + by_drivers + ")") + ";");

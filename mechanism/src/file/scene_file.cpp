@@ -242,8 +242,8 @@ class SceneReader {
     expect_object(value, "redundancy");
     expect_keys(value, "redundancy", redundancy_keys);
     const std::string part = "redundancy.tolerance";
-    request_.redundancy_tolerance = mechanism_.add_number(
-        number_of(required(value, "tolerance", "redundancy"), part), part);
+    request_.redundancy_tolerance =
+        mechanism_.add_number(number_of(required(value, "tolerance", "redundancy"), part), part);
   }
 
   template <typename Key, typename Part>

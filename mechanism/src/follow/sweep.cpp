@@ -254,8 +254,8 @@ class Sweeper {
     const auto within =
         std::count_if(first, first + static_cast<std::ptrdiff_t>(point.place()) + 1, is_told);
     told_.insert(number);
-    observer_.record({step, static_cast<int>(within), number, "", set.parameter, &set.spread,
-                      &state});
+    observer_.record(
+        {step, static_cast<int>(within), number, "", set.parameter, &set.spread, &state});
   }
 
   /// What happens at a step to within rounding happens there, and nothing is told of what happens

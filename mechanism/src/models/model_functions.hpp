@@ -134,8 +134,8 @@ class ModelFunctions {
     }
   }
 
-  static void expand(const FlatSeries& flat_d, const FlatSeries& flat_u,
-                     const FlatSeries& flat_q, MovingGroup& moving) {
+  static void expand(const FlatSeries& flat_d, const FlatSeries& flat_u, const FlatSeries& flat_q,
+                     MovingGroup& moving) {
     const auto as_it_is = [](const auto& value) { return Series(value); };
     const auto d =
         support::unflattened<typename Model::template Dimensions<Series>>(flat_d, as_it_is);

@@ -20,8 +20,8 @@ struct Step {
   [[nodiscard]] int surplus() const { return fault ? fault->surplus : 0; }
   [[nodiscard]] std::size_t largest_group() const {
     std::size_t largest = 0;
-    for (const FoundGroup& group : structure ? structure->groups.items()
-                                             : std::vector<FoundGroup>{}) {
+    for (const FoundGroup& group :
+         structure ? structure->groups.items() : std::vector<FoundGroup>{}) {
       largest = std::max(largest, group.links.size());
     }
     return largest;
@@ -72,8 +72,7 @@ class Balancer {
     for (const Joint& joint : mechanism_.joints()) {
       for (const FeatureIndex other : joint.between) {
         const Feature& at = mechanism_.features()[other];
-        if (other != feature && !at.is_line &&
-            at.link == mechanism_.features()[feature].link) {
+        if (other != feature && !at.is_line && at.link == mechanism_.features()[feature].link) {
           points.push_back(other);
         }
       }
@@ -119,8 +118,8 @@ std::optional<BalancedMechanism> balanced(const Mechanism& mechanism,
     return std::nullopt;
   }
   if (step->structure) {
-    return BalancedMechanism{std::move(step->mechanism), std::move(*step->structure),
-                             {step->redundant}};
+    return BalancedMechanism{
+        std::move(step->mechanism), std::move(*step->structure), {step->redundant}};
   }
   std::optional<BalancedMechanism> rest = balanced(step->mechanism, *step->fault);
   if (rest) {

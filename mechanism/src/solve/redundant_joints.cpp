@@ -24,8 +24,7 @@ Pair placed(const Values& values, const Table<LinkIndex, Frame>& links,
             const plan::RedundantJoint& joint) {
   const Mechanism& mechanism = values.plan().mechanism;
   const auto frame = [&](FeatureIndex feature) {
-    return composed(links[mechanism.features()[feature].link],
-                    values.frame(feature));
+    return composed(links[mechanism.features()[feature].link], values.frame(feature));
   };
   Pair pair{frame(joint.one), frame(joint.other), mechanism.features()[joint.one].is_line, 0};
   for (const FeatureIndex feature : {joint.one, joint.other}) {
@@ -37,13 +36,12 @@ Pair placed(const Values& values, const Table<LinkIndex, Frame>& links,
   return pair;
 }
 
-bool holds(const Values& values, const Table<LinkIndex, Frame>& links, const plan::RedundantJoint& joint,
-           bool is_regular, bool rates_known) {
+bool holds(const Values& values, const Table<LinkIndex, Frame>& links,
+           const plan::RedundantJoint& joint, bool is_regular, bool rates_known) {
   const Pair pair = placed(values, links, joint);
   const Pose<double>& one = pair.one.pose;
   const Pose<double>& other = pair.other.pose;
-  const double relative =
-      is_regular ? rounding : rounding_where_singular;
+  const double relative = is_regular ? rounding : rounding_where_singular;
   const NumberIndex given = values.plan().request.redundancy_tolerance;
   const double tolerance =
       std::max(relative * pair.size, given.exists() ? values.number(given).value() : 0);

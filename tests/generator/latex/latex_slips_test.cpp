@@ -206,9 +206,10 @@ const std::vector<std::pair<const char*, Slip>> slips = {{"sign", sign},
                                                          {"missing factor 2", missing_factor},
                                                          {"stale derivative", stale_derivative}};
 
+// A share of the models by default, all by `ctest -L long`, which sets the variable.
 TEST(LatexSlips, AreFoundAndNothingElseIs) {
   const bool whole = std::getenv("ASSUR_WHOLE_CAMPAIGN") != nullptr;
-  constexpr std::size_t most_models = 22;
+  constexpr std::size_t most_models = 8;
   std::vector<document::Derivation> derivations;
   for (const structure::Model* model : all_models()) {
     // Tetrads take longest: one in six of them, and the smaller groups as they come.
@@ -278,7 +279,7 @@ TEST(LatexSlips, AreFoundAndNothingElseIs) {
   }
   std::cout << derivations.size() << " models, " << all << " slips, " << false_alarms
             << " false alarms; seed " << seed << "\n";
-  EXPECT_GE(derivations.size(), 20U);
+  EXPECT_GE(derivations.size(), whole ? 20U : most_models);
   EXPECT_EQ(planted.size(), slips.size());
 }
 

@@ -1,5 +1,5 @@
-// Law: constraints that are too many are left out where they hold and go on to, and named; elsewhere
-// the mechanism is refused as over-constrained.
+// Law: constraints that are too many are left out where they hold and go on to, and named;
+// elsewhere the mechanism is refused as over-constrained.
 #include <gtest/gtest.h>
 
 #include <cmath>

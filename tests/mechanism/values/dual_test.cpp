@@ -29,11 +29,9 @@ TEST(DualNumbers, FollowTheChainRuleToSecondOrder) {
                                                      "(x*y)^(x/y)", "sin(x*y)/(2 + cos(x))"};
   const Eigen::Vector2d place(0.37, 0.83);
   for (const char* function : functions) {
-    const Formula formula(text::parse_expression(function),
-                          {[](const std::string& name) {
-                             return ParameterIndex(name == "x" ? 0U : 1U);
-                           },
-                           nullptr});
+    const Formula formula(
+        text::parse_expression(function),
+        {[](const std::string& name) { return ParameterIndex(name == "x" ? 0U : 1U); }, nullptr});
     const auto at = [&](const Eigen::Vector2d& point) {
       return formula.evaluate<Dual>([&](ParameterIndex parameter) {
         const Eigen::Index index = parameter.row();

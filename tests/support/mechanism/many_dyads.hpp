@@ -10,11 +10,11 @@ namespace assur::test {
 /// so there are 2^count configurations. The angle of bar i in the reference is near `angle(i)`.
 template <typename Angle>
 nlohmann::ordered_json many_dyads(int count, const Angle& angle) {
-  using Json = nlohmann::ordered_json;
   const auto joint = [](const std::string& one, const std::string& other) {
-    return Json{{"type", "revolute"}, {"between", Json::array({one, other})}};
+    return nlohmann::ordered_json{{"type", "revolute"},
+                                  {"between", nlohmann::ordered_json::array({one, other})}};
   };
-  Json scene;
+  nlohmann::ordered_json scene;
   scene["links"]["ground"] = {{"A", {0, 0}}};
   scene["links"]["bar0"] = {{"A", {0, 0}}, {"P", {0.01, 0}}};
   scene["joints"]["A"] = joint("ground.A", "bar0.A");

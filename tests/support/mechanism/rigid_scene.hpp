@@ -91,8 +91,7 @@ class RigidScene {
     }
     for (const mechanism::Driver& driver : mechanism_.drivers()) {
       const Jet miss = coordinate(poses, driver.joint) - wanted(poses, driver, laws);
-      const bool turns =
-          mechanism_.joints()[driver.joint].type == mechanism::JointType::revolute;
+      const bool turns = mechanism_.joints()[driver.joint].type == mechanism::JointType::revolute;
       result.push_back(turns ? wrapped(miss) : miss);
     }
     return result;
@@ -154,12 +153,11 @@ class RigidScene {
     return q;
   }
 
-  /// A column is the rate of the constraints along its coordinate; rates that are given beside a law
-  /// say nothing of that.
+  /// A column is the rate of the constraints along its coordinate; rates that are given beside a
+  /// law say nothing of that.
   [[nodiscard]] RealMatrix jacobian(const RealVector& q) const {
-    return matrix_of([&](const RealVector& v) {
-      return part_of(constraints(q, v, still(), Laws::alone), 1);
-    });
+    return matrix_of(
+        [&](const RealVector& v) { return part_of(constraints(q, v, still(), Laws::alone), 1); });
   }
 
  private:
@@ -174,8 +172,8 @@ class RigidScene {
   };
 
   static Real at(const Jet& jet, Real t) { return jet.c0 + t * (jet.c1 + t * jet.c2); }
-  /// A function of time with its first two derivatives at t = 0, from nine of its values, the closer
-  /// the faster what it depends on moves.
+  /// A function of time with its first two derivatives at t = 0, from nine of its values, the
+  /// closer the faster what it depends on moves.
   template <typename Function>
   static Jet differentiated(const Function& f, Real speed = 1) {
     const Real h = 1 / (256 * speed);

@@ -65,9 +65,8 @@ class Formula {
   /// Of a formula in which no joint occurs.
   template <typename Scalar, typename ValueOf>
   [[nodiscard]] Scalar evaluate(const ValueOf& value_of) const {
-    return evaluate<Scalar>(value_of, [](JointIndex) {
-      return Scalar(std::numeric_limits<double>::quiet_NaN());
-    });
+    return evaluate<Scalar>(
+        value_of, [](JointIndex) { return Scalar(std::numeric_limits<double>::quiet_NaN()); });
   }
 
  private:

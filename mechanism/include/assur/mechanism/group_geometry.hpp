@@ -49,8 +49,8 @@ template <typename Scalar>
   return {x / length, y / length};
 }
 
-/// A feature of a driven link, in the frame of the link against which it is moved: turned or slid in
-/// the frame of the driven joint. `near` and `far` are the joint's features on the two links.
+/// A feature of a driven link, in the frame of the link against which it is moved: turned or slid
+/// in the frame of the driven joint. `near` and `far` are the joint's features on the two links.
 template <typename Scalar>
 [[nodiscard]] LinkFeature<Scalar> moved_feature(const LinkFeature<Scalar>& feature,
                                                 const LinkFeature<Scalar>& near,
@@ -157,8 +157,7 @@ class NormalForms {
       std::array<LinkFeature<Scalar>, 3> features;
       std::size_t count = 0;
       for (const int joint : joints_of(*group.model, link)) {
-        features[count++] =
-            feature_of(played_joint(structure_, roles_, joint), roles.links[link]);
+        features[count++] = feature_of(played_joint(structure_, roles_, joint), roles.links[link]);
       }
       features_.push_back(features);
       NormalForm<Scalar> form;
@@ -324,8 +323,8 @@ class NormalForms {
 }  // namespace values
 
 /// The group with its links in normal form under the first assignment of roles that has one.
-/// `feature_of(joint, link)` is a joint's feature in the frame of a link (`carried_feature`), `zero`
-/// a number that depends on nothing. The value of a number is `value()`.
+/// `feature_of(joint, link)` is a joint's feature in the frame of a link (`carried_feature`),
+/// `zero` a number that depends on nothing. The value of a number is `value()`.
 template <typename Scalar, typename FeatureOf>
 [[nodiscard]] GroupGeometry<Scalar> group_geometry(const Structure& structure,
                                                    const FoundGroup& group,

@@ -36,8 +36,8 @@ class Plan {
   /// The driven links, then the groups one after the other; every combination of their
   /// configurations is one of the mechanism. Throws MechanismError where the lengths differ by more
   /// powers of ten than double precision holds, where constraints that are too many hold in no
-  /// configuration, and where there are more configurations than `most_listed`, or than can be found
-  /// in a bounded time.
+  /// configuration, and where there are more configurations than `most_listed`, or than can be
+  /// found in a bounded time.
   [[nodiscard]] Solution solve(const Values& values) const;
   /// The same in the memory of an earlier solution, which saves most allocations. What `result`
   /// holds after an error is not specified.

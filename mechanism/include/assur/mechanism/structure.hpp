@@ -67,7 +67,7 @@ struct ReadingDriver {
   DriverIndex driver;
   /// How many groups, and driven links, are placed before the law can be evaluated.
   std::size_t groups_before, links_before;
-  std::vector<LinkIndex> reads;   ///< the links at the joints that it reads
+  std::vector<LinkIndex> reads;  ///< the links at the joints that it reads
 };
 
 /// Which links and joints of a linkage play those of a group, by their indices in the group.
@@ -79,7 +79,7 @@ struct RoleAssignment {
 /// A group found in a mechanism.
 struct FoundGroup {
   const GroupModel* model;
-  std::string kind;              ///< spelled by the mechanism's order of links and joints
+  std::string kind;  ///< spelled by the mechanism's order of links and joints
   /// In the order of the mechanism; with those that drivers move against a link of the group.
   std::vector<LinkIndex> links;
   /// Assignments under which the kind is the model's representative, in a fixed order.
@@ -103,7 +103,7 @@ struct NamedParts {
 
 /// The order in which the links of a mechanism are placed.
 struct Structure {
-  Linkage linkage;  ///< with every pin of several links as joints of two
+  Linkage linkage;                 ///< with every pin of several links as joints of two
   std::vector<DrivenLink> driven;  ///< in the order in which they are placed
   Table<GroupIndex, FoundGroup> groups;
   std::vector<DriverIndex> laws;       ///< of all drivers, each behind those that its law reads

@@ -25,8 +25,8 @@ struct Spread {
   Eigen::MatrixXd covariance;
 };
 
-/// The coordinate of a joint, the angle theta_second - theta_first or the displacement, and its rates
-/// in time.
+/// The coordinate of a joint, the angle theta_second - theta_first or the displacement, and its
+/// rates in time.
 struct JointMotion {
   Dual position;
   double velocity = 0;
@@ -63,9 +63,9 @@ class Values {
   [[nodiscard]] const Dual& number(NumberIndex number) const { return numbers_[number]; }
   /// What a driver's law says. A law that reads where links are has no value until they are placed.
   [[nodiscard]] const JointMotion& motion(DriverIndex driver) const { return motions_[driver]; }
-  /// Evaluates a law that reads where links are, and what depends on it, with the coordinates of the
-  /// joints without drivers. Throws as the constructor does, but for derivatives, which are not finite
-  /// where such a joint's are not.
+  /// Evaluates a law that reads where links are, and what depends on it, with the coordinates of
+  /// the joints without drivers. Throws as the constructor does, but for derivatives, which are not
+  /// finite where such a joint's are not.
   void settle(DriverIndex driver, const std::function<JointMotion(JointIndex)>& coordinate_of);
   /// The value of any number, evaluated here and now. Throws MechanismError where it is not finite.
   [[nodiscard]] double value_of(NumberIndex number) const;

@@ -74,7 +74,8 @@ void widen(Vector<Scalar, Count>& T, const Scalar& error) {
 
 /// The length up to which what is said of a model, or of a specialised group, holds.
 template <typename Model>
-inline constexpr double most_length = Model::dimension_count == 0 ? support::most_length_of_numbers : 1;
+inline constexpr double most_length =
+    Model::dimension_count == 0 ? support::most_length_of_numbers : 1;
 
 /// Tells whether a discriminant of a model has a certain sign. It is homogeneous in the lengths; of
 /// a specialised group it counts as of degree zero.

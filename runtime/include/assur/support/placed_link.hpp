@@ -111,8 +111,7 @@ template <int Order, int Parameters>
     const Frame<double, Order, Parameters>& one, const Frame<double, Order, Parameters>& other) {
   const Vector<double, 2> axis(one.pose.direction.cos, one.pose.direction.sin);
   Coordinate<Order, Parameters> result;
-  result.position =
-      axis(0) * (other.pose.x - one.pose.x) + axis(1) * (other.pose.y - one.pose.y);
+  result.position = axis(0) * (other.pose.x - one.pose.x) + axis(1) * (other.pose.y - one.pose.y);
   const auto along = [&](const auto& two, const auto& from) {
     return (axis.transpose() * (two.template topRows<2>() - from.template topRows<2>())).eval();
   };

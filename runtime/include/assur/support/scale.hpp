@@ -94,7 +94,8 @@ void bound_numbers(const void* from, const std::array<bool, Count>& is_length, d
                    double turn, void* to) {
   for (std::size_t place = 0; place < Count; ++place) {
     detail::put_number(
-        to, place, Scalar{detail::number_at<double>(from, place), is_length[place] ? within : turn});
+        to, place,
+        Scalar{detail::number_at<double>(from, place), is_length[place] ? within : turn});
   }
 }
 
