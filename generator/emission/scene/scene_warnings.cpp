@@ -2,17 +2,28 @@
 
 #include <algorithm>
 #include <assur/mechanism/plan.hpp>
+#include <assur/text/names.hpp>
 
 namespace assur::generator::emission::scene {
 
 std::vector<std::string> scene_warnings(const mechanism::Scene& scene) {
   constexpr std::size_t most_groups = 10;
   const mechanism::Plan plan(scene);
+  std::vector<std::string> warnings;
+  std::vector<std::string> limited;
+  for (const mechanism::Joint& joint : plan.mechanism().joints()) {
+    if (joint.lowest.exists()) {
+      limited.push_back(joint.name);
+    }
+  }
+  if (!limited.empty()) {
+    warnings.push_back("the solver lists configurations beyond the limits of the joints " +
+                       text::listed(limited) + " too");
+  }
   if (plan.structure().groups.size() > most_groups) {
-    return {};
+    return warnings;
   }
   const mechanism::Solution solution = plan.solve(plan.values());
-  std::vector<std::string> warnings;
   if (solution.status == mechanism::SolutionStatus::no_assembly) {
     warnings.push_back("the mechanism cannot be assembled at the scene's own numbers: " +
                        solution.reason);
