@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <assur/directions.hpp>
 #include <assur/text/identifiers.hpp>
 #include <assur/text/names.hpp>
 #include <cstdio>
@@ -68,6 +69,7 @@ class SceneEmitter {
     }
     show_results();
     show_order();
+    show_reference();
     show_scene();
     show_parameters();
     show_aliases();
@@ -302,6 +304,28 @@ class SceneEmitter {
       }
     }
     view_.set("aliases", cpp::line_list(lines, ""));
+  }
+
+  /// What tells one configuration from the others, where the links that tell it are reported.
+  void show_reference() {
+    const mechanism::Request& request = solver_.plan.request();
+    std::vector<std::string> names;
+    std::vector<std::string> angles;
+    for (const mechanism::ReferenceAngle& angle : request.reference) {
+      if (!request.want.position || !solver_.reports(angle.link)) {
+        names.clear();
+        break;
+      }
+      const Direction<double> wanted = direction_of(solver_.values.number(angle.theta).value());
+      names.push_back(solver_.link_name(angle.link));
+      angles.push_back("angle_of(turned(links." + solver_.members.links[angle.link] +
+                       ".pose.direction, {" + cpp::round_trip(wanted.cos) + ", " +
+                       cpp::round_trip(-wanted.sin) + "}))");
+    }
+    view_.set("has_reference", !names.empty());
+    view_.set("reference_list", cpp::comment_text(text::listed(names)));
+    view_.set("reference_count", std::to_string(names.size()));
+    view_.set("reference_angles", cpp::line_list(angles, ""));
   }
 
   void show_parameters() {

@@ -257,12 +257,20 @@ void expect_everything_is_called(const std::vector<Emitted>& all, std::size_t mo
     directory.write(header, solver->text);
     includes += "#include \"" + header + "\"\n";
     calls += "  use<assur::scenes::" + solver->name + ">();\n";
+    if (solver->text.find("static Nearest nearest(") != std::string::npos) {
+      calls += "  use_nearest<assur::scenes::" + solver->name + ">();\n";
+    }
   }
   const std::string use = R"(template <typename Solver> void use() {
   const typename Solver::template Drivers<double> drivers;
   std::array<typename Solver::template State<double>, Solver::max_configurations> states;
   typename Solver::Branch branch = Solver::branch(drivers, Solver::solve(drivers, states).count);
   static_cast<void>(Solver::track(drivers, branch, states[0]));
+}
+template <typename Solver> void use_nearest() {
+  const typename Solver::template Drivers<double> drivers;
+  std::array<typename Solver::template State<double>, Solver::max_configurations> states;
+  static_cast<void>(Solver::nearest(Solver::solve(drivers, states), states));
 }
 )";
   const fs::path source =

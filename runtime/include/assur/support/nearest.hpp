@@ -1,0 +1,38 @@
+// Turns how far links are turned from where they should be into the configuration that is nearest.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace assur::support {
+
+struct Nearest {
+  int configuration = -1;  ///< its number, from 0; -1 if there are none
+  double distance = 0;     ///< the root of the sum of the squares of the angles, in radians
+  double runner_up = std::numeric_limits<double>::infinity();  ///< of the next one, if there is any
+};
+
+/// `angles_of(i)`: by how much the links of configuration i are turned from where they should be.
+template <typename AnglesOf>
+[[nodiscard]] Nearest nearest(int count, const AnglesOf& angles_of) {
+  Nearest found;
+  for (int index = 0; index < count; ++index) {
+    double square = 0;
+    for (const double angle : angles_of(index)) {
+      square += angle * angle;
+    }
+    const double distance = std::sqrt(square);
+    if (found.configuration < 0 || distance < found.distance) {
+      if (found.configuration >= 0) {
+        found.runner_up = found.distance;
+      }
+      found.configuration = index;
+      found.distance = distance;
+    } else if (distance < found.runner_up) {
+      found.runner_up = distance;
+    }
+  }
+  return found;
+}
+
+}  // namespace assur::support
