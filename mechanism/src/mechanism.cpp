@@ -315,6 +315,19 @@ OutputIndex Mechanism::add_output(const std::string& name, const std::string& po
   return outputs_.add({name, feature});
 }
 
+void Mechanism::renumber_drivers(const Table<JointIndex, JointIndex>& joint_of) {
+  Table<DriverIndex, Driver> kept;
+  for (Driver driver : drivers_) {
+    driver.joint = joint_of[driver.joint];
+    if (driver.joint.exists()) {
+      Formula& law = numbers_[driver.position].formula;
+      law = law.renumbered(joint_of);
+      kept.add(driver);
+    }
+  }
+  drivers_ = std::move(kept);
+}
+
 Mechanism Mechanism::driven_on(double by) const {
   Mechanism moved = *this;
   for (const Driver& driver : drivers_) {
@@ -338,15 +351,7 @@ Mechanism Mechanism::without(JointIndex joint, FeatureIndex feature) const {
       joint_of[index] = part.joints_.add(joints_[index]);
     }
   }
-  part.drivers_ = {};
-  for (Driver driver : drivers_) {
-    driver.joint = joint_of[driver.joint];
-    if (driver.joint.exists()) {
-      Formula& law = part.numbers_[driver.position].formula;
-      law = law.renumbered(joint_of);
-      part.drivers_.add(driver);
-    }
-  }
+  part.renumber_drivers(joint_of);
   return part;
 }
 
@@ -381,7 +386,6 @@ Mechanism Mechanism::only(const Table<LinkIndex, bool>& kept) const {
   part.features_ = {};
   part.links_ = {};
   part.joints_ = {};
-  part.drivers_ = {};
   part.outputs_ = {};
   Table<FeatureIndex, FeatureIndex> feature_of(features_.size());
   for (const LinkIndex link : links_.keys()) {
@@ -411,14 +415,7 @@ Mechanism Mechanism::only(const Table<LinkIndex, bool>& kept) const {
       joint_of[index] = part.joints_.add(std::move(joint));
     }
   }
-  for (Driver driver : drivers_) {
-    driver.joint = joint_of[driver.joint];
-    if (driver.joint.exists()) {
-      Formula& law = part.numbers_[driver.position].formula;
-      law = law.renumbered(joint_of);
-      part.drivers_.add(driver);
-    }
-  }
+  part.renumber_drivers(joint_of);
   for (Output output : outputs_) {
     output.point = feature_of[output.point];
     part.outputs_.add(std::move(output));

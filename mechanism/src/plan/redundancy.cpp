@@ -36,7 +36,7 @@ class Balancer {
     surplus_ = fault.surplus;
     for (const JointIndex joint : mechanism_.joints().keys()) {
       const Joint& at = mechanism_.joints()[joint];
-      if (mechanism_.driver_of(joint).exists() ||
+      if (mechanism_.driver_of(joint).exists() || is_read(joint) || at.lowest.exists() ||
           std::ranges::find(fault.joints, at.name) == fault.joints.end()) {
         continue;
       }
@@ -48,6 +48,13 @@ class Balancer {
   }
 
  private:
+  /// Whether the law of a driver reads where the joint is.
+  [[nodiscard]] bool is_read(JointIndex joint) const {
+    return std::ranges::any_of(mechanism_.drivers(), [&](const Driver& driver) {
+      const std::vector<JointIndex> read = mechanism_.numbers()[driver.position].formula.joints();
+      return std::ranges::find(read, joint) != read.end();
+    });
+  }
   [[nodiscard]] const std::string& link_name(FeatureIndex feature) const {
     return mechanism_.links()[mechanism_.features()[feature].link].name;
   }

@@ -9,15 +9,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string message_of(const Json& json) {
-  try {
-    (void)solved(json);
-  } catch (const mechanism::InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 /// A crank-rocker with an arm on its coupler and a hand on the arm, both turned by drivers.
 Json robot() {
   Bars bars;

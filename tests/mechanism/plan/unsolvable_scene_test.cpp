@@ -9,15 +9,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string message_of(const Json& json) {
-  try {
-    (void)solved(json);
-  } catch (const mechanism::InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 /// A dyad of the crank and a second crank-rocker that is all right and must not be blamed.
 TEST(Imbalance, NamesTheLinksAndJointsThatAreHeldTooOften) {
   Bars bars;

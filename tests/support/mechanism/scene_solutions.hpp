@@ -54,6 +54,16 @@ inline Solved solved(const Json& json, const std::vector<std::string>& settings 
   return Solved(mechanism::parse_scene(json.dump(), "scene", settings));
 }
 
+/// Why a scene is refused.
+inline std::string message_of(const Json& json) {
+  try {
+    (void)solved(json);
+  } catch (const mechanism::InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
 /// The report of a scene as a program reads it.
 inline Json report_of(const Json& json, const std::vector<std::string>& settings = {}) {
   return Json::parse(mechanism::report_json(solved(json, settings).report()));

@@ -167,6 +167,8 @@ class Mechanism {
   NumberIndex add_number(const Given& given, const std::string& part);
 
  private:
+  /// Where joints have other indices, or are gone, and their drivers with them.
+  void renumber_drivers(const Table<JointIndex, JointIndex>& joint_of);
   /// What an expression may name beside parameters.
   enum class Reads : unsigned char { parameters, joints };
   [[nodiscard]] Formula formula(const std::string& text, const std::string& part,
