@@ -8,6 +8,7 @@
 #include "plan/plan_data.hpp"
 #include "plan/reported_part.hpp"
 #include "solve/reference.hpp"
+#include "solve/search_bounds.hpp"
 #include "solve/solver.hpp"
 
 namespace assur::mechanism {

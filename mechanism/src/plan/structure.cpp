@@ -409,6 +409,22 @@ std::vector<GroupIndex> Structure::holders_of(GroupIndex group) const {
   return holders;
 }
 
+Table<LinkIndex, bool> Structure::placed_before(GroupIndex group) const {
+  Table<LinkIndex, bool> placed = placed_by_drivers();
+  std::vector<GroupIndex> open = holders_of(group);
+  while (!open.empty()) {
+    const GroupIndex before = open.back();
+    open.pop_back();
+    if (!placed[groups[before].links.front()]) {
+      for (const LinkIndex link : groups[before].links) {
+        placed[link] = true;
+      }
+      std::ranges::copy(holders_of(before), std::back_inserter(open));
+    }
+  }
+  return placed;
+}
+
 bool Structure::moves_by_laws(const Mechanism& mechanism) const {
   return std::ranges::any_of(driven, [&](const DrivenLink& link) {
     const NumberIndex law = mechanism.drivers()[link.driver].position;

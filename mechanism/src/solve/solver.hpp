@@ -19,9 +19,6 @@ struct Search {
   bool measures_gap = false;
 };
 
-/// How many configurations a mechanism has at most, by the models of its groups.
-[[nodiscard]] double most_configurations(const Structure& structure);
-
 /// Solves a mechanism wherever its values are set, in memory that it keeps from one to the next.
 /// Throws MechanismError where there are more configurations than can be listed, or where they
 /// cannot be found in a bounded time.

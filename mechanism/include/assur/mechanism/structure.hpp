@@ -116,6 +116,9 @@ struct Structure {
   [[nodiscard]] Table<LinkIndex, bool> placed_by_drivers() const;
   /// The groups that hold a group, directly or by a link that waits for them: each once.
   [[nodiscard]] std::vector<GroupIndex> holders_of(GroupIndex group) const;
+  /// For each link whether it must be placed before a group is: what drivers place, and the links of
+  /// the groups that hold it, and of those that hold these.
+  [[nodiscard]] Table<LinkIndex, bool> placed_before(GroupIndex group) const;
   /// Whether laws of drivers change the shapes of groups' links, or read other joints.
   [[nodiscard]] bool moves_by_laws(const Mechanism& mechanism) const;
   /// The driven link that is this one; null if no driver moves it.

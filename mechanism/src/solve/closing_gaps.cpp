@@ -1,0 +1,120 @@
+#include "closing_gaps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <assur/text/names.hpp>
+#include <cstdio>
+#include <numbers>
+
+#include "group_words.hpp"
+#include "plan/plan_data.hpp"
+
+namespace assur::mechanism::solve {
+
+namespace {
+
+std::string short_number(double number) {
+  std::array<char, 32> text{};
+  (void)std::snprintf(text.data(), text.size(), "%.3g", number);
+  return text.data();
+}
+
+}  // namespace
+
+ClosingGaps::ClosingGaps(const Placement& placement)
+    : placement_(placement),
+      structure_(placement.structure()),
+      failures_(structure_.groups.size()) {}
+
+void ClosingGaps::begin(bool measures) {
+  measures_ = measures;
+  for (Failures& failures : failures_) {
+    failures = Failures();
+  }
+}
+
+void ClosingGaps::meet(GroupIndex group) {
+  if (measures_) {
+    failures_[group].met.insert(choices_of(holders_of(group)));
+  }
+}
+
+void ClosingGaps::fail(GroupIndex group) {
+  double gap = 0;
+  if (!measures_ || placement_.solver(group).gap(gap) != Status::ok) {
+    return;
+  }
+  Failures& failures = failures_[group];
+  failures.failed.insert(choices_of(holders_of(group)));
+  if (gap < failures.least_gap) {
+    failures.least_gap = gap;
+    failures.holders = stance_of_holders(group);
+  }
+}
+
+std::vector<GroupIndex> ClosingGaps::holders_of(GroupIndex group) const {
+  const Table<LinkIndex, bool> is_placed = structure_.placed_before(group);
+  std::vector<GroupIndex> holders;
+  for (std::size_t place = 0; place < group.place(); ++place) {
+    if (is_placed[structure_.groups[GroupIndex(place)].links.front()]) {
+      holders.emplace_back(place);
+    }
+  }
+  return holders;
+}
+
+std::vector<std::size_t> ClosingGaps::choices_of(const std::vector<GroupIndex>& groups) const {
+  std::vector<std::size_t> choices;
+  for (const GroupIndex group : groups) {
+    choices.push_back(placement_.choice(group));
+  }
+  return choices;
+}
+
+std::vector<std::string> ClosingGaps::stance_of_holders(GroupIndex group) const {
+  std::vector<std::string> holders;
+  for (const LinkIndex link : placement_.plan().mechanism.links().keys()) {
+    const bool holds =
+        std::ranges::any_of(placement_.values().numbers_of(group).held,
+                            [link](const values::HeldJoint& joint) { return joint.base == link; });
+    const bool is_of_group =
+        std::ranges::any_of(structure_.groups, [link](const FoundGroup& other) {
+          return std::ranges::find(other.links, link) != other.links.end();
+        });
+    if (holds && is_of_group) {
+      const double degrees =
+          angle_of(placement_.placed().links[link].pose.direction) * 180 / std::numbers::pi;
+      holders.push_back(structure_.linkage.links[link] + " at " + short_number(degrees) + " deg");
+    }
+  }
+  return holders;
+}
+
+std::string ClosingGaps::reason() const {
+  const auto least = std::ranges::min_element(failures_, {}, &Failures::least_gap);
+  if (least == failures_.end() || least->failed.empty()) {
+    return "";
+  }
+  const GroupIndex group(static_cast<std::size_t>(least - failures_.begin()));
+  const FoundGroup& found = structure_.groups[group];
+  std::string reason = "group " + std::to_string(group.place() + 1) + " (" +
+                       found.model->group->name + " " + found.kind + ": " +
+                       text::listed(structure_.names_of(found.links)) + "): the joints " +
+                       text::listed(joint_names(placement_.values(), group, false)) +
+                       " fail to close by " + short_number(least->least_gap) + " at least";
+  std::vector<std::string> holders;
+  for (const GroupIndex holder : holders_of(group)) {
+    holders.push_back(std::to_string(holder.place() + 1));
+  }
+  if (!holders.empty()) {
+    reason += ", in " + std::to_string(least->failed.size()) + " of " +
+              std::to_string(least->met.size()) + " configurations of " +
+              (holders.size() == 1 ? "group " : "the groups ") + text::listed(holders) +
+              " (by so little with " + text::listed(least->holders) + ")";
+  }
+  if (const std::string& flaw = placement_.values().group(group).flaw; !flaw.empty()) {
+    reason += "; " + flaw;
+  }
+  return reason;
+}
+}  // namespace assur::mechanism::solve

@@ -1,0 +1,126 @@
+#include "family_search.hpp"
+
+#include <algorithm>
+
+#include "group_words.hpp"
+#include "search_bounds.hpp"
+
+namespace assur::mechanism::solve {
+
+namespace {
+
+bool moves(const models::GroupAssemblies& found) {
+  return found.mobility > 0 || found.status == AssemblyStatus::degenerate;
+}
+
+}  // namespace
+
+FamilySearch::FamilySearch(Placement& placement, ClosingGaps& gaps)
+    : placement_(placement), gaps_(gaps), structure_(placement.structure()) {}
+
+void FamilySearch::begin(std::vector<Family>& families, bool one) {
+  families_ = &families;
+  families_->clear();
+  one_is_enough_ = one;
+}
+
+void FamilySearch::add(GroupIndex group, int mobility, std::string reason) {
+  add(group, mobility, std::move(reason), Unplaced(structure_.linkage.links.size(), false));
+}
+
+void FamilySearch::add(GroupIndex group, int mobility, std::string reason, Unplaced unplaced) {
+  if (one_is_enough_ && !families_->empty()) {
+    return;
+  }
+  leave_out(group, unplaced);
+  const PlacedLinks placed = placement_.placed();
+  if (rest_assembles(group.place() + 1, unplaced)) {
+    placement_.placed() = placed;
+    Family family{group, mobility, std::move(reason), structure_.placed_before(group),
+                  placed.links};
+    if (!is_listed(family)) {
+      if (families_->size() == most_families) {
+        refuse_search(structure_, "more than " + std::to_string(most_families) + " families");
+      }
+      families_->push_back(std::move(family));
+    }
+    find_behind(group.place() + 1, std::move(unplaced));
+  }
+  placement_.placed() = placed;
+}
+
+void FamilySearch::leave_out(GroupIndex group, Unplaced& unplaced) const {
+  for (const LinkIndex link : structure_.groups[group].links) {
+    unplaced[link] = true;
+  }
+}
+
+void FamilySearch::find_behind(std::size_t depth, Unplaced unplaced) {
+  placement_.move_driven_links(depth, &unplaced);
+  if (depth == structure_.groups.size()) {
+    return;
+  }
+  const GroupIndex group(depth);
+  if (!placement_.can_be_solved(group, unplaced)) {
+    leave_out(group, unplaced);
+    find_behind(depth + 1, std::move(unplaced));
+    return;
+  }
+  placement_.hold(group);
+  const models::GroupAssemblies& found = placement_.assemble(group);
+  gaps_.meet(group);
+  if (moves(found)) {
+    add(group, found.mobility, reason_of_freedom(placement_.values(), group, found.mobility),
+        unplaced);
+  }
+  for (std::size_t index = 0; index < found.count; ++index) {
+    placement_.place(group, index);
+    find_behind(depth + 1, unplaced);
+  }
+}
+
+bool FamilySearch::rest_assembles(std::size_t depth, Unplaced unplaced) {
+  placement_.move_driven_links(depth, &unplaced);
+  if (depth == structure_.groups.size()) {
+    return true;
+  }
+  const GroupIndex group(depth);
+  if (!placement_.can_be_solved(group, unplaced)) {
+    leave_out(group, unplaced);
+    return rest_assembles(depth + 1, std::move(unplaced));
+  }
+  placement_.hold(group);
+  const models::GroupAssemblies& found = placement_.assemble(group);
+  gaps_.meet(group);
+  for (std::size_t index = 0; index < found.count; ++index) {
+    placement_.place(group, index);
+    if (rest_assembles(depth + 1, unplaced)) {
+      return true;
+    }
+  }
+  if (moves(found)) {
+    leave_out(group, unplaced);
+    return rest_assembles(depth + 1, std::move(unplaced));
+  }
+  if (found.count == 0) {
+    gaps_.fail(group);
+  }
+  return false;
+}
+
+bool FamilySearch::is_listed(const Family& family) const {
+  const auto stands_as = [&](const Family& other) {
+    for (const LinkIndex link : family.is_placed.keys()) {
+      const Pose<double>& one = family.links[link].pose;
+      const Pose<double>& two = other.links[link].pose;
+      if (family.is_placed[link] &&
+          (one.x != two.x || one.y != two.y || one.direction.cos != two.direction.cos ||
+           one.direction.sin != two.direction.sin)) {
+        return false;
+      }
+    }
+    return family.group == other.group;
+  };
+  return std::ranges::any_of(*families_, stands_as);
+}
+}  // namespace assur::mechanism::solve

@@ -1,0 +1,34 @@
+#include "group_words.hpp"
+
+#include <assur/text/names.hpp>
+
+#include "plan/plan_data.hpp"
+
+namespace assur::mechanism::solve {
+
+std::vector<std::string> joint_names(const Values& values, GroupIndex group, bool slides_only) {
+  const RoleAssignment& roles = *values.group(group).roles;
+  std::vector<std::string> names;
+  for (const ElementaryJointIndex joint : roles.joints) {
+    const ElementaryJoint& at = values.shared_plan()->structure.linkage.joints[joint];
+    if (at.prismatic || !slides_only) {
+      names.push_back(at.name);
+    }
+  }
+  return names;
+}
+
+std::string reason_of_freedom(const Values& values, GroupIndex group, int mobility) {
+  return "the closure of the joints " + text::listed(joint_names(values, group, false)) +
+         (mobility > 0 ? " leaves an angle or a displacement free: infinitely many positions"
+                       : " does not determine a position, and no assembly was found");
+}
+
+std::string reason_of_model(const Values& values, GroupIndex group, bool compatible) {
+  return "prismatic joints close a loop and over-determine its angles (among the joints " +
+         text::listed(joint_names(values, group, true)) + "); " +
+         (compatible ? "they are compatible here, and the group moves"
+                     : "they are not compatible here, and the group cannot be assembled");
+}
+
+}  // namespace assur::mechanism::solve

@@ -1,0 +1,187 @@
+#include "placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "limits.hpp"
+#include "plan/plan_data.hpp"
+#include "search_bounds.hpp"
+
+namespace assur::mechanism::solve {
+
+namespace {
+
+bool is_of(const FoundGroup& group, LinkIndex link) {
+  return std::ranges::find(group.links, link) != group.links.end();
+}
+
+}  // namespace
+
+Placement::Placement(const Values& values)
+    : plan_(values.shared_plan()),
+      structure_(plan_->structure),
+      given_(values),
+      settled_(structure_.reading.empty() ? std::nullopt : std::optional(values)),
+      values_(settled_ ? *settled_ : given_),
+      chosen_(structure_.groups.size(), 0) {
+  const auto parameters = static_cast<Eigen::Index>(values.columns().size());
+  placed_.links.resize(structure_.linkage.links.size());
+  placed_.links[structure_.linkage.ground] = Frame::identity(parameters, values.second_order());
+  placed_.displaced.assign(structure_.linkage.links.size(), {});
+  placed_.groups.resize(structure_.groups.size());
+  if (plan_->request.sweep) {
+    placed_.determinants.resize(structure_.groups.size());
+  }
+  std::size_t slides = 0;
+  for (const DrivenLink& link : structure_.driven) {
+    slides += structure_.linkage.joints[link.joint].prismatic ? 1 : 0;
+  }
+  solvers_.reserve(structure_.groups.size());
+  for (const GroupIndex group : structure_.groups.keys()) {
+    solvers_.add(GroupSolver(values_, group));
+    first_slide_.add(slides);
+    for (const ModelUnknown& unknown : structure_.groups[group].model->unknowns) {
+      slides += unknown.is_angle ? 0 : 1;
+    }
+  }
+  placed_.slides.resize(slides);
+}
+
+void Placement::begin() {
+  if (settled_) {
+    *settled_ = given_;
+  }
+  placed_.regularity = Status::ok;
+  placed_.derivatives_known = true;
+  placed_.rates_known = true;
+  placed_.residual = 0;
+  steps_ = 0;
+}
+
+void Placement::move_driven_links(std::size_t groups, Table<LinkIndex, bool>* unplaced) {
+  const auto is_missing = [unplaced](LinkIndex link) {
+    return unplaced != nullptr && (*unplaced)[link];
+  };
+  const auto is_unread = [&](const ReadingDriver& one) {
+    return std::ranges::any_of(one.reads, is_missing);
+  };
+  auto reading =
+      std::ranges::lower_bound(structure_.reading, groups, {}, &ReadingDriver::groups_before);
+  const auto settle_what_reads = [&](std::size_t links) {
+    for (; reading != structure_.reading.end() && reading->groups_before == groups &&
+           reading->links_before <= links;
+         ++reading) {
+      if (!is_unread(*reading)) {
+        settle(*reading);
+      }
+    }
+  };
+  std::size_t slide = 0;
+  for (std::size_t place = 0; place < structure_.driven.size(); ++place) {
+    settle_what_reads(place);
+    const DrivenLink& link = structure_.driven[place];
+    const bool slides = structure_.linkage.joints[link.joint].prismatic;
+    if (link.groups_before == groups) {
+      const bool reads_nothing = std::ranges::any_of(
+          structure_.reading,
+          [&](const ReadingDriver& one) { return one.driver == link.driver && is_unread(one); });
+      if (is_missing(link.from) || reads_nothing) {
+        (*unplaced)[link.to] = true;
+      } else {
+        place_driven_link(place, slides ? &placed_.slides[slide] : nullptr);
+      }
+    }
+    slide += slides ? 1 : 0;
+  }
+  settle_what_reads(structure_.driven.size());
+}
+
+void Placement::settle(const ReadingDriver& reading) {
+  settled_->settle(reading.driver, [this](JointIndex joint) {
+    return coordinate_of(values_, placed_.links, placed_.slides, joint);
+  });
+  if (!values_.motion(reading.driver).is_known()) {
+    placed_.regularity = Status::near_singular;
+    placed_.derivatives_known = placed_.rates_known = false;
+  }
+}
+
+void Placement::place_driven_link(std::size_t place, SlideState* slide) {
+  const DrivenLink& link = structure_.driven[place];
+  const JointMotion& motion = values_.motion(link.driver);
+  const ElementaryJoint& at = structure_.linkage.joints[link.joint];
+  set_motion(motion, at.prismatic, at.first == link.from ? 1.0 : -1.0);
+  compose(placed_.links[link.from], values_.frame(at.on(link.from)), joint_);
+  compose(joint_, motion_, moved_);
+  compose(moved_, values_.driven_frame(place), placed_.links[link.to]);
+  const Pose<double>& near = values_.frame(at.on(link.from)).pose;
+  const Pose<double>& back = values_.driven_frame(place).pose;
+  const double position = motion.position.value();
+  placed_.displaced[link.to] = placed_.displaced[link.from]
+                                   .carries(near.x, near.y, values_.rounding(at.on(link.from)))
+                                   .carries(0, 0,
+                                            at.prismatic ? support::Displacement::of_slide(position)
+                                                         : support::Displacement::of_turn(position))
+                                   .carries(back.x, back.y, values_.rounding(at.on(link.to)));
+  if (slide != nullptr) {
+    set_slide(motion, at.joint, *slide);
+  }
+}
+
+/// The moved frame in that of the joint: turned about its origin, or slid along its x-axis.
+void Placement::set_motion(const JointMotion& motion, bool prismatic, double sense) {
+  const Dual& position = motion.position;
+  const Eigen::Index moved = prismatic ? 0 : 2;
+  const double by = sense * position.value();
+  motion_.pose =
+      prismatic ? Pose<double>{by, 0, {1, 0}} : Pose<double>{0, 0, {std::cos(by), std::sin(by)}};
+  motion_.velocity(moved) = sense * motion.velocity;
+  motion_.acceleration(moved) = sense * motion.acceleration;
+  motion_.velocity(2 - moved) = motion_.acceleration(2 - moved) = 0;
+  motion_.follows.set_zero(position.derivatives().size(), values_.second_order());
+  motion_.follows.first.row(moved) = sense * position.derivatives().transpose();
+  if (values_.second_order()) {
+    motion_.follows.second[static_cast<std::size_t>(moved)] = sense * position.hessian();
+  }
+}
+
+void Placement::set_slide(const JointMotion& motion, JointIndex joint, SlideState& slide) const {
+  slide.joint = joint;
+  slide.displacement = motion.position.value();
+  slide.velocity = motion.velocity;
+  slide.acceleration = motion.acceleration;
+  slide.follows.first = motion.position.derivatives().transpose();
+  if (values_.second_order()) {
+    slide.follows.second = {motion.position.hessian()};
+  }
+}
+
+bool Placement::can_be_solved(GroupIndex group, const Table<LinkIndex, bool>& unplaced) const {
+  const auto shapes_it = [&](const ReadingDriver& reading) {
+    return std::ranges::any_of(reading.reads, [&](LinkIndex link) { return unplaced[link]; }) &&
+           std::ranges::any_of(structure_.driven, [&](const DrivenLink& link) {
+             return link.driver == reading.driver && is_of(structure_.groups[group], link.to);
+           });
+  };
+  return std::ranges::none_of(structure_.reading, shapes_it) && solvers_[group].has_normal_form() &&
+         structure_.groups[group].model->rigid && !values_.numbers_of(group).is_held_by(unplaced);
+}
+
+const models::GroupAssemblies& Placement::assemble(GroupIndex group) {
+  if (++steps_ > most_steps) {
+    refuse_search(structure_,
+                  "to find them takes more than " + std::to_string(most_steps) + " steps");
+  }
+  return solvers_[group].assemble();
+}
+
+void Placement::place(GroupIndex group, std::size_t index) {
+  solvers_[group].place(index, first_slide_[group], placed_);
+  placed_.groups[group] = {solvers_[group].configuration(index), solvers_[group].displaced()};
+  chosen_[group] = index;
+  if (plan_->request.sweep) {
+    placed_.determinants[group] = solvers_[group].determinant();
+  }
+}
+
+}  // namespace assur::mechanism::solve

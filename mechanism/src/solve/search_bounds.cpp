@@ -1,0 +1,35 @@
+#include "search_bounds.hpp"
+
+#include <algorithm>
+#include <array>
+#include <assur/mechanism/mechanism.hpp>
+#include <cstdio>
+
+namespace assur::mechanism::solve {
+
+namespace {
+
+std::string whole_number(double number) {
+  std::array<char, 32> text{};
+  (void)std::snprintf(text.data(), text.size(), number < 1e15 ? "%.0f" : "%.3g", number);
+  return text.data();
+}
+
+}  // namespace
+
+double most_configurations(const Structure& structure) {
+  double product = 1;
+  for (const FoundGroup& group : structure.groups) {
+    product *= std::max(1, group.model->max_configurations);
+  }
+  return product;
+}
+
+void refuse_search(const Structure& structure, const std::string& what) {
+  throw MechanismError("", "there may be " + whole_number(most_configurations(structure)) +
+                               " configurations, and " + what +
+                               "; give joints limits, or ask for the one that is nearest to a "
+                               "reference of more links");
+}
+
+}  // namespace assur::mechanism::solve
