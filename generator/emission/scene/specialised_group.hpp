@@ -24,7 +24,8 @@ enum class FrameNeed : unsigned char {
 struct SpecialisedNumbers {
   const structure::Model* model;
   double unit;
-  int order;  ///< of the time derivatives that are wanted: 0, 1 or 2
+  double size;  ///< the longest of the group's own lengths, without the arms of what holds it
+  int order;    ///< of the time derivatives that are wanted: 0, 1 or 2
   /// Of each dimension of the model whether drivers move it: then it is one of the inputs, behind
   /// the model's own, and none of the dimensions below.
   std::vector<bool> dimension_moves;

@@ -11,12 +11,22 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// The power of two below the longest length of a group: of its dimensions, of the arms of the
-/// moving links that hold it, and between the joints that the ground holds.
-double unit_of(const SolverScene& solver, mechanism::GroupIndex group) {
-  double longest = 0;
+/// The longest lengths of a group.
+struct Longest {
+  double own = 0;   ///< of its dimensions, and between the joints that the ground holds
+  double arms = 0;  ///< of the moving links that hold it
+
+  /// The power of two below both.
+  [[nodiscard]] double unit() const {
+    const double longest = std::max(own, arms);
+    return longest > 0 ? std::ldexp(1.0, std::ilogb(longest)) : 1;
+  }
+};
+
+Longest longest_of(const SolverScene& solver, mechanism::GroupIndex group) {
+  Longest longest;
   for (const auto& value : solver.numbers.group(group).dimensions()) {
-    longest = std::max(longest, std::abs(value.length.value()));
+    longest.own = std::max(longest.own, std::abs(value.length.value()));
   }
   std::optional<LinkFeature<SceneNumber>> first;
   for (const ExternalJoint& held : external_joints(solver, group)) {
@@ -27,9 +37,10 @@ double unit_of(const SolverScene& solver, mechanism::GroupIndex group) {
     }
     const double x = feature.x.value() - (fixed ? first->x.value() : 0);
     const double y = feature.y.value() - (fixed ? first->y.value() : 0);
-    longest = std::max({longest, std::abs(x), std::abs(y)});
+    double& part = fixed ? longest.own : longest.arms;
+    part = std::max({part, std::abs(x), std::abs(y)});
   }
-  return longest > 0 ? std::ldexp(1.0, std::ilogb(longest)) : 1;
+  return longest;
 }
 
 DimensionValue<double> in_unit(const DimensionValue<SceneNumber>& value, double unit) {
@@ -137,7 +148,8 @@ std::vector<bool> moving_dimensions(const SolverScene& solver, mechanism::GroupI
 }
 
 SpecialisedNumbers specialised_numbers(const SolverScene& solver, mechanism::GroupIndex group) {
-  const double unit = unit_of(solver, group);
+  const Longest longest = longest_of(solver, group);
+  const double unit = longest.unit();
   NumberList of_dimensions(solver.parameters, unit);
   const std::vector<bool> dimension_moves = moving_dimensions(solver, group);
   std::size_t place = 0;
@@ -175,16 +187,11 @@ SpecialisedNumbers specialised_numbers(const SolverScene& solver, mechanism::Gro
       input_moves.push_back(true);
     }
   }
-  return {&derived_model(solver.group(group)),
-          unit,
-          solver.derivative_order,
-          dimension_moves,
-          of_dimensions.values(),
-          of_dimensions.gradient(),
-          of_inputs.values(),
-          of_inputs.gradient(),
-          input_moves,
-          frame_needs(solver, group),
+  return {&derived_model(solver.group(group)), unit,
+          // A group without lengths of its own, as one of slides, is as long as what holds it.
+          longest.own > 0 ? longest.own / unit : 1, solver.derivative_order, dimension_moves,
+          of_dimensions.values(), of_dimensions.gradient(), of_inputs.values(),
+          of_inputs.gradient(), input_moves, frame_needs(solver, group),
           solver.holds_groups(group)};
 }
 

@@ -42,7 +42,8 @@ template <typename Model>
     found = GeneralSearch<Model>(d, u, held, result).run();
   }
   if (!found) {
-    search_in_special_position<Model>(d, u, held, result);
+    const double unsure = support::unsure_jacobian<Model>(dimensions, inputs, displaced);
+    search_in_special_position<Model>(d, u, held, unsure, result);
   }
   list_in<Model>(d, u, 1 / scale, result);
 }
@@ -59,8 +60,10 @@ template <typename Model>
 /// larger than all rounding, of the inputs too; of one of higher degree the real roots are isolated
 /// with such a bound. Where that does not settle the list, the group is searched as one in special
 /// position (see detail/special_search.hpp). What meets to within rounding is listed once and
-/// marked near_singular. Status: ok, also where the links cannot reach, with no configuration;
-/// degenerate; not_finite.
+/// marked near_singular. Coordinates count as known to a rounding of
+/// their own, and verdicts on the derivatives with them: far from the origin, as on what rounding
+/// has displaced, fewer configurations are ok. Status: ok, also where the links cannot reach, with
+/// no configuration; degenerate; not_finite.
 template <typename Model>
 [[nodiscard]] Assemblies<Model> assemblies(
     const typename Model::template Dimensions<double>& dimensions,

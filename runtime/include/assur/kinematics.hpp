@@ -43,10 +43,12 @@ class InverseJacobian {
  public:
   static constexpr int size = Model::unknown_count;
 
+  /// `displaced` as `regularity` has it.
   InverseJacobian(const typename Model::template Dimensions<Scalar>& d,
                   const typename Model::template Inputs<Scalar>& u,
-                  const typename Model::template Configuration<Scalar>& q)
-      : regularity_(assur::regularity<Model, Scalar>(d, u, q)) {
+                  const typename Model::template Configuration<Scalar>& q,
+                  const Scalar& displaced = Scalar(0))
+      : regularity_(assur::regularity<Model, Scalar>(d, u, q, displaced)) {
     if (solvable()) {
       Model::inverse_jacobian(d, u, q, inverse_);
     } else {

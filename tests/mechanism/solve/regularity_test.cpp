@@ -1,15 +1,14 @@
 // Law: the sensitivities of an assembled configuration are as good as its margin says, against the
 // same configuration assembled in long double; six digits hold where the status is ok.
-#include <Eigen/LU>
 #include <assur/kinematics.hpp>
 #include <assur/mechanism/group_model.hpp>
 #include <iostream>
 
 #include "kind_in_space.hpp"
 #include "largest.hpp"
-#include "least_change.hpp"
 #include "runtime/exact.hpp"
 #include "runtime/model_types.hpp"
+#include "runtime/near_singular_groups.hpp"
 #include "solve/precision.hpp"
 
 namespace assur::test::regularity_test {
@@ -115,55 +114,23 @@ const mechanism::GroupModel& row_of() {
 template <typename Model>
 class Regular : public testing::Test {
  protected:
+  using Groups = NearSingularGroups<Model>;
   template <typename Scalar>
-  struct Group {
-    typename Model::template Dimensions<Scalar> d;
-    typename Model::template Inputs<Scalar> u;
-    typename Model::template Configuration<Scalar> q;
-  };
-
-  /// A random group whose angles among the dimensions are shrunk, which makes slides parallel.
-  Group<double> drawn(double shrink) {
-    Group<double> group;
-    group.d = random_.template variables<typename Model::template Dimensions<double>>();
-    group.u = random_.template variables<typename Model::template Inputs<double>>();
-    group.q = random_.template variables<typename Model::template Configuration<double>>();
-    const auto turn_back = [shrink](auto& member) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(member)>, Direction<double>>) {
-        member = direction_of(shrink * angle_of(member));
-      }
-    };
-    std::apply([&](auto&... member) { (turn_back(member), ...); }, group.d.members());
-    return group;
-  }
-
-  template <typename To, typename From>
-  static To in_scalar(const From& from) {
-    using Scalar =
-        std::conditional_t<std::is_same_v<To, typename Model::template Configuration<double>>,
-                           double, Long>;
-    return converted<To>(from, [](const auto& source) {
-      if constexpr (requires { source.cos; }) {
-        return Direction<Scalar>{static_cast<Scalar>(source.cos), static_cast<Scalar>(source.sin)};
-      } else {
-        return static_cast<Scalar>(source);
-      }
-    });
-  }
+  using Group = typename Groups::template Group<Scalar>;
 
   /// The sensitivities of a group in double against those in long double.
   void compare(Group<double> group, Promises& kept) {
     if (!is_solvable(refine<Model, double>(group.d, group.u, group.q))) {
       return;
     }
-    const auto d = in_scalar<typename Model::template Dimensions<Long>>(group.d);
-    const auto u = in_scalar<typename Model::template Inputs<Long>>(group.u);
-    auto q = in_scalar<typename Model::template Configuration<Long>>(group.q);
+    const auto d = Groups::template in_scalar<typename Model::template Dimensions<Long>>(group.d);
+    const auto u = Groups::template in_scalar<typename Model::template Inputs<Long>>(group.u);
+    auto q = Groups::template in_scalar<typename Model::template Configuration<Long>>(group.q);
     if (refine<Model, Long>(d, u, q) != Status::ok) {
       return;
     }
     // What double makes of the configuration, from the truth.
-    group.q = in_scalar<typename Model::template Configuration<double>>(q);
+    group.q = Groups::template in_scalar<typename Model::template Configuration<double>>(q);
     if (!is_solvable(refine<Model, double>(group.d, group.u, group.q))) {
       return;
     }
@@ -180,51 +147,7 @@ class Regular : public testing::Test {
     }
   }
 
-  /// The unknowns on the way from one group to another, whose inputs close the first one's loops.
-  Group<double> between(const Group<double>& from, const Group<double>& to, double part) {
-    Group<double> group = from;
-    Vector<double, Model::unknown_count> way;
-    int index = 0;
-    for_each_pair(from.q, to.q, [&](const auto& start, const auto& end) {
-      if constexpr (requires { start.cos; }) {
-        way(index++) = part * angle_of(turned(end, reversed(start)));
-      } else {
-        way(index++) = part * (end - start);
-      }
-    });
-    advance(group.q, way);
-    Vector<double, Model::equation_count> f;
-    Matrix<double, Model::equation_count, Model::input_count> f_u;
-    Model::residual(group.d, group.u, group.q, f);
-    Model::input_jacobian(group.d, group.u, group.q, f_u);
-    for (int input = 0; input < Model::input_count; ++input) {
-      if (Model::inputs[static_cast<std::size_t>(input)].is_angle) {
-        f_u.col(input).setZero();
-      }
-    }
-    advance(group.u, Vector<double, Model::input_count>(least_change(f_u, -f)));
-    return group;
-  }
-
-  /// Where on that way the determinant vanishes; halfway if it has one sign at both ends.
-  double singular_between(const Group<double>& from, const Group<double>& to) {
-    const auto orientation = [&](double part) {
-      const Group<double> group = between(from, to, part);
-      Matrix<double, Model::equation_count, Model::unknown_count> jacobian;
-      Model::jacobian(group.d, group.u, group.q, jacobian);
-      return std::signbit(Eigen::MatrixXd(jacobian).partialPivLu().determinant());
-    };
-    double low = 0;
-    double high = 1;
-    const bool before = orientation(low);
-    for (int step = 0; step < 60; ++step) {
-      const double centre = (low + high) / 2;
-      (orientation(centre) == before ? low : high) = centre;
-    }
-    return low;
-  }
-
-  RandomInputs random_{seed + static_cast<unsigned>(Model::number)};
+  Groups groups_{seed + static_cast<unsigned>(Model::number)};
 };
 
 TYPED_TEST_SUITE(Regular, AllModels, ModelNames);
@@ -235,7 +158,7 @@ TYPED_TEST(Regular, SensitivitiesAreAsGoodAsTheMarginSays) {
     Promises kept;
     for (const double shrink : {1.0, 1e-2, 1e-4, 1e-6, 1e-8}) {
       for (int sample = 0; sample < samples; ++sample) {
-        this->compare(this->drawn(shrink), kept);
+        this->compare(this->groups_.drawn(shrink), kept);
       }
     }
     kept.expect("random", samples / 10);
@@ -250,11 +173,11 @@ TYPED_TEST(Regular, SixDigitsHoldBesideASingularConfigurationToo) {
   if constexpr (Model::rigid) {
     Promises kept;
     for (int sample = 0; sample < samples; ++sample) {
-      const auto from = this->drawn(1);
-      const auto to = this->drawn(1);
-      const double singular = this->singular_between(from, to);
+      const auto from = this->groups_.drawn(1);
+      const auto to = this->groups_.drawn(1);
+      const double singular = this->groups_.singular_between(from, to);
       for (const double distance : {1e-1, 1e-2, 1e-3, 3e-4, 1e-4}) {
-        this->compare(this->between(from, to, singular + distance), kept);
+        this->compare(this->groups_.between(from, to, singular + distance), kept);
       }
     }
     kept.expect("beside singular ones", samples);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <assur/assemblies.hpp>
+#include <assur/detail/closed_form.hpp>
 #include <assur/detail/index.hpp>
 #include <assur/detail/members.hpp>
 #include <assur/detail/numbers.hpp>
@@ -139,26 +140,42 @@ template <typename Model, int Place>
   }
 }
 
-/// Whether the first of two configurations comes before the second. `square` is that of the unit of
-/// lengths.
-struct FirstDifference {
-  double square;
-  int* order;
+/// Whether the first of two configurations comes before the second, by all that may tell them
+/// apart.
+template <typename Model>
+[[nodiscard, gnu::noinline, gnu::cold]] bool comes_before_by_keys(
+    const typename Model::template Dimensions<numeric::Pair>& d,
+    const typename Model::template Inputs<numeric::Pair>& u,
+    const typename Model::template Configuration<numeric::Pair>& q, double square) {
+  constexpr std::size_t turning = size(Model::link_count) * size(Model::link_count - 1);
+  std::array<double, turning + size(Model::unknown_count)> first{};
+  std::array<double, turning + size(Model::unknown_count)> second{};
+  for_each_key<Model>(d, u, q, [&](const numeric::Pair& key, int place, bool /*is_length*/) {
+    entry(first, place) = key[0];
+    entry(second, place) = key[1];
+  });
+  return numeric::comes_before(first, second, turning, std::sqrt(square));
+}
 
-  void operator()(const numeric::Pair& key, int /*place*/, bool is_length) const {
-    if (*order == 0) {
-      *order = numeric::order_of(key[0], key[1], is_length ? std::sqrt(square) : 1);
-    }
-  }
-};
+/// Whether the first of two configurations comes before the second. `square` is that of the unit of
+/// lengths. The key by which the roots of a formula differ tells them apart however close they are.
 template <typename Model>
 [[nodiscard]] bool comes_before(const typename Model::template Dimensions<numeric::Pair>& d,
                                 const typename Model::template Inputs<numeric::Pair>& u,
                                 const typename Model::template Configuration<numeric::Pair>& q,
                                 double square) {
-  int order = 0;
-  for_each_key<Model>(d, u, q, FirstDifference{square, &order});
-  return order < 0;
+  if constexpr (vouches_for_roots<Model>) {
+    const numeric::Pair key = key_at<Model, Model::first_key>(d, u, q);
+    return key[0] < key[1];
+  } else {
+    if constexpr (Model::link_count > 1) {
+      const numeric::Pair key = key_at<Model, 0>(d, u, q);
+      if (numeric::are_apart(key[0], key[1])) {
+        return key[0] < key[1];
+      }
+    }
+    return comes_before_by_keys<Model>(d, u, q, square);
+  }
 }
 
 /// Puts a model's configurations in order.

@@ -121,4 +121,14 @@ struct ClosedForm {
       1 / std::max(Model::discriminant_error, Model::regular_discriminant);
 };
 
+/// Whether there is a formula for a model's configurations of which that is said.
+template <typename Model>
+inline constexpr bool vouches_for_roots = [] {
+  if constexpr (has_closed_form<Model>) {
+    return ClosedForm<Model>::vouches;
+  } else {
+    return false;
+  }
+}();
+
 }  // namespace assur::detail

@@ -33,7 +33,8 @@ class ClosedSearch {
   [[nodiscard, gnu::flatten]] static bool list(const Dimensions& dimensions, const Inputs& inputs,
                                                const support::Displacement& displaced,
                                                Assemblies<Model>& result) {
-    const double square = square_of_lengths<double>(dimensions) + square_of_lengths<double>(inputs);
+    const double of_dimensions = square_of_lengths<double>(dimensions);
+    const double square = of_dimensions + square_of_lengths<double>(inputs);
     if (!is_in_range(square, 0x1p64, most_length<Model> * most_length<Model>)) {
       return false;
     }
@@ -56,12 +57,18 @@ class ClosedSearch {
     const auto u = support::converted_to<typename Model::template Inputs<Scalar>>(inputs);
     typename Model::template Configuration<Scalar> q;
     first_of<Model>(q) = roots_of(T, found);
-    if (!completes(d, u, q, square)) {
+    const auto unsure = [&] {
+      // What is near the origin is as unsure as its lengths, which every verdict counts.
+      const bool counts =
+          displaced.moved > 0 || displaced.turned > 0 || square > 0x1p8 * of_dimensions;
+      return counts ? support::unsure_jacobian<Model>(dimensions, inputs, displaced) : 0.0;
+    };
+    if (!completes(d, u, q, square, unsure)) {
       return false;
     }
     std::size_t first = 0;
     if constexpr (root_count == 2 && !comes_in_any_order<Model>) {
-      first = comes_first(d, u, q, in_units) ? 0 : 1;
+      first = comes_before<Model>(d, u, q, in_units) ? 0 : 1;
     }
     for (std::size_t index = 0; index < root_count; ++index) {
       result.configurations[index ^ first] = lane_of<Configuration>(q, index);
@@ -77,7 +84,8 @@ class ClosedSearch {
       const Dimensions& dimensions, const Inputs& inputs, const support::Displacement& displaced,
       Assemblies<Model>& result) {
     const double longest = std::max(longest_length(inputs), longest_length(dimensions));
-    if (!is_in_range(longest, 0x1p64, most_length<Model>) || !is_finite(dimensions) ||
+    // What is scaled may have any unit of which the scale is a number.
+    if (!is_in_range(longest, 0x1p500, most_length<Model>) || !is_finite(dimensions) ||
         !is_finite(inputs)) {
       return false;
     }
@@ -87,12 +95,14 @@ class ClosedSearch {
     FinalPolynomial<Model, double> T;
     Model::position_polynomial(d, u, T);
     const Discriminants<double> found = discriminants_of(T);
-    if (!is_certain(d, u, displaced.scaled(scale))) {
+    const support::Displacement scaled = displaced.scaled(scale);
+    if (!is_certain(d, u, scaled)) {
       return false;
     }
     if (found.discriminant < 0) {
       return true;
     }
+    const double unsure = support::unsure_jacobian<Model>(d, u, scaled);
     const auto roots = roots_of(T, found);
     for (std::size_t index = 0; index < root_count; ++index) {
       Configuration& q = result.configurations[index];
@@ -100,7 +110,7 @@ class ClosedSearch {
       if (!complete<Model>(d, u, q)) {
         return false;
       }
-      result.regularity[index] = polish<Model>(d, u, q);
+      result.regularity[index] = polish<Model>(d, u, q, unsure);
       if (result.regularity[index] == Status::no_convergence) {
         return false;
       }
@@ -129,10 +139,10 @@ class ClosedSearch {
       !is_angle<Model>(Model::first_unknown) && Model::polynomial_degree == 2;
 
   /// Completes the configurations at the roots; whether they close to a few roundings and are
-  /// regular.
-  template <typename ScalarDimensions, typename ScalarInputs, typename Roots>
+  /// regular, where the Jacobian is `unsure` by so much. A discriminant that vouches counts that.
+  template <typename ScalarDimensions, typename ScalarInputs, typename Roots, typename Unsure>
   [[nodiscard]] static bool completes(const ScalarDimensions& d, const ScalarInputs& u, Roots& q,
-                                      double square) {
+                                      double square, const Unsure& unsure) {
     // What the longest length is for the closures: at most 1.8 times as long as it is.
     const auto holds = [&] { return closes<Model, Scalar>(d, u, q, square / 2); };
     if constexpr (Form::vouches) {
@@ -141,20 +151,7 @@ class ClosedSearch {
              static_cast<bool>(holds());
     } else {
       return static_cast<bool>(complete_simple<Model, Scalar>(d, u, q) & holds()) &&
-             is_regular<Model, Scalar>(d, u, q);
-    }
-  }
-
-  /// Whether the first configuration comes before the second. A discriminant that vouches for them
-  /// tells them apart where they may differ first.
-  template <typename PairDimensions, typename PairInputs, typename PairConfiguration>
-  [[nodiscard]] static bool comes_first(const PairDimensions& d, const PairInputs& u,
-                                        const PairConfiguration& q, double square) {
-    if constexpr (Form::vouches) {
-      const numeric::Pair key = key_at<Model, Model::first_key>(d, u, q);
-      return key[0] < key[1];
-    } else {
-      return comes_before<Model>(d, u, q, square);
+             is_regular<Model, Scalar>(d, u, q, unsure());
     }
   }
 

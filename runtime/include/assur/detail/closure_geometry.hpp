@@ -30,11 +30,14 @@ struct Closures {
   int size;
   double farthest;   ///< coordinate among the inputs
   double displaced;  ///< by rounding, the inputs, at most
+  /// Length of the group, the unit of what follows. Of a specialised one it may be much less than
+  /// one.
+  double longest = 1;
 
   [[nodiscard]] Vector4 at(const FlatVariables<double>& q) const {
     Vector4 f;
     evaluate(group, q, f);
-    return f;
+    return 1 / longest * f;
   }
   /// Against steps as `advance` takes them.
   [[nodiscard]] Matrix4 jacobian(const FlatVariables<double>& q) const {
@@ -43,16 +46,18 @@ struct Closures {
     std::size_t place = 0;
     for (int unknown = 0; unknown < size; ++unknown) {
       if (unknowns[unknown].is_angle) {
+        result.column(unknown) = 1 / longest * result.column(unknown);
         place += 2;
       } else {
-        result.column(unknown) = unit_of(q[place++]) * result.column(unknown);
+        result.column(unknown) = unit_of(q[place]) / longest * result.column(unknown);
+        ++place;
       }
     }
     return result;
   }
   /// A displacement far beyond the longest length is measured in itself.
-  [[nodiscard]] static double unit_of(double displacement) {
-    return std::max(1.0, std::abs(displacement));
+  [[nodiscard]] double unit_of(double displacement) const {
+    return std::max(longest, std::abs(displacement));
   }
   /// The unknowns moved by a step: displacements shift, angles turn, without trigonometric
   /// functions.
@@ -82,7 +87,7 @@ struct Closures {
   void straighten(FlatVariables<double>& q) const { advance(Vector4(), q); }
 };
 
-/// The longest displacement among flat unknowns.
+/// The longest displacement among flat unknowns, in parts of the longest length.
 [[nodiscard]] inline double longest_displacement(const Closures& closures,
                                                  const FlatVariables<double>& q) {
   double longest = 0;
@@ -94,15 +99,15 @@ struct Closures {
       longest = std::max(longest, std::abs(q[place++]));
     }
   }
-  return longest;
+  return longest / closures.longest;
 }
 
 /// What rounding leaves of closures among lengths of at most one: the rounding of the closures
 /// themselves, and that of the groups that were placed before.
 [[nodiscard]] inline double rounding(const Closures& closures, const FlatVariables<double>& q) {
   return 32 * std::numeric_limits<double>::epsilon() *
-             (1 + closures.farthest + longest_displacement(closures, q)) +
-         4 * closures.displaced;
+             (1 + closures.farthest / closures.longest + longest_displacement(closures, q)) +
+         4 * closures.displaced / closures.longest;
 }
 
 /// The largest difference of two lists of unknowns; of long displacements in parts of them.
@@ -111,8 +116,10 @@ struct Closures {
   double largest = 0;
   std::size_t place = 0;
   for (int unknown = 0; unknown < closures.size; ++unknown) {
-    for (int part = closures.unknowns[unknown].is_angle ? 2 : 1; part > 0; --part, ++place) {
-      const double size = std::max({1.0, std::abs(one[place]), std::abs(other[place])});
+    const bool is_angle = closures.unknowns[unknown].is_angle;
+    const double unit = is_angle ? 1 : closures.longest;
+    for (int part = is_angle ? 2 : 1; part > 0; --part, ++place) {
+      const double size = std::max({unit, std::abs(one[place]), std::abs(other[place])});
       largest = std::max(largest, std::abs(one[place] - other[place]) / size);
     }
   }
@@ -313,7 +320,7 @@ inline constexpr double lost_pivot = 1e-7;
       step(unknown) = to[place + 1] * from[place] - to[place] * from[place + 1];
       place += 2;
     } else {
-      step(unknown) = (to[place] - from[place]) / Closures::unit_of(from[place]);
+      step(unknown) = (to[place] - from[place]) / closures.unit_of(from[place]);
       ++place;
     }
   }

@@ -49,8 +49,10 @@ class GeneralSearch {
       return false;
     }
     const double longest = std::max(1.0, longest_length(u_));
+    // The Jacobian is as unsure as the places are; a length of one is among those of the group.
+    const double unsure = std::max(displaced_, std::numeric_limits<double>::epsilon() * longest);
     for (std::size_t root = 0; root < roots.root_count; ++root) {
-      if (!accept({roots.roots[root].cosine, roots.roots[root].sine}, longest)) {
+      if (!accept({roots.roots[root].cosine, roots.roots[root].sine}, longest, unsure)) {
         return false;
       }
     }
@@ -60,7 +62,7 @@ class GeneralSearch {
  private:
   /// Completes the configuration at a simple root, where one second value fits, polishes it on the
   /// loop equations if need be and lists it; false if it does not close.
-  [[nodiscard]] bool accept(const Direction<double>& first, double longest) {
+  [[nodiscard]] bool accept(const Direction<double>& first, double longest, double unsure) {
     if (result_.count == Model::max_configurations) {
       return false;
     }
@@ -70,13 +72,13 @@ class GeneralSearch {
     first_of<Model>(q) = first;
     if (complete_simple<Model, double>(d_, u_, q)) {
       const bool settled = closes<Model, double>(d_, u_, q, longest * longest) &&
-                           is_regular<Model, double>(d_, u_, q);
-      regularity = settled ? Status::ok : polish<Model>(d_, u_, q);
+                           is_regular<Model, double>(d_, u_, q, unsure);
+      regularity = settled ? Status::ok : polish<Model>(d_, u_, q, unsure);
     }
     if (regularity == Status::no_convergence) {
       first_of<Model>(q) = first;
       if (complete<Model>(d_, u_, q)) {
-        regularity = polish<Model>(d_, u_, q);
+        regularity = polish<Model>(d_, u_, q, unsure);
       }
     }
     result_.count += regularity != Status::no_convergence ? 1 : 0;

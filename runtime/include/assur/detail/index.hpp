@@ -20,4 +20,14 @@ template <typename Model>
   return entry(Model::unknowns, unknown).is_angle;
 }
 
+/// Whether any unknown of a model is an angle.
+template <typename Model>
+inline constexpr bool has_angles = [] {
+  bool any = false;
+  for (int unknown = 0; unknown < Model::unknown_count; ++unknown) {
+    any = any || is_angle<Model>(unknown);
+  }
+  return any;
+}();
+
 }  // namespace assur::detail

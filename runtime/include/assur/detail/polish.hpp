@@ -35,12 +35,14 @@ template <typename Model, typename Scalar>
          (lengths < Scalar(farthest * square));
 }
 
-/// Whether a configuration is regular.
+/// Whether a configuration is regular, where what tells it is `unsure` by so much beforehand.
 template <typename Model, typename Scalar>
 [[nodiscard]] bool is_regular(const typename Model::template Dimensions<Scalar>& d,
                               const typename Model::template Inputs<Scalar>& u,
-                              const typename Model::template Configuration<Scalar>& q) {
-  return is_regular<Model>(pivots_at<Model, Scalar>(d, u, q), derivative_rounding<double>());
+                              const typename Model::template Configuration<Scalar>& q,
+                              double unsure) {
+  return is_regular<Model>(pivots_at<Model, Scalar>(d, u, q),
+                           derivative_rounding<double>() + unsure);
 }
 
 /// What polishing leaves of the closures where the longest number among them is so long.
@@ -65,11 +67,13 @@ void nudge(typename Model::template Configuration<double>& q,
 
 /// Newton's steps as long as they lessen a residual above rounding. The longest length is near
 /// one; where a displacement is longer, its rounding ends the steps. `no_convergence` if the
-/// closures do not hold then, or if the configuration is not finite.
+/// closures do not hold then, or if the configuration is not finite; else whether it is regular,
+/// where the Jacobian is `unsure` by so much beforehand.
 template <typename Model>
 [[nodiscard, gnu::noinline]] Status polish(const typename Model::template Dimensions<double>& d,
                                            const typename Model::template Inputs<double>& u,
-                                           typename Model::template Configuration<double>& q) {
+                                           typename Model::template Configuration<double>& q,
+                                           double unsure) {
   if (!is_finite(q)) {
     return Status::no_convergence;
   }
@@ -77,7 +81,7 @@ template <typename Model>
   Vector<double, Model::equation_count> f;
   Model::residual(d, u, q, f);
   double miss = f.cwiseAbs().maxCoeff();
-  const InverseJacobian<Model, double> jacobian(d, u, q);
+  const InverseJacobian<Model, double> jacobian(d, u, q, unsure);
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   for (int step = 0; step < steps && miss > rounding && jacobian.solvable(); ++step) {
     auto next = q;

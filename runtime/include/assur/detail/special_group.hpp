@@ -82,9 +82,17 @@ class SpecialGroupOf {
   }
 
  private:
+  /// A specialised group is in a unit that may be much longer than it is.
+  [[nodiscard]] static constexpr double longest() {
+    if constexpr (Model::dimension_count == 0) {
+      return std::min(1.0, Model::size);
+    } else {
+      return 1;
+    }
+  }
   [[nodiscard]] SpecialGroup functions() const {
     return {{&evaluate, &differentiate, this, Model::unknowns.data(), Model::unknown_count,
-             longest_length(u_), displaced_},
+             longest_length(u_), displaced_, longest()},
             SortsOf<Dimensions<double>>::angles.data(),
             SortsOf<Inputs<double>>::angles.data(),
             SortsOf<Dimensions<double>>::angles.size(),
@@ -182,18 +190,19 @@ class SpecialGroupOf {
 };
 
 /// Lists the assemblies of a group that may be in special position. One at which the closures are
-/// singular is marked near_singular; a family of them sets the mobility.
+/// singular is marked near_singular, where the Jacobian is `unsure` by so much beforehand; a family
+/// of them sets the mobility.
 template <typename Model>
 void search_in_special_position(const typename Model::template Dimensions<double>& d,
                                 const typename Model::template Inputs<double>& u, double displaced,
-                                Assemblies<Model>& result) {
+                                double unsure, Assemblies<Model>& result) {
   using Configuration = typename Model::template Configuration<double>;
   const SpecialAssemblies found = SpecialGroupOf<Model>(d, u, displaced).search();
   result.count = 0;
   for (std::size_t index = 0; index < found.count && result.count < Model::max_configurations;
        ++index) {
     const auto q = support::unflattened<Configuration>(found.list[index]);
-    const Status regularity = assur::regularity<Model, double>(d, u, q).status;
+    const Status regularity = assur::regularity<Model, double>(d, u, q, unsure).status;
     entry(result.configurations, result.count) = q;
     entry(result.regularity, result.count) =
         regularity == Status::ok && !found.singular[index] ? Status::ok : Status::near_singular;

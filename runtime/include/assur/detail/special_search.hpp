@@ -131,7 +131,7 @@ class SpecialSearch {
         first.cos = std::cos(6.2831853 * part);
         first.sin = std::sin(6.2831853 * part);
       } else {
-        first.cos = 4 * part - 2;
+        first.cos = (4 * part - 2) * group_.closures.longest;
       }
       const Completions found = group_.complete(d_, u_, first);
       for (std::size_t place = 0; place < found.count; ++place) {
@@ -154,14 +154,15 @@ class SpecialSearch {
           q[place++] = std::cos(angle);
           q[place++] = std::sin(angle);
         } else {
-          q[place++] = 2 * next_random();
+          q[place++] = 2 * next_random() * closures.longest;
         }
       }
       add(q);
     }
   }
 
-  /// Moves every variable by up to `reach`, a length by that much and an angle by that turn.
+  /// Moves every variable by up to `reach`, a length by that part of the group's longest and an
+  /// angle by that turn.
   void displace(const bool* is_angle, std::size_t count, double reach, PreciseVariables& flat) {
     using numeric::DoubleDouble;
     std::size_t place = 0;
@@ -177,7 +178,7 @@ class SpecialSearch {
         flat[place + 1] = s * cos + c * flat[place + 1];
         place += 2;
       } else {
-        flat[place] = flat[place] + by;
+        flat[place] = flat[place] + by * DoubleDouble(group_.closures.longest);
         ++place;
       }
     }
@@ -274,7 +275,7 @@ double SpecialSearch<Group>::least_miss() const {
       least = std::min(least, close(group_.closures, q));
     }
   });
-  return least;
+  return least * group_.closures.longest;
 }
 
 }  // namespace assur::detail

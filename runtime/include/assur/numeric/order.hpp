@@ -1,31 +1,47 @@
 // Turns a short list into a sorted one, by keys whose entries carry rounding errors.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 namespace assur::numeric {
 
-/// -1 or 1 if one entry of a key comes before or after another; 0 if they differ by rounding alone,
-/// relative to the larger of themselves and one, which may be another unit. Rounding moves a double
-/// configuration by the root of epsilon.
-[[nodiscard]] inline int order_of(double left, double right, double one = 1) {
-  const double difference = left - right;
-  if (!(std::abs(difference) > 1e-6 * (one + std::abs(left)))) {
-    return 0;
-  }
-  return difference < 0 ? -1 : 1;
+/// A difference of two entries of keys above this counts, relative to the larger of the entry and
+/// its unit. Rounding moves a double configuration by the root of epsilon.
+inline constexpr double key_rounding = 1e-6;
+
+/// Whether two entries of keys differ by more than rounding.
+[[nodiscard]] inline bool are_apart(double left, double right, double one = 1) {
+  return std::abs(left - right) > key_rounding * (one + std::abs(left));
 }
 
-/// Whether one key comes before another of its size, entry by entry, where those before the one at
-/// `from` are the same; from `lengths_from` on entries count in the unit `one`.
+/// Whether one key comes before another of its size: by the first entry, of those from `from` on,
+/// by which they differ; those before are the same. From `lengths_from` on entries count in the
+/// unit `one`. A difference is relative to the larger of the entry and its unit, and counts above
+/// 1e-6. Two keys that are close together as a whole belong to configurations that meet. There
+/// every entry falls with the distance, so each counts in parts of the largest: the first by which
+/// they differ stays the first.
 template <typename Key>
 [[nodiscard]] bool comes_before(const Key& left, const Key& right, std::size_t lengths_from,
                                 double one, std::size_t from = 0) {
+  constexpr double close = 1e-2;
+  constexpr double equal = 1e-13;
+  const auto difference = [&](std::size_t place) {
+    const double unit = place < lengths_from ? 1 : one;
+    return (left[place] - right[place]) / (unit + std::abs(left[place]));
+  };
+  if (from < left.size() && are_apart(left[from], right[from], from < lengths_from ? 1 : one)) {
+    return left[from] < right[from];
+  }
+  double farthest = 0;
   for (std::size_t place = from; place < left.size(); ++place) {
-    const int order = order_of(left[place], right[place], place < lengths_from ? 1 : one);
-    if (order != 0) {
-      return order < 0;
+    farthest = std::max(farthest, std::abs(difference(place)));
+  }
+  const double least = std::max(equal, key_rounding * std::min(1.0, farthest / close));
+  for (std::size_t place = from; place < left.size(); ++place) {
+    if (std::abs(difference(place)) > least) {
+      return difference(place) < 0;
     }
   }
   return false;

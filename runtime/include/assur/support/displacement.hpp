@@ -23,23 +23,16 @@ class DisplacedGroup {
   /// known to a rounding of its coordinates at best.
   DisplacedGroup(const Dimensions& d, const Inputs& u, const Displacement& displaced)
       : size_(1 / unit_scale<Model>(d, u, displaced)),
-        longest_(Model::dimension_count == 0 ? 1 : size_of<Model>(d, u)),
         held_(std::max(displaced.moved, epsilon * longest_length(u))),
         moved_(displaced.moved + epsilon * longest_length(u)),
         turned_(displaced.turned),
+        unsure_(unsure_jacobian<Model>(d, u, displaced)),
         reach_(displaced.reach) {}
 
   /// The regularity of a configuration, counting the neighbours' displacement.
   [[nodiscard]] Regularity<double> regularity(const Dimensions& d, const Inputs& u,
                                               const Configuration& q) const {
-    bool turns = false;
-    for (int unknown = 0; unknown < Model::unknown_count; ++unknown) {
-      turns = turns || detail::is_angle<Model>(unknown);
-    }
-    // Where nothing turns, J does not depend on places but on directions. Elsewhere what rounding
-    // has left of a size tells nothing.
-    const double moved = turns ? held_ / longest_ : epsilon;
-    return assur::regularity<Model, double>(d, u, q, std::max(moved, turned_));
+    return assur::regularity<Model, double>(d, u, q, unsure_);
   }
 
   /// How far the group's own links may be off: both ends of a closure move, slides turn, its own
@@ -73,10 +66,10 @@ class DisplacedGroup {
  private:
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
   double size_;
-  double longest_;
   double held_;
   double moved_;  ///< and by its own rounding once more, for what stands behind
   double turned_;
+  double unsure_;
   double reach_;
 };
 

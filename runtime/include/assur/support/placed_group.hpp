@@ -92,6 +92,13 @@ template <typename Group, int Order, int Parameters>
   return among == Status::ok ? regularity : among;
 }
 
+/// Whether places are so long beside a group that a rounding of theirs is more than a few of its.
+template <typename Group>
+[[nodiscard]] bool is_small_where_held(const typename Group::template Inputs<double>& u) {
+  constexpr double most = 16 * Group::size;
+  return most < most_length_of_numbers && longest_length(u) > most;
+}
+
 /// Places a group's links in a configuration of known regularity. Where the Jacobian has no
 /// inverse, rates and gradients are NaN.
 template <typename Group, int Order, int Parameters>
@@ -107,7 +114,8 @@ template <typename Group, int Order, int Parameters>
   placed.regularity = regularity;
   // Less is little beside the rounding that every verdict counts.
   constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
-  if (held.displaced.moved > rounding || held.displaced.turned > rounding) {
+  if (held.displaced.moved > rounding * Group::size || held.displaced.turned > rounding ||
+      is_small_where_held<Group>(held.u)) {
     placed.regularity = regularity_among_displaced(held, q, regularity);
   }
   const bool solvable = is_solvable(placed.regularity);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <assur/detail/index.hpp>
 #include <assur/detail/numbers.hpp>
 #include <assur/model.hpp>
 #include <assur/support/displaced_frame.hpp>
@@ -126,6 +127,34 @@ template <typename Model>
   Vector<double, Model::equation_count> f;
   Model::residual(typename Model::template Dimensions<double>{}, u, q, f);
   return std::max(longest_length(d), f.cwiseAbs().maxCoeff());
+}
+
+/// The longest length of a group in the unit of its inputs; a specialised one tells it, as it has
+/// its lengths in its functions.
+template <typename Model>
+[[nodiscard]] double own_size(const typename Model::template Dimensions<double>& d,
+                              const typename Model::template Inputs<double>& u) {
+  if constexpr (Model::dimension_count == 0) {
+    return Model::size;
+  } else {
+    return size_of<Model>(d, u);
+  }
+}
+
+/// By how much the loop Jacobian of a group may be off, in parts of what it is made of: a place far
+/// away is rounded as it is long, and what rounding has `displaced` is not known better. Where
+/// nothing turns J depends on directions alone.
+template <typename Model>
+[[nodiscard]] double unsure_jacobian(const typename Model::template Dimensions<double>& d,
+                                     const typename Model::template Inputs<double>& u,
+                                     const Displacement& displaced) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  if constexpr (detail::has_angles<Model>) {
+    const double moved = std::max(displaced.moved, epsilon * longest_length(u));
+    return moved > 0 ? std::max(moved / own_size<Model>(d, u), displaced.turned) : displaced.turned;
+  } else {
+    return std::max(epsilon, displaced.turned);
+  }
 }
 
 /// The power of two that brings the longest length of a group near one. A length that is no
