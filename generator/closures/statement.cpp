@@ -127,4 +127,20 @@ PlacedText take_word(PlacedText& text) {
   return word;
 }
 
+bool take_keyword(PlacedText& text, const std::string& keyword) {
+  PlacedText rest = text;
+  if (take_word(rest).text != keyword) {
+    return false;
+  }
+  text = rest;
+  return true;
+}
+
+PlacedText after_words(PlacedText text, int count) {
+  for (; count > 0; --count) {
+    static_cast<void>(take_word(text));
+  }
+  return text;
+}
+
 }  // namespace assur::generator::closures
