@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <assur/text/input_file.hpp>
-#include <assur/text/utf8.hpp>
 
 #include "audit/auditor.hpp"
 #include "audit/source_lines.hpp"
@@ -39,10 +38,6 @@ bool AuditReport::agrees() const {
 
 AuditReport audit_text(const std::string& text, const std::string& file, const SceneReader& scenes,
                        const RunPermission& run) {
-  if (const std::size_t at = text::first_byte_outside_utf8(text); at < text.size()) {
-    throw text::InputError(file + ": byte " + std::to_string(at) +
-                           " is not UTF-8; save the file as UTF-8");
-  }
   const std::vector<closures::Statement> statements = closures::parse_statements(text, file);
   Auditor auditor(file, scenes, run, turned_closures(statements, file));
   for (const closures::Statement& statement : statements) {

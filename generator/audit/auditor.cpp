@@ -91,7 +91,7 @@ void Auditor::define(const std::string& name, double value) {
 
 void Auditor::read_scene(const closures::PlacedText& rest) {
   closures::PlacedText after = rest;
-  const closures::PlacedText file = closures::take_word(after);
+  const closures::PlacedText file = closures::take_file(after);
   int configuration = 1;
   if (closures::take_keyword(after, "branch")) {
     const closures::PlacedText number = closures::take_word(after);

@@ -111,7 +111,7 @@ void Auditor::read_printed_matrix(const closures::Statement& statement,
 }
 
 void Auditor::read_printed_code(const closures::PlacedText& label, closures::PlacedText rest) {
-  const closures::PlacedText file = closures::take_word(rest);
+  const closures::PlacedText file = closures::take_file(rest);
   const closures::PlacedText array = closures::take_word(rest);
   if (!text::is_identifier(array.text)) {
     reader_.fail(array.place, "expected the name of a matrix in the code");
@@ -180,11 +180,15 @@ ExpectedMatrix Auditor::expected_matrix(const closures::PlacedText& frame) {
 
 void Auditor::read_printed_run(const closures::Statement& statement,
                                const closures::PlacedText& label, closures::PlacedText rest) {
-  const closures::PlacedText file = closures::take_word(rest);
+  const closures::PlacedText file = closures::take_file(rest);
   RunStatement run = read_run_statement(directory_, file, statement.rows);
   if (!run_.given) {
     reader_.fail(file.place,
                  "this runs " + file.text + " on your machine, and nothing is run without --run");
+  }
+  if (reader_.system().symbol_named("result") != nullptr) {
+    reader_.fail(file.place,
+                 "a quantity is named 'result', as is what the program gives; rename it");
   }
   run.program.flags.insert(run.program.flags.end(), run_.flags.begin(), run_.flags.end());
   const ExpectedMatrix expected = expected_matrix(rest);

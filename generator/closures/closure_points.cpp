@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <random>
 
-#include "closures/assembly_by_lengths.hpp"
 #include "closures/formula_text.hpp"
 
 namespace assur::generator::closures {
@@ -48,6 +47,7 @@ void ClosurePoints::follow_system() {
     }
   }
   lists_.clear();
+  assembly_.reset();
   slopes_.clear();
   rates_.clear();
   second_rates_.clear();
@@ -113,17 +113,21 @@ bool ClosurePoints::vanishes(const GiNaC::ex& expression) {
 }
 
 bool ClosurePoints::assemble(GiNaC::exmap& values) {
-  std::vector<GiNaC::ex> equations;
-  for (const ClosureSystem::Closure& closure : system_.closures()) {
-    equations.push_back(algebraic(closure.expression));
-  }
-  GiNaC::lst lengths;
-  for (const AuditSymbol& symbol : system_.symbols()) {
-    if (!symbol.angle && !algebra_.under_a_root(symbol.symbol)) {
-      lengths.append(symbol.symbol);
+  follow_system();
+  if (!assembly_) {
+    std::vector<GiNaC::ex> equations;
+    for (const ClosureSystem::Closure& closure : system_.closures()) {
+      equations.push_back(algebraic(closure.expression));
     }
+    GiNaC::lst lengths;
+    for (const AuditSymbol& symbol : system_.symbols()) {
+      if (!symbol.angle && !algebra_.under_a_root(symbol.symbol)) {
+        lengths.append(symbol.symbol);
+      }
+    }
+    assembly_.emplace(std::move(equations), lengths);
   }
-  return assemble_by_lengths(equations, lengths, algebra_, values);
+  return assembly_->assemble(algebra_, values);
 }
 
 GiNaC::matrix ClosurePoints::values_of(const std::vector<GiNaC::ex>& expressions,

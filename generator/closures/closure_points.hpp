@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "closures/circle_algebra.hpp"
+#include "closures/assembly_by_lengths.hpp"
 #include "closures/closure_system.hpp"
 
 namespace assur::generator::closures {
@@ -92,6 +92,7 @@ class ClosurePoints {
                                         const GiNaC::exmap& values);
 
   ClosureSystem& system_;
+  std::optional<AssemblyByLengths> assembly_;                    ///< of this revision
   std::map<const AuditSymbol*, std::vector<GiNaC::ex>> slopes_;  ///< of this revision
   std::vector<GiNaC::ex> rates_, second_rates_;  ///< of the closures, of this revision
   CircleAlgebra algebra_;
