@@ -1,91 +1,13 @@
 #include "audit/auditor.hpp"
 
 #include <algorithm>
-#include <assur/text/input_file.hpp>
 #include <assur/text/suggestion.hpp>
-#include <assur/text/utf8.hpp>
 #include <charconv>
 #include <map>
 
-#include "audit/code/cpp_matrix.hpp"
-#include "audit/code/matlab_matrix.hpp"
 #include "audit/kind_audit.hpp"
-#include "audit/source_lines.hpp"
-#include "closures/read_formula.hpp"
 
 namespace assur::generator::audit {
-
-namespace {
-
-/// The text after a word that must come next, which is taken off.
-bool take_keyword(closures::PlacedText& text, const std::string& keyword) {
-  closures::PlacedText rest = text;
-  if (closures::take_word(rest).text != keyword) {
-    return false;
-  }
-  text = rest;
-  return true;
-}
-
-closures::PlacedText after_words(closures::PlacedText text, int count) {
-  for (; count > 0; --count) {
-    static_cast<void>(closures::take_word(text));
-  }
-  return text;
-}
-
-/// The parts of a text before and after a word; the second is empty where there is none.
-std::pair<closures::PlacedText, closures::PlacedText> cut_at_word(const closures::PlacedText& text,
-                                                                  const std::string& word) {
-  const std::string padded = text.text + " ";
-  const std::size_t at = padded.find(" " + word + " ");
-  if (at == std::string::npos) {
-    return {text, {}};
-  }
-  return {closures::trimmed({text.text.substr(0, at), text.place}),
-          closures::trimmed({padded.substr(at + word.size() + 2), text.at(at + word.size() + 3)})};
-}
-
-}  // namespace
-
-bool AuditReport::agrees() const {
-  return std::all_of(statements.begin(), statements.end(), [](const AuditedStatement& statement) {
-    return std::all_of(statement.findings.begin(), statement.findings.end(),
-                       [](const Finding& finding) { return finding.agrees(); });
-  });
-}
-
-AuditReport audit_text(const std::string& text, const std::string& file, const SceneReader& scenes,
-                       const RunPermission& run) {
-  if (const std::size_t at = text::first_byte_outside_utf8(text); at < text.size()) {
-    throw text::InputError(file + ": byte " + std::to_string(at) +
-                           " is not UTF-8; save the file as UTF-8");
-  }
-  const std::vector<closures::Statement> statements = closures::parse_statements(text, file);
-  const auto audited = [&](Auditor& auditor) {
-    for (const closures::Statement& statement : statements) {
-      auditor.read(statement);
-    }
-    return auditor.report();
-  };
-  Auditor auditor(file, scenes, run);
-  AuditReport report = audited(auditor);
-  // A closure's signs count for all that is printed, before it and behind it.
-  if (const std::set<std::string> turned = auditor.turned(); !turned.empty()) {
-    Auditor again(file, scenes, run, turned);
-    report = audited(again);
-  }
-  if (report.statements.empty()) {
-    throw text::InputError(file + ": nothing to audit; say what the source prints with 'printed'");
-  }
-  quote_lines(report, text);
-  return report;
-}
-
-AuditReport audit_file(const std::string& file, const SceneReader& scenes,
-                       const RunPermission& run) {
-  return audit_text(text::read_input_file(file), file, scenes, run);
-}
 
 std::set<std::string> Auditor::turned() const {
   std::set<std::string> names;
@@ -105,7 +27,7 @@ void Auditor::expect_no_rows(const closures::Statement& statement) const {
   }
 }
 
-void Auditor::read(const closures::Statement& statement) {
+bool Auditor::read_declaration(const closures::Statement& statement) {
   if (reader_.read(statement)) {
     closures::ClosureSystem& system = reader_.system();
     std::erase_if(turned_, [&](const std::string& name) {
@@ -115,6 +37,21 @@ void Auditor::read(const closures::Statement& statement) {
       }
       return declared;
     });
+    return true;
+  }
+  return false;
+}
+
+void Auditor::read_signs(const closures::Statement& statement) {
+  const std::vector<closures::PlacedText> words = closures::words(statement.head);
+  const bool closure = words.size() > 1 && words[0].text == "printed" && words[1].text == "closure";
+  if (!read_declaration(statement) && closure) {
+    read(statement);
+  }
+}
+
+void Auditor::read(const closures::Statement& statement) {
+  if (read_declaration(statement)) {
     return;
   }
   try {
@@ -135,7 +72,7 @@ void Auditor::read_own(const closures::Statement& statement) {
   if (keyword.text == "printed") {
     read_printed(statement, rest);
   } else if (const auto reader = readers.find(keyword.text); reader != readers.end()) {
-    (this->*reader->second)(after_words(closures::joined(statement), 1));
+    (this->*reader->second)(closures::after_words(closures::joined(statement), 1));
   } else {
     std::vector<std::string> known = closures::ClosureReader::keywords();
     known.emplace_back("printed");
@@ -154,9 +91,9 @@ void Auditor::define(const std::string& name, double value) {
 
 void Auditor::read_scene(const closures::PlacedText& rest) {
   closures::PlacedText after = rest;
-  const closures::PlacedText file = closures::take_word(after);
+  const closures::PlacedText file = closures::take_file(after);
   int configuration = 1;
-  if (take_keyword(after, "branch")) {
+  if (closures::take_keyword(after, "branch")) {
     const closures::PlacedText number = closures::take_word(after);
     const char* const last = number.text.data() + number.text.size();
     const auto [end, error] = std::from_chars(number.text.data(), last, configuration);
@@ -208,238 +145,6 @@ void Auditor::read_value(const closures::PlacedText& rest) {
   reader_.expect_new(name);
   numbers_.define(name.text, definition);
   reader_.reserve(name.text);
-}
-
-void Auditor::answer(const std::string& label, closures::Place place, std::size_t columns,
-                     std::vector<Finding> findings) {
-  if (columns == 0 && !statements_.empty() && statements_.back().label == label) {
-    std::move(findings.begin(), findings.end(), std::back_inserter(statements_.back().findings));
-  } else {
-    statements_.push_back({label, reader_.place_in_file(place), columns, std::move(findings), ""});
-  }
-}
-
-void Auditor::read_printed(const closures::Statement& statement, closures::PlacedText rest) {
-  const closures::PlacedText what = closures::take_word(rest);
-  if (what.text == "number") {
-    expect_no_rows(statement);
-    read_printed_number(rest);
-    return;
-  }
-  closures::PlacedText after = rest;
-  const closures::PlacedText label = closures::take_word(after);
-  if (what.text == "matrix") {
-    read_printed_matrix(statement, label, after);
-  } else if (what.text == "run") {
-    read_printed_run(statement, label, after);
-  } else if (what.text == "kinds") {
-    read_printed_kinds(statement, label, after);
-  } else {
-    after = after_words(closures::joined(statement), 3);  // printed WHAT LABEL
-    if (what.text == "closure") {
-      read_printed_closure(label, after);
-    } else if (what.text == "code") {
-      read_printed_code(label, after);
-    } else if (what.text == "equation") {
-      read_printed_equation(label, after);
-    } else {
-      reader_.fail(
-          what.place,
-          "expected closure, matrix, code, run, equation, kinds or number after 'printed'");
-    }
-  }
-}
-
-void Auditor::read_printed_closure(const closures::PlacedText& label, closures::PlacedText rest) {
-  const closures::PlacedText name = closures::take_word(rest);
-  if (reader_.system().closure_named(name.text) == nullptr) {
-    reader_.fail(name.place, "no closure named '" + name.text + "' is derived");
-  }
-  if (!rest.empty() && rest.text[0] == ':') {
-    rest = closures::trimmed({rest.text.substr(1), rest.at(2)});
-  }
-  Finding finding = audit_closure(points_, name.text, rest);
-  const bool first = !printed_closures_.contains(name.text);
-  printed_closures_[name.text] = is_turned(finding) && (first || printed_closures_[name.text]);
-  finding.place = reader_.place_in_file(finding.place);
-  answer("closure " + label.text, label.place, 0, {finding});
-}
-
-PrintedMatrix Auditor::matrix_frame(const closures::PlacedText& rest) {
-  const auto [head, columns] = cut_at_word(rest, "by");
-  closures::PlacedText rows = head;
-  if (!take_keyword(rows, "of") || columns.empty()) {
-    reader_.fail(rest.place, "expected of ROWS by COLUMNS");
-  }
-  return {reader_.known_names(rows, false), reader_.known_names(columns, true), {}};
-}
-
-void Auditor::read_printed_matrix(const closures::Statement& statement,
-                                  const closures::PlacedText& label,
-                                  const closures::PlacedText& rest) {
-  PrintedMatrix matrix = matrix_frame(rest);
-  if (statement.rows.size() != matrix.rows.size()) {
-    reader_.fail(statement.head.place, "expected " + std::to_string(matrix.rows.size()) +
-                                           " rows, found " + std::to_string(statement.rows.size()));
-  }
-  for (const closures::PlacedText& row : statement.rows) {
-    const std::vector<closures::PlacedText> entries = closures::split(row, ',');
-    if (entries.size() != matrix.columns.size()) {
-      reader_.fail(row.place, "expected " + std::to_string(matrix.columns.size()) +
-                                  " entries, found " + std::to_string(entries.size()));
-    }
-    for (const closures::PlacedText& entry : entries) {
-      matrix.entries.push_back({entry, {}});
-    }
-  }
-  answer("matrix " + label.text, label.place, matrix.columns.size(), audit_matrix(points_, matrix));
-}
-
-void Auditor::read_printed_code(const closures::PlacedText& label, closures::PlacedText rest) {
-  const closures::PlacedText file = closures::take_word(rest);
-  const closures::PlacedText array = closures::take_word(rest);
-  if (!text::is_identifier(array.text)) {
-    reader_.fail(array.place, "expected the name of a matrix in the code");
-  }
-  PrintedMatrix matrix = matrix_frame(rest);
-  const std::string path = (directory_ / file.text).string();
-  std::string source;
-  try {
-    source = text::read_input_file(path);
-  } catch (const text::InputError& error) {
-    reader_.fail(file.place, error.what());
-  }
-  const bool matlab = std::filesystem::path(path).extension() == ".m";
-  const code::AuditedMatrix audited{array.text, matrix.rows.size(), matrix.columns.size()};
-  try {
-    for (const code::CodeEntry& entry :
-         matlab ? code::read_matlab_matrix(source, audited, reader_.system())
-                : code::read_cpp_matrix(source, audited, reader_.system())) {
-      matrix.entries.push_back({entry.text, entry.locals, entry.source});
-    }
-  } catch (const code::CodeError& error) {
-    throw closures::AuditSyntaxError(path, code::place_in_code(source, error.place), error.what());
-  }
-  std::vector<Finding> findings = audit_matrix(points_, matrix);
-  for (std::size_t place = 0; place < findings.size(); ++place) {
-    Finding& finding = findings[place];
-    finding.place = code::place_in_code(source, finding.place);
-    if (matrix.entries[place].text.empty() && !finding.agrees()) {
-      finding.note = "nothing is assigned to it, so it counts as zero";
-    }
-  }
-  answer("code " + label.text + " (" + file.text + ")", label.place, matrix.columns.size(),
-         std::move(findings));
-  statements_.back().file = path;
-}
-
-/// `of ROWS by COLUMNS`, or `of FORMULA, FORMULA, ...`.
-ExpectedMatrix Auditor::expected_matrix(const closures::PlacedText& frame) {
-  ExpectedMatrix expected;
-  closures::PlacedText formulas = frame;
-  if (cut_at_word(frame, "by").second.empty()) {
-    if (!take_keyword(formulas, "of")) {
-      reader_.fail(frame.place, "expected of ROWS by COLUMNS, or of FORMULA, FORMULA, ...");
-    }
-    // A closure's value says something off the closures alone.
-    expected.on_closures = !reader_.system().closures().empty();
-    for (const closures::PlacedText& formula : closures::split(formulas, ',')) {
-      expected.items.push_back(formula.text);
-      expected.derived.push_back(closures::read_formula(formula, reader_.system()));
-      expected.on_closures =
-          expected.on_closures && reader_.system().closure_named(formula.text) == nullptr;
-    }
-    expected.size = {expected.items.size(), 1};
-    return expected;
-  }
-  const PrintedMatrix matrix = matrix_frame(frame);
-  expected.size = {matrix.rows.size(), matrix.columns.size()};
-  expected.on_closures = !reader_.system().closures().empty();
-  for (std::size_t place = 0; place < matrix.rows.size() * matrix.columns.size(); ++place) {
-    const DerivedEntry entry = derived_entry(reader_.system(), matrix, place);
-    expected.items.push_back(entry.item);
-    expected.derived.push_back(entry.value);
-  }
-  return expected;
-}
-
-void Auditor::read_printed_run(const closures::Statement& statement,
-                               const closures::PlacedText& label, closures::PlacedText rest) {
-  const closures::PlacedText file = closures::take_word(rest);
-  RunStatement run = read_run_statement(directory_, file, statement.rows);
-  if (!run_.given) {
-    reader_.fail(file.place,
-                 "this runs " + file.text + " on your machine, and nothing is run without --run");
-  }
-  run.program.flags.insert(run.program.flags.end(), run_.flags.begin(), run_.flags.end());
-  const ExpectedMatrix expected = expected_matrix(rest);
-  RunAnswer answered = audit_run(points_, expected, run, run_.limits);
-  answer("run " + label.text + " (" + file.text + ")", label.place, expected.size.columns,
-         std::move(answered.findings));
-  statements_.back().remark = answered.remark;
-}
-
-void Auditor::read_printed_equation(const closures::PlacedText& label, closures::PlacedText rest) {
-  closures::PlacedText loops;
-  if (take_keyword(rest, "for")) {
-    std::tie(loops, rest) = closures::cut(rest, ':');
-  } else if (!rest.empty() && rest.text[0] == ':') {
-    rest = closures::trimmed({rest.text.substr(1), rest.at(2)});
-  }
-  const auto [left, right] = closures::cut(rest, '=');
-  if (right.empty()) {
-    reader_.fail(rest.place, "expected an equation LEFT = RIGHT");
-  }
-  std::vector<closures::LocalNames> cases = {{}};
-  for (const closures::PlacedText& loop :
-       loops.empty() ? std::vector<closures::PlacedText>{} : closures::split(loops, ',')) {
-    const auto [variable, list] = cut_at_word(loop, "in");
-    reader_.expect_new(variable);
-    std::vector<closures::LocalNames> more;
-    for (const closures::LocalNames& one : cases) {
-      for (const std::string& name : reader_.known_names(list, false)) {
-        more.push_back(one);
-        more.back().stands_for[variable.text] = name;
-      }
-    }
-    cases = more;
-  }
-  std::vector<Finding> findings;
-  for (const closures::LocalNames& one : cases) {
-    std::string item;
-    for (const auto& [variable, name] : one.stands_for) {
-      item += (item.empty() ? "" : ", ") + variable + " = " + name;
-    }
-    findings.push_back(audit_equation(points_, item, left, right, one));
-    findings.back().place = reader_.place_in_file(findings.back().place);
-  }
-  answer("equation " + label.text, label.place, 0, std::move(findings));
-}
-
-void Auditor::read_printed_kinds(const closures::Statement& statement,
-                                 const closures::PlacedText& label, closures::PlacedText rest) {
-  if (!take_keyword(rest, "of")) {
-    reader_.fail(rest.place, "expected printed kinds LABEL of GROUP");
-  }
-  answer("kinds " + label.text, label.place, 0,
-         audit_kinds(group_by_name(rest), statement.rows, reader_.file()));
-}
-
-void Auditor::read_printed_number(const closures::PlacedText& rest) {
-  const auto [head, formula] = cut_at_word(rest, "is");
-  const auto [left, right] = closures::cut(head, '=');
-  std::vector<closures::PlacedText> names = closures::words(left);
-  closures::PlacedText unit = right;
-  const closures::PlacedText number = closures::take_word(unit);
-  if (formula.empty() || right.empty() || names.empty()) {
-    reader_.fail(rest.place, "expected printed number [LABEL] NAME = NUMBER [UNIT] is FORMULA");
-  }
-  const closures::PlacedText name = names.back();
-  reader_.expect_new(name);
-  Finding finding = numbers_.audit(name.text, number, formula);
-  reader_.reserve(name.text);
-  finding.item += unit.empty() ? "" : ", " + unit.text;
-  answer("number " + (names.size() > 1 ? names[0].text : name.text), name.place, 0, {finding});
 }
 
 }  // namespace assur::generator::audit

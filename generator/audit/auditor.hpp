@@ -28,6 +28,8 @@ class Auditor {
   Auditor& operator=(const Auditor&) = delete;
 
   void read(const closures::Statement& statement);
+  /// Reads declarations and printed closures alone, which is all that `turned` needs.
+  void read_signs(const closures::Statement& statement);
   [[nodiscard]] AuditReport report() const;
   /// The closures that are printed with all signs turned round, and never otherwise.
   [[nodiscard]] std::set<std::string> turned() const;
@@ -36,6 +38,7 @@ class Auditor {
   void expect_no_rows(const closures::Statement& statement) const;
   [[nodiscard]] const structure::Group& group_by_name(const closures::PlacedText& name) const;
 
+  [[nodiscard]] bool read_declaration(const closures::Statement& statement);
   void read_own(const closures::Statement& statement);
   void read_scene(const closures::PlacedText& rest);
   void read_group(const closures::PlacedText& rest);

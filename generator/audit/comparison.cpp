@@ -10,6 +10,8 @@ namespace assur::generator::audit {
 namespace {
 
 constexpr int wanted_points = 3;
+/// The other signs of more roots than this are not tried: they would be thousands.
+constexpr std::size_t most_roots = 6;
 /// Roots of numbers that are no squares are compared as decimals of so many digits ...
 constexpr int decimal_digits = 60;
 /// ... of which so many must agree.
@@ -59,18 +61,26 @@ std::string amount(const GiNaC::ex& value) {
 struct Sides {
   GiNaC::ex difference;  ///< zero where they agree
   GiNaC::ex sum;         ///< zero where they are opposite
-  bool angles = false;
 };
 
 Sides sides_of(closures::ClosurePoints& points, const GiNaC::ex& printed,
                const GiNaC::ex& derived) {
   const GiNaC::ex difference = printed - derived;
   const GiNaC::ex turn = GiNaC::cos(difference) - 1;
-  if (closures::makes_roots(points.system().expanded(difference)) && points.obstacle(difference) &&
-      points.obstacle(printed) && !points.obstacle(turn)) {
-    return {turn, GiNaC::cos(printed + derived) - 1, true};
+  if (points.obstacle(difference) && !points.obstacle(turn)) {
+    return {turn, GiNaC::cos(printed + derived) - 1};
   }
-  return {difference, printed + derived, false};
+  return {difference, printed + derived};
+}
+
+/// A sum may have no algebraic form where the difference has one.
+bool are_opposite(closures::ClosurePoints& points, const Sides& sides,
+                  closures::ClosurePoints::Point& point) {
+  try {
+    return is_nothing(points.value(sides.sum, point));
+  } catch (const closures::NotAlgebraic&) {
+    return false;
+  }
 }
 
 /// What roots make of a statement at one point.
@@ -109,7 +119,7 @@ class BranchComparison {
     if (explained && std::any_of(branches_.begin(), branches_.end(), holds)) {
       return on_one_branch();
     }
-    return different(explained);
+    return different(explained, rooted.algebra.root_count() - rooted.first_own);
   }
 
  private:
@@ -120,7 +130,6 @@ class BranchComparison {
 
   bool would_hold(const closures::ClosurePoints::Rooted& rooted,
                   closures::ClosurePoints::Point& point) {
-    constexpr std::size_t most_roots = 6;
     const std::size_t own = rooted.algebra.root_count() - rooted.first_own;
     if (own > most_roots || rooted.algebra.root_count() > 31) {
       return false;
@@ -137,19 +146,17 @@ class BranchComparison {
     return false;
   }
 
-  Comparison different(bool other_signs) {
+  Comparison different(bool other_signs, std::size_t roots) {
     const auto failing = std::find_if(branches_.begin(), branches_.end(),
                                       [](const Branch& branch) { return !branch.holds; });
-    bool negated = true;
-    try {
-      negated = std::all_of(branches_.begin(), branches_.end(), [&](const Branch& branch) {
-        return is_nothing(points_.value(sides_.sum, *branch.point));
-      });
-    } catch (const closures::NotAlgebraic&) {
-      negated = false;
-    }
+    const bool negated = std::all_of(branches_.begin(), branches_.end(), [&](const Branch& branch) {
+      return are_opposite(points_, sides_, *branch.point);
+    });
     return {negated ? Verdict::differs_by_sign : Verdict::differs,
-            where() + (other_signs ? "; it holds with the other sign of a root" : ""),
+            where() + (other_signs ? "; it holds with the other sign of a root" : "") +
+                (roots > most_roots
+                     ? "; the other signs of its " + std::to_string(roots) + " roots were not tried"
+                     : ""),
             points_.point_text(*failing->point, shown_), amount(failing->value)};
   }
 
@@ -256,7 +263,7 @@ Comparison compare(closures::ClosurePoints& points, const GiNaC::ex& printed,
         first.difference = amount(there);
       }
       agrees = agrees && zero;
-      negated = negated && is_nothing(points.value(sides.sum, *point));
+      negated = negated && are_opposite(points, sides, *point);
       ++compared;
     } catch (const closures::NotAlgebraic& error) {
       first.evidence = error.what();

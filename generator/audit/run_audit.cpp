@@ -1,14 +1,11 @@
 #include "audit/run_audit.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <random>
 #include <sstream>
 
 #include "audit/slip_guess.hpp"
 #include "closures/formula_text.hpp"
-#include "closures/read_formula.hpp"
 
 namespace assur::generator::audit {
 
@@ -23,8 +20,6 @@ constexpr double half_ulp = 0x1p-53;
 constexpr double other_orders = 4096;
 /// A point where rounding alone may do more than this tells nothing.
 constexpr double blurred = 1e-6;
-constexpr std::size_t fewest_points = 3;
-constexpr std::size_t simple_points = 80;
 
 std::string decimal_text(double value) {
   std::ostringstream text;
@@ -32,23 +27,6 @@ std::string decimal_text(double value) {
   text << value;
   return text.str();
 }
-
-/// Points of few and small numbers, so that a counterexample can be checked with a pencil.
-class SimpleValues {
- public:
-  GiNaC::numeric length() { return GiNaC::numeric(1 + below(3)); }
-  GiNaC::numeric rate() { return GiNaC::numeric(1 + below(2)); }
-  std::pair<GiNaC::numeric, GiNaC::numeric> direction() {
-    constexpr std::array<std::array<int, 2>, 4> fifths = {{{3, 4}, {4, 3}, {0, 5}, {5, 0}}};
-    const auto [x, y] = fifths[static_cast<std::size_t>(below(4))];
-    const int side = below(4);
-    return {GiNaC::numeric(side % 2 == 0 ? x : -x, 5), GiNaC::numeric(side < 2 ? y : -y, 5)};
-  }
-
- private:
-  int below(unsigned most) { return static_cast<int>(engine_() % most); }
-  std::mt19937 engine_{1};
-};
 
 /// The program of one statement, and the points at which it is asked.
 class ProgramAudit {
@@ -59,10 +37,10 @@ class ProgramAudit {
         expected_(expected),
         run_(run),
         limits_(limits),
-        assembled_(expected.on_closures) {}
+        drawing_(points, expected, run) {}
 
   RunAnswer answer() {
-    draw_points();
+    asked_ = drawing_.drawn();
     compute(asked_, true);
     RunAnswer answer;
     for (std::size_t entry = 0; entry < expected_.derived.size(); ++entry) {
@@ -71,111 +49,40 @@ class ProgramAudit {
     const bool wrong = std::any_of(answer.findings.begin(), answer.findings.end(),
                                    [](const Finding& each) { return each.is_wrong(); });
     if (wrong) {
-      show_simple_points();
+      ask_simple_points();
       explain(answer.findings);
     }
-    answer.remark = "computed at " + std::to_string(asked_.size()) +
-                    (assembled_ ? " assembled" : "") + " rational points" +
-                    (assembled_ == expected_.on_closures ? "" : ", none of them assembled") +
-                    ": evidence, not proof";
+    answer.remark = remark();
     return answer;
   }
 
  private:
-  /// A point, what the program is given there, and what it gives.
-  struct Asked {
-    Point point;
-    SymbolValues values;
-    std::vector<double> computed;
-  };
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw closures::FormulaError(run_.program.file.filename().string() + ": " + what,
-                                 run_.result.place);
+  /// At how many points, under which conditions, and what that is worth.
+  [[nodiscard]] std::string remark() const {
+    std::string text =
+        "computed at " + std::to_string(asked_.size()) +
+        (drawing_.assembled() ? " assembled" : "") + " rational points" +
+        (drawing_.assembled() == expected_.on_closures ? "" : ", none of them assembled");
+    for (const closures::PlacedText& condition : run_.where) {
+      text += (&condition == &run_.where[0] ? " where " : " and ") + condition.text + " > 0";
+    }
+    if (run_.rounding > 0) {
+      text += ", to a relative " + decimal_text(run_.rounding);
+    }
+    return text + ": evidence, not proof";
   }
 
-  [[nodiscard]] bool is_allowed(Point& point) {
-    closures::ClosureSystem& system = points_.system();
-    return std::all_of(run_.where.begin(), run_.where.end(), [&](const auto& condition) {
-      const GiNaC::ex value = points_.value(closures::read_formula(condition, system), point);
-      return value.evalf().info(GiNaC::info_flags::positive);
-    });
-  }
-
-  [[nodiscard]] bool all_lengths_positive(const Point& point) const {
-    const auto& symbols = points_.system().symbols();
-    return std::all_of(symbols.begin(), symbols.end(), [&](const auto& symbol) {
-      return symbol.angle || point.values.at(symbol.symbol).info(GiNaC::info_flags::positive);
-    });
-  }
-
-  /// Where a length is negative comes last: a program may take none such.
-  void draw_points() {
-    std::vector<Point> others;
-    for (std::size_t index = 0; asked_.size() < run_.points && index < 6 * run_.points; ++index) {
-      Point* const point = points_.point(index, assembled_);
-      if (point == nullptr) {
-        break;
+  /// Special places may be too much for the program: then there are no simple points.
+  void ask_simple_points() {
+    std::vector<Asked> list = drawing_.simple();
+    try {
+      if (!list.empty()) {
+        compute(list, false);
+        simple_ = std::move(list);
       }
-      if (!is_allowed(*point)) {
-        continue;
-      }
-      if (all_lengths_positive(*point)) {
-        add_point(*point, asked_);
-      } else {
-        others.push_back(*point);
-      }
+    } catch (const running::ProgramError&) {
+      simple_.clear();
     }
-    for (const Point& point : others) {
-      if (asked_.size() < run_.points) {
-        add_point(point, asked_);
-      }
-    }
-    if (asked_.size() < fewest_points && assembled_ && !follows_closures()) {
-      assembled_ = false;  // its entries have values anywhere
-      asked_.clear();
-      draw_points();
-    }
-    if (asked_.size() < fewest_points) {
-      fail("no points are found at which it can be asked");
-    }
-  }
-
-  [[nodiscard]] bool follows_closures() const {
-    return std::any_of(
-        expected_.derived.begin(), expected_.derived.end(),
-        [&](const GiNaC::ex& each) { return points_.system().follows_closures(each); });
-  }
-
-  void add_point(const Point& point, std::vector<Asked>& list) {
-    Asked asked{point, {}, {}};
-    for (const GiNaC::ex& derived : expected_.derived) {
-      static_cast<void>(value_at(derived, asked.point));  // solves for what it needs
-    }
-    if (assembled_) {
-      for (const closures::AuditSymbol* unknown : points_.system().unknowns()) {
-        if (has_rates(*unknown)) {
-          static_cast<void>(value_at(unknown->rate, asked.point));
-        }
-      }
-    }
-    asked.values = symbol_values(points_, asked.point);
-    list.push_back(std::move(asked));
-  }
-
-  /// Whether the program is given rates of a symbol: of an unknown where it asks for them.
-  [[nodiscard]] bool has_rates(const closures::AuditSymbol& symbol) const {
-    const bool asked = mentions("rate_" + symbol.name) || mentions("rate2_" + symbol.name);
-    return symbol.moving || (asked && symbol.unknown && assembled_);
-  }
-
-  /// Exact, as a double; throws NotAlgebraic.
-  [[nodiscard]] double value_at(const GiNaC::ex& expression, Point& point) {
-    const GiNaC::ex value = points_.value(expression, point).evalf();
-    if (!GiNaC::is_a<GiNaC::numeric>(value)) {
-      throw closures::NotAlgebraic("it has no rational value");
-    }
-    return GiNaC::ex_to<GiNaC::numeric>(value).to_double();
   }
 
   void compute(std::vector<Asked>& list, bool repeat) {
@@ -186,7 +93,7 @@ class ProgramAudit {
       given.push_back(symbol.symbol);
       for (const auto& [prefix, rate] :
            {std::pair("rate_", symbol.rate), std::pair("rate2_", symbol.second_rate)}) {
-        if (has_rates(symbol)) {
+        if (drawing_.has_rates(symbol)) {
           table.names.push_back(prefix + symbol.name);
           given.push_back(rate);
         }
@@ -217,29 +124,11 @@ class ProgramAudit {
   [[nodiscard]] std::string point_text(const Point& point, std::size_t entry) const {
     std::vector<GiNaC::ex> told = {expected_.derived[entry]};
     for (const closures::AuditSymbol& symbol : points_.system().symbols()) {
-      if (mentions(symbol.name)) {
+      if (drawing_.mentions(symbol.name)) {
         told.emplace_back(symbol.symbol);
       }
     }
     return points_.point_text(point, told);
-  }
-
-  /// Whether the call of the program has this name in it.
-  [[nodiscard]] bool mentions(const std::string& name) const {
-    std::string text = run_.program.result;
-    for (const std::string& line : run_.program.before) {
-      text += " " + line;
-    }
-    const auto in_name = [&](std::size_t at) {
-      return at < text.size() &&
-             (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
-    };
-    for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
-      if ((at == 0 || !in_name(at - 1)) && !in_name(at + name.size())) {
-        return true;
-      }
-    }
-    return false;
   }
 
   /// What rounding may do, or nothing where that hides everything.
@@ -256,7 +145,7 @@ class ProgramAudit {
   /// Takes the point as the entry's counterexample if it is one, and simpler than the last.
   [[nodiscard]] bool differs(std::size_t entry, Asked& asked, Finding& finding) {
     const std::optional<double> allowed = tolerance(entry, asked);
-    const double derived = value_at(expected_.derived[entry], asked.point);
+    const double derived = drawing_.value_at(expected_.derived[entry], asked.point);
     const double computed = asked.computed[entry];
     if (!allowed || std::abs(computed - derived) <= *allowed) {
       return false;
@@ -285,7 +174,7 @@ class ProgramAudit {
         const std::optional<double> allowed = tolerance(entry, asked);
         told += allowed ? 1 : 0;
         wrong = differs(entry, asked, finding) || wrong;
-        const double derived = value_at(expected_.derived[entry], asked.point);
+        const double derived = drawing_.value_at(expected_.derived[entry], asked.point);
         negated = negated && (!allowed || std::abs(asked.computed[entry] + derived) <= *allowed);
       }
     } catch (const closures::NotAlgebraic& error) {
@@ -308,43 +197,6 @@ class ProgramAudit {
       finding.note = "the same call gives another value later: something is kept between calls";
     }
     return finding;
-  }
-
-  void show_simple_points() {
-    SimpleValues random;
-    std::vector<Asked> list;
-    closures::ClosureSystem& system = points_.system();
-    for (std::size_t count = 0; count < simple_points; ++count) {
-      GiNaC::exmap values;
-      for (const closures::AuditSymbol& symbol : system.symbols()) {
-        if (symbol.angle) {
-          const auto [cosine, sine] = random.direction();
-          values[points_.direction(symbol.symbol).x] = cosine;
-          values[points_.direction(symbol.symbol).y] = sine;
-        } else {
-          values[symbol.symbol] = random.length();
-        }
-        if (symbol.moving) {
-          values[symbol.rate] = random.rate();
-          values[symbol.second_rate] = random.rate();
-        }
-      }
-      try {
-        std::optional<Point> point =
-            assembled_ ? points_.assembled_from(values) : Point{values, {}};
-        if (point && all_lengths_positive(*point) && is_allowed(*point)) {
-          add_point(*point, list);
-        }
-      } catch (const std::runtime_error&) {  // a value is missing there
-      }
-    }
-    try {
-      if (!list.empty()) {
-        compute(list, false);
-        simple_ = std::move(list);
-      }
-    } catch (const running::ProgramError&) {  // special places may be too much for it
-    }
   }
 
   void explain(std::vector<Finding>& findings) {
@@ -375,7 +227,7 @@ class ProgramAudit {
   const ExpectedMatrix& expected_;
   const RunStatement& run_;
   const running::RunLimits& limits_;
-  bool assembled_;  ///< whether the closures hold at the points
+  AskedPoints drawing_;
   std::vector<Asked> asked_;
   std::vector<Asked> simple_;
   std::vector<double> repeated_;  ///< what the first point gives when it is asked again

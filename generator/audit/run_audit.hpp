@@ -1,18 +1,10 @@
 // Turns what a user's program computes at points into findings against a closure system.
 #pragma once
 
+#include "audit/asked_points.hpp"
 #include "audit/finding.hpp"
-#include "audit/run_statement.hpp"
 
 namespace assur::generator::audit {
-
-/// What a program's matrix should be: entries row by row, each with its name.
-struct ExpectedMatrix {
-  running::MatrixSize size;
-  std::vector<std::string> items;
-  std::vector<GiNaC::ex> derived;
-  bool on_closures = false;  ///< is it asked only where the closures hold?
-};
 
 struct RunAnswer {
   std::vector<Finding> findings;

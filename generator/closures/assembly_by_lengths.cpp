@@ -6,7 +6,7 @@ namespace assur::generator::closures {
 
 namespace {
 
-using Column = std::vector<GiNaC::ex>;  ///< the derivatives of the equations by one length
+using Column = std::vector<GiNaC::ex>;
 
 Column slopes(const std::vector<GiNaC::ex>& equations, const GiNaC::ex& length) {
   Column column;
@@ -42,28 +42,33 @@ bool are_independent(const std::vector<Column>& columns, const CircleAlgebra& al
 
 }  // namespace
 
-bool assemble_by_lengths(const std::vector<GiNaC::ex>& equations, const GiNaC::lst& lengths,
-                         const CircleAlgebra& algebra, GiNaC::exmap& values) {
+AssemblyByLengths::AssemblyByLengths(std::vector<GiNaC::ex> equations, const GiNaC::lst& lengths)
+    : equations_(std::move(equations)) {
+  for (const GiNaC::ex& length : lengths) {
+    lengths_.emplace_back(length, slopes(equations_, length));
+  }
+  // Coordinates leave the roots rational.
+  std::stable_partition(lengths_.begin(), lengths_.end(),
+                        [](const auto& each) { return is_constant(each.second); });
+}
+
+bool AssemblyByLengths::assemble(const CircleAlgebra& algebra, GiNaC::exmap& values) const {
   GiNaC::lst solved_for;
   std::vector<Column> columns;
-  for (const bool constant : {true, false}) {  // coordinates leave the roots rational
-    for (const GiNaC::ex& length : lengths) {
-      const Column column = slopes(equations, length);
-      GiNaC::lst with_length = solved_for;
-      with_length.append(length);
-      if (columns.size() == equations.size() || is_constant(column) != constant ||
-          has_any(column, with_length)) {
-        continue;
-      }
-      columns.push_back(column);
-      if (are_independent(columns, algebra, values)) {
-        solved_for = with_length;
-      } else {
-        columns.pop_back();
-      }
+  for (const auto& [length, column] : lengths_) {
+    GiNaC::lst with_length = solved_for;
+    with_length.append(length);
+    if (columns.size() == equations_.size() || has_any(column, with_length)) {
+      continue;
+    }
+    columns.push_back(column);
+    if (are_independent(columns, algebra, values)) {
+      solved_for = with_length;
+    } else {
+      columns.pop_back();
     }
   }
-  if (columns.size() != equations.size()) {
+  if (columns.size() != equations_.size()) {
     return false;
   }
   GiNaC::exmap others = values;
@@ -71,10 +76,10 @@ bool assemble_by_lengths(const std::vector<GiNaC::ex>& equations, const GiNaC::l
     others.erase(length);
   }
   GiNaC::lst system;
-  for (const GiNaC::ex& equation : equations) {
+  for (const GiNaC::ex& equation : equations_) {
     system.append(algebra.at(equation, others) == 0);
   }
-  const GiNaC::ex solution = equations.empty() ? GiNaC::lst() : GiNaC::lsolve(system, solved_for);
+  const GiNaC::ex solution = equations_.empty() ? GiNaC::lst() : GiNaC::lsolve(system, solved_for);
   for (const GiNaC::ex& assignment : solution) {
     values[assignment.lhs()] = assignment.rhs();
   }

@@ -7,10 +7,20 @@ namespace assur::generator::closures {
 
 /// Gives as many of the lengths as there are equations the values that make the equations zero.
 /// Taken are lengths that occur linearly and independently, those with constant coefficients (such
-/// as coordinates) first. False, with the values unchanged, if there are too few. Throws
-/// NotAlgebraic as CircleAlgebra::at does.
-[[nodiscard]] bool assemble_by_lengths(const std::vector<GiNaC::ex>& equations,
-                                       const GiNaC::lst& lengths, const CircleAlgebra& algebra,
-                                       GiNaC::exmap& values);
+/// as coordinates) first.
+class AssemblyByLengths {
+ public:
+  AssemblyByLengths(std::vector<GiNaC::ex> equations, const GiNaC::lst& lengths);
+
+  /// False, with the values unchanged, if there are too few such lengths. Throws NotAlgebraic as
+  /// CircleAlgebra::at does.
+  [[nodiscard]] bool assemble(const CircleAlgebra& algebra, GiNaC::exmap& values) const;
+
+ private:
+  using Column = std::vector<GiNaC::ex>;  ///< the derivatives of the equations by one length
+
+  std::vector<GiNaC::ex> equations_;
+  std::vector<std::pair<GiNaC::ex, Column>> lengths_;  ///< those with constant columns first
+};
 
 }  // namespace assur::generator::closures

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <random>
 
-#include "closures/assembly_by_lengths.hpp"
 #include "closures/formula_text.hpp"
 
 namespace assur::generator::closures {
@@ -48,6 +47,8 @@ void ClosurePoints::follow_system() {
     }
   }
   lists_.clear();
+  assembly_.reset();
+  slopes_.clear();
   rates_.clear();
   second_rates_.clear();
   for (const ClosureSystem::Closure& closure : system_.closures()) {
@@ -87,25 +88,6 @@ GiNaC::ex ClosurePoints::value(const GiNaC::ex& expression, Point& point) {
   return own.at(form, point.values);
 }
 
-std::optional<ClosurePoints::Rooted> ClosurePoints::rooted(const GiNaC::ex& expression) {
-  follow_system();
-  const GiNaC::ex whole = system_.expanded(expression);
-  if (!makes_roots(whole)) {
-    return std::nullopt;
-  }
-  Rooted rooted{algebra_.extended(), whole, {}, algebra_.root_count()};
-  rooted.form = rooted.algebra.algebraic(whole);
-  if (rooted.algebra.root_count() == rooted.first_own) {
-    return std::nullopt;
-  }
-  return rooted;
-}
-
-GiNaC::ex ClosurePoints::value(const Rooted& rooted, Point& point, unsigned reversed) {
-  solve_for(rooted.whole, point);
-  return rooted.algebra.at(rooted.form, point.values, reversed);
-}
-
 std::optional<std::string> ClosurePoints::obstacle(const GiNaC::ex& expression) {
   follow_system();
   const GiNaC::ex whole = system_.expanded(expression);
@@ -130,137 +112,22 @@ bool ClosurePoints::vanishes(const GiNaC::ex& expression) {
   return own.vanishes(form);
 }
 
-bool ClosurePoints::takes_either_sign(const AuditSymbol& symbol) {
-  return symbol.unknown ||
-         std::any_of(system_.closures().begin(), system_.closures().end(),
-                     [&](const ClosureSystem::Closure& closure) {
-                       const GiNaC::ex slope = system_.partial(closure.expression, symbol.symbol);
-                       return GiNaC::is_a<GiNaC::numeric>(slope) && !slope.is_zero();
-                     });
-}
-
-std::vector<GiNaC::ex> ClosurePoints::telling(const GiNaC::ex& expression) const {
-  const GiNaC::ex whole = system_.expanded(expression);
-  std::vector<GiNaC::ex> angles;
-  std::vector<GiNaC::ex> lengths;
-  for (const bool occurs : {true, false}) {
-    for (const AuditSymbol& symbol : system_.symbols()) {
-      if (whole.has(symbol.symbol) == occurs) {
-        (symbol.angle ? angles : lengths).emplace_back(symbol.symbol);
-      }
-    }
-  }
-  std::vector<GiNaC::ex> list;
-  for (const GiNaC::ex& angle : angles) {
-    list.push_back(GiNaC::cos(angle));
-    list.push_back(GiNaC::sin(angle));
-  }
-  list.insert(list.end(), lengths.begin(), lengths.end());
-  for (const std::vector<GiNaC::ex>* several : {&angles, &lengths}) {
-    for (std::size_t one = 0; one < several->size(); ++one) {
-      for (std::size_t other = 0; other < one; ++other) {
-        const GiNaC::ex difference = (*several)[one] - (*several)[other];
-        const GiNaC::ex sum = (*several)[one] + (*several)[other];
-        if (several == &lengths) {
-          list.push_back(difference);
-          list.push_back(sum);
-          continue;
-        }
-        for (const GiNaC::ex& angle : {difference, sum}) {
-          list.push_back(GiNaC::sin(angle));
-          list.push_back(GiNaC::cos(angle));
-        }
-        list.push_back(GiNaC::sin((*several)[one]) * GiNaC::sin((*several)[other]));
-        list.push_back(GiNaC::cos((*several)[one]) * GiNaC::cos((*several)[other]));
-        list.push_back(GiNaC::sin((*several)[one]) * GiNaC::cos((*several)[other]));
-        list.push_back(GiNaC::cos((*several)[one]) * GiNaC::sin((*several)[other]));
-      }
-      if (several == &angles) {
-        list.push_back(GiNaC::sin(2 * (*several)[one]));
-        list.push_back(GiNaC::cos(2 * (*several)[one]));
-      }
-    }
-  }
-  return list;
-}
-
-std::deque<ClosurePoints::Point> ClosurePoints::points_on_all_branches(const Rooted& rooted,
-                                                                       bool assembled) {
-  constexpr unsigned most_draws = 400;
-  // Rates and total derivatives cost a linear system at each point.
-  const std::size_t wanted = system_.follows_closures(rooted.whole) ? 16 : 64;
-  std::vector<const AuditSymbol*> angles;  // those of the expression first
-  std::vector<const AuditSymbol*> signed_lengths;
-  std::vector<const AuditSymbol*> positive;
-  for (const bool occurs : {true, false}) {
-    for (const AuditSymbol& symbol : system_.symbols()) {
-      if (symbol.angle && rooted.whole.has(symbol.symbol) == occurs) {
-        angles.push_back(&symbol);
-      } else if (!symbol.angle && occurs) {
-        (takes_either_sign(symbol) ? signed_lengths : positive).push_back(&symbol);
-      }
-    }
-  }
-  std::deque<Point> points;
-  for (const bool insists : {true, false}) {  // on lengths that are positive
-    for (unsigned seed = 1; seed <= most_draws && points.size() < wanted; ++seed) {
-      Point point{random_values(seed), {}};
-      // The first three angles go through all their quadrants, the others through random ones.
-      unsigned pattern = (seed & 63U) | (seed * 2654435761U >> 8U) << 6U;
-      for (const AuditSymbol* angle : angles) {
-        const equations::Vector2& direction = algebra_.direction(angle->symbol);
-        for (const GiNaC::ex& part : {direction.x, direction.y}) {
-          GiNaC::ex& value = point.values[part];
-          const GiNaC::ex size = GiNaC::abs(value);
-          value = (pattern & 1U) != 0 ? -size : size;
-          pattern = pattern >> 1U | pattern << 31U;
-        }
-      }
-      for (const AuditSymbol* length : signed_lengths) {
-        pattern = pattern >> 1U | pattern << 31U;
-        point.values[length->symbol] *= (pattern & 1U) != 0 ? -1 : 1;
-      }
-      try {
-        if (assembled) {
-          if (!assemble(point.values)) {
-            return {};
-          }
-          if (system_.follows_closures(rooted.whole)) {
-            invert_jacobian(point);
-          }
-        }
-        const bool admitted =
-            !insists ||
-            std::all_of(positive.begin(), positive.end(), [&](const AuditSymbol* length) {
-              return point.values.at(length->symbol).info(GiNaC::info_flags::positive);
-            });
-        if (admitted) {
-          static_cast<void>(value(rooted, point));
-          points.push_back(std::move(point));
-        }
-      } catch (const std::runtime_error&) {  // a root ends, or the Jacobian is singular, there
-        continue;
-      }
-    }
-    if (!points.empty()) {
-      break;
-    }
-  }
-  return points;
-}
-
 bool ClosurePoints::assemble(GiNaC::exmap& values) {
-  std::vector<GiNaC::ex> equations;
-  for (const ClosureSystem::Closure& closure : system_.closures()) {
-    equations.push_back(algebraic(closure.expression));
-  }
-  GiNaC::lst lengths;
-  for (const AuditSymbol& symbol : system_.symbols()) {
-    if (!symbol.angle && !algebra_.under_a_root(symbol.symbol)) {
-      lengths.append(symbol.symbol);
+  follow_system();
+  if (!assembly_) {
+    std::vector<GiNaC::ex> equations;
+    for (const ClosureSystem::Closure& closure : system_.closures()) {
+      equations.push_back(algebraic(closure.expression));
     }
+    GiNaC::lst lengths;
+    for (const AuditSymbol& symbol : system_.symbols()) {
+      if (!symbol.angle && !algebra_.under_a_root(symbol.symbol)) {
+        lengths.append(symbol.symbol);
+      }
+    }
+    assembly_.emplace(std::move(equations), lengths);
   }
-  return assemble_by_lengths(equations, lengths, algebra_, values);
+  return assembly_->assemble(algebra_, values);
 }
 
 GiNaC::matrix ClosurePoints::values_of(const std::vector<GiNaC::ex>& expressions,
@@ -272,6 +139,17 @@ GiNaC::matrix ClosurePoints::values_of(const std::vector<GiNaC::ex>& expressions
   return column;
 }
 
+const std::vector<GiNaC::ex>& ClosurePoints::slopes_of_closures(const AuditSymbol& by) {
+  follow_system();
+  std::vector<GiNaC::ex>& slopes = slopes_[&by];
+  if (slopes.empty()) {
+    for (const ClosureSystem::Closure& closure : system_.closures()) {
+      slopes.push_back(system_.partial(closure.expression, by.symbol));
+    }
+  }
+  return slopes;
+}
+
 void ClosurePoints::invert_jacobian(Point& point) {
   const std::vector<const AuditSymbol*> solved = system_.unknowns();
   if (solved.empty() || solved.size() != system_.closures().size()) {
@@ -280,11 +158,7 @@ void ClosurePoints::invert_jacobian(Point& point) {
   const auto size = static_cast<unsigned>(solved.size());
   GiNaC::matrix jacobian(size, size);
   for (unsigned column = 0; column < size; ++column) {
-    std::vector<GiNaC::ex> slopes;
-    for (const ClosureSystem::Closure& closure : system_.closures()) {
-      slopes.push_back(system_.partial(closure.expression, solved[column]->symbol));
-    }
-    const GiNaC::matrix values = values_of(slopes, point.values);
+    const GiNaC::matrix values = values_of(slopes_of_closures(*solved[column]), point.values);
     for (unsigned row = 0; row < size; ++row) {
       jacobian(row, column) = values(row, 0);
     }
@@ -306,11 +180,7 @@ void ClosurePoints::solve_sensitivities(const GiNaC::ex& expression, Point& poin
     if (!expression.has(asked.symbol) || point.values.contains(asked.symbol)) {
       continue;
     }
-    std::vector<GiNaC::ex> slopes;
-    for (const ClosureSystem::Closure& closure : system_.closures()) {
-      slopes.push_back(system_.partial(closure.expression, asked.parameter->symbol));
-    }
-    const GiNaC::matrix solution = solution_of(slopes, point);
+    const GiNaC::matrix solution = solution_of(slopes_of_closures(*asked.parameter), point);
     for (const ClosureSystem::Sensitivity& sensitivity : system_.sensitivities()) {
       if (sensitivity.parameter == asked.parameter) {
         const auto place = std::find(solved.begin(), solved.end(), sensitivity.unknown);

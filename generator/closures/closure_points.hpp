@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "closures/circle_algebra.hpp"
+#include "closures/assembly_by_lengths.hpp"
 #include "closures/closure_system.hpp"
 
 namespace assur::generator::closures {
@@ -83,6 +83,8 @@ class ClosurePoints {
   void invert_jacobian(Point& point);
   void solve_sensitivities(const GiNaC::ex& expression, Point& point);
   void solve_rates(Point& point);
+  /// The partial derivatives of the closures by a symbol.
+  [[nodiscard]] const std::vector<GiNaC::ex>& slopes_of_closures(const AuditSymbol& by);
   /// What the rates of the closures are where those of the unknowns are zero.
   [[nodiscard]] const std::vector<GiNaC::ex>& rates_of_closures(bool second);
   [[nodiscard]] GiNaC::matrix solution_of(const std::vector<GiNaC::ex>& slopes, const Point& point);
@@ -90,6 +92,8 @@ class ClosurePoints {
                                         const GiNaC::exmap& values);
 
   ClosureSystem& system_;
+  std::optional<AssemblyByLengths> assembly_;                    ///< of this revision
+  std::map<const AuditSymbol*, std::vector<GiNaC::ex>> slopes_;  ///< of this revision
   std::vector<GiNaC::ex> rates_, second_rates_;  ///< of the closures, of this revision
   CircleAlgebra algebra_;
   unsigned revision_ = 0;            ///< of the system that the points belong to

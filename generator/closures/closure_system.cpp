@@ -12,6 +12,7 @@ AuditSymbol& ClosureSystem::declare(const std::string& name, bool angle,
 
 void ClosureSystem::abbreviate(const std::string& name, const GiNaC::ex& definition) {
   abbreviations_.emplace_back(GiNaC::symbol(name), definition);
+  whole_[abbreviations_.back().first] = expanded(definition);
 }
 
 void ClosureSystem::close(const std::string& name, const GiNaC::ex& expression) {
@@ -136,12 +137,7 @@ GiNaC::ex ClosureSystem::rate(const GiNaC::ex& expression) const {
 }
 
 GiNaC::ex ClosureSystem::expanded(const GiNaC::ex& expression) const {
-  GiNaC::ex result = expression;
-  for (std::size_t place = abbreviations_.size(); place-- > 0;) {
-    const auto& [symbol, definition] = abbreviations_[place];
-    result = result.subs(symbol == definition, GiNaC::subs_options::no_pattern);
-  }
-  return result;
+  return expression.subs(whole_, GiNaC::subs_options::no_pattern);
 }
 
 bool ClosureSystem::follows_closures(const GiNaC::ex& expression) const {

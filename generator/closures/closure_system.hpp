@@ -91,6 +91,7 @@ class ClosureSystem {
  private:
   std::deque<AuditSymbol> symbols_;
   std::vector<std::pair<GiNaC::symbol, GiNaC::ex>> abbreviations_;  ///< each in earlier ones
+  GiNaC::exmap whole_;  ///< each abbreviation without abbreviations
   std::vector<Closure> closures_;
   std::deque<Sensitivity> sensitivities_;
   unsigned revision_ = 0;

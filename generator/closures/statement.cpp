@@ -1,7 +1,9 @@
 #include "closures/statement.hpp"
 
+#include <assur/text/utf8.hpp>
 #include <cctype>
 #include <sstream>
+#include <string_view>
 
 namespace assur::generator::closures {
 
@@ -29,8 +31,14 @@ std::size_t find_outside(const std::string& text, char separator, std::size_t fr
 }  // namespace
 
 std::vector<Statement> parse_statements(const std::string& text, const std::string& file) {
+  if (const std::size_t at = text::first_byte_outside_utf8(text); at < text.size()) {
+    throw text::InputError(file + ": byte " + std::to_string(at) +
+                           " is not UTF-8; save the file as UTF-8");
+  }
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // some editors begin with it
   std::vector<Statement> statements;
-  std::istringstream lines(text);
+  std::istringstream lines(
+      text.substr(text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0));
   std::string line;
   for (std::size_t number = 1; std::getline(lines, line); ++number) {
     const bool indented = !line.empty() && is_space(line[0]);
@@ -125,6 +133,32 @@ PlacedText take_word(PlacedText& text) {
   PlacedText word = part(text, 0, to);
   text = trimmed(part(text, to, text.text.size()));
   return word;
+}
+
+PlacedText take_file(PlacedText& text) {
+  const std::size_t end = text.text.starts_with('"') ? text.text.find('"', 1) : std::string::npos;
+  if (end == std::string::npos) {
+    return take_word(text);
+  }
+  const PlacedText name{text.text.substr(1, end - 1), text.at(2)};
+  text = trimmed({text.text.substr(end + 1), text.at(end + 2)});
+  return name;
+}
+
+bool take_keyword(PlacedText& text, const std::string& keyword) {
+  PlacedText rest = text;
+  if (take_word(rest).text != keyword) {
+    return false;
+  }
+  text = rest;
+  return true;
+}
+
+PlacedText after_words(PlacedText text, int count) {
+  for (; count > 0; --count) {
+    static_cast<void>(take_word(text));
+  }
+  return text;
 }
 
 }  // namespace assur::generator::closures

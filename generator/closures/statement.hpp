@@ -59,5 +59,11 @@ struct Statement {
 [[nodiscard]] std::vector<PlacedText> words(const PlacedText& text);
 /// Takes the first word off a text; empty if there is none.
 [[nodiscard]] PlacedText take_word(PlacedText& text);
+/// Takes the name of a file off a text: the first word, or what stands between quotation marks.
+[[nodiscard]] PlacedText take_file(PlacedText& text);
+/// Whether a text begins with this word, which is then taken off.
+[[nodiscard]] bool take_keyword(PlacedText& text, const std::string& keyword);
+/// What stands behind the first `count` words.
+[[nodiscard]] PlacedText after_words(PlacedText text, int count);
 
 }  // namespace assur::generator::closures

@@ -1,6 +1,7 @@
 #include "command/audit.hpp"
 
 #include <algorithm>
+#include <assur/text/error.hpp>
 #include <sstream>
 
 #include "audit/audit.hpp"
@@ -21,6 +22,9 @@ bool run_audit(const AuditOptions& options) {
   }
   std::vector<audit::AuditReport> reports;
   for (const std::string& file : options.files) {
+    if (options.map.empty() && file.ends_with(".tex")) {
+      throw text::InputError(file + ": say what its notation stands for, in a file: --map FILE");
+    }
     reports.push_back(options.map.empty() ? audit::audit_file(file, audit::scene::scene_values, run)
                                           : audit::latex::audit_paper(file, options.map));
   }

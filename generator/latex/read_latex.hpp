@@ -30,23 +30,4 @@ struct LatexFormula {
 /// Throws FormulaError. `place` is where a formula that has no tokens should stand.
 [[nodiscard]] LatexFormula read_latex(const Tokens& tokens, const Reading& reading, Place place);
 
-/// A matrix, an array or a column (a, b)^T, by its cells. An array whose first column and row are
-/// ruled off has titles.
-struct LatexMatrix {
-  std::vector<std::vector<Tokens>> cells;
-  std::vector<Tokens> row_titles;
-  std::vector<Tokens> column_titles;
-  Place place;
-};
-
-/// The matrix that the tokens are as a whole; nothing if there is none in them. Throws FormulaError
-/// for determinants, products with matrices and rows of different lengths.
-[[nodiscard]] std::optional<LatexMatrix> read_matrix(const Tokens& tokens);
-
-/// Tokens with a value in place of an index, wherever it stands in a subscript.
-[[nodiscard]] Tokens with_index(const Tokens& tokens, const std::string& index,
-                                const std::string& value);
-/// Whether an index stands in a subscript.
-[[nodiscard]] bool has_index(const Tokens& tokens, const std::string& index);
-
 }  // namespace assur::generator::latex

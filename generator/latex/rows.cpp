@@ -65,15 +65,25 @@ Tokens trimmed(Tokens tokens) {
   return tokens;
 }
 
-Tokens without_marks(const Tokens& tokens) {
-  Tokens rest;
-  Depth depth(false);
-  for (const Token& token : tokens) {
-    if (!depth.outside(token) || !token.is("&")) {
-      rest.push_back(token);
+bool has_relation(const Tokens& tokens) {
+  Depth depth(true);
+  return std::any_of(tokens.begin(), tokens.end(),
+                     [&](const Token& token) { return depth.outside(token) && token.is("="); });
+}
+
+/// The equations that stand side by side: a mark ends one that has its relation where another with
+/// its own begins.
+std::vector<Tokens> side_by_side(const Tokens& row) {
+  const std::vector<Tokens> cells = cells_of(row);
+  std::vector<Tokens> list(1);
+  for (auto cell = cells.begin(); cell != cells.end(); ++cell) {
+    if (has_relation(list.back()) && !continues(*cell) &&
+        std::any_of(cell, cells.end(), has_relation)) {
+      list.emplace_back();
     }
+    list.back().insert(list.back().end(), cell->begin(), cell->end());
   }
-  return rest;
+  return list;
 }
 
 /// The statements of a system of equations that begins at `at`, which is moved behind it.
@@ -190,10 +200,15 @@ std::vector<Tokens> statements_of(const Tokens& equation) {
     }
   }
   list.push_back(rest);
+  std::vector<Tokens> equations;
+  for (const Tokens& row : list) {
+    const std::vector<Tokens> some = side_by_side(row);
+    equations.insert(equations.end(), some.begin(), some.end());
+  }
   std::vector<Tokens> statements;
-  for (const Tokens& each : list) {
+  for (const Tokens& each : equations) {
     bool first = true;
-    for (const Tokens& part : parts(without_marks(each), true, [](const Token& token) {
+    for (const Tokens& part : parts(each, true, [](const Token& token) {
            return token.is("\\quad") || token.is("\\qquad") || token.is("\\\\");
          })) {
       Tokens statement = trimmed(part);

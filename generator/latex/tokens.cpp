@@ -128,6 +128,9 @@ Tokens tokens_of(const std::string& text, const std::string& file) {
   return Tokenizer(text).run();
 }
 
+bool opens(const Token& token) { return token.is("(") || token.is("[") || token.is("\\{"); }
+bool closes(const Token& token) { return token.is(")") || token.is("]") || token.is("\\}"); }
+
 std::size_t end_of_argument(const Tokens& tokens, std::size_t at) {
   std::size_t depth = 0;
   for (std::size_t next = at; next < tokens.size(); ++next) {

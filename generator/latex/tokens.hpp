@@ -37,6 +37,10 @@ template <typename List>
 /// not UTF-8, and FormulaError for a backslash that ends it.
 [[nodiscard]] Tokens tokens_of(const std::string& text, const std::string& file);
 
+/// Brackets that are printed.
+[[nodiscard]] bool opens(const Token& token);
+[[nodiscard]] bool closes(const Token& token);
+
 /// The place behind the group, or behind the single token, that begins at `at`.
 [[nodiscard]] std::size_t end_of_argument(const Tokens& tokens, std::size_t at);
 /// What stands in the argument that begins at `at`, without its braces; `at` is moved behind it.

@@ -198,7 +198,11 @@ class CppMatrix {
     const bool sized = are(rest, {"(", "#", ",", "#", ")"});
     const bool zeros = !rest.empty() && (rest[0].is("=") || rest[0].is("{")) &&
                        is_nothing(rest.subspan(rest[0].is("=") ? 1 : 0));
-    if (rest.empty() || sized || zeros) {
+    if (rest.empty() || sized) {
+      filled_.begin_undefined(declared[0].place);
+      return;
+    }
+    if (zeros) {
       return;
     }
     if (!rest[0].is("=") || !is_zero(rest.subspan(1))) {

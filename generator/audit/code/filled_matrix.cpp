@@ -43,6 +43,15 @@ std::vector<CodeEntry> FilledMatrix::entries() {
   if (!first_) {
     throw CodeError("nothing is assigned to " + matrix_.array, {1, 1});
   }
+  for (std::size_t at = 0; undefined_ && at < entries_.size(); ++at) {
+    if (entries_[at].text.empty()) {
+      throw CodeError("row " + std::to_string(at / matrix_.columns + 1) + ", column " +
+                          std::to_string(at % matrix_.columns + 1) + " of " + matrix_.array +
+                          " is never assigned, and " + matrix_.array +
+                          " begins without values; set it to zero first",
+                      *undefined_);
+    }
+  }
   for (CodeEntry& entry : entries_) {
     entry.text.place = entry.text.empty() ? *first_ : entry.text.place;
   }

@@ -36,8 +36,13 @@ class FilledMatrix {
   /// All of it, row by row. Throws CodeError unless there are as many.
   void assign_all(const std::vector<Tokens>& values, closures::Place place,
                   const LocalValues& locals);
-  void clear() { entries_.assign(entries_.size(), {}); }
-  /// Throws CodeError where nothing has been assigned.
+  void clear() {
+    entries_.assign(entries_.size(), {});
+    undefined_.reset();
+  }
+  /// It is declared at this place and has no values before they are assigned.
+  void begin_undefined(closures::Place place) { undefined_ = place; }
+  /// Throws CodeError where nothing has been assigned, and where an entry has no value at all.
   [[nodiscard]] std::vector<CodeEntry> entries();
 
  private:
@@ -46,7 +51,8 @@ class FilledMatrix {
   const AuditedMatrix& matrix_;
   const std::string& code_;
   std::vector<CodeEntry> entries_;
-  std::optional<closures::Place> first_;  ///< where it is first filled
+  std::optional<closures::Place> first_;      ///< where it is first filled
+  std::optional<closures::Place> undefined_;  ///< where it is declared without values
 };
 
 }  // namespace assur::generator::audit::code

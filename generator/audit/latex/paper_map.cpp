@@ -238,6 +238,20 @@ std::string PaperMap::quantity_named(const std::string& symbol, const Tokens& to
   throw closures::FormulaError("no quantity is known as '" + symbol + "'", tokens[0].place);
 }
 
+std::optional<generator::latex::Meaning> PaperMap::quantity(const Tokens& side) const {
+  Tokens plain = side;
+  std::erase_if(plain, [](const generator::latex::Token& token) {
+    return generator::latex::is_layout(token) || generator::latex::is_thin_space(token);
+  });
+  if (plain.empty()) {
+    return std::nullopt;
+  }
+  const std::optional<generator::latex::Meaning> meaning = notations_.at(plain, 0);
+  const bool whole =
+      meaning && meaning->end == plain.size() && meaning->power.empty() && meaning->dots == 0;
+  return whole ? meaning : std::nullopt;
+}
+
 std::optional<PrintedMatrix> PaperMap::matrix_frame(const Tokens& notation) const {
   const std::vector<std::string> symbols = generator::latex::symbols_of(notation);
   for (const Matrix& matrix : matrices_) {

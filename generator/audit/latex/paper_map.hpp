@@ -46,6 +46,8 @@ class PaperMap {
   /// The frame of the matrix whose notation these tokens are as a whole, or nothing; both lists are
   /// empty where its titles say them. Throws FormulaError for names that are not known.
   [[nodiscard]] std::optional<PrintedMatrix> matrix_frame(const Tokens& notation) const;
+  /// The quantity that a whole side is, without power and dots.
+  [[nodiscard]] std::optional<generator::latex::Meaning> quantity(const Tokens& side) const;
   /// The names of a list such as `f1 f2` or `a1..13`.
   [[nodiscard]] std::vector<std::string> names(const std::string& list, bool symbols_only,
                                                closures::Place place) const;

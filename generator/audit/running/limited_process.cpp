@@ -105,6 +105,7 @@ ProcessEnd run_process(const std::vector<std::string>& command,
       "HOME=" + home.string(),
       "TMPDIR=" + home.string(),
       "LC_ALL=C",
+      "MALLOC_PERTURB_=165",  // memory that was never set is not zero by chance
       "OMP_NUM_THREADS=1",
       "OPENBLAS_NUM_THREADS=1"};
   const std::vector<char*> arguments = pointers(words);

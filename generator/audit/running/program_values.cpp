@@ -80,6 +80,9 @@ ProcessEnd run_tool(const UserProgram& program, const std::vector<std::string>& 
 
 void compile(const UserProgram& program, const MatrixSize& size, const WorkDirectory& work,
              const Driver& driver, const RunLimits& limits) {
+  if (program.file.string().find_first_of("\"\\\n") != std::string::npos) {
+    throw ProgramError("no #include can name a path with a quotation mark or a backslash; move it");
+  }
   const bool cpp = program.language == Language::cpp;
   std::vector<std::string> arguments = {cpp ? "-std=c++20" : "-std=gnu11"};
   arguments.insert(arguments.end(), program.flags.begin(), program.flags.end());

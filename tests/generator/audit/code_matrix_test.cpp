@@ -75,6 +75,12 @@ INSTANTIATE_TEST_SUITE_P(
              "double J[2][2] = {}; J[0][0] = -l*sin(q_0); J[0][1] = -s;"
              "J[1][0] = l*cos(q_0);",
              0, "all 4 agree"},
+        Code{"DeclaredAndNotSet", "Eigen::Matrix2d J;\nJ(0, 0) = -l*sin(q_0);" REST, 2,
+             "mine.cpp:1:17: row 2, column 2 of J is never assigned, and J begins without values"},
+        Code{"DeclaredAndAllSet",
+             "double J[2][2];\nJ[1][1] = 0; J[0][0] = -l*sin(q_0); J[0][1] = -s;"
+             "J[1][0] = l*cos(q_0);",
+             0, "all 4 agree"},
         Code{"DeclaredZero",
              "Eigen::Matrix2d J = Eigen::Matrix2d::Zero();"
              "J(0, 0) = -l*sin(q_0);" REST,

@@ -127,6 +127,10 @@ const std::vector<Statement> statements = {
     {&numbers, "t", "atan2(a*sin(t), a*cos(t))", Truth::always, true},
     {&numbers, "t", "atan2(cos(t), sin(t))", Truth::never, true},
     {&numbers, "t", "atan(tan(t))", Truth::on_one_branch, true},
+    {&numbers, "2*t - u", "t - u + t", Truth::always, true},
+    {&numbers, "2*t", "u", Truth::never, true},
+    {&numbers, "0", "2*t - u", Truth::never, true},
+    {&numbers, "t + 2*pi", "t", Truth::always, true},
     {&numbers, "cos(acos(sin(t)))", "sin(t)", Truth::always},
     {&numbers, "sin(acos(cos(t)))", "sin(t)", Truth::on_one_branch},
     {&numbers, "cos(atan2(b, a))", "a/sqrt(a^2 + b^2)", Truth::always},
@@ -232,6 +236,26 @@ TEST(Roots, ABranchIsToldByASignAndAPointOfEach) {
   EXPECT_TRUE(
       evidence(dyad.declared, "h = 2*b*c*sin(q - p)").starts_with("holds where sin(p - q) < 0"))
       << evidence(dyad.declared, "h = 2*b*c*sin(q - p)");
+}
+
+TEST(Roots, OtherSignsOfManyRootsAreNotTriedAndItIsSaid) {
+  std::string declared;
+  std::string left;
+  std::string right;
+  for (int root = 1; root <= 8; ++root) {
+    const std::string name = "x" + std::to_string(root);
+    declared += "length " + name + "\n";
+    left += (root > 1 ? " + " : "") + ("sqrt(" + name + ")");
+    right += (root > 1 ? " - " : "") + ("sqrt(" + name + ")");
+  }
+  const Comparison comparison =
+      audit_text(declared + "printed equation (1) : " + left + " = " + right + "\n", "r")
+          .statements.at(0)
+          .findings.at(0)
+          .comparison;
+  EXPECT_EQ(comparison.verdict, Verdict::differs);
+  EXPECT_TRUE(comparison.evidence.ends_with("; the other signs of its 7 roots were not tried"))
+      << comparison.evidence;
 }
 
 TEST(Roots, WhatHasNoRealRootIsUndecidedAndSaysSo) {

@@ -213,6 +213,22 @@ TEST(Latex, WhatThePaperDefinesMayStandBehindItsUse) {
   EXPECT_EQ(labels(report_of(R"(\[ u = s \] \[ u = r \])", map)), (Labels{"equation line 1!"}));
 }
 
+TEST(Latex, EquationsThatStandSideBySideAreSeveral) {
+  const auto labels_of = [](const std::string& paper) {
+    return labels(latex::audit_paper_text(paper, "p.tex", crank_map, "p.map"));
+  };
+  const std::vector<std::string> three = {"equation (1)", "equation (1)!", "equation (1)"};
+  EXPECT_EQ(labels_of("\\begin{align} r &= r & l &= r & s &= s \\end{align}"), three);
+  EXPECT_EQ(labels_of("\\begin{equation}\\begin{aligned} r &= r & l &= r \\\\ s &= s "
+                      "\\end{aligned}\\end{equation}"),
+            three);
+  // One equation in columns, and one that goes on in another.
+  EXPECT_EQ(labels_of("\\begin{eqnarray} r &=& r \\end{eqnarray}"),
+            std::vector<std::string>{"equation (1)"});
+  EXPECT_EQ(labels_of("\\begin{align} r &= r &= r \\end{align}"),
+            (std::vector<std::string>{"equation (1)", "equation (1)"}));
+}
+
 TEST(Latex, SurvivesRandomChanges) {
   constexpr unsigned seed = 2011;
   constexpr int rounds = 1500;

@@ -1,0 +1,165 @@
+#include "audit/asked_points.hpp"
+
+#include <algorithm>
+#include <array>
+#include <random>
+
+#include "closures/read_formula.hpp"
+
+namespace assur::generator::audit {
+
+namespace {
+
+constexpr std::size_t simple_points = 80;
+
+/// Points of few and small numbers, so that a counterexample can be checked with a pencil.
+class SimpleValues {
+ public:
+  GiNaC::numeric length() { return GiNaC::numeric(1 + below(3)); }
+  GiNaC::numeric rate() { return GiNaC::numeric(1 + below(2)); }
+  std::pair<GiNaC::numeric, GiNaC::numeric> direction() {
+    constexpr std::array<std::array<int, 2>, 4> fifths = {{{3, 4}, {4, 3}, {0, 5}, {5, 0}}};
+    const auto [x, y] = fifths[static_cast<std::size_t>(below(4))];
+    const int side = below(4);
+    return {GiNaC::numeric(side % 2 == 0 ? x : -x, 5), GiNaC::numeric(side < 2 ? y : -y, 5)};
+  }
+
+ private:
+  int below(unsigned most) { return static_cast<int>(engine_() % most); }
+  std::mt19937 engine_{1};
+};
+
+}  // namespace
+
+std::vector<Asked> AskedPoints::drawn() {
+  std::vector<Asked> asked;
+  std::vector<Point> others;
+  for (std::size_t index = 0; asked.size() < run_.points && index < 6 * run_.points; ++index) {
+    Point* const point = points_.point(index, assembled_);
+    if (point == nullptr) {
+      break;
+    }
+    if (!is_allowed(*point)) {
+      continue;
+    }
+    if (all_lengths_positive(*point)) {
+      add_point(*point, asked);
+    } else {
+      others.push_back(*point);
+    }
+  }
+  for (const Point& point : others) {
+    if (asked.size() < run_.points) {
+      add_point(point, asked);
+    }
+  }
+  if (asked.size() >= fewest_points) {
+    return asked;
+  }
+  if (!assembled_ || follows_closures()) {
+    throw closures::FormulaError(
+        run_.program.file.filename().string() + ": no points are found at which it can be asked",
+        run_.result.place);
+  }
+  assembled_ = false;  // its entries have values anywhere
+  return drawn();
+}
+
+std::vector<Asked> AskedPoints::simple() {
+  SimpleValues random;
+  std::vector<Asked> list;
+  for (std::size_t count = 0; count < simple_points; ++count) {
+    GiNaC::exmap values;
+    for (const closures::AuditSymbol& symbol : points_.system().symbols()) {
+      if (symbol.angle) {
+        const auto [cosine, sine] = random.direction();
+        values[points_.direction(symbol.symbol).x] = cosine;
+        values[points_.direction(symbol.symbol).y] = sine;
+      } else {
+        values[symbol.symbol] = random.length();
+      }
+      if (symbol.moving) {
+        values[symbol.rate] = random.rate();
+        values[symbol.second_rate] = random.rate();
+      }
+    }
+    try {
+      std::optional<Point> point = assembled_ ? points_.assembled_from(values) : Point{values, {}};
+      if (point && all_lengths_positive(*point) && is_allowed(*point)) {
+        add_point(*point, list);
+      }
+    } catch (const std::runtime_error&) {  // a value is missing there
+      continue;
+    }
+  }
+  return list;
+}
+
+double AskedPoints::value_at(const GiNaC::ex& expression, Point& point) {
+  const GiNaC::ex value = points_.value(expression, point).evalf();
+  if (!GiNaC::is_a<GiNaC::numeric>(value)) {
+    throw closures::NotAlgebraic("it has no rational value");
+  }
+  return GiNaC::ex_to<GiNaC::numeric>(value).to_double();
+}
+
+bool AskedPoints::has_rates(const closures::AuditSymbol& symbol) const {
+  const bool asked = mentions("rate_" + symbol.name) || mentions("rate2_" + symbol.name);
+  return symbol.moving || (asked && symbol.unknown && assembled_);
+}
+
+bool AskedPoints::mentions(const std::string& name) const {
+  std::string text = run_.program.result;
+  for (const std::string& line : run_.program.before) {
+    text += " " + line;
+  }
+  const auto in_name = [&](std::size_t at) {
+    return at < text.size() &&
+           (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
+  };
+  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+    if ((at == 0 || !in_name(at - 1)) && !in_name(at + name.size())) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool AskedPoints::is_allowed(Point& point) {
+  closures::ClosureSystem& system = points_.system();
+  return std::all_of(run_.where.begin(), run_.where.end(), [&](const auto& condition) {
+    const GiNaC::ex value = points_.value(closures::read_formula(condition, system), point);
+    return value.evalf().info(GiNaC::info_flags::positive);
+  });
+}
+
+bool AskedPoints::all_lengths_positive(const Point& point) const {
+  const auto& symbols = points_.system().symbols();
+  return std::all_of(symbols.begin(), symbols.end(), [&](const auto& symbol) {
+    return symbol.angle || point.values.at(symbol.symbol).info(GiNaC::info_flags::positive);
+  });
+}
+
+bool AskedPoints::follows_closures() const {
+  return std::any_of(
+      expected_.derived.begin(), expected_.derived.end(),
+      [&](const GiNaC::ex& each) { return points_.system().follows_closures(each); });
+}
+
+void AskedPoints::add_point(const Point& point, std::vector<Asked>& list) {
+  Asked asked{point, {}, {}};
+  for (const GiNaC::ex& derived : expected_.derived) {
+    static_cast<void>(value_at(derived, asked.point));  // solves for what it needs
+  }
+  if (assembled_) {
+    for (const closures::AuditSymbol* unknown : points_.system().unknowns()) {
+      if (has_rates(*unknown)) {
+        static_cast<void>(value_at(unknown->rate, asked.point));
+      }
+    }
+  }
+  asked.values = symbol_values(points_, asked.point);
+  list.push_back(std::move(asked));
+}
+
+}  // namespace assur::generator::audit

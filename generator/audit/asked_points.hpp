@@ -1,0 +1,65 @@
+// Turns a closure system into the points at which a program is asked.
+#pragma once
+
+#include "audit/rounding_bound.hpp"
+#include "audit/run_statement.hpp"
+
+namespace assur::generator::audit {
+
+/// What a program's matrix should be: entries row by row, each with its name.
+struct ExpectedMatrix {
+  running::MatrixSize size;
+  std::vector<std::string> items;
+  std::vector<GiNaC::ex> derived;
+  bool on_closures = false;  ///< is it asked only where the closures hold?
+};
+
+/// A point, what the program is given there, and what it gives.
+struct Asked {
+  closures::ClosurePoints::Point point;
+  SymbolValues values;
+  std::vector<double> computed;
+};
+
+/// Fewer points than this tell nothing.
+constexpr std::size_t fewest_points = 3;
+
+/// Draws points for one statement.
+class AskedPoints {
+ public:
+  AskedPoints(closures::ClosurePoints& points, const ExpectedMatrix& expected,
+              const RunStatement& run)
+      : points_(points), expected_(expected), run_(run), assembled_(expected.on_closures) {}
+
+  /// The points of comparisons: where a length is negative comes last, since a program may take
+  /// none such. Throws FormulaError where there are too few, and NotAlgebraic.
+  [[nodiscard]] std::vector<Asked> drawn();
+  /// Points of few and small numbers, for counterexamples that can be checked with a pencil; may be
+  /// none.
+  [[nodiscard]] std::vector<Asked> simple();
+  /// Whether the closures hold at the points. An entry that has a value anywhere is asked elsewhere
+  /// if no assembled points are found.
+  [[nodiscard]] bool assembled() const { return assembled_; }
+
+  /// Exact, as a double; throws NotAlgebraic.
+  [[nodiscard]] double value_at(const GiNaC::ex& expression, closures::ClosurePoints::Point& point);
+  /// Whether the program is given rates of a symbol: of an unknown where it asks for them.
+  [[nodiscard]] bool has_rates(const closures::AuditSymbol& symbol) const;
+  /// Whether the call of the program has this name in it.
+  [[nodiscard]] bool mentions(const std::string& name) const;
+
+ private:
+  using Point = closures::ClosurePoints::Point;
+
+  [[nodiscard]] bool is_allowed(Point& point);
+  [[nodiscard]] bool all_lengths_positive(const Point& point) const;
+  [[nodiscard]] bool follows_closures() const;
+  void add_point(const Point& point, std::vector<Asked>& list);
+
+  closures::ClosurePoints& points_;
+  const ExpectedMatrix& expected_;
+  const RunStatement& run_;
+  bool assembled_;
+};
+
+}  // namespace assur::generator::audit

@@ -1,0 +1,69 @@
+#include "latex/formula_reader.hpp"
+
+namespace assur::generator::latex {
+
+namespace {
+
+constexpr int most_nested = 60;
+
+}  // namespace
+
+bool is_fraction(const Token& token) {
+  return token.is("\\frac") || token.is("\\dfrac") || token.is("\\tfrac") || token.is("\\cfrac");
+}
+
+FormulaReader::FormulaReader(Tokens tokens, const Reading& reading, std::vector<Place>& places,
+                             Place place, int depth)
+    : tokens_(std::move(tokens)), reading_(reading), places_(places), place_(place), depth_(depth) {
+  std::erase_if(tokens_, [](const Token& token) { return is_layout(token); });
+  if (!tokens_.empty()) {
+    place_ = tokens_[0].place;
+  }
+  if (depth_ > most_nested) {
+    throw FormulaError("nested too deeply", place_);
+  }
+}
+
+void FormulaReader::fail(const std::string& what, std::size_t at) const {
+  const bool inside = at < tokens_.size();
+  throw FormulaError(what, inside || tokens_.empty() ? (inside ? tokens_[at].place : place_)
+                                                     : tokens_.back().place);
+}
+
+void FormulaReader::skip_spaces() {
+  while (at_ < tokens_.size() && is_thin_space(tokens_[at_])) {
+    ++at_;
+  }
+}
+
+Expression FormulaReader::read(Tokens tokens, std::size_t at) {
+  return FormulaReader(std::move(tokens), reading_, places_, place_of(at), depth_ + 1).whole();
+}
+
+Place FormulaReader::place_of(std::size_t at) const {
+  return at < tokens_.size() ? tokens_[at].place : tokens_.empty() ? place_ : tokens_.back().place;
+}
+
+std::size_t FormulaReader::column(std::size_t at) {
+  places_.push_back(place_of(at));
+  return places_.size();
+}
+
+Expression FormulaReader::call(const std::string& name, Operation operation,
+                               std::vector<Expression> arguments, std::size_t at) {
+  return {Expression::Kind::call, 0, name, std::move(arguments), operation, column(at)};
+}
+
+Expression FormulaReader::binary(const std::string& name, Operation operation, Expression left,
+                                 Expression right, std::size_t at) {
+  std::vector<Expression> both;
+  both.push_back(std::move(left));
+  both.push_back(std::move(right));
+  return call(name, operation, std::move(both), at);
+}
+
+Expression FormulaReader::number_tree(const std::string& digits, std::size_t at) {
+  return {Expression::Kind::number, std::stod(digits), digits, {}, Operation::other, column(at)};
+}
+
+}  // namespace assur::generator::latex

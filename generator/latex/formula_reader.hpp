@@ -1,0 +1,105 @@
+// Turns tokens, one after the other, into the tree of a formula: the parts of the reader share
+// where it stands.
+#pragma once
+
+#include "latex/read_latex.hpp"
+
+namespace assur::generator::latex {
+
+using text::Expression;
+using text::Operation;
+
+struct Function;
+
+/// What a factor is, which decides what may stand behind it without a sign.
+enum class FactorKind : unsigned char { number, symbol, closed, bare_function };
+
+struct Factor {
+  Expression tree;
+  FactorKind kind;
+};
+
+[[nodiscard]] bool is_fraction(const Token& token);
+
+/// Reads one range of tokens to its end. Every function throws FormulaError at the place of what it
+/// cannot read.
+class FormulaReader {
+ public:
+  FormulaReader(Tokens tokens, const Reading& reading, std::vector<Place>& places, Place place,
+                int depth);
+
+  Expression whole();
+
+ private:
+  // The place that is read, and trees that remember theirs.
+  [[noreturn]] void fail(const std::string& what, std::size_t at) const;
+  void skip_spaces();
+  Expression read(Tokens tokens, std::size_t at);
+  [[nodiscard]] Place place_of(std::size_t at) const;
+  std::size_t column(std::size_t at);
+  Expression call(const std::string& name, Operation operation, std::vector<Expression> arguments,
+                  std::size_t at);
+  Expression binary(const std::string& name, Operation operation, Expression left, Expression right,
+                    std::size_t at);
+  Expression number_tree(const std::string& digits, std::size_t at);
+
+  // Sums and products.
+  Expression sum();
+  /// The next plus or minus outside brackets and groups.
+  [[nodiscard]] std::size_t end_of_term() const;
+  /// A product, summed over the indices that it has.
+  Expression term(const Tokens& tokens, std::size_t at);
+  Expression summed(const Tokens& tokens, const std::string& index,
+                    const std::vector<std::string>& values, std::size_t at);
+  /// \sum_{i=1}^{4} and the product behind it.
+  Expression explicit_sum(const Tokens& tokens, std::size_t behind, std::size_t at);
+  Expression product();
+  /// Whether a factor may stand behind another without a sign between them.
+  void expect_clear_product(const Factor& left, const Token& next, bool spaced) const;
+
+  // Factors.
+  /// A power behind a factor, if there is one.
+  Expression raised(Expression base);
+  Expression powered(Expression base, const Tokens& exponent, std::size_t at);
+  Factor factor();
+  [[noreturn]] void refuse(const Token& token) const;
+  Expression number();
+  /// The tree of a notation's formula, as if it stood at this place.
+  Expression quantity(const Meaning& meaning);
+  Expression formula_of(const Meaning& meaning, std::size_t at);
+  static void move_to(Expression& tree, std::size_t column);
+  /// What stands between brackets; moves behind them.
+  Tokens take_brackets();
+  Expression bracketed();
+  /// Braces are not printed: what is in them must be one factor, or a product at the end.
+  Factor group();
+  Expression root();
+  Expression fraction();
+
+  // Functions and their arguments.
+  /// The function whose name stands at a place.
+  [[nodiscard]] const Function* find_function(std::size_t at) const;
+  /// `\cos^2\theta`, `\sin(a + b)`, `\operatorname{atan2}(y, x)`.
+  Factor called(const Function& function);
+  std::pair<std::vector<Expression>, bool> function_arguments(const Function& function,
+                                                              std::size_t at);
+  /// `\theta_1`, `2\theta_1`, `\frac{...}{...}`.
+  Expression bare_argument();
+  Expression bare_symbol();
+
+  // Derivatives.
+  Expression derivative(const Tokens& of, const Tokens& by, std::size_t at);
+  /// \partial a/\partial b
+  Expression inline_derivative();
+  /// \frac{d x}{d t} and \frac{d^2 x}{d t^2}
+  Expression time_derivative(const Tokens& above, const Tokens& below, std::size_t at);
+
+  Tokens tokens_;
+  const Reading& reading_;
+  std::vector<Place>& places_;
+  Place place_;
+  int depth_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace assur::generator::latex

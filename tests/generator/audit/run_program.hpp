@@ -1,0 +1,75 @@
+// Turns a program that fills a Jacobian into what an audit by running answers of it.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "command/command.hpp"
+
+namespace assur::test {
+
+namespace fs = std::filesystem;
+
+/// A slider-crank: J = d(f1, f2)/d(theta, s) is -l sin(theta), -1; l cos(theta), 0.
+inline const std::string slider_crank =
+    "length r l s\nangle phi theta\nunknown theta s\nmoving phi\n"
+    "loop f1 f2 = polar(r, phi) + polar(l, theta) - point(s, 0)\n";
+
+/// A program that fills J, and what the audit answers, and with what status.
+struct Program {
+  const char* name;
+  const char* file;
+  const char* text;
+  const char* rows;  ///< of the statement, the first of them what it is compared with
+  int status;
+  const char* answer;
+};
+
+inline void PrintTo(const Program& program, std::ostream* out) { *out << program.name; }
+
+/// Octave takes long to begin.
+inline std::string options_of(const Program& program) {
+  return std::string("--run --time-limit ") +
+         (std::string(program.file).ends_with(".m") ? "8" : "2");
+}
+
+inline CommandResult audited(const TemporaryDirectory& directory, const Program& program,
+                             const std::string& options) {
+  directory.write(program.file, program.text);
+  const std::string rows = program.rows;
+  const std::size_t end = rows.find('\n');
+  const fs::path file =
+      directory.write("mine.audit", slider_crank + "printed run J " + program.file + " of " +
+                                        rows.substr(0, end) + rows.substr(end) + "\n");
+  return run_assur("audit " + file.string() + " " + options);
+}
+
+/// Expects the program's status and answer.
+inline void expect_judged(const Program& program) {
+  if (std::string(program.file).ends_with(".m") &&
+      std::system("octave-cli --version >/dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "octave-cli is not installed";
+  }
+  const TemporaryDirectory directory;
+  const CommandResult result = audited(directory, program, options_of(program));
+  EXPECT_EQ(result.status, program.status) << result.output << result.messages;
+  const std::string& said = program.status == 2 ? result.messages : result.output;
+  EXPECT_NE(said.find(program.answer), std::string::npos)
+      << "expected: " << program.answer << "\nfound:    " << said;
+  if (program.status == 2) {
+    EXPECT_EQ(result.output, "");
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+  }
+}
+
+}  // namespace assur::test
+
+#define FRAME "f1 f2 by theta s\n"
+#define VECTORS                                                            \
+  "#include <cmath>\n#include <vector>\nusing std::sin; using std::cos;\n" \
+  "using Rows = std::vector<std::vector<double>>;\n"
+#define CALL FRAME "  result f(l, theta)"
+#define CPP(body) VECTORS "Rows f(double l, double theta) { " body " }"
+
+#define PYTHON(body) "import math\nfrom math import sin, cos\ndef f(l, theta):\n    " body "\n"
