@@ -27,15 +27,18 @@ Json audit(const TemporaryDirectory& directory, const std::string& text) {
   return result.status == 1 ? Json::parse(result.output)["files"][0]["statements"] : Json();
 }
 
-TEST(AuditFormat, AnAngleOutsideSinesIsUndecided) {
+TEST(AuditFormat, AnAngleBesideALengthIsUndecided) {
   const TemporaryDirectory directory;
-  const Json statements = audit(directory, slider_crank + "printed equation (1) : 2*crank = rod\n");
+  const Json statements = audit(directory, slider_crank +
+                                               "printed equation (1) : r*crank = l\n"
+                                               "printed equation (2) : 2*crank = rod\n");
   const Json& finding = statements.at(0).at("findings").at(0);
   EXPECT_EQ(finding["verdict"], "undecided");
   EXPECT_NE(finding["evidence"].get<std::string>().find("stands outside a sine or cosine"),
             std::string::npos)
       << finding;
   EXPECT_FALSE(finding.contains("note"));
+  EXPECT_EQ(statements.at(1).at("findings").at(0)["verdict"], "differs");
 }
 
 TEST(AuditFormat, PlacesInCodeAreInItsFile) {

@@ -25,6 +25,21 @@ TEST(RunAudit, RunsNothingUnlessAsked) {
   EXPECT_TRUE(fs::exists(mark));
 }
 
+TEST(RunAudit, RunsOnceWhereClosuresAreTurned) {
+  const TemporaryDirectory directory;
+  const std::string mark = (directory.path() / "mark").string();
+  directory.write("a.cpp",
+                  "#include <cstdio>\nstatic int x = std::fputs(\"run\", std::fopen(\"" + mark +
+                      "\", \"a\"));\n" CPP("return {{l*sin(theta), 1}, {-l*cos(theta), 0}};"));
+  const fs::path file = directory.write(
+      "a.audit", slider_crank + "printed run J a.cpp of " CALL
+                                "\n"
+                                "printed closure (1) f1 : s - r*cos(phi) - l*cos(theta) = 0\n"
+                                "printed closure (1) f2 : -r*sin(phi) - l*sin(theta) = 0\n");
+  EXPECT_EQ(run_assur("audit --run " + file.string()).status, 0);
+  EXPECT_EQ(read_file(mark), "run");
+}
+
 TEST(RunAudit, LeavesNothingBehind) {
   const auto directories = [] {
     std::ptrdiff_t count = 0;
