@@ -185,7 +185,8 @@ Json compile_rows(const std::filesystem::path& scratch) {
     add("model " + std::to_string(std::stoi(model)) + ", all configurations",
         header +
             "template assur::Assemblies<M> assur::assemblies<M>(const "
-            "M::Dimensions<double>&, const M::Inputs<double>&);\n");
+            "M::Dimensions<double>&, const M::Inputs<double>&, const "
+            "assur::support::Displacement&);\n");
   }
   return rows;
 }

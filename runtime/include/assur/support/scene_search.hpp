@@ -179,52 +179,63 @@ class Search {
     Set all = 0;     ///< and those that such hold
   };
 
+  /// The groups from one on; beyond the last, the configuration is listed. Beyond the first, every
+  /// group has a function of its own: inlined into one another, as often as each calls the next,
+  /// they would grow beyond what compilers bear.
   template <std::size_t Place>
-  void descend(Placed& placed, Loose loose) {
-    if constexpr (Place == group_count) {
-      if (loose.moving != 0) {
-        count_families(loose.moving);
-        return;
-      }
+  void proceed(Placed& placed, Loose loose) {
+    if constexpr (Place < group_count) {
+      descend_apart<Place>(placed, loose);
+    } else if (loose.moving != 0) {
+      count_families(loose.moving);
+    } else {
       const auto slot = static_cast<std::size_t>(solution_.count++);
       Own::list(placed, states_[slot]);
       Own::key(placed, keys_[slot]);
       if constexpr (Keeps) {
         kept_[slot] = current_;
       }
-    } else {
-      using Group = std::tuple_element_t<Place, Groups>;
-      constexpr Set itself = Set{1} << Place;
-      if ((Own::holders[Place] & loose.all) != 0) {
-        loose.all |= itself;
-        descend<Place + 1>(placed, loose);
+    }
+  }
+  template <std::size_t Place>
+  [[gnu::noinline, gnu::flatten]] void descend_apart(Placed& placed, Loose loose) {
+    descend<Place>(placed, loose);
+  }
+
+  /// A group in each of its configurations, and the groups behind it.
+  template <std::size_t Place>
+  void descend(Placed& placed, Loose loose) {
+    using Group = std::tuple_element_t<Place, Groups>;
+    constexpr Set itself = Set{1} << Place;
+    if ((Own::holders[Place] & loose.all) != 0) {
+      loose.all |= itself;
+      proceed<Place + 1>(placed, loose);
+      return;
+    }
+    HeldJoints<Group, Solver::order, Solver::parameter_count> held;
+    Own::hold(placed, held);
+    const auto found = assemblies<Specialised<Group>>({}, held.u, held.displaced);
+    if (found.status == AssemblyStatus::not_finite) {
+      solution_.status = found.status;
+      return;
+    }
+    const Status before = placed.regularity;
+    if (found.mobility > 0 || found.status == AssemblyStatus::degenerate) {
+      mobilities_[Place] = found.mobility;
+      proceed<Place + 1>(placed, {loose.moving | itself, loose.all | itself});
+    }
+    for (int index = 0; index < found.count; ++index) {
+      const auto group = place_group(held, detail::entry(found.configurations, index),
+                                     detail::entry(found.regularity, index));
+      placed.regularity = group.regularity == Status::ok ? before : Status::near_singular;
+      Own::place(group, placed);
+      if constexpr (Keeps) {
+        std::get<Place>(current_) = group.q;
+      }
+      choices_[Place] = static_cast<std::size_t>(index);
+      proceed<Place + 1>(placed, loose);
+      if (solution_.status != AssemblyStatus::ok) {
         return;
-      }
-      HeldJoints<Group, Solver::order, Solver::parameter_count> held;
-      Own::hold(placed, held);
-      const auto found = assemblies<Specialised<Group>>({}, held.u, held.displaced);
-      if (found.status == AssemblyStatus::not_finite) {
-        solution_.status = found.status;
-        return;
-      }
-      const Status before = placed.regularity;
-      if (found.mobility > 0 || found.status == AssemblyStatus::degenerate) {
-        mobilities_[Place] = found.mobility;
-        descend<Place + 1>(placed, {loose.moving | itself, loose.all | itself});
-      }
-      for (int index = 0; index < found.count; ++index) {
-        const auto group = place_group(held, detail::entry(found.configurations, index),
-                                       detail::entry(found.regularity, index));
-        placed.regularity = group.regularity == Status::ok ? before : Status::near_singular;
-        Own::place(group, placed);
-        if constexpr (Keeps) {
-          std::get<Place>(current_) = group.q;
-        }
-        choices_[Place] = static_cast<std::size_t>(index);
-        descend<Place + 1>(placed, loose);
-        if (solution_.status != AssemblyStatus::ok) {
-          return;
-        }
       }
     }
   }
