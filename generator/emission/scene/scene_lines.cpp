@@ -90,12 +90,15 @@ std::string SceneLines::direction(const Direction<SceneNumber>& direction) {
   return "{" + number(direction.cos) + ", " + number(direction.sin) + "}";
 }
 
-std::string SceneLines::point(const std::string& name, const SceneNumber& x, const SceneNumber& y) {
+std::string SceneLines::point(const std::string& name, const std::string& frame,
+                              const SceneNumber& x, const SceneNumber& y) {
   const std::vector<Gradient> gradients = {gradient_of(x), gradient_of(y)};
   const std::array<std::string, 2> values = {number(x), number(y)};
   if (std::all_of(gradients.begin(), gradients.end(), is_zero) && !moves(x) && !moves(y)) {
     const bool is_origin = values[0] == "0.0" && values[1] == "0.0";
-    return is_origin ? "LinkPoint{}" : "LinkPoint{" + values[0] + ", " + values[1] + "}";
+    const std::string place = is_origin ? "{}" : "{" + values[0] + ", " + values[1] + "}";
+    return frame.empty() ? "LinkPoint" + place
+                         : "support::point_in(" + frame + ", support::Place" + place + ")";
   }
   std::string point = declared(name);
   add("LinkPoint " + point + ";");
@@ -104,7 +107,7 @@ std::string SceneLines::point(const std::string& name, const SceneNumber& x, con
   add_gradients(point, gradients);
   add_rates(point, 0, x);
   add_rates(point, 1, y);
-  return point;
+  return frame.empty() ? point : "support::point_in(" + frame + ", " + point + ")";
 }
 
 std::string SceneLines::frame(const std::string& name, const Pose<SceneNumber>& pose) {

@@ -49,9 +49,10 @@ class SceneLines {
   /// `{cos, sin}`.
   [[nodiscard]] std::string direction(const Direction<SceneNumber>& direction);
 
-  /// A point of a link, as an expression; `name` is for the case that it needs a declaration.
-  [[nodiscard]] std::string point(const std::string& name, const SceneNumber& x,
-                                  const SceneNumber& y);
+  /// The point at (x, y) of a frame, of the ground's if that is empty, as an expression; `name` is
+  /// for the case that it needs a declaration.
+  [[nodiscard]] std::string point(const std::string& name, const std::string& frame,
+                                  const SceneNumber& x, const SceneNumber& y);
   /// A frame of a link, likewise; empty for the link's own.
   [[nodiscard]] std::string frame(const std::string& name, const Pose<SceneNumber>& pose);
   /// The derivatives of a number or of a direction's angle, likewise; empty where there are none.

@@ -225,11 +225,8 @@ std::vector<std::string> holding_statements(const SolverScene& solver,
           held.frame(on(solver, at.name, base), feature_frame(solver, at, base));
       held.add("held.hold_line" + place + nested_frames({solver.placed(base), line}) + ");");
     } else {
-      const std::string point = held.point(on(solver, at.name, base), feature.x, feature.y);
       held.add("held.hold_point" + place +
-               (solver.is_ground(base)
-                    ? point
-                    : "support::point_in(" + solver.placed(base) + ", " + point + ")") +
+               held.point(on(solver, at.name, base), solver.placed(base), feature.x, feature.y) +
                ");");
     }
     first += at.prismatic ? 3 : 2;
@@ -315,11 +312,10 @@ std::vector<std::string> listing_statements(const SolverScene& solver,
     const mechanism::FeatureIndex output = solver.mechanism().outputs()[index].point;
     const mechanism::Feature& feature = solver.mechanism().features()[output];
     const LinkFeature<SceneNumber> place = solver.numbers.feature(output, false);
-    const std::string point = lines.point(on(solver, feature.name, feature.link), place.x, place.y);
-    const std::string base = solver.placed(feature.link);
+    const std::string point = lines.point(on(solver, feature.name, feature.link),
+                                          solver.placed(feature.link), place.x, place.y);
     const std::string name = lines.declared("point_" + solver.members.outputs[index]);
-    lines.add("const LinkPoint " + name + " = " +
-              (base.empty() ? point : "point_in(" + base + ", " + point + ")") + ";");
+    lines.add("const LinkPoint " + name + " = " + point + ";");
     std::vector<std::string> sensitive;
     if (solver.parameters.count() > 0) {
       sensitive.push_back(name + ".gradient");

@@ -11,30 +11,42 @@
 namespace assur::support {
 
 /// The number of entries of `turning_key` for so many links.
-[[nodiscard]] constexpr std::size_t turning_key_size(std::size_t links) { return 4 + 2 * links; }
+[[nodiscard]] constexpr std::size_t turning_key_size(std::size_t links) {
+  return links < 2 ? 4 : 2 + 2 * links;
+}
 
 /// Sums over all pairs of moving links, of the cosines of the angles between them, of the cosines'
-/// squares and cubes, and of the sines; then each link's angle against the first, as cosine and
-/// sine. They do not depend on where the mechanism stands, the cosines not on reflection. So the
-/// links must come in an order that does not depend on how they are listed, as that of their names.
-/// `directions` is a range of Direction<double>, `key` one with room for turning_key_size entries.
-template <typename Directions, typename Key>
+/// squares and cubes, and of the sines; then every further link's angle against the first, as
+/// cosine and sine. They do not depend on where the mechanism stands, the cosines not on
+/// reflection. So the links must come in an order that does not depend on how they are listed, as
+/// that of their names. `directions` is a range of Direction<double>, `key` one with room for
+/// turning_key_size entries, of which those before the place `From` are not set where it is 3.
+template <std::size_t From = 0, typename Directions, typename Key>
 void turning_key(const Directions& directions, Key& key) {
-  for (std::size_t place = 0; place < 4; ++place) {
-    key[place] = 0;
-  }
+  static_assert(From == 0 || From == 3, "the sums of the cosines are set together");
+  double cosines = 0;
+  double squares = 0;
+  double cubes = 0;
+  double sines = 0;
   for (std::size_t one = 0; one < directions.size(); ++one) {
     for (std::size_t other = one + 1; other < directions.size(); ++other) {
       const Direction<double> between = turned(directions[other], reversed(directions[one]));
-      key[0] += between.cos;
-      key[1] += between.cos * between.cos;
-      key[2] += between.cos * between.cos * between.cos;
-      key[3] += between.sin;
+      cosines += between.cos;
+      squares += between.cos * between.cos;
+      cubes += between.cos * between.cos * between.cos;
+      sines += between.sin;
+      if (one == 0) {
+        key[2 + 2 * other] = between.cos;
+        key[3 + 2 * other] = between.sin;
+      }
     }
-    const Direction<double> from_first = turned(directions[one], reversed(directions[0]));
-    key[4 + 2 * one] = from_first.cos;
-    key[5 + 2 * one] = from_first.sin;
   }
+  if constexpr (From == 0) {
+    key[0] = cosines;
+    key[1] = squares;
+    key[2] = cubes;
+  }
+  key[3] = sines;
 }
 
 /// Puts the first `count` configurations in the order of their keys, which are exchanged with what

@@ -32,7 +32,11 @@ struct HeldJoints {
   void hold_point(const Point<double, Order, Parameters>& point) {
     std::get<First>(u.members()) = point.x / Group::unit;
     std::get<First + 1>(u.members()) = point.y / Group::unit;
-    rates.template middleRows<2>(First) = point.rates / Group::unit;
+    // By entries: compilers keep them in registers then.
+    for (int order = 0; order < Order; ++order) {
+      rates(First, order) = point.rates(0, order) / Group::unit;
+      rates(First + 1, order) = point.rates(1, order) / Group::unit;
+    }
     gradient.template middleRows<2>(First) = point.gradient / Group::unit;
     displaced.moved = std::max(displaced.moved, point.displaced.moved / Group::unit);
     displaced.reach = std::max(displaced.reach, point.displaced.reach / Group::unit);
@@ -142,7 +146,10 @@ template <typename Group, int Order, int Parameters>
       }
       placed.rates.col(1) = q_second_rate;
       for (int link = 0; link < links; ++link) {
-        detail::entry(placed.frames, link).rates.col(1) = acceleration.row(link).transpose();
+        Matrix<double, 3, Order>& rates = detail::entry(placed.frames, link).rates;
+        rates(0, 1) = acceleration(link, 0) * Group::unit;
+        rates(1, 1) = acceleration(link, 1) * Group::unit;
+        rates(2, 1) = acceleration(link, 2);
       }
     } else if (solvable) {
       Group::velocity(held.u, q, u_rate, q_rate);
@@ -152,9 +159,10 @@ template <typename Group, int Order, int Parameters>
     }
     placed.rates.col(0) = q_rate;
     for (int link = 0; link < links; ++link) {
-      Frame<double, Order, Parameters>& frame = detail::entry(placed.frames, link);
-      frame.rates.col(0) = velocity.row(link).transpose();
-      frame.rates.template topRows<2>() *= Group::unit;
+      Matrix<double, 3, Order>& rates = detail::entry(placed.frames, link).rates;
+      rates(0, 0) = velocity(link, 0) * Group::unit;
+      rates(1, 0) = velocity(link, 1) * Group::unit;
+      rates(2, 0) = velocity(link, 2);
     }
   }
 

@@ -30,6 +30,38 @@ struct Point {
   Displacement displaced{};  ///< by rounding
 };
 
+/// A point that stays where it is in a frame.
+struct Place {
+  double x = 0;
+  double y = 0;
+};
+
+/// Such a point, in the frame in which that one moves: see `carried` and
+/// `carried_twice`, of an arm that turns with the frame.
+template <int Order, int Parameters>
+[[nodiscard]] Point<double, Order, Parameters> point_in(
+    const Frame<double, Order, Parameters>& frame, const Place& place) {
+  const auto& [c, s] = frame.pose.direction;
+  const double arm_x = c * place.x - s * place.y;
+  const double arm_y = s * place.x + c * place.y;
+  Point<double, Order, Parameters> result;
+  result.x = frame.pose.x + arm_x;
+  result.y = frame.pose.y + arm_y;
+  result.displaced = frame.displaced.carries(place.x, place.y);
+  // By coordinates, not as vectors: compilers keep them in registers then.
+  for (int order = 0; order < Order; ++order) {
+    const double square = order == 0 ? 0 : frame.rates(2, 0) * frame.rates(2, 0);
+    result.rates(0, order) = frame.rates(0, order) - frame.rates(2, order) * arm_y - square * arm_x;
+    result.rates(1, order) = frame.rates(1, order) + frame.rates(2, order) * arm_x - square * arm_y;
+  }
+  for (int parameter = 0; parameter < Parameters; ++parameter) {
+    const auto& slope = frame.gradient;
+    result.gradient(0, parameter) = slope(0, parameter) - slope(2, parameter) * arm_y;
+    result.gradient(1, parameter) = slope(1, parameter) + slope(2, parameter) * arm_x;
+  }
+  return result;
+}
+
 /// A point that is given in a moving frame, in the frame in which that one moves: see `carried` and
 /// `carried_twice`.
 template <typename Scalar, int Order, int Parameters>

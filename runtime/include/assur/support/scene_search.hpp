@@ -147,7 +147,7 @@ class Search {
     }
     Placed placed;
     Own::drive(given, placed);
-    descend<0>(placed, {});
+    proceed<0>(placed, {});
     if (solution_.status != AssemblyStatus::ok) {
       solution_.count = 0;
     } else if (solution_.count == 0 && solution_.families > 0) {
@@ -185,7 +185,11 @@ class Search {
   template <std::size_t Place>
   void proceed(Placed& placed, Loose loose) {
     if constexpr (Place < group_count) {
-      descend_apart<Place>(placed, loose);
+      if constexpr (Place == 0) {
+        descend<Place>(placed, loose);
+      } else {
+        descend_apart<Place>(placed, loose);
+      }
     } else if (loose.moving != 0) {
       count_families(loose.moving);
     } else {
