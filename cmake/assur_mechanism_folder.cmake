@@ -1,7 +1,9 @@
-# assur_mechanism_folder(SOURCES FILE... [LINKS FOLDER...] [PUBLIC TARGET...] [PRIVATE TARGET...] [OPTIMISE LEVEL]): the
-# library <library>_<folder> of this folder of mechanism/src, for each <library> of
-# ASSUR_MECHANISM_LIBRARIES. With the tests comes a program that holds all of it and what it says
-# that it links, so that the linker finds an arrow that points upwards.
+# assur_mechanism_folder(SOURCES FILE... [LINKS FOLDER...] [PUBLIC TARGET...] [PRIVATE TARGET...]
+# [OPTIMISE LEVEL]): the library <library>_<folder> of this folder of mechanism/src, for each
+# <library> of ASSUR_MECHANISM_LIBRARIES, compiled with what <library>_OPTIONS says too. What runs
+# once, or where branches meet, is not worth more than the level g. With the tests comes a program
+# that holds all of the folder and what it says that it links, so that the linker finds an arrow that
+# points upwards.
 function(assur_mechanism_folder)
   cmake_parse_arguments(arg "" "OPTIMISE" "SOURCES;LINKS;PUBLIC;PRIVATE" ${ARGN})
   if(NOT DEFINED arg_OPTIMISE)

@@ -27,12 +27,11 @@ void add_number(double number, std::string& row) {
     row += ',';
     return;
   }
-  std::array<char, 32> text;
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number + 0.0,
+  std::array<char, 32> text = {','};
+  const auto [end, error] = std::to_chars(text.data() + 1, text.data() + text.size(), number + 0.0,
                                           std::chars_format::general, 17);
   (void)error;  // 17 digits, a sign, a point and an exponent take 24 characters
-  row += ',';
-  row.append(text.data(), end);
+  row.append(text.data(), static_cast<std::size_t>(end - text.data()));
 }
 
 template <typename Vector>

@@ -43,12 +43,19 @@ class CarriedOrigin {
     const Derivatives<3>& outer = frame_.follows;
     const Derivatives<3>& own = inner_.follows;
     const Eigen::Index count = outer.first.cols();
-    // `carried`, along all parameters at once.
+    // `carried`, along one parameter after the other: a sweep spends much of its time here, and
+    // loops over plain numbers are fast at every level of optimisation.
     const auto& [cosine, sine] = frame_.pose.direction;
-    result.first.row(0) = outer.first.row(0) - arm_.y() * outer.first.row(2) +
-                          cosine * own.first.row(0) - sine * own.first.row(1);
-    result.first.row(1) = outer.first.row(1) + arm_.x() * outer.first.row(2) +
-                          sine * own.first.row(0) + cosine * own.first.row(1);
+    const double* const x = outer.first.data();
+    const double* const own_x = own.first.data();
+    double* const result_x = result.first.data();
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const double turn = x[i + 2 * count];
+      const double along = own_x[i];
+      const double across = own_x[i + count];
+      result_x[i] = x[i] - arm_.y() * turn + cosine * along - sine * across;
+      result_x[i + count] = x[i + count] + arm_.x() * turn + sine * along + cosine * across;
+    }
     if (!outer.has_second()) {
       return;
     }
@@ -146,7 +153,10 @@ void compose(const Frame& frame, const Frame& inner, Frame& result) {
   result.acceleration << origin.acceleration(), frame.acceleration(2) + inner.acceleration(2);
   values::make_room(frame.follows, result.follows);
   origin.follow(result.follows);
-  result.follows.first.row(2) = frame.follows.first.row(2) + inner.follows.first.row(2);
+  const Eigen::Index count = frame.follows.first.cols();
+  for (Eigen::Index i = 2 * count; i < 3 * count; ++i) {
+    result.follows.first.data()[i] = frame.follows.first.data()[i] + inner.follows.first.data()[i];
+  }
   if (frame.follows.has_second()) {
     result.follows.second[2] = frame.follows.second[2] + inner.follows.second[2];
   }
