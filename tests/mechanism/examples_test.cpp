@@ -9,6 +9,7 @@
 #include <map>
 
 #include "largest.hpp"
+#include "mechanism/rigid_poses.hpp"
 #include "mechanism/rigid_scene.hpp"
 #include "mechanism/solved.hpp"
 #include "richardson.hpp"
@@ -71,34 +72,6 @@ class Example : public testing::TestWithParam<std::string> {
   }
 };
 
-/// The pose of every moving link, as rigid bodies have it.
-RealVector coordinates(const RigidScene& rigid, const Configuration& configuration) {
-  RealVector q(rigid.size());
-  for (const mechanism::LinkIndex link : configuration.links.keys()) {
-    const Eigen::Index first = rigid.coordinate(link);
-    if (first >= 0) {
-      const ::assur::Pose<double>& pose = configuration.links[link].pose;
-      q(first) = pose.x;
-      q(first + 1) = pose.y;
-      q(first + 2) =
-          std::atan2(static_cast<Real>(pose.direction.sin), static_cast<Real>(pose.direction.cos));
-    }
-  }
-  return q;
-}
-
-/// Largest difference of poses: lengths as parts of the reach, angles modulo a turn.
-Real distance(const RigidScene& rigid, const RealVector& one, const RealVector& other) {
-  Real worst = 0;
-  for (Eigen::Index index = 0; index < one.size(); ++index) {
-    const Real difference = one(index) - other(index);
-    worst =
-        largest(worst, index % 3 == 2 ? std::abs(std::remainder(difference, 2 * std::acos(-1.0L)))
-                                      : std::abs(difference) / rigid.reach());
-  }
-  return worst;
-}
-
 /// Difference of two vectors as a part of the larger of them.
 template <typename One, typename Other>
 double relative(const One& one, const Other& other, double unit) {
@@ -148,7 +121,7 @@ TEST_P(Example, AgreesWithRigidBodiesInMotion) {
     const Solution solution = at.solution();
     for (const Configuration& configuration : solution.configurations) {
       SCOPED_TRACE(settings[0] + ", configuration " + std::to_string(++count));
-      const RealVector listed = coordinates(rigid, configuration);
+      const RealVector listed = poses_of(rigid, configuration);
       ASSERT_EQ(rigid.values_of(listed).size(), rigid.size());
       closure = largest(closure, static_cast<double>(rigid.values_of(listed).cwiseAbs().maxCoeff() /
                                                      rigid.reach()));
@@ -214,7 +187,7 @@ TEST_P(Example, SensitivitiesAreDifferencesOfRigidBodies) {
       const std::string& name = at.mechanism().parameters()[index].name;
       const double value = at.values.parameter(index);
       for (const Configuration& configuration : solution.configurations) {
-        const RealVector start = coordinates(rigid, configuration);
+        const RealVector start = poses_of(rigid, configuration);
         const auto outputs = [&](double offset) -> Eigen::VectorXd {
           std::vector<std::string> moved = settings;
           moved.push_back(setting(name, value + offset));
@@ -250,24 +223,6 @@ TEST_P(Example, SensitivitiesAreDifferencesOfRigidBodies) {
   EXPECT_LT(worst, 1e-9);
 }
 
-/// Whether the links that hold a group that moves freely stand as one of the families has them.
-bool is_of_a_family(const RigidScene& rigid, const RealVector& q, const Solution& solution) {
-  return std::ranges::any_of(solution.families, [&](const mechanism::Family& family) {
-    RealVector placed = q;
-    for (const mechanism::LinkIndex link : family.links.keys()) {
-      const Eigen::Index first =
-          family.is_placed[link] && rigid.has(link) ? rigid.coordinate(link) : -1;
-      if (first >= 0) {
-        const ::assur::Pose<double>& pose = family.links[link].pose;
-        placed.segment<3>(first) << pose.x, pose.y,
-            std::atan2(static_cast<Real>(pose.direction.sin),
-                       static_cast<Real>(pose.direction.cos));
-      }
-    }
-    return distance(rigid, q, placed) < 1e-9;
-  });
-}
-
 /// Newton's method from many places finds nothing that is not listed, and all that is, each once.
 TEST_P(Example, ListsWhateverNewtonFinds) {
   constexpr int starts = 120;
@@ -279,8 +234,8 @@ TEST_P(Example, ListsWhateverNewtonFinds) {
     std::vector<bool> found(solution.configurations.size(), false);
     for (std::size_t one = 0; one < found.size(); ++one) {
       for (std::size_t other = 0; other < one; ++other) {
-        EXPECT_GT(distance(rigid, coordinates(rigid, solution.configurations[one]),
-                           coordinates(rigid, solution.configurations[other])),
+        EXPECT_GT(distance(rigid, poses_of(rigid, solution.configurations[one]),
+                           poses_of(rigid, solution.configurations[other])),
                   1e-9)
             << "configurations " << other + 1 << " and " << one + 1;
       }
@@ -298,12 +253,12 @@ TEST_P(Example, ListsWhateverNewtonFinds) {
       ++arrived;
       bool known = false;
       for (std::size_t index = 0; index < found.size(); ++index) {
-        if (distance(rigid, q, coordinates(rigid, solution.configurations[index])) < 1e-9) {
+        if (distance(rigid, q, poses_of(rigid, solution.configurations[index])) < 1e-9) {
           known = true;
           found[index] = true;
         }
       }
-      EXPECT_TRUE(known || is_of_a_family(rigid, q, solution))
+      EXPECT_TRUE(known || is_of_a_family(rigid, q, solution, 1e-9))
           << "start " << start << " of seed " << seed << " found\n"
           << q.transpose();
     }

@@ -157,7 +157,7 @@ mechanism::Plan expect_modelled(mechanism::Plan plan) {
     };
     const auto& driven = plan.structure().driven;
     const mechanism::DrivenLink& link = *std::find_if(driven.begin(), driven.end(), is_driver);
-    if (!plan.structure().placed_by_drivers()[link.to]) {
+    if (!plan.structure().carried_by_ground()[link.to]) {
       throw mechanism::MechanismError(
           mechanism.numbers()[law].part,
           "the law reads joints that groups place, and moves a link of a group; a solver models "

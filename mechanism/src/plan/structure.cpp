@@ -367,62 +367,13 @@ std::vector<std::string> Structure::names_of(const std::vector<LinkIndex>& links
   return names;
 }
 
-Table<LinkIndex, bool> Structure::placed_by_drivers() const {
-  Table<LinkIndex, bool> placed(linkage.links.size(), false);
-  placed[linkage.ground] = true;
+Table<LinkIndex, bool> Structure::carried_by_ground() const {
+  Table<LinkIndex, bool> carried(linkage.links.size(), false);
+  carried[linkage.ground] = true;
   for (const DrivenLink& link : driven) {
-    placed[link.to] = placed[link.from];
+    carried[link.to] = carried[link.from];
   }
-  return placed;
-}
-
-std::vector<GroupIndex> Structure::holders_of(GroupIndex group) const {
-  std::vector<GroupIndex> holders;
-  const auto add_group_of = [&](LinkIndex link) {
-    for (std::size_t place = 0; place < group.place(); ++place) {
-      const GroupIndex before(place);
-      const std::vector<LinkIndex>& links = groups[before].links;
-      if (std::ranges::find(links, link) != links.end() &&
-          std::ranges::find(holders, before) == holders.end()) {
-        holders.push_back(before);
-      }
-    }
-  };
-  const auto add = [&](LinkIndex link) {
-    add_group_of(link);
-    for (const DrivenLink* carried = driven_link(link); carried != nullptr;
-         carried = driven_link(carried->from)) {
-      for (const ReadingDriver& one : reading) {
-        if (one.driver == carried->driver) {
-          std::ranges::for_each(one.reads, add_group_of);
-        }
-      }
-    }
-  };
-  for (const ElementaryJointIndex joint : groups[group].assignments.front().joints) {
-    const ElementaryJoint& at = linkage.joints[joint];
-    for (const LinkIndex link : {at.first, at.second, at.holder_first, at.holder_second}) {
-      add(link);
-    }
-  }
-  std::ranges::sort(holders);
-  return holders;
-}
-
-Table<LinkIndex, bool> Structure::placed_before(GroupIndex group) const {
-  Table<LinkIndex, bool> placed = placed_by_drivers();
-  std::vector<GroupIndex> open = holders_of(group);
-  while (!open.empty()) {
-    const GroupIndex before = open.back();
-    open.pop_back();
-    if (!placed[groups[before].links.front()]) {
-      for (const LinkIndex link : groups[before].links) {
-        placed[link] = true;
-      }
-      std::ranges::copy(holders_of(before), std::back_inserter(open));
-    }
-  }
-  return placed;
+  return carried;
 }
 
 bool Structure::moves_by_laws(const Mechanism& mechanism) const {
@@ -443,9 +394,9 @@ NamedParts Structure::named_parts(const Mechanism& mechanism) const {
     return mechanism.links()[mechanism.features()[feature].link].name;
   };
   NamedParts parts;
-  const Table<LinkIndex, bool> driven_links = placed_by_drivers();
+  const Table<LinkIndex, bool> carried = carried_by_ground();
   for (const LinkIndex link : mechanism.links().keys()) {
-    if (!driven_links[link]) {
+    if (!carried[link]) {
       parts.links.push_back(link);
     }
   }

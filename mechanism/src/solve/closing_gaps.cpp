@@ -35,7 +35,7 @@ void ClosingGaps::begin(bool measures) {
 
 void ClosingGaps::meet(GroupIndex group) {
   if (measures_) {
-    failures_[group].met.insert(choices_of(holders_of(group)));
+    failures_[group].met.insert(choices_of(structure_.all_holders_of(group)));
   }
 }
 
@@ -45,22 +45,11 @@ void ClosingGaps::fail(GroupIndex group) {
     return;
   }
   Failures& failures = failures_[group];
-  failures.failed.insert(choices_of(holders_of(group)));
+  failures.failed.insert(choices_of(structure_.all_holders_of(group)));
   if (gap < failures.least_gap) {
     failures.least_gap = gap;
     failures.holders = stance_of_holders(group);
   }
-}
-
-std::vector<GroupIndex> ClosingGaps::holders_of(GroupIndex group) const {
-  const Table<LinkIndex, bool> is_placed = structure_.placed_before(group);
-  std::vector<GroupIndex> holders;
-  for (std::size_t place = 0; place < group.place(); ++place) {
-    if (is_placed[structure_.groups[GroupIndex(place)].links.front()]) {
-      holders.emplace_back(place);
-    }
-  }
-  return holders;
 }
 
 std::vector<std::size_t> ClosingGaps::choices_of(const std::vector<GroupIndex>& groups) const {
@@ -103,7 +92,7 @@ std::string ClosingGaps::reason() const {
                        text::listed(joint_names(placement_.values(), group, false)) +
                        " fail to close by " + short_number(least->least_gap) + " at least";
   std::vector<std::string> holders;
-  for (const GroupIndex holder : holders_of(group)) {
+  for (const GroupIndex holder : structure_.all_holders_of(group)) {
     holders.push_back(std::to_string(holder.place() + 1));
   }
   if (!holders.empty()) {

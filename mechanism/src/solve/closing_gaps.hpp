@@ -36,8 +36,6 @@ class ClosingGaps {
     std::vector<std::string> holders;  ///< then: what holds it, and how it stands
   };
 
-  /// The groups that hold a group, and those that hold these, in order.
-  [[nodiscard]] std::vector<GroupIndex> holders_of(GroupIndex group) const;
   [[nodiscard]] std::vector<std::size_t> choices_of(const std::vector<GroupIndex>& groups) const;
   /// The links of groups that hold a group themselves, each with its angle.
   [[nodiscard]] std::vector<std::string> stance_of_holders(GroupIndex group) const;

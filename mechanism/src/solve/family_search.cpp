@@ -1,19 +1,13 @@
 #include "family_search.hpp"
 
 #include <algorithm>
+#include <assur/numeric/order.hpp>
+#include <cmath>
 
 #include "group_words.hpp"
 #include "search_bounds.hpp"
 
 namespace assur::mechanism::solve {
-
-namespace {
-
-bool moves(const models::GroupAssemblies& found) {
-  return found.mobility > 0 || found.status == AssemblyStatus::degenerate;
-}
-
-}  // namespace
 
 FamilySearch::FamilySearch(Placement& placement, ClosingGaps& gaps)
     : placement_(placement), gaps_(gaps), structure_(placement.structure()) {}
@@ -69,9 +63,8 @@ void FamilySearch::find_behind(std::size_t depth, Unplaced unplaced) {
   placement_.hold(group);
   const models::GroupAssemblies& found = placement_.assemble(group);
   gaps_.meet(group);
-  if (moves(found)) {
-    add(group, found.mobility, reason_of_freedom(placement_.values(), group, found.mobility),
-        unplaced);
+  if (found.mobility > 0) {
+    add(group, found.mobility, reason_of_freedom(placement_.values(), group), unplaced);
   }
   for (std::size_t index = 0; index < found.count; ++index) {
     placement_.place(group, index);
@@ -98,7 +91,7 @@ bool FamilySearch::rest_assembles(std::size_t depth, Unplaced unplaced) {
       return true;
     }
   }
-  if (moves(found)) {
+  if (found.mobility > 0) {
     leave_out(group, unplaced);
     return rest_assembles(depth + 1, std::move(unplaced));
   }
@@ -109,13 +102,22 @@ bool FamilySearch::rest_assembles(std::size_t depth, Unplaced unplaced) {
 }
 
 bool FamilySearch::is_listed(const Family& family) const {
+  double longest = 0;
+  for (const LinkIndex link : family.is_placed.keys()) {
+    if (family.is_placed[link]) {
+      const Pose<double>& pose = family.links[link].pose;
+      longest = std::max({longest, std::abs(pose.x), std::abs(pose.y)});
+    }
+  }
+  const auto are_one = [longest](const Pose<double>& one, const Pose<double>& two) {
+    return numeric::order_of(one.x, two.x, longest) == 0 &&
+           numeric::order_of(one.y, two.y, longest) == 0 &&
+           numeric::order_of(one.direction.cos, two.direction.cos) == 0 &&
+           numeric::order_of(one.direction.sin, two.direction.sin) == 0;
+  };
   const auto stands_as = [&](const Family& other) {
     for (const LinkIndex link : family.is_placed.keys()) {
-      const Pose<double>& one = family.links[link].pose;
-      const Pose<double>& two = other.links[link].pose;
-      if (family.is_placed[link] &&
-          (one.x != two.x || one.y != two.y || one.direction.cos != two.direction.cos ||
-           one.direction.sin != two.direction.sin)) {
+      if (family.is_placed[link] && !are_one(family.links[link].pose, other.links[link].pose)) {
         return false;
       }
     }
@@ -123,4 +125,5 @@ bool FamilySearch::is_listed(const Family& family) const {
   };
   return std::ranges::any_of(*families_, stands_as);
 }
+
 }  // namespace assur::mechanism::solve

@@ -35,7 +35,8 @@ class FamilySearch {
   /// hold are left out, and so are groups that move.
   [[nodiscard]] bool rest_assembles(std::size_t depth, Unplaced unplaced);
   /// Whether the group's family is listed with the same links where they are now: the choices of
-  /// groups that do not hold it make no other family of it.
+  /// groups that do not hold it make no other family of it. As of configurations, what differs by
+  /// rounding is the same.
   [[nodiscard]] bool is_listed(const Family& family) const;
 
   Placement& placement_;

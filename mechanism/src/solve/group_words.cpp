@@ -18,10 +18,9 @@ std::vector<std::string> joint_names(const Values& values, GroupIndex group, boo
   return names;
 }
 
-std::string reason_of_freedom(const Values& values, GroupIndex group, int mobility) {
+std::string reason_of_freedom(const Values& values, GroupIndex group) {
   return "the closure of the joints " + text::listed(joint_names(values, group, false)) +
-         (mobility > 0 ? " leaves an angle or a displacement free: infinitely many positions"
-                       : " does not determine a position, and no assembly was found");
+         " leaves an angle or a displacement free: infinitely many positions";
 }
 
 std::string reason_of_model(const Values& values, GroupIndex group, bool compatible) {

@@ -11,7 +11,7 @@ namespace assur::mechanism::solve {
 [[nodiscard]] std::vector<std::string> joint_names(const Values& values, GroupIndex group,
                                                    bool slides_only);
 /// Why a group that closes has no position of its own.
-[[nodiscard]] std::string reason_of_freedom(const Values& values, GroupIndex group, int mobility);
+[[nodiscard]] std::string reason_of_freedom(const Values& values, GroupIndex group);
 /// Why no group of its model has one, whether or not its angles are compatible where it is held.
 [[nodiscard]] std::string reason_of_model(const Values& values, GroupIndex group, bool compatible);
 

@@ -170,8 +170,8 @@ class ConfigurationWalk {
       throw MechanismError(
           "links", "the lengths differ by more powers of ten than double precision can hold");
     }
-    if (found.mobility > 0 || found.status == AssemblyStatus::degenerate) {
-      families_.add(group, found.mobility, reason_of_freedom(values_, group, found.mobility));
+    if (found.mobility > 0) {
+      families_.add(group, found.mobility, reason_of_freedom(values_, group));
     } else if (found.count == 0 && listed_ == 0) {
       gaps_.fail(group);
     }

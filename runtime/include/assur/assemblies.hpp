@@ -10,7 +10,7 @@ namespace assur {
 
 enum class AssemblyStatus : unsigned char {
   ok,          ///< configurations are listed; none if the links cannot reach
-  degenerate,  ///< none stands alone, but the group moves, or its final polynomial vanishes
+  degenerate,  ///< none stands alone, but the group moves
   not_finite   ///< an input is NaN or infinite, or the lengths differ by too many powers of ten
 };
 

@@ -9,71 +9,13 @@
 #include <map>
 
 #include "largest.hpp"
-#include "mechanism/random_driven_scene.hpp"
-#include "mechanism/rigid_scene.hpp"
+#include "mechanism/driven_scene_campaign.hpp"
+#include "mechanism/rigid_poses.hpp"
 #include "mechanism/scene_solutions.hpp"
 #include "richardson.hpp"
 
 namespace assur::test::drivers_anywhere_test {
 namespace {
-
-constexpr unsigned first_seed = 27182;
-bool is_whole_campaign() { return std::getenv("ASSUR_WHOLE_CAMPAIGN") != nullptr; }
-
-/// The pose of every moving link, as rigid bodies have it.
-RealVector coordinates_of(const RigidScene& rigid, const Configuration& configuration) {
-  RealVector q(rigid.size());
-  for (const mechanism::LinkIndex link : configuration.links.keys()) {
-    if (const Eigen::Index first = rigid.coordinate(link); first >= 0) {
-      const ::assur::Pose<double>& pose = configuration.links[link].pose;
-      q.segment<3>(first) << pose.x, pose.y,
-          std::atan2(static_cast<Real>(pose.direction.sin), static_cast<Real>(pose.direction.cos));
-    }
-  }
-  return q;
-}
-
-RealVector coordinates_of(const RigidScene& rigid, const mechanism::Mechanism& mechanism,
-                          const RandomDrivenScene& made) {
-  RealVector q(rigid.size());
-  for (const mechanism::LinkIndex link : mechanism.links().keys()) {
-    if (const Eigen::Index first = rigid.coordinate(link); first >= 0) {
-      const RandomDrivenScene::BodyPose& pose = made.poses().at(mechanism.links()[link].name);
-      q.segment<3>(first) << pose.x, pose.y, pose.theta;
-    }
-  }
-  return q;
-}
-
-/// Velocities, or accelerations, of all moving links.
-RealVector rates_of(const RigidScene& rigid, const Configuration& configuration,
-                    Eigen::Vector3d mechanism::Frame::*rate) {
-  RealVector result(rigid.size());
-  for (const mechanism::LinkIndex link : configuration.links.keys()) {
-    if (const Eigen::Index first = rigid.coordinate(link); first >= 0) {
-      result.segment<3>(first) = (configuration.links[link].*rate).cast<Real>();
-    }
-  }
-  return result;
-}
-
-/// Largest difference of poses: lengths as parts of the reach, angles modulo a turn.
-Real distance(const RigidScene& rigid, const RealVector& one, const RealVector& other) {
-  Real worst = 0;
-  for (Eigen::Index index = 0; index < one.size(); ++index) {
-    const Real difference = one(index) - other(index);
-    worst =
-        largest(worst, index % 3 == 2 ? std::abs(std::remainder(difference, 2 * std::acos(-1.0L)))
-                                      : std::abs(difference) / rigid.reach());
-  }
-  return worst;
-}
-
-/// Difference of two vectors as a part of the larger of them.
-double relative(const RealVector& one, const RealVector& other) {
-  const Real size = std::max({one.cwiseAbs().maxCoeff(), other.cwiseAbs().maxCoeff(), Real(1e-9)});
-  return static_cast<double>((one - other).cwiseAbs().maxCoeff() / size);
-}
 
 struct Errors {
   double closure = 0, pose = 0, velocity = 0, acceleration = 0, joints = 0;
@@ -90,7 +32,7 @@ void compare(const Solved& scene, const RigidScene& rigid, const Configuration& 
   const bool is_regular = configuration.regularity == Status::ok;
   Errors& errors = is_regular ? tally.regular : tally.other;
   ++(is_regular ? tally.configurations : tally.singular);
-  const RealVector listed = coordinates_of(rigid, configuration);
+  const RealVector listed = poses_of(rigid, configuration);
   errors.closure =
       largest(errors.closure,
               static_cast<double>(rigid.values_of(listed).cwiseAbs().maxCoeff() / rigid.reach()));
@@ -128,29 +70,6 @@ void compare(const Solved& scene, const RigidScene& rigid, const Configuration& 
   }
 }
 
-/// The same configurations, one by one, whatever the order of links, joints, drivers, parameters.
-void expect_listing_is_free(const Solved& one, const Solved& other) {
-  ASSERT_EQ(one.configurations().size(), other.configurations().size());
-  const RigidScene rigid(one.plan.mechanism(), one.values);
-  for (std::size_t place = 0; place < one.configurations().size(); ++place) {
-    Real worst = 0;
-    for (const mechanism::Link& link : one.plan.mechanism().links()) {
-      const mechanism::Frame& a = one.configurations()[place].link(link.name);
-      const mechanism::Frame& b = other.configurations()[place].link(link.name);
-      worst = largest<Real>(
-          worst, std::max({std::abs(a.pose.x - b.pose.x), std::abs(a.pose.y - b.pose.y),
-                           std::abs(turned(a.pose.direction, reversed(b.pose.direction)).sin)}));
-    }
-    EXPECT_LT(worst / (1 + rigid.reach()), 1e-7) << "configuration " << place + 1;
-  }
-}
-
-bool is_listed(const RigidScene& rigid, const RealVector& q, const Solved& scene, Real within) {
-  return std::ranges::any_of(scene.configurations(), [&](const Configuration& configuration) {
-    return distance(rigid, q, coordinates_of(rigid, configuration)) < within;
-  });
-}
-
 void check(const RandomDrivenScene& made, unsigned seed, Tally& tally) {
   const Solved scene(mechanism::parse_scene(made.scene().dump(), "random"));
   ++tally.scenes;
@@ -159,9 +78,9 @@ void check(const RandomDrivenScene& made, unsigned seed, Tally& tally) {
   ASSERT_EQ(scene.solution.status, SolutionStatus::ok) << scene.plan.obstacle(scene.values);
   const RigidScene rigid(scene.plan.mechanism(), scene.values);
   ASSERT_EQ(rigid.values_of(RealVector::Zero(rigid.size())).size(), rigid.size());
-  const RealVector thrown = coordinates_of(rigid, scene.plan.mechanism(), made);
+  const RealVector thrown = thrown_poses(rigid, scene.plan.mechanism(), made);
   ASSERT_LT(rigid.values_of(thrown).cwiseAbs().maxCoeff(), 1e-13) << "the scene is made wrong";
-  EXPECT_TRUE(is_listed(rigid, thrown, scene, 1e-7)) << "the thrown pose is not listed";
+  EXPECT_TRUE(is_listed(rigid, thrown, scene.solution, 1e-7)) << "the thrown pose is not listed";
   for (std::size_t place = 0; place < scene.configurations().size(); ++place) {
     SCOPED_TRACE("configuration " + std::to_string(place + 1));
     compare(scene, rigid, scene.configurations()[place], tally);
@@ -169,14 +88,14 @@ void check(const RandomDrivenScene& made, unsigned seed, Tally& tally) {
   for (unsigned listing = 1; listing <= 2; ++listing) {
     SCOPED_TRACE("listing " + std::to_string(listing));
     const Solved other(mechanism::parse_scene(made.listed(seed + listing).dump(), "random"));
-    expect_listing_is_free(scene, other);
+    expect_same_configurations(scene, other);
   }
   for (const auto& [name, driver] : made.scene()["drivers"].items()) {
     const std::string law = driver["position"];
     tally.couplings += law.find("joint(") != std::string::npos ? 1 : 0;
   }
   const auto& structure = scene.plan.structure();
-  const auto placed = structure.placed_by_drivers();
+  const auto placed = structure.carried_by_ground();
   for (const mechanism::DrivenLink& link : structure.driven) {
     tally.driven_in_groups += placed[link.to] ? 0 : 1;
   }
@@ -186,26 +105,6 @@ std::ostream& operator<<(std::ostream& out, const Errors& errors) {
   return out << "closure " << errors.closure << ", pose " << errors.pose << ", velocity "
              << errors.velocity << ", acceleration " << errors.acceleration << ", joints "
              << errors.joints;
-}
-
-RandomDrivenScene scene_of(unsigned number, Places places) {
-  return {first_seed + number, places, 1 + static_cast<int>(number % 3)};
-}
-
-/// Runs a check of many scenes: a refusal is a failure of one of them.
-template <typename Check>
-void for_each_scene(unsigned few, unsigned many, Places places, const Check& check_one) {
-  const unsigned scenes = is_whole_campaign() ? many : few;
-  for (unsigned number = 0; number < scenes; ++number) {
-    const unsigned seed = first_seed + number;
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    try {
-      check_one(scene_of(number, places), seed);
-    } catch (const mechanism::InputError& error) {
-      ADD_FAILURE() << error.what();
-    }
-  }
-  std::cout << scenes << " scenes, seeds from " << first_seed << ": ";
 }
 
 TEST(DriversAnywhere, AgreeWithRigidBodiesInMotion) {
@@ -240,8 +139,8 @@ TEST(DriversAnywhere, ListWhateverNewtonFinds) {
       RealVector q = rigid.scattered(engine);
       if (rigid.assemble(q, 40)) {
         ++arrived;
-        EXPECT_TRUE(is_listed(rigid, q, scene, 1e-7)) << "start " << start << " found\n"
-                                                      << q.transpose();
+        EXPECT_TRUE(is_listed(rigid, q, scene.solution, 1e-7)) << "start " << start << " found\n"
+                                                               << q.transpose();
       }
     }
   });
@@ -264,7 +163,7 @@ TEST(DriversAnywhere, HaveTheSensitivitiesOfRigidBodies) {
       if (configuration.regularity != Status::ok) {
         continue;
       }
-      const RealVector start = coordinates_of(rigid, configuration);
+      const RealVector start = poses_of(rigid, configuration);
       for (const mechanism::ParameterIndex index : scene.plan.mechanism().parameters().keys()) {
         const std::string& name = scene.plan.mechanism().parameters()[index].name;
         SCOPED_TRACE("configuration " + std::to_string(place + 1) + ", " + name);
@@ -379,8 +278,8 @@ TEST(DriversAnywhere, SweepAsTheyAreSolvedAtEachStep) {
       const Configuration& here =
           solution.configurations[static_cast<std::size_t>(row.configuration - 1)];
       const RigidScene bodies = rigid();
-      const RealVector q = coordinates_of(bodies, *row.state);
-      const double apart = static_cast<double>(distance(bodies, q, coordinates_of(bodies, here)));
+      const RealVector q = poses_of(bodies, *row.state);
+      const double apart = static_cast<double>(distance(bodies, q, poses_of(bodies, here)));
       EXPECT_LT(apart, 1e-9);
       pointwise = largest(pointwise, apart);
       if (row.state->regularity != Status::ok) {
@@ -438,83 +337,6 @@ TEST(DriversAnywhere, SweepAsTheyAreSolvedAtEachStep) {
             << followed << ", from " << differences << " differences along branches "
             << along_branch << '\n';
   EXPECT_GT(differences, 0);
-}
-
-/// In special positions nothing is no number, and what is told is true.
-TEST(DriversAnywhere, TellTheTruthInSpecialPositions) {
-  int configurations = 0;
-  int families = 0;
-  int missed = 0;
-  int singular = 0;
-  int without_rates = 0;
-  int rates = 0;
-  double velocity = 0;
-  double acceleration = 0;
-  for_each_scene(40, 2000, Places::lattice, [&](const RandomDrivenScene& made, unsigned seed) {
-    const Solved scene(mechanism::parse_scene(made.scene().dump(), "lattice"));
-    const std::string report = mechanism::report_json(scene.report());
-    EXPECT_EQ(report.find("nan"), std::string::npos);
-    EXPECT_EQ(report.find("inf,"), std::string::npos);
-    const RigidScene rigid(scene.plan.mechanism(), scene.values);
-    const RealVector thrown = coordinates_of(rigid, scene.plan.mechanism(), made);
-    ASSERT_LT(rigid.values_of(thrown).cwiseAbs().maxCoeff(), 1e-13) << "the scene is made wrong";
-    families += static_cast<int>(scene.solution.families.size());
-    const auto conditions = [&](const RealVector& q) {
-      const auto singular_values = Eigen::JacobiSVD<RealMatrix>(rigid.jacobian(q)).singularValues();
-      return singular_values(singular_values.size() - 1) / singular_values(0);
-    };
-    const Real condition_thrown = conditions(thrown);
-    if (scene.solution.families.empty()) {
-      // Where several solutions meet, or a motion goes through, a group may tell another place.
-      const bool is_found = is_listed(rigid, thrown, scene, 1e-4);
-      EXPECT_TRUE(is_found || condition_thrown < 1e-7)
-          << "the thrown pose, of condition " << condition_thrown << ", is not listed among "
-          << scene.configurations().size() << "; " << scene.plan.obstacle(scene.values);
-      missed += is_found ? 0 : 1;
-    }
-    for (std::size_t place = 0; place < scene.configurations().size(); ++place) {
-      SCOPED_TRACE("configuration " + std::to_string(place + 1));
-      const Configuration& configuration = scene.configurations()[place];
-      ++configurations;
-      RealVector q = coordinates_of(rigid, configuration);
-      EXPECT_LT(rigid.values_of(q).cwiseAbs().maxCoeff() / (1 + rigid.reach()), 1e-14);
-      const Real condition = conditions(q);
-      const bool is_singular = condition < 1e-7;
-      singular += is_singular ? 1 : 0;
-      without_rates += configuration.rates_known ? 0 : 1;
-      if (q.cwiseAbs().maxCoeff() > 100 * rigid.reach()) {
-        continue;  // far away the condition of the constraints says nothing
-      }
-      if (is_singular) {
-        EXPECT_NE(configuration.regularity, Status::ok);
-        EXPECT_FALSE(configuration.derivatives_known);
-        continue;
-      }
-      if (!configuration.rates_known || condition < 1e-5) {
-        continue;
-      }
-      (void)rigid.assemble(q);
-      const RealVector v = rigid.velocity(q);
-      const double of_velocity =
-          relative(rates_of(rigid, configuration, &mechanism::Frame::velocity), v);
-      EXPECT_LT(of_velocity, 1e-2);
-      velocity = largest(velocity, of_velocity);
-      const RealVector listed_a = rates_of(rigid, configuration, &mechanism::Frame::acceleration);
-      if (listed_a.allFinite()) {
-        const double of_acceleration = relative(listed_a, rigid.acceleration(q, v));
-        EXPECT_LT(of_acceleration, 1e-2);
-        acceleration = largest(acceleration, of_acceleration);
-      }
-      ++rates;
-    }
-    const Solved other(mechanism::parse_scene(made.listed(seed).dump(), "lattice"));
-    EXPECT_EQ(other.solution.families.empty(), scene.solution.families.empty());
-    expect_listing_is_free(scene, other);
-  });
-  std::cout << configurations << " configurations, " << singular << " of them singular, "
-            << without_rates << " without rates, " << missed << " singular poses not listed, "
-            << families << " families; the rates of " << rates << " differ by " << velocity
-            << " and " << acceleration << '\n';
 }
 
 }  // namespace

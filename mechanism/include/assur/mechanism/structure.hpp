@@ -112,12 +112,17 @@ struct Structure {
   [[nodiscard]] std::vector<std::string> names_of(const std::vector<LinkIndex>& links) const;
   /// Links and slides in the order of their names.
   [[nodiscard]] NamedParts named_parts(const Mechanism& mechanism) const;
-  /// For each link whether it is the ground or carried by it: no group places it.
+  /// For each link whether it is the ground or carried by it, by whatever laws: no group places it.
+  [[nodiscard]] Table<LinkIndex, bool> carried_by_ground() const;
+  /// For each link whether it is the ground or drivers place it by laws that read no link of a
+  /// group: where it is does not depend on any closure.
   [[nodiscard]] Table<LinkIndex, bool> placed_by_drivers() const;
   /// The groups that hold a group, directly or by a link that waits for them: each once.
   [[nodiscard]] std::vector<GroupIndex> holders_of(GroupIndex group) const;
-  /// For each link whether it must be placed before a group is: what drivers place, and the links of
-  /// the groups that hold it, and of those that hold these.
+  /// The groups that hold a group, and those that hold these, in order.
+  [[nodiscard]] std::vector<GroupIndex> all_holders_of(GroupIndex group) const;
+  /// For each link whether it stands as soon as all groups do that hold a group: it is of these, or
+  /// drivers place it against what stands by laws that read no more.
   [[nodiscard]] Table<LinkIndex, bool> placed_before(GroupIndex group) const;
   /// Whether laws of drivers change the shapes of groups' links, or read other joints.
   [[nodiscard]] bool moves_by_laws(const Mechanism& mechanism) const;

@@ -110,8 +110,9 @@ class ClosedSearch {
       if (!complete<Model>(d, u, q)) {
         return false;
       }
-      result.regularity[index] = polish<Model>(d, u, q, unsure);
-      if (result.regularity[index] == Status::no_convergence) {
+      // Where a discriminant vouches, no other unknown can be loose.
+      result.regularity[index] = polish<Model>(d, u, q, unsure, Form::vouches ? 0 : loose_margin);
+      if (!is_solvable(result.regularity[index])) {
         return false;
       }
     }

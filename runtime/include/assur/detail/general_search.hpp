@@ -73,16 +73,16 @@ class GeneralSearch {
     if (complete_simple<Model, double>(d_, u_, q)) {
       const bool settled = closes<Model, double>(d_, u_, q, longest * longest) &&
                            is_regular<Model, double>(d_, u_, q, unsure);
-      regularity = settled ? Status::ok : polish<Model>(d_, u_, q, unsure);
+      regularity = settled ? Status::ok : polish<Model>(d_, u_, q, unsure, loose_margin);
     }
     if (regularity == Status::no_convergence) {
       first_of<Model>(q) = first;
       if (complete<Model>(d_, u_, q)) {
-        regularity = polish<Model>(d_, u_, q, unsure);
+        regularity = polish<Model>(d_, u_, q, unsure, loose_margin);
       }
     }
-    result_.count += regularity != Status::no_convergence ? 1 : 0;
-    return regularity != Status::no_convergence;
+    result_.count += is_solvable(regularity) ? 1 : 0;
+    return is_solvable(regularity);
   }
 
   const Dimensions& d_;

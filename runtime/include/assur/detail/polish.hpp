@@ -65,15 +65,22 @@ void nudge(typename Model::template Configuration<double>& q,
   });
 }
 
+/// A root that is certainly simple may yet leave another unknown loose, which then may move freely,
+/// as a link between parallel slides does. Its pivot is of rounding, and the margin of rounding's
+/// square.
+inline constexpr double loose_margin =
+    1e5 * std::numeric_limits<double>::epsilon() * std::numeric_limits<double>::epsilon();
+
 /// Newton's steps as long as they lessen a residual above rounding. The longest length is near
 /// one; where a displacement is longer, its rounding ends the steps. `no_convergence` if the
-/// closures do not hold then, or if the configuration is not finite; else whether it is regular,
-/// where the Jacobian is `unsure` by so much beforehand.
+/// closures do not hold then, or if the configuration is not finite; `singular` if its margin is
+/// below `least_margin`; else whether it is regular, where the Jacobian is `unsure` by so much
+/// beforehand.
 template <typename Model>
 [[nodiscard, gnu::noinline]] Status polish(const typename Model::template Dimensions<double>& d,
                                            const typename Model::template Inputs<double>& u,
                                            typename Model::template Configuration<double>& q,
-                                           double unsure) {
+                                           double unsure, double least_margin) {
   if (!is_finite(q)) {
     return Status::no_convergence;
   }
@@ -99,6 +106,9 @@ template <typename Model>
       (miss > polished_rounding(1) &&
        !(miss <= polished_rounding(std::max(longest, longest_length(u)))))) {
     return Status::no_convergence;
+  }
+  if (!(jacobian.margin() >= least_margin)) {
+    return Status::singular;
   }
   return jacobian.status() == Status::ok ? Status::ok : Status::near_singular;
 }

@@ -209,8 +209,8 @@ void search_in_special_position(const typename Model::template Dimensions<double
     ++result.count;
   }
   result.mobility = found.mobility;
-  const bool stands = result.count > 0 || (!found.vanishing && found.mobility == 0);
-  result.status = stands ? AssemblyStatus::ok : AssemblyStatus::degenerate;
+  const bool only_moves = result.count == 0 && found.mobility > 0;
+  result.status = only_moves ? AssemblyStatus::degenerate : AssemblyStatus::ok;
 }
 
 }  // namespace assur::detail

@@ -55,7 +55,6 @@ struct SpecialAssemblies {
   std::array<bool, capacity> singular{};
   std::size_t count = 0;
   int mobility = 0;  ///< of the freest family found; zero if there is none
-  bool vanishing = false;
 };
 
 template <typename Group>
@@ -244,7 +243,6 @@ SpecialAssemblies SpecialSearch<Group>::run() {
   }
   result_ = {};
   const FirstValues exact = group_.first_values(d_, u_, 0);
-  result_.vanishing = exact.vanishing;
   try_all(d_, u_, exact);
   // A multiple root that rounding has made complex leaves no root behind.
   for_each_sample([this](const FlatVariables<double>& start) { add(start); });

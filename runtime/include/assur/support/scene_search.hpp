@@ -224,7 +224,7 @@ class Search {
       return;
     }
     const Status before = placed.regularity;
-    if (found.mobility > 0 || found.status == AssemblyStatus::degenerate) {
+    if (found.mobility > 0) {
       mobilities_[Place] = found.mobility;
       proceed<Place + 1>(placed, {loose.moving | itself, loose.all | itself});
     }

@@ -1,0 +1,161 @@
+// Law: in special positions what is told of scenes with drivers anywhere is true and whole, and the
+// same whatever the order of listing.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <set>
+
+#include "largest.hpp"
+#include "mechanism/driven_scene_campaign.hpp"
+#include "mechanism/rigid_poses.hpp"
+
+namespace assur::test::driven_lattice_test {
+namespace {
+
+/// Of a mechanism's size. Where three configurations meet in one they are known to the third root
+/// of rounding, and what hangs on them by a fold to the root of that.
+constexpr double within_singular = 1e-3;
+
+/// Of the constraints, the least singular value to the largest.
+Real condition_of(const RigidScene& rigid, const RealVector& q) {
+  const auto values = Eigen::JacobiSVD<RealMatrix>(rigid.jacobian(q)).singularValues();
+  return values(values.size() - 1) / values(0);
+}
+
+/// Lattice scenes are singular exactly or by far not.
+constexpr Real singular = 1e-13L;
+
+struct Tally {
+  int configurations = 0, singular = 0, without_rates = 0, families = 0, rates = 0;
+  double velocity = 0, acceleration = 0;
+};
+
+/// A family as it is, in whatever order it is listed: the group's links, and where its holders are.
+struct NamedFamily {
+  std::set<std::string> group;
+  int mobility;
+  std::map<std::string, ::assur::Pose<double>> placed;
+};
+
+std::vector<NamedFamily> families_of(const Solved& scene) {
+  std::vector<NamedFamily> result;
+  const auto& structure = scene.plan.structure();
+  for (const mechanism::Family& family : scene.solution.families) {
+    const auto names = structure.names_of(structure.groups[family.group].links);
+    NamedFamily named{{names.begin(), names.end()}, family.mobility, {}};
+    for (const mechanism::LinkIndex link : family.is_placed.keys()) {
+      if (family.is_placed[link]) {
+        named.placed[structure.linkage.links[link]] = family.links[link].pose;
+      }
+    }
+    result.push_back(std::move(named));
+  }
+  return result;
+}
+
+bool are_one(const NamedFamily& one, const NamedFamily& other, Real reach) {
+  return one.group == other.group && one.mobility == other.mobility &&
+         one.placed.size() == other.placed.size() &&
+         std::ranges::all_of(one.placed, [&](const auto& link) {
+           const auto found = other.placed.find(link.first);
+           return found != other.placed.end() &&
+                  pose_difference(link.second, found->second) < within_singular * (1 + reach);
+         });
+}
+
+void expect_same_families(const Solved& one, const Solved& other, Real reach) {
+  const std::vector<NamedFamily> here = families_of(one);
+  const std::vector<NamedFamily> there = families_of(other);
+  EXPECT_EQ(here.size(), there.size());
+  for (const NamedFamily& family : here) {
+    EXPECT_EQ(std::ranges::count_if(
+                  there, [&](const NamedFamily& it) { return are_one(family, it, reach); }),
+              1);
+  }
+}
+
+void check_rates(const RigidScene& rigid, const Configuration& configuration, RealVector q,
+                 Tally& tally) {
+  (void)rigid.assemble(q);
+  const RealVector v = rigid.velocity(q);
+  const double bound = configuration.regularity == Status::ok ? 1e-6 : 1e-2;
+  const double of_velocity =
+      relative(rates_of(rigid, configuration, &mechanism::Frame::velocity), v);
+  EXPECT_LT(of_velocity, bound);
+  tally.velocity = largest(tally.velocity, of_velocity);
+  const RealVector listed = rates_of(rigid, configuration, &mechanism::Frame::acceleration);
+  if (listed.allFinite()) {
+    const double of_acceleration = relative(listed, rigid.acceleration(q, v));
+    EXPECT_LT(of_acceleration, bound);
+    tally.acceleration = largest(tally.acceleration, of_acceleration);
+  }
+  ++tally.rates;
+}
+
+void check(const RandomDrivenScene& made, unsigned seed, Tally& tally) {
+  const Solved scene(mechanism::parse_scene(made.scene().dump(), "lattice"));
+  const std::string report = mechanism::report_json(scene.report());
+  EXPECT_EQ(report.find("nan"), std::string::npos);
+  EXPECT_EQ(report.find("inf,"), std::string::npos);
+  const RigidScene rigid(scene.plan.mechanism(), scene.values);
+  const RealVector thrown = thrown_poses(rigid, scene.plan.mechanism(), made);
+  ASSERT_LT(rigid.values_of(thrown).cwiseAbs().maxCoeff(), 1e-13) << "the scene is made wrong";
+  const Real condition = condition_of(rigid, thrown);
+  const Real within = condition < singular ? within_singular : 1e-7;
+  EXPECT_TRUE(is_listed(rigid, thrown, scene.solution, within) ||
+              (condition < singular && is_of_a_family(rigid, thrown, scene.solution, within)))
+      << "the thrown pose, of condition " << condition << ", is neither among "
+      << scene.configurations().size() << " configurations nor of one of "
+      << scene.solution.families.size() << " families; " << scene.plan.obstacle(scene.values);
+  tally.families += static_cast<int>(scene.solution.families.size());
+  for (std::size_t place = 0; place < scene.configurations().size(); ++place) {
+    SCOPED_TRACE("configuration " + std::to_string(place + 1));
+    const Configuration& configuration = scene.configurations()[place];
+    ++tally.configurations;
+    const RealVector q = poses_of(rigid, configuration);
+    // Rounding of the largest coordinate; the least that a double can promise.
+    const Real size = std::max(1 + rigid.reach(), q.cwiseAbs().maxCoeff());
+    EXPECT_LT(rigid.values_of(q).cwiseAbs().maxCoeff() / size, 4e-15);
+    tally.without_rates += configuration.rates_known ? 0 : 1;
+    if (condition_of(rigid, q) < singular) {
+      ++tally.singular;
+      EXPECT_NE(configuration.regularity, Status::ok);
+      EXPECT_FALSE(configuration.derivatives_known);
+    } else if (configuration.rates_known) {
+      check_rates(rigid, configuration, q, tally);
+    }
+  }
+  const Solved other(mechanism::parse_scene(made.listed(seed).dump(), "lattice"));
+  expect_same_configurations(scene, other, within_singular);
+  expect_same_families(scene, other, rigid.reach());
+}
+
+void print(const Tally& tally) {
+  std::cout << tally.configurations << " configurations, " << tally.singular
+            << " of them singular, " << tally.without_rates << " without rates, " << tally.families
+            << " families; the rates of " << tally.rates << " differ by " << tally.velocity
+            << " and " << tally.acceleration << '\n';
+}
+
+TEST(DrivenLattice, TellsTheTruthInSpecialPositions) {
+  Tally tally;
+  for_each_scene(40, 2000, Places::lattice,
+                 [&](const RandomDrivenScene& made, unsigned seed) { check(made, seed, tally); });
+  print(tally);
+}
+
+/// Links between parallel slides, which move freely though all else is held (27283 to 27745); a
+/// driven link whose law reads what moves (27870, 28470); families that differed by rounding.
+TEST(DrivenLattice, TellsWhatIsFreeAndWhatStandsInKnownScenes) {
+  Tally tally;
+  for (const unsigned seed : {27283U, 27346U, 27492U, 27540U, 27745U, 27635U, 27982U, 28617U,
+                              27496U, 28555U, 27870U, 28470U}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    check(driven_scene(seed, Places::lattice), seed, tally);
+  }
+  print(tally);
+}
+
+}  // namespace
+}  // namespace assur::test::driven_lattice_test

@@ -1,0 +1,97 @@
+// Turns seeds into scenes with drivers anywhere, and their solutions into what rigid bodies can be
+// asked about.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <iostream>
+
+#include "mechanism/random_driven_scene.hpp"
+#include "mechanism/rigid_poses.hpp"
+#include "mechanism/scene_solutions.hpp"
+
+namespace assur::test {
+
+constexpr unsigned first_driven_seed = 27182;
+inline bool is_whole_campaign() { return std::getenv("ASSUR_WHOLE_CAMPAIGN") != nullptr; }
+
+inline RandomDrivenScene driven_scene(unsigned seed, Places places) {
+  return {seed, places, 1 + static_cast<int>((seed - first_driven_seed) % 3)};
+}
+
+/// Runs a check of many scenes: a refusal is a failure of one of them.
+template <typename Check>
+void for_each_scene(unsigned few, unsigned many, Places places, const Check& check_one) {
+  const unsigned scenes = is_whole_campaign() ? many : few;
+  for (unsigned seed = first_driven_seed; seed < first_driven_seed + scenes; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    try {
+      check_one(driven_scene(seed, places), seed);
+    } catch (const mechanism::InputError& error) {
+      ADD_FAILURE() << error.what();
+    }
+  }
+  std::cout << scenes << " scenes, seeds from " << first_driven_seed << ": ";
+}
+
+/// The poses in which the bodies of a scene were thrown.
+inline RealVector thrown_poses(const RigidScene& rigid, const mechanism::Mechanism& mechanism,
+                               const RandomDrivenScene& made) {
+  RealVector q(rigid.size());
+  for (const mechanism::LinkIndex link : mechanism.links().keys()) {
+    if (const Eigen::Index first = rigid.coordinate(link); first >= 0) {
+      const RandomDrivenScene::BodyPose& pose = made.poses().at(mechanism.links()[link].name);
+      q.segment<3>(first) << pose.x, pose.y, pose.theta;
+    }
+  }
+  return q;
+}
+
+/// Velocities, or accelerations, of all moving links.
+inline RealVector rates_of(const RigidScene& rigid, const Configuration& configuration,
+                           Eigen::Vector3d mechanism::Frame::*rate) {
+  RealVector result(rigid.size());
+  for (const mechanism::LinkIndex link : configuration.links.keys()) {
+    if (const Eigen::Index first = rigid.coordinate(link); first >= 0) {
+      result.segment<3>(first) = (configuration.links[link].*rate).cast<Real>();
+    }
+  }
+  return result;
+}
+
+/// Difference of two vectors as a part of the larger of them.
+inline double relative(const RealVector& one, const RealVector& other) {
+  const Real size = std::max({one.cwiseAbs().maxCoeff(), other.cwiseAbs().maxCoeff(), Real(1e-9)});
+  return static_cast<double>((one - other).cwiseAbs().maxCoeff() / size);
+}
+
+/// How far two poses of a link are apart: a length, or the sine of an angle.
+inline double pose_difference(const ::assur::Pose<double>& one, const ::assur::Pose<double>& two) {
+  return std::max({std::abs(one.x - two.x), std::abs(one.y - two.y),
+                   std::abs(turned(one.direction, reversed(two.direction)).sin)});
+}
+
+/// The same configurations, one by one, whatever the order of links, joints, drivers, parameters.
+/// Those that meet others are known to `within_singular` alone.
+inline void expect_same_configurations(const Solved& one, const Solved& other,
+                                       double within_singular = 1e-7) {
+  ASSERT_EQ(one.configurations().size(), other.configurations().size());
+  const RigidScene rigid(one.plan.mechanism(), one.values);
+  for (std::size_t place = 0; place < one.configurations().size(); ++place) {
+    const Configuration& configuration = one.configurations()[place];
+    const bool is_regular = configuration.regularity == Status::ok;
+    Real worst = 0;
+    for (const mechanism::Link& link : one.plan.mechanism().links()) {
+      worst =
+          largest<Real>(worst, pose_difference(configuration.link(link.name).pose,
+                                               other.configurations()[place].link(link.name).pose));
+    }
+    EXPECT_LT(worst / (1 + rigid.reach()), is_regular ? 1e-7 : within_singular)
+        << "configuration " << place + 1;
+    EXPECT_EQ(is_regular, other.configurations()[place].regularity == Status::ok)
+        << "configuration " << place + 1;
+  }
+}
+
+}  // namespace assur::test
