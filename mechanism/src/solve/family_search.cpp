@@ -110,10 +110,10 @@ bool FamilySearch::is_listed(const Family& family) const {
     }
   }
   const auto are_one = [longest](const Pose<double>& one, const Pose<double>& two) {
-    return numeric::order_of(one.x, two.x, longest) == 0 &&
-           numeric::order_of(one.y, two.y, longest) == 0 &&
-           numeric::order_of(one.direction.cos, two.direction.cos) == 0 &&
-           numeric::order_of(one.direction.sin, two.direction.sin) == 0;
+    return !numeric::are_apart(one.x, two.x, longest) &&
+           !numeric::are_apart(one.y, two.y, longest) &&
+           !numeric::are_apart(one.direction.cos, two.direction.cos) &&
+           !numeric::are_apart(one.direction.sin, two.direction.sin);
   };
   const auto stands_as = [&](const Family& other) {
     for (const LinkIndex link : family.is_placed.keys()) {
