@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <assur/mechanism/plan.hpp>
-#include <assur/text/names.hpp>
 
 namespace assur::generator::emission::scene {
 
@@ -10,16 +9,6 @@ std::vector<std::string> scene_warnings(const mechanism::Scene& scene) {
   constexpr std::size_t most_groups = 10;
   const mechanism::Plan plan(scene);
   std::vector<std::string> warnings;
-  std::vector<std::string> limited;
-  for (const mechanism::Joint& joint : plan.mechanism().joints()) {
-    if (joint.lowest.exists()) {
-      limited.push_back(joint.name);
-    }
-  }
-  if (!limited.empty()) {
-    warnings.push_back("the solver lists configurations beyond the limits of the joints " +
-                       text::listed(limited) + " too");
-  }
   if (plan.structure().groups.size() > most_groups) {
     return warnings;
   }
