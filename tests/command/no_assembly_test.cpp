@@ -117,7 +117,8 @@ TEST(Limits, AreToldOnceAStretchOfASweep) {
   scene["sweep"] = {{"parameter", "phi"}, {"from", 0}, {"to", 1}, {"count", 11}};
   const CommandResult result = solved(scene, "csv");
   EXPECT_EQ(result.status, 0);
-  EXPECT_EQ(result.messages, "beyond the limits of joints from phi = 0 to 0.4 (5 steps)\n");
+  EXPECT_EQ(result.messages,
+            "beyond the limits of joints from phi = 0 to 0.4 (5 steps): A by 2.86 deg at least\n");
 }
 
 }  // namespace
