@@ -90,10 +90,10 @@ void add_varying_dimensions(const SolverScene& solver, mechanism::GroupIndex gro
                                                   : ", " + gradient) +
                (rates.empty() ? "" : ", " + rates) + ");");
     };
-    if (value.is_angle && solver.numbers.varies(value.angle)) {
+    if (value.is_angle && (moves || solver.numbers.varies(value.angle))) {
       const std::string gradient = held.gradient(name + "_gradient", value.angle);
       hold("hold_angle", held.direction(value.angle), gradient, held.rates(value.angle));
-    } else if (!value.is_angle && solver.numbers.varies(value.length)) {
+    } else if (!value.is_angle && (moves || solver.numbers.varies(value.length))) {
       const std::string gradient = held.gradient(name + "_gradient", value.length);
       hold("hold_length", held.number(value.length), gradient, held.rates(value.length));
     }

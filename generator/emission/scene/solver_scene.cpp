@@ -164,17 +164,6 @@ mechanism::Plan expect_modelled(mechanism::Plan plan) {
           "such laws only for links that the ground carries");
     }
   }
-  for (const mechanism::Feature& feature : mechanism.features()) {
-    for (const mechanism::NumberIndex number :
-         {feature.x, feature.y, feature.along_x, feature.along_y}) {
-      if (number.exists() && plan.has_rates(number)) {
-        throw mechanism::MechanismError(
-            mechanism.numbers()[number].part,
-            "the place moves with the rates of a parameter, and a solver does not model that; "
-            "drive a joint instead");
-      }
-    }
-  }
   return plan;
 }
 
