@@ -229,9 +229,9 @@ bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
       text.clear();
     }
   };
-  sweep(plan, {record, judge, step_done});
+  const int branches = sweep(plan, {record, judge, step_done});
   stretches.finish();
-  expect_branch(options, last_branch, "branch");
+  expect_branch(options, branches, "branch");
   print(text);
   if (options.branch > 0 && !has_row) {
     std::cerr << "branch " << options.branch

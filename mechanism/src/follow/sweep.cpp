@@ -57,7 +57,8 @@ class Sweeper {
   Sweeper(const Plan& plan, const Values& values, const SweepObserver& observer)
       : observer_(observer), solver_(plan, values), tracker_(solver_) {}
 
-  void run() {
+  /// Returns how many branches have been numbered.
+  int run() {
     for (int step = 0; step < count(); ++step) {
       (void)solver_.values_at(value_at(step));
     }
@@ -74,6 +75,7 @@ class Sweeper {
       }
       observer_.progress(step + 1);
     }
+    return last_shown_;
   }
 
  private:
@@ -381,18 +383,18 @@ SweepObserver expect_sweep(const Plan& plan, const Values& values, SweepObserver
 
 namespace assur::mechanism {
 
-void sweep(const Plan& plan, const SweepObserver& observer) {
-  sweep(plan, plan.values(), observer);
+int sweep(const Plan& plan, const SweepObserver& observer) {
+  return sweep(plan, plan.values(), observer);
 }
 
-void sweep(const Plan& plan, const Values& values, const SweepObserver& observer) {
+int sweep(const Plan& plan, const Values& values, const SweepObserver& observer) {
   const SweepObserver complete = follow::expect_sweep(plan, values, observer);
   if (!plan.redundant().empty()) {  // throws where they do not hold as the sweep begins
     Values first = values;
     first.set(plan.request().sweep->parameter, values.value_of(plan.request().sweep->from));
     (void)plan.solve(first);
   }
-  follow::Sweeper(plan, values, complete).run();
+  return follow::Sweeper(plan, values, complete).run();
 }
 
 }  // namespace assur::mechanism
