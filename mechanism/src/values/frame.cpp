@@ -2,7 +2,7 @@
 #include <assur/support/rigid_motion.hpp>
 #include <assur/variables.hpp>
 
-namespace assur::mechanism {
+namespace assur::mechanism::values {
 
 namespace {
 
@@ -88,6 +88,10 @@ void make_room(const Derivatives<3>& like, Derivatives<Coordinates>& result) {
 
 }  // namespace
 
+}  // namespace assur::mechanism::values
+
+namespace assur::mechanism {
+
 template <int Coordinates>
 void Derivatives<Coordinates>::set_zero(Eigen::Index parameters, bool with_second) {
   first.setZero(Coordinates, parameters);
@@ -135,12 +139,12 @@ Frame Frame::identity(Eigen::Index parameters, bool with_second) {
 }
 
 void compose(const Frame& frame, const Frame& inner, Frame& result) {
-  const CarriedOrigin origin(frame, inner);
-  const Vector2d position = origin.position();
+  const values::CarriedOrigin origin(frame, inner);
+  const Eigen::Vector2d position = origin.position();
   result.pose = {position.x(), position.y(), turned(frame.pose.direction, inner.pose.direction)};
   result.velocity << origin.velocity(), frame.velocity(2) + inner.velocity(2);
   result.acceleration << origin.acceleration(), frame.acceleration(2) + inner.acceleration(2);
-  make_room(frame.follows, result.follows);
+  values::make_room(frame.follows, result.follows);
   origin.follow(result.follows);
   result.follows.first.row(2) = frame.follows.first.row(2) + inner.follows.first.row(2);
   if (frame.follows.has_second()) {
@@ -155,11 +159,11 @@ Frame composed(const Frame& frame, const Frame& inner) {
 }
 
 void carry(const Frame& frame, const Frame& inner, Point& result) {
-  const CarriedOrigin origin(frame, inner);
+  const values::CarriedOrigin origin(frame, inner);
   result.position = origin.position();
   result.velocity = origin.velocity();
   result.acceleration = origin.acceleration();
-  make_room(frame.follows, result.follows);
+  values::make_room(frame.follows, result.follows);
   origin.follow(result.follows);
 }
 
