@@ -11,7 +11,7 @@ namespace {
 /// Between two steps; a turn takes about a hundred.
 constexpr int most_between_steps = 200000;
 /// Angles that laws read are counted at so many values of a sweep at least.
-constexpr double least_intervals = 512;
+constexpr double least_counts = 512;
 
 /// The longest distance between two features of one link, which no motion changes; where no link
 /// has two, the largest coordinate of a feature.
@@ -108,7 +108,7 @@ SnapshotPointer SnapshotSolver::solved(double parameter) {
     const SnapshotPointer anchor = anchor_;
     const double way = parameter - anchor->parameter;
     const double parts =
-        to_ == from_ ? 1 : std::ceil(std::abs(way / (to_ - from_)) * least_intervals);
+        to_ == from_ ? 1 : std::ceil(std::abs(way / (to_ - from_)) * least_counts);
     for (double part = 1; part < parts; ++part) {
       count_from(solved_here(anchor->parameter + way * part / parts));
     }
