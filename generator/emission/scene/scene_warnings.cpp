@@ -15,7 +15,7 @@ std::vector<std::string> scene_warnings(const mechanism::Scene& scene) {
   const mechanism::Solution solution = plan.solve(plan.values());
   if (solution.status == mechanism::SolutionStatus::no_assembly) {
     warnings.push_back("the mechanism cannot be assembled at the scene's own numbers: " +
-                       solution.reason);
+                       plan.obstacle(plan.values()));
   }
   for (const mechanism::Family& family : solution.families) {
     const std::string warning = "degenerate at the scene's own numbers: " + family.reason;

@@ -2,6 +2,8 @@
 // does: points and lines on the ground and on links, lengths of groups, laws that read joints.
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "generator/solver_comparison.hpp"
 
 namespace assur::test::emit_moving_places_test {
@@ -57,6 +59,66 @@ TEST(EmitMovingPlaces, AgreesWithSolveWhereRatesStandInPlaceOfThoseThatFollow) {
   const TemporaryDirectory directory;
   const auto file = directory.write("swelling.json", formula_with_its_own_rate().dump());
   EXPECT_GT(compare_with_solve({{file, "swelling", "Swelling", {}}}).front(), 100);
+}
+
+Json pin(const std::string& one, const std::string& other) {
+  return {{"type", "revolute"}, {"between", Json::array({one, other})}};
+}
+
+/// A crank-rocker, and a dyad from its coupler to the ground of which one link changes its shape by
+/// a law: a cylinder's length, or the bend between two bars, as the rocker stands.
+Json shaped_by_law(const std::string& law, bool is_cylinder) {
+  Json scene;
+  scene["parameters"] = {{"reach", {{"value", 2.0}, {"tolerance", 0.01}}},
+                         {"gain", {{"value", 0.3}, {"tolerance", 0.02}}}};
+  scene["links"]["ground"] = {{"A", {0, 0}}, {"D", {3, 0}}, {"H", {4, 2}}};
+  scene["links"]["crank"] = {{"A", {0, 0}}, {"B", {1, 0}}};
+  scene["links"]["coupler"] = {{"B", {0, 0}}, {"C", {3, 0}}, {"E", {1.5, 1}}};
+  scene["links"]["rocker"] = {{"D", {0, 0}}, {"C", {"reach", 0}}};
+  scene["links"]["lever"] = {{"H", {0, 0}}, {"K", {2, 0}}, {"T", {1, 1}}};
+  scene["joints"] = {{"A", pin("ground.A", "crank.A")},   {"B", pin("crank.B", "coupler.B")},
+                     {"C", pin("coupler.C", "rocker.C")}, {"D", pin("ground.D", "rocker.D")},
+                     {"E", pin("coupler.E", "tube.E")},   {"K", pin("rod.K", "lever.K")},
+                     {"H", pin("ground.H", "lever.H")}};
+  if (is_cylinder) {
+    const Json axis = {{"through", {0, 0}}, {"along", {1, 0}}};
+    scene["links"]["tube"] = {{"E", {0, 0}}, {"axis", axis}};
+    scene["links"]["rod"] = {{"K", {0, 0}}, {"axis", axis}};
+    scene["joints"]["S"] = {{"type", "prismatic"}, {"between", {"tube.axis", "rod.axis"}}};
+  } else {
+    scene["links"]["tube"] = {{"E", {0, 0}}, {"M", {1.5, 0}}};
+    scene["links"]["rod"] = {{"K", {1.2, 0}}, {"M", {0, 0}}};
+    scene["joints"]["S"] = pin("tube.M", "rod.M");
+  }
+  scene["drivers"] = {{"A", {{"position", 0.7}, {"velocity", 2}, {"acceleration", 1}}},
+                      {"S", {{"position", law}}}};
+  scene["outputs"] = {{"T", "lever.T"}};
+  return scene;
+}
+
+TEST(EmitMovingPlaces, AgreesWithSolveWhereLawsThatReadJointsShapeLaterGroups) {
+  const TemporaryDirectory directory;
+  std::vector<EmittedScene> scenes;
+  const std::vector<std::tuple<std::string, std::string, std::string, bool>> laws = {
+      {"cylinder", "Cylinder", "1.6 + gain*joint(D)", true},
+      {"bend", "Bend", "0.4 + gain*joint(D)", false},
+      {"root", "Root", "sqrt(2 + gain*joint(D)) + 0.1*joint(C)", true}};
+  for (const auto& [stem, solver, law, is_cylinder] : laws) {
+    const Json scene = shaped_by_law(law, is_cylinder);
+    scenes.push_back({directory.write(stem + ".json", scene.dump()), stem, solver, {}});
+  }
+  for (const int compared : compare_with_solve(scenes)) {
+    EXPECT_GT(compared, 100);
+  }
+}
+
+/// The root is declared behind the coordinate that it reads.
+TEST(EmitMovingPlaces, AgreesWithSolveWhereALawHasARoot) {
+  const TemporaryDirectory directory;
+  Json scene = scene_json(std::filesystem::path(ASSUR_EXAMPLES) / "rack_press.json");
+  scene["drivers"]["rack"]["position"] = "pinion*sqrt(joint(D) + 4)";
+  const auto file = directory.write("rooted.json", scene.dump());
+  EXPECT_GT(compare_with_solve({{file, "rooted", "Rooted", {}}}).front(), 100);
 }
 
 }  // namespace
