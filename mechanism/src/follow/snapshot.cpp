@@ -107,8 +107,7 @@ SnapshotPointer SnapshotSolver::solved(double parameter) {
   if (anchor_ != nullptr) {
     const SnapshotPointer anchor = anchor_;
     const double way = parameter - anchor->parameter;
-    const double parts =
-        to_ == from_ ? 1 : std::ceil(std::abs(way / (to_ - from_)) * least_counts);
+    const double parts = to_ == from_ ? 1 : std::ceil(std::abs(way / (to_ - from_)) * least_counts);
     for (double part = 1; part < parts; ++part) {
       count_from(solved_here(anchor->parameter + way * part / parts));
     }
