@@ -27,18 +27,23 @@ void expect_branch(const SolveOptions& options, std::ptrdiff_t count, const std:
 
 bool print_one(const SolveOptions& options, const mechanism::Plan& plan) {
   const mechanism::Values values = plan.values();
-  const bool alone = options.nearest && plan.most_configurations() > mechanism::Plan::most_listed;
+  const bool alone = (options.nearest || options.branch > 0) &&
+                     plan.most_configurations() > mechanism::Plan::most_listed;
   mechanism::Solution solution;
   std::optional<mechanism::Nearest> nearest;
-  if (alone) {
+  std::size_t count = 0;
+  if (!alone) {
+    plan.solve(values, solution);
+    count = solution.configurations.size();
+    nearest = options.nearest ? plan.nearest(values, solution) : std::nullopt;
+  } else if (options.nearest) {
     nearest = plan.solve_nearest(values, solution);
   } else {
-    plan.solve(values, solution);
-    nearest = options.nearest ? plan.nearest(values, solution) : std::nullopt;
+    count = plan.solve_one(values, static_cast<std::size_t>(options.branch), solution);
   }
   const bool degenerate = solution.status == mechanism::SolutionStatus::degenerate;
   if (!degenerate) {
-    expect_branch(options, std::ssize(solution.configurations), "configuration");
+    expect_branch(options, static_cast<std::ptrdiff_t>(count), "configuration");
   }
   const int branch = nearest ? static_cast<int>(nearest->configuration) + 1 : options.branch;
   const mechanism::Report report{plan, values, solution, options.scene, branch, nearest, alone};
@@ -113,6 +118,11 @@ class StretchTeller {
       first_ = step_;
       from_ = parameter;
     }
+    if (what == beyond) {
+      for (const mechanism::LimitBreach& breach : solution.breaches) {
+        add_breach(breach, breaches_);
+      }
+    }
     to_ = parameter;
     ++step_;
   }
@@ -129,9 +139,12 @@ class StretchTeller {
                                    short_number(to_) + " (" + std::to_string(count) + " steps)")
               << reason_of_stretch(count) << '\n';
     what_.clear();
+    breaches_.clear();
   }
 
  private:
+  static constexpr const char* beyond = "beyond the limits of joints";
+
   static std::string what_is_missing(const mechanism::Solution& solution) {
     using mechanism::SolutionStatus;
     const bool all_beyond =
@@ -139,12 +152,15 @@ class StretchTeller {
                              [](const mechanism::Configuration& one) { return one.within_limits; });
     return solution.status == SolutionStatus::degenerate    ? "degenerate"
            : solution.status == SolutionStatus::no_assembly ? "no-assembly"
-           : all_beyond                                     ? "beyond the limits of joints"
+           : all_beyond                                     ? beyond
                                                             : "";
   }
 
   /// By how much the links fail to close is measured half-way.
   std::string reason_of_stretch(int count) {
+    if (what_ == beyond) {
+      return ": " + breaches_text(plan_.mechanism(), breaches_);
+    }
     if (what_ != "no-assembly") {
       return reason_.empty() ? "" : ": " + reason_;
     }
@@ -157,12 +173,15 @@ class StretchTeller {
   const mechanism::Plan& plan_;
   SweptValues values_;
   std::string what_, reason_;  ///< of the stretch that is open; nothing where there is none
+  std::vector<mechanism::LimitBreach> breaches_;  ///< in it
   int step_ = 0, first_ = 0;
   double from_ = 0, to_ = 0;
 };
 
 /// A value that a sweep replaces is none of its parameters'.
-void expect_no_setting_of(const std::string& parameter, const SolveOptions& options) {
+void expect_no_setting_of(const mechanism::Plan& plan, const SolveOptions& options) {
+  const std::string& parameter =
+      plan.mechanism().parameters()[plan.request().sweep->parameter].name;
   for (const std::string& setting : options.settings) {
     if (setting.substr(0, setting.find('=')) == parameter) {
       throw text::InputError(options.scene + ": --set " + parameter + ": the sweep gives '" +
@@ -176,10 +195,11 @@ void expect_no_setting_of(const std::string& parameter, const SolveOptions& opti
 /// so that nothing is printed of steps that are too far apart.
 bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
   const mechanism::Sweep& range = *plan.request().sweep;
-  expect_no_setting_of(plan.mechanism().parameters()[range.parameter].name, options);
+  expect_no_setting_of(plan, options);
   ProgressBar bar(range.count);
   bool degenerate = false;
   int last_branch = 0;
+  bool has_row = false;
   int chosen = options.branch;  // 0 for all, until the nearest one is known
   const std::optional<SweptConfiguration> nearest =
       options.nearest ? nearest_in_sweep(plan) : std::nullopt;
@@ -193,6 +213,7 @@ bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
     const bool is_chosen =
         options.nearest ? chosen > 0 && row.branch == chosen : chosen == 0 || row.branch == chosen;
     if (is_chosen) {
+      has_row = true;
       add_csv_row(plan, row, text);
     }
   };
@@ -208,10 +229,47 @@ bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
       text.clear();
     }
   };
-  sweep(plan, {record, judge, step_done});
+  const int branches = sweep(plan, {record, judge, step_done});
   stretches.finish();
-  expect_branch(options, last_branch, "branch");
+  expect_branch(options, branches, "branch");
   print(text);
+  if (options.branch > 0 && !has_row) {
+    std::cerr << "branch " << options.branch
+              << " has no row: it is beyond the limits of joints, or breaks constraints that are "
+                 "too many, at every step\n";
+  }
+  return degenerate;
+}
+
+/// One branch among more than can be followed side by side: from the first step that has its
+/// configuration to where it ends.
+bool print_branch(const SolveOptions& options, const mechanism::Plan& plan) {
+  const mechanism::Sweep& range = *plan.request().sweep;
+  expect_no_setting_of(plan, options);
+  ProgressBar bar(range.count);
+  bool degenerate = false;
+  std::string text = csv_header(plan);
+  StretchTeller stretches(plan);
+  const auto record = [&](const mechanism::SweepRecord& row) { add_csv_row(plan, row, text); };
+  const auto judge = [&](double parameter, const mechanism::Solution& solution) {
+    degenerate = degenerate || solution.status == mechanism::SolutionStatus::degenerate;
+    stretches.step(parameter, solution);
+  };
+  const auto step_done = [&](int done) {
+    bar.show(done);
+    if (done > 1) {
+      print(text);
+      text.clear();
+    }
+  };
+  const auto end =
+      sweep_branch(plan, static_cast<std::size_t>(options.branch), {record, judge, step_done});
+  stretches.finish();
+  print(text);
+  if (end) {
+    std::cerr << "the branch ends at " << plan.mechanism().parameters()[range.parameter].name
+              << " = " << short_number(*end) << ": it folds there, or comes too close to another\n";
+  }
   return degenerate;
 }
 
@@ -221,8 +279,12 @@ bool print_solution(const SolveOptions& options) {
   const mechanism::Scene scene = mechanism::read_scene(options.scene, options.settings);
   try {
     const mechanism::Plan plan(scene);
-    return options.format == "csv" && scene.request.sweep ? print_sweep(options, plan)
-                                                          : print_one(options, plan);
+    if (options.format != "csv" || !scene.request.sweep) {
+      return print_one(options, plan);
+    }
+    const bool follows_one = (options.nearest || options.branch > 0) &&
+                             plan.most_configurations() > mechanism::most_followed;
+    return follows_one ? print_branch(options, plan) : print_sweep(options, plan);
   } catch (const mechanism::MechanismError& error) {
     throw text::InputError(scene.file + ": " + error.what());
   }

@@ -236,6 +236,11 @@ TEST(BadArguments, UnknownSetting) {
                   "--set: no parameter named 'AC'");
 }
 TEST(BadArguments, SettingWithoutValue) {
+  expect_one_line(run_assur("solve " ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json --set A=3"),
+                  "--set: 'A' is a driver and no parameter; let its 'position' be a formula in a "
+                  "parameter, and set that");
+  expect_one_line(run_assur("solve " ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json --set AB=50mm"),
+                  "--set AB: expected an operator, found 'm' (a product is written with '*')");
   expect_one_line(run_assur("solve " ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json --set AB"),
                   "--set: expected NAME=EXPR");
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "command/command.hpp"
 
@@ -117,7 +118,38 @@ TEST(Limits, AreToldOnceAStretchOfASweep) {
   scene["sweep"] = {{"parameter", "phi"}, {"from", 0}, {"to", 1}, {"count", 11}};
   const CommandResult result = solved(scene, "csv");
   EXPECT_EQ(result.status, 0);
-  EXPECT_EQ(result.messages, "beyond the limits of joints from phi = 0 to 0.4 (5 steps)\n");
+  EXPECT_EQ(result.messages,
+            "beyond the limits of joints from phi = 0 to 0.4 (5 steps): A by 2.86 deg at least\n");
+}
+
+int rows_of(const CommandResult& result) {
+  return static_cast<int>(std::count(result.output.begin(), result.output.end(), '\n')) - 1;
+}
+
+/// Of the two branches one has the joint D within its limits throughout, and the other nowhere.
+TEST(Limits, ThatLeaveABranchWithoutRowsAreTold) {
+  Json scene = four_bar(3);
+  scene["joints"]["D"]["limits"] = {0, std::numbers::pi};
+  scene["sweep"] = {{"parameter", "phi"}, {"from", 0.5}, {"to", 1}, {"count", 11}};
+  int told = 0;
+  for (const int branch : {1, 2}) {
+    const CommandResult result = solved(scene, "csv --branch " + std::to_string(branch));
+    EXPECT_EQ(result.status, 0);
+    if (rows_of(result) == 0) {
+      ++told;
+      EXPECT_EQ(result.messages,
+                "branch " + std::to_string(branch) +
+                    " has no row: it is beyond the limits of joints, or breaks constraints that "
+                    "are too many, at every step\n");
+    } else {
+      EXPECT_EQ(rows_of(result), 11);
+      EXPECT_EQ(result.messages, "");
+    }
+  }
+  EXPECT_EQ(told, 1);
+  const CommandResult third = solved(scene, "csv --branch 3");
+  EXPECT_EQ(third.status, 2);
+  EXPECT_NE(third.messages.find("no branch 3; there are 2\n"), std::string::npos);
 }
 
 }  // namespace

@@ -40,7 +40,9 @@ TEST(Resources, OfALongListing) {
   for (const std::string format : {"text", "json", "csv"}) {
     EXPECT_EQ(refusal_of(scene.dump(), "solve --format " + format),
               "there may be 536870912 configurations, and no more than 20000 can be listed; give "
-              "joints limits, or ask for the one that is nearest to a reference of more links\n");
+              "joints limits, or ask for one alone: for the nearest to a reference of more links, "
+              "or by a "
+              "low number\n");
   }
   EXPECT_EQ(refusal_of(scene.dump(), "emit --scene"),
             "there may be 536870912 configurations, and an emitted solver lists 4096 at most; "

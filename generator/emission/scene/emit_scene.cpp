@@ -10,6 +10,7 @@
 
 #include "emission/cpp/cpp_text.hpp"
 #include "emission/model/model_view.hpp"
+#include "emission/scene/limit_statements.hpp"
 #include "emission/scene/scene_statements.hpp"
 #include "emission/scene/specialised_numbers.hpp"
 
@@ -203,6 +204,10 @@ class SceneEmitter {
     view_.set("keeps_drivers", mention(statements_, "placed.drivers"));
     view_.set("links", member_list(links));
     view_.set("has_links", !links.empty());
+    const std::vector<std::string> limits = limit_statements(solver_);
+    view_.set("has_limits", !limits.empty());
+    view_.set("limited", limits.empty() ? "" : "Limited");
+    view_.set("limits", shown(limits));
     view_.set("slides", member_list(reported));
     view_.set("has_slides", !reported.empty());
     view_.set("outputs", member_list(solver_.members.outputs.items()));

@@ -6,6 +6,7 @@
 #include <assur/text/identifiers.hpp>
 #include <assur/text/names.hpp>
 #include <cctype>
+#include <functional>
 
 #include "emission/cpp/cpp_text.hpp"
 
@@ -48,16 +49,21 @@ std::string SceneLines::row_of(const std::vector<std::string>& rates) {
 }
 
 std::vector<std::string> SceneLines::lines(bool has_drivers) const {
-  std::vector<std::string> roots;
-  std::vector<std::string> readers = lines_;
   const std::vector<SceneNumbers::NamedRoot> named = numbers_.roots();
-  for (auto root = named.rbegin(); root != named.rend(); ++root) {
-    if (std::any_of(readers.begin(), readers.end(),
-                    [&](const std::string& line) { return reads(line, root->name); })) {
-      roots.push_back("const double " + root->name + " = std::sqrt(" + root->radicand + ");");
-      readers.push_back(roots.back());
+  std::vector<bool> is_declared(named.size(), false);
+  std::vector<std::string> readers;
+  // A root may read what lines before its first reader declare, and roots that are older.
+  const std::function<void(const std::string&)> add_with_roots = [&](const std::string& line) {
+    for (std::size_t root = 0; root < named.size(); ++root) {
+      if (!is_declared[root] && reads(line, named[root].name)) {
+        is_declared[root] = true;
+        add_with_roots("const double " + named[root].name + " = std::sqrt(" + named[root].radicand +
+                       ");");
+      }
     }
-  }
+    readers.push_back(line);
+  };
+  std::ranges::for_each(lines_, add_with_roots);
   const auto any_reads = [&](const std::string& name) {
     return std::any_of(readers.begin(), readers.end(),
                        [&](const std::string& line) { return reads(line, name); });
@@ -69,8 +75,7 @@ std::vector<std::string> SceneLines::lines(bool has_drivers) const {
   if (!has_drivers && any_reads("drivers")) {
     all.push_back("const Drivers<double>& drivers = placed.drivers;");
   }
-  all.insert(all.end(), roots.rbegin(), roots.rend());
-  all.insert(all.end(), lines_.begin(), lines_.end());
+  all.insert(all.end(), readers.begin(), readers.end());
   return all;
 }
 

@@ -8,6 +8,27 @@
 
 namespace assur::generator::emission::scene {
 
+namespace {
+
+/// Whether rates are wanted, and those of parameters move places, or drivers whose laws are
+/// computed.
+bool have_rates_of_parameters(const mechanism::Plan& plan) {
+  const mechanism::Want& want = plan.request().want;
+  const mechanism::Mechanism& mechanism = plan.mechanism();
+  const auto moves = [&plan](mechanism::NumberIndex number) {
+    return number.exists() && plan.has_rates(number);
+  };
+  const bool places_move = std::ranges::any_of(mechanism.features(), [&](const auto& feature) {
+    return moves(feature.x) || moves(feature.y) || moves(feature.along_x) || moves(feature.along_y);
+  });
+  const bool laws_move = std::ranges::any_of(mechanism.drivers(), [&](const auto& driver) {
+    return !mechanism.numbers()[driver.position].formula.joints().empty() && moves(driver.position);
+  });
+  return (want.velocity || want.acceleration) && (places_move || laws_move);
+}
+
+}  // namespace
+
 SceneNumbers::SceneNumbers(
     const mechanism::Plan& plan, const mechanism::Values& values,
     const std::vector<std::pair<mechanism::ParameterIndex, std::string>>& variable,
@@ -26,19 +47,44 @@ SceneNumbers::SceneNumbers(
     symbols_.add(symbol, cpp::exact(values.parameter(parameter)));
     variables_.push_back(symbol);
   }
-  for (const Eigen::Index column : modelled) {
-    const mechanism::ParameterIndex parameter = values.columns()[static_cast<std::size_t>(column)];
-    const bool has_formulas = !variable.empty() || plan.structure().moves_by_laws(plan.mechanism());
-    if (has_formulas && !is_variable_[parameter]) {
+  const bool counts_rates = have_rates_of_parameters(plan);
+  const auto has_own_rates = [&](mechanism::ParameterIndex parameter) {
+    return counts_rates &&
+           (parameters[parameter].velocity.exists() || parameters[parameter].acceleration.exists());
+  };
+  const bool has_formulas =
+      !variable.empty() || plan.structure().moves_by_laws(plan.mechanism()) || counts_rates;
+  const auto add_deviation = [&](mechanism::ParameterIndex parameter) {
+    if (!is_variable_[parameter] && symbol_of_[parameter].is_zero()) {
       const GiNaC::symbol symbol(parameters[parameter].name);
       symbol_of_[parameter] = symbol;
       symbols_.add(symbol, 0);
       deviations_[symbol] = 0;
     }
+  };
+  for (const Eigen::Index column : modelled) {
+    const mechanism::ParameterIndex parameter = values.columns()[static_cast<std::size_t>(column)];
+    if (has_formulas) {
+      add_deviation(parameter);
+    }
     modelled_.push_back(symbol_of_[parameter]);
   }
   for (const mechanism::ParameterIndex parameter : parameters.keys()) {
+    if (has_own_rates(parameter)) {
+      add_deviation(parameter);
+    }
+  }
+  for (const mechanism::ParameterIndex parameter : parameters.keys()) {
     evaluate(parameter);
+  }
+  for (const mechanism::ParameterIndex parameter : parameters.keys()) {
+    if (has_own_rates(parameter)) {
+      const auto symbol = GiNaC::ex_to<GiNaC::symbol>(symbol_of_[parameter]);
+      movers_.push_back({symbol, {}, {}, {}, parameter, {}});
+    }
+  }
+  for (const Mover& mover : movers_) {
+    set_rates(mover);
   }
   add_positions(drivers, joints);
   const mechanism::Structure& structure = plan.structure();
@@ -101,6 +147,18 @@ SceneNumber SceneNumbers::number(mechanism::NumberIndex number) const {
       });
 }
 
+/// Of a parameter that is a formula in others that move, its own rates stand in place of theirs.
+void SceneNumbers::set_rates(const Mover& mover) {
+  const mechanism::Parameter& parameter = plan_.mechanism().parameters()[mover.parameter];
+  const GiNaC::ex formula =
+      is_variable_[mover.parameter] ? GiNaC::ex(0) : number(parameter.value).formula();
+  const auto own = [this](mechanism::NumberIndex given, const GiNaC::ex& follows) -> GiNaC::ex {
+    return given.exists() ? number(given).formula() - follows : GiNaC::ex(0);
+  };
+  parameter_rates_[mover.velocity] = own(parameter.velocity, rate(formula));
+  parameter_rates_[mover.acceleration] = own(parameter.acceleration, second_rate(formula));
+}
+
 LinkFeature<SceneNumber> SceneNumbers::feature(mechanism::FeatureIndex index, bool is_line) const {
   if (!index.exists()) {  // of a block
     return {is_line, SceneNumber(), SceneNumber(), {}};
@@ -133,6 +191,7 @@ void SceneNumbers::add_positions(
                        GiNaC::symbol(velocity),
                        GiNaC::symbol(acceleration),
                        driver,
+                       {},
                        {}});
     const GiNaC::symbol& symbol = movers_.back().position;
     symbols_.add(symbol, cpp::exact(value.value()));
@@ -262,6 +321,10 @@ std::string SceneNumbers::text(const SceneNumber& number) const {
 
 GiNaC::ex SceneNumbers::at_run_time(const GiNaC::ex& formula) const {
   GiNaC::ex result = formula;
+  for (GiNaC::ex before = result + 1; !result.is_equal(before);) {
+    before = result;  // a parameter's rates may hold those of others
+    result = result.subs(parameter_rates_);
+  }
   const std::deque<Root>& roots = symbols_.roots();
   for (auto root = roots.rbegin(); root != roots.rend(); ++root) {
     if (!varies(root->radicand)) {
@@ -277,6 +340,9 @@ GiNaC::ex SceneNumbers::derivative(const GiNaC::ex& formula, const GiNaC::ex& sy
   const auto column = std::ranges::find_if(
       modelled_, [&](const GiNaC::ex& modelled) { return modelled.is_equal(symbol); });
   for (const Mover& mover : movers_) {
+    if (mover.gradient.empty()) {
+      continue;
+    }
     slope += symbols_.derivative(formula, mover.position) *
              mover.gradient[static_cast<std::size_t>(column - modelled_.begin())];
   }

@@ -79,13 +79,15 @@ class SceneNumbers {
   void evaluate(mechanism::ParameterIndex parameter);
   [[nodiscard]] mechanism::Dual deviation(mechanism::ParameterIndex parameter) const;
   [[nodiscard]] bool varies(const GiNaC::ex& formula) const;
-  /// What moves a solver's links: a driver whose position is an argument, or a joint that a law
-  /// reads where groups place it.
+  /// What moves a solver's links: a driver whose position is an argument, a joint that a law reads
+  /// where groups place it, or a parameter with rates.
   struct Mover {
     GiNaC::symbol position, velocity, acceleration;
-    mechanism::DriverIndex driver;    ///< none of a joint that is read
-    std::vector<GiNaC::ex> gradient;  ///< to the modelled parameters
+    mechanism::DriverIndex driver;  ///< none of a joint that is read, and of a parameter
+    mechanism::ParameterIndex parameter;
+    std::vector<GiNaC::ex> gradient;  ///< to the modelled parameters; empty of a parameter
   };
+  void set_rates(const Mover& mover);
   void add_positions(const mechanism::Table<mechanism::DriverIndex, std::string>& drivers,
                      const mechanism::Table<mechanism::JointIndex, std::string>& joints);
   [[nodiscard]] GiNaC::ex rate(const GiNaC::ex& formula) const;
@@ -102,7 +104,8 @@ class SceneNumbers {
   mechanism::Table<mechanism::ParameterIndex, bool> is_variable_;
   mutable SceneSymbols symbols_;  ///< formulas that are made later may have new roots
   std::vector<GiNaC::symbol> variables_;
-  GiNaC::exmap deviations_;  ///< to zero
+  GiNaC::exmap deviations_;       ///< to zero
+  GiNaC::exmap parameter_rates_;  ///< symbols of parameters' rates to what these are
   std::vector<GiNaC::ex> modelled_;
   mechanism::Table<mechanism::ParameterIndex, std::optional<SceneNumber>> parameters_;
   std::vector<Mover> movers_;

@@ -90,10 +90,10 @@ void add_varying_dimensions(const SolverScene& solver, mechanism::GroupIndex gro
                                                   : ", " + gradient) +
                (rates.empty() ? "" : ", " + rates) + ");");
     };
-    if (value.is_angle && solver.numbers.varies(value.angle)) {
+    if (value.is_angle && (moves || solver.numbers.varies(value.angle))) {
       const std::string gradient = held.gradient(name + "_gradient", value.angle);
       hold("hold_angle", held.direction(value.angle), gradient, held.rates(value.angle));
-    } else if (!value.is_angle && solver.numbers.varies(value.length)) {
+    } else if (!value.is_angle && (moves || solver.numbers.varies(value.length))) {
       const std::string gradient = held.gradient(name + "_gradient", value.length);
       hold("hold_length", held.number(value.length), gradient, held.rates(value.length));
     }
@@ -126,9 +126,17 @@ DriverText driver_text(const SolverScene& solver, mechanism::DriverIndex index, 
           rates.empty() ? "" : "Rates(" + text::joined(rates, ", ", as_it_is) + ")", position};
 }
 
+/// Whether one of the lines names something; all do where there are none.
+bool may_be_read_by(const std::vector<std::string>& lines, const std::string& name) {
+  return lines.empty() || std::ranges::any_of(lines, [&](const std::string& line) {
+           return line.find(name) != std::string::npos;
+         });
+}
+
 /// The coordinates of joints that laws read where groups place them, which the function knows from
-/// then on.
-void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, SceneLines& lines) {
+/// then on; of those alone that its other lines mention, if these are known.
+void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, SceneLines& lines,
+                     const std::vector<std::string>& others = {}) {
   const mechanism::Mechanism& mechanism = solver.mechanism();
   const auto link_of = [&](mechanism::FeatureIndex feature) {
     return mechanism.features()[feature].link;
@@ -144,7 +152,8 @@ void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, S
   for (const mechanism::JointIndex joint : mechanism::joints_in_laws(mechanism, driver)) {
     const mechanism::Joint& at = mechanism.joints()[joint];
     const std::string name = "joint_" + solver.members.joints[joint];
-    if (mechanism.driver_of(joint).exists() || lines.declares("const LinkCoordinate " + name)) {
+    if (mechanism.driver_of(joint).exists() || lines.declares("const LinkCoordinate " + name) ||
+        !may_be_read_by(others, name + ".")) {
       continue;
     }
     std::string value;
@@ -199,18 +208,32 @@ void add_driven_links(const SolverScene& solver, std::size_t groups_before, Scen
   }
 }
 
-}  // namespace
-
-PlacingStatements driving_statements(const SolverScene& solver) {
+/// The statements of a function for a group. Where laws that read joints change the shape of its
+/// links, the coordinates of these come first, as far as the statements read them.
+template <typename Add>
+SceneLines lines_of_group(const SolverScene& solver, mechanism::GroupIndex group, const Add& add) {
+  SceneLines alone = lines_of(solver);
+  add(alone);
+  const mechanism::Structure& structure = solver.plan.structure();
+  const auto shapes_it = [&](mechanism::DriverIndex driver) {
+    return std::ranges::any_of(structure.driven, [&](const mechanism::DrivenLink& link) {
+      const std::vector<mechanism::LinkIndex>& links = structure.groups[group].links;
+      return link.driver == driver && std::ranges::find(links, link.to) != links.end();
+    });
+  };
   SceneLines lines = lines_of(solver);
-  std::vector<std::string> slides;
-  add_driven_links(solver, 0, lines, slides);
-  return {lines.lines(true), slides};
+  for (const mechanism::ReadingDriver& reading : structure.reading) {
+    if (const std::vector<std::string> others = alone.lines();
+        shapes_it(reading.driver) && !others.empty()) {
+      add_joints_read(solver, reading.driver, lines, others);
+    }
+  }
+  add(lines);
+  return lines;
 }
 
-std::vector<std::string> holding_statements(const SolverScene& solver,
-                                            mechanism::GroupIndex group) {
-  SceneLines held = lines_of(solver);
+/// Holds a group's external joints, and moves its dimensions.
+void add_holding(const SolverScene& solver, mechanism::GroupIndex group, SceneLines& held) {
   int first = 0;
   for (const ExternalJoint& external : external_joints(solver, group)) {
     const mechanism::ElementaryJoint& at = *external.joint;
@@ -233,12 +256,11 @@ std::vector<std::string> holding_statements(const SolverScene& solver,
   }
   add_varying_dimensions(solver, group, true, first, held);
   add_varying_dimensions(solver, group, false, first, held);
-  return held.lines();
 }
 
-PlacingStatements placing_statements(const SolverScene& solver, mechanism::GroupIndex group) {
-  SceneLines lines = lines_of(solver);
-  std::vector<std::string> slides;
+/// Places a group's links and slides, and what drivers move behind it.
+void add_placing(const SolverScene& solver, mechanism::GroupIndex group, SceneLines& lines,
+                 std::vector<std::string>& slides) {
   const mechanism::GroupGeometry<SceneNumber>& geometry = solver.numbers.group(group);
   const std::vector<FrameNeed> needs = frame_needs(solver, group);
   std::size_t frames = 0;
@@ -288,6 +310,29 @@ PlacingStatements placing_statements(const SolverScene& solver, mechanism::Group
     slides.push_back(solver.slide_member(at));
   }
   add_driven_links(solver, group.place() + 1, lines, slides);
+}
+
+}  // namespace
+
+PlacingStatements driving_statements(const SolverScene& solver) {
+  SceneLines lines = lines_of(solver);
+  std::vector<std::string> slides;
+  add_driven_links(solver, 0, lines, slides);
+  return {lines.lines(true), slides};
+}
+
+std::vector<std::string> holding_statements(const SolverScene& solver,
+                                            mechanism::GroupIndex group) {
+  return lines_of_group(solver, group, [&](SceneLines& held) { add_holding(solver, group, held); })
+      .lines();
+}
+
+PlacingStatements placing_statements(const SolverScene& solver, mechanism::GroupIndex group) {
+  std::vector<std::string> slides;
+  const SceneLines lines = lines_of_group(solver, group, [&](SceneLines& placing) {
+    slides.clear();
+    add_placing(solver, group, placing, slides);
+  });
   return {lines.lines(), slides};
 }
 

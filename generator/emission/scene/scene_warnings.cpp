@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <assur/mechanism/plan.hpp>
-#include <assur/text/names.hpp>
 
 namespace assur::generator::emission::scene {
 
@@ -10,23 +9,13 @@ std::vector<std::string> scene_warnings(const mechanism::Scene& scene) {
   constexpr std::size_t most_groups = 10;
   const mechanism::Plan plan(scene);
   std::vector<std::string> warnings;
-  std::vector<std::string> limited;
-  for (const mechanism::Joint& joint : plan.mechanism().joints()) {
-    if (joint.lowest.exists()) {
-      limited.push_back(joint.name);
-    }
-  }
-  if (!limited.empty()) {
-    warnings.push_back("the solver lists configurations beyond the limits of the joints " +
-                       text::listed(limited) + " too");
-  }
   if (plan.structure().groups.size() > most_groups) {
     return warnings;
   }
   const mechanism::Solution solution = plan.solve(plan.values());
   if (solution.status == mechanism::SolutionStatus::no_assembly) {
     warnings.push_back("the mechanism cannot be assembled at the scene's own numbers: " +
-                       solution.reason);
+                       plan.obstacle(plan.values()));
   }
   for (const mechanism::Family& family : solution.families) {
     const std::string warning = "degenerate at the scene's own numbers: " + family.reason;

@@ -143,37 +143,11 @@ mechanism::Table<mechanism::LinkIndex, FrameNeed> needs_of_links(const SolverSce
 
 /// Throws MechanismError for what solvers do not model.
 mechanism::Plan expect_modelled(mechanism::Plan plan) {
-  const mechanism::Mechanism& mechanism = plan.mechanism();
   if (!plan.redundant().empty()) {
     throw mechanism::MechanismError(
         "joints." + plan.redundant().front(),
         "the joint has constraints that are too many, which a solver does not check; take them "
         "away: where the others hold, this one does");
-  }
-  for (const mechanism::ReadingDriver& reading : plan.structure().reading) {
-    const mechanism::NumberIndex law = mechanism.drivers()[reading.driver].position;
-    const auto is_driver = [&](const mechanism::DrivenLink& link) {
-      return link.driver == reading.driver;
-    };
-    const auto& driven = plan.structure().driven;
-    const mechanism::DrivenLink& link = *std::find_if(driven.begin(), driven.end(), is_driver);
-    if (!plan.structure().carried_by_ground()[link.to]) {
-      throw mechanism::MechanismError(
-          mechanism.numbers()[law].part,
-          "the law reads joints that groups place, and moves a link of a group; a solver models "
-          "such laws only for links that the ground carries");
-    }
-  }
-  for (const mechanism::Feature& feature : mechanism.features()) {
-    for (const mechanism::NumberIndex number :
-         {feature.x, feature.y, feature.along_x, feature.along_y}) {
-      if (number.exists() && plan.has_rates(number)) {
-        throw mechanism::MechanismError(
-            mechanism.numbers()[number].part,
-            "the place moves with the rates of a parameter, and a solver does not model that; "
-            "drive a joint instead");
-      }
-    }
   }
   return plan;
 }

@@ -93,10 +93,17 @@ bool varies(const SolverScene& solver, const DimensionValue<SceneNumber>& value)
 
 }  // namespace
 
+bool ExternalJoint::moves(const SolverScene& solver) const {
+  const LinkFeature<SceneNumber> place = feature(solver);
+  const SceneNumbers& numbers = solver.numbers;
+  return !solver.is_ground(base) || numbers.moves(place.x) || numbers.moves(place.y) ||
+         (place.line && (numbers.moves(place.along.cos) || numbers.moves(place.along.sin)));
+}
+
 bool ExternalJoint::is_fixed(const SolverScene& solver) const {
   const LinkFeature<SceneNumber> place = feature(solver);
-  return solver.is_ground(base) && !solver.numbers.varies(place.x) &&
-         !solver.numbers.varies(place.y) && !(place.line && solver.numbers.varies(place.along));
+  return !moves(solver) && !solver.numbers.varies(place.x) && !solver.numbers.varies(place.y) &&
+         !(place.line && solver.numbers.varies(place.along));
 }
 
 const mechanism::GroupGeometry<SceneNumber>& normal_group(const SolverScene& solver,
@@ -178,7 +185,7 @@ SpecialisedNumbers specialised_numbers(const SolverScene& solver, mechanism::Gro
       } else {
         of_inputs.add_input();
       }
-      input_moves.push_back(!solver.is_ground(held.base));
+      input_moves.push_back(held.moves(solver));
     }
   }
   for (const bool moves : dimension_moves) {

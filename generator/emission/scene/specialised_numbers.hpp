@@ -19,6 +19,8 @@ struct ExternalJoint {
   /// Whether the group is held where the ground has the joint at every time and with any
   /// parameters.
   [[nodiscard]] bool is_fixed(const SolverScene& solver) const;
+  /// Whether the place where the group is held moves with time.
+  [[nodiscard]] bool moves(const SolverScene& solver) const;
 };
 
 /// The links of a group in normal form. Throws MechanismError for a degenerate group.

@@ -33,6 +33,15 @@ class Dependence {
     }
     return *this;
   }
+  Dependence& add_limits() {
+    for (const mechanism::Joint& joint : mechanism_.joints()) {
+      if (joint.lowest.exists()) {
+        add(joint.lowest);
+        add(joint.highest);
+      }
+    }
+    return *this;
+  }
   Dependence& add_laws() {
     for (const mechanism::Driver& driver : mechanism_.drivers()) {
       add(driver.position);
@@ -87,7 +96,7 @@ std::vector<ParameterIndex> independent_parameters(const mechanism::Scene& scene
 }
 
 void expect_arguments(const mechanism::Plan& plan, const std::vector<ParameterIndex>& parameters) {
-  const Dependence places = Dependence(plan.mechanism(), parameters).add_places();
+  const Dependence places = Dependence(plan.mechanism(), parameters).add_places().add_limits();
   const Dependence laws = Dependence(plan.mechanism(), parameters).add_laws();
   for (const ParameterIndex parameter : parameters) {
     if (!places.on(parameter)) {

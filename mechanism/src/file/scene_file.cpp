@@ -72,6 +72,17 @@ class SceneReader {
     }
   }
 
+  /// Throws MechanismError for a driver that is set as if it were a parameter.
+  void expect_no_driver(const std::string& name) const {
+    const bool is_driver = root_.contains("drivers") && root_["drivers"].is_object() &&
+                           root_["drivers"].contains(name);
+    if (is_driver && !index_of(mechanism_.parameters(), name).exists()) {
+      throw MechanismError("--set", in_quotes(name) +
+                                        " is a driver and no parameter; let its 'position' be a "
+                                        "formula in a parameter, and set that");
+    }
+  }
+
   void apply_settings() {
     for (const std::string& setting : settings_) {
       const std::size_t equals = setting.find('=');
@@ -79,6 +90,7 @@ class SceneReader {
         throw MechanismError("--set", "expected NAME=EXPR, found " + in_quotes(setting));
       }
       const std::string name = setting.substr(0, equals);
+      expect_no_driver(name);
       (void)mechanism_.parameter_named(name, "--set");
       mechanism_.set_parameter(name, setting.substr(equals + 1), "--set " + name);
     }

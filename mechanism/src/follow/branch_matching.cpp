@@ -41,6 +41,13 @@ class Matcher {
     return std::move(result_);
   }
 
+  /// Whether all points stay apart, and none goes through a singular configuration.
+  [[nodiscard]] bool is_plain() {
+    result_.to_right.assign(left_.count(), PointIndex(0));
+    list_turned();
+    return stay_apart() && result_.turned.empty();
+  }
+
  private:
   /// Whether every point's match is that of the same number, and no two come near: the points are
   /// so far apart that the others need not be looked at. Let every point go as far as r at most and
@@ -214,6 +221,11 @@ Eigen::VectorXd cubic(const ConfigurationPoint& left, const ConfigurationPoint& 
 
 double defect(const ConfigurationPoint& left, const ConfigurationPoint& right, double step) {
   return (right.at - left.at - step / 2 * (left.slope + right.slope)).norm();
+}
+
+bool goes_on(const Snapshot& left, const Snapshot& right) {
+  return left.count() == 1 && right.count() == 1 && Matcher(left, right).is_plain() &&
+         Matcher(right, left).is_plain();
 }
 
 BranchMatching match(const Snapshot& left, const Snapshot& right) {

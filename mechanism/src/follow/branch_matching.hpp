@@ -36,6 +36,10 @@ struct BranchMatching {
 /// through the values and derivatives of this match and any other, throughout the interval.
 [[nodiscard]] BranchMatching match(const Snapshot& left, const Snapshot& right);
 
+/// Whether the only configuration of one set goes on to the only one of another, so far from all
+/// others at both ends that no other can: see `match`.
+[[nodiscard]] bool goes_on(const Snapshot& left, const Snapshot& right);
+
 /// The cubic with the values and derivatives of `left` and `right`, at a part of the interval.
 [[nodiscard]] Eigen::VectorXd cubic(const ConfigurationPoint& left, const ConfigurationPoint& right,
                                     double step, double part);

@@ -8,10 +8,10 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// Every pair of them is compared.
-constexpr std::size_t most_followed = 1000;
 /// Between two steps; a turn takes about a hundred.
 constexpr int most_between_steps = 200000;
+/// Angles that laws read are counted at so many values of a sweep at least.
+constexpr double least_counts = 512;
 
 /// The longest distance between two features of one link, which no motion changes; where no link
 /// has two, the largest coordinate of a feature.
@@ -66,7 +66,7 @@ SnapshotSolver::SnapshotSolver(const Plan& plan, const Values& values)
   column_ = std::find(columns.begin(), columns.end(), sweep().parameter) - columns.begin();
   from_ = values_.value_of(sweep().from);
   to_ = values_.value_of(sweep().to);
-  length_ = length_of(plan.mechanism(), values_at(from_));
+  sought_.length = length_of(plan.mechanism(), values_at(from_));
 }
 
 const Values& SnapshotSolver::values_at(double parameter) {
@@ -84,11 +84,13 @@ std::unique_ptr<Snapshot> SnapshotSolver::spare() const {
 }
 
 SnapshotPointer SnapshotSolver::at_step(double parameter) {
-  between_steps_ = 0;
-  return solved(parameter);
+  begin_step();
+  const SnapshotPointer set = solved(parameter);
+  count_from(set);
+  return set;
 }
 
-SnapshotPointer SnapshotSolver::solved(double parameter) {
+std::unique_ptr<Snapshot> SnapshotSolver::begun(double parameter) {
   const Values& values = values_at(parameter);
   std::unique_ptr<Snapshot> snapshot = spare();
   snapshot->parameter = parameter;
@@ -97,6 +99,36 @@ SnapshotPointer SnapshotSolver::solved(double parameter) {
   for (const GroupIndex group : snapshot->roles.keys()) {
     snapshot->roles[group] = values.group(group).roles;
   }
+  return snapshot;
+}
+
+/// Where laws read angles, these are counted on from the anchor in small steps.
+SnapshotPointer SnapshotSolver::solved(double parameter) {
+  if (anchor_ != nullptr) {
+    const SnapshotPointer anchor = anchor_;
+    const double way = parameter - anchor->parameter;
+    const double parts = to_ == from_ ? 1 : std::ceil(std::abs(way / (to_ - from_)) * least_counts);
+    for (double part = 1; part < parts; ++part) {
+      count_from(solved_here(anchor->parameter + way * part / parts));
+    }
+    const SnapshotPointer set = solved_here(parameter);
+    count_from(anchor);
+    return set;
+  }
+  return solved_here(parameter);
+}
+
+void SnapshotSolver::count_from(const SnapshotPointer& set) {
+  const bool has_angles = std::ranges::any_of(
+      set->solution.configurations, [](const Configuration& one) { return !one.counted.empty(); });
+  if (has_angles) {
+    anchor_ = set;
+    solver_.count_from(&set->solution.configurations);
+  }
+}
+
+SnapshotPointer SnapshotSolver::solved_here(double parameter) {
+  std::unique_ptr<Snapshot> snapshot = begun(parameter);
   solver_.solve({.within_limits = false}, snapshot->solution);
   if (snapshot->solution.configurations.size() > most_followed) {
     throw MechanismError("sweep", "more than " + std::to_string(most_followed) +
@@ -105,12 +137,38 @@ SnapshotPointer SnapshotSolver::solved(double parameter) {
   return completed(std::move(snapshot));
 }
 
-SnapshotPointer SnapshotSolver::at(double parameter) {
+SnapshotPointer SnapshotSolver::one_at(double parameter, std::size_t number) {
+  std::unique_ptr<Snapshot> snapshot = begun(parameter);
+  if (number == 0) {
+    (void)solver_.solve_nearest(snapshot->solution);
+  } else {
+    (void)plan_.solve_one(values_, number, snapshot->solution);
+  }
+  return completed(std::move(snapshot));
+}
+
+SnapshotPointer SnapshotSolver::near(double parameter, const Eigen::VectorXd& point) {
+  count_between_steps();
+  std::unique_ptr<Snapshot> snapshot = begun(parameter);
+  sought_.at = point;
+  const std::optional<Nearest> found = solver_.solve_near(sought_, snapshot->solution);
+  const std::shared_ptr<Snapshot> set = completed(std::move(snapshot));
+  if (found && found->runner_up) {
+    set->closest = *found->runner_up - found->distance;
+  }
+  return set;
+}
+
+void SnapshotSolver::count_between_steps() {
   if (++between_steps_ > most_between_steps) {
     throw MechanismError("sweep",
                          "between two steps the mechanism moves too far to be followed; "
                          "take more steps, or a shorter range");
   }
+}
+
+SnapshotPointer SnapshotSolver::at(double parameter) {
+  count_between_steps();
   try {
     return solved(parameter);
   } catch (const MechanismError& error) {
@@ -123,7 +181,7 @@ SnapshotPointer SnapshotSolver::at(double parameter) {
   }
 }
 
-SnapshotPointer SnapshotSolver::completed(std::unique_ptr<Snapshot> snapshot) const {
+std::shared_ptr<Snapshot> SnapshotSolver::completed(std::unique_ptr<Snapshot> snapshot) const {
   snapshot->points.resize(snapshot->solution.configurations.size());
   for (const PointIndex point : snapshot->points.keys()) {
     set_point(snapshot->configuration(point), snapshot->points[point]);
@@ -142,9 +200,9 @@ void SnapshotSolver::set_point(const Configuration& configuration,
   for (const Frame& link : configuration.links) {
     const Direction<double>& direction = link.pose.direction;
     const auto slope = link.follows.first.col(column_);
-    point.at.segment<4>(row) << link.pose.x / length_, link.pose.y / length_, direction.cos,
-        direction.sin;
-    point.slope.segment<4>(row) << slope(0) / length_, slope(1) / length_,
+    point.at.segment<4>(row) << link.pose.x / sought_.length, link.pose.y / sought_.length,
+        direction.cos, direction.sin;
+    point.slope.segment<4>(row) << slope(0) / sought_.length, slope(1) / sought_.length,
         -slope(2) * direction.sin, slope(2) * direction.cos;
     row += 4;
   }

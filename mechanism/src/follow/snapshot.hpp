@@ -1,7 +1,7 @@
 // Turns one value of the swept parameter into every configuration, as points of one space.
 #pragma once
 
-#include <assur/mechanism/plan.hpp>
+#include <assur/mechanism/sweep.hpp>
 #include <memory>
 #include <vector>
 
@@ -49,6 +49,17 @@ class SnapshotSolver {
   /// Anywhere: what `at_step` would throw is the reason of a degenerate solution. Throws
   /// MechanismError where too much is asked for between two steps.
   [[nodiscard]] SnapshotPointer at(double parameter);
+  /// The configuration of a number, or where that is zero the one nearest to the reference, alone
+  /// in the set; the set is empty where there is none. Throws as `at_step` does.
+  [[nodiscard]] SnapshotPointer one_at(double parameter, std::size_t number);
+  /// The configuration nearest to a point, alone in the set, and no nearer to any other than
+  /// `closest`. Throws as `at` does.
+  [[nodiscard]] SnapshotPointer near(double parameter, const Eigen::VectorXd& point);
+  /// Angles that laws read are counted on from those of a set by whole turns; a step's set is taken
+  /// for that as it is solved.
+  void count_from(const SnapshotPointer& set);
+  /// Counts anew how much is asked for between two steps; `at_step` does.
+  void begin_step() { between_steps_ = 0; }
   /// The mechanism's values there. They change with the next call.
   [[nodiscard]] const Values& values_at(double parameter);
 
@@ -57,16 +68,20 @@ class SnapshotSolver {
   [[nodiscard]] double from() const { return from_; }
   [[nodiscard]] double to() const { return to_; }
   /// A length of the mechanism, the unit of the points.
-  [[nodiscard]] double length() const { return length_; }
+  [[nodiscard]] double length() const { return sought_.length; }
 
  private:
   using Spares = std::vector<std::unique_ptr<Snapshot>>;
 
   [[nodiscard]] SnapshotPointer solved(double parameter);
+  [[nodiscard]] SnapshotPointer solved_here(double parameter);
+  /// One to be solved at a value, to which `values_` are set.
+  [[nodiscard]] std::unique_ptr<Snapshot> begun(double parameter);
+  void count_between_steps();
   /// One to be written: whatever it holds is of another value.
   [[nodiscard]] std::unique_ptr<Snapshot> spare() const;
   /// With its configurations' points, and whether these can be told apart.
-  [[nodiscard]] SnapshotPointer completed(std::unique_ptr<Snapshot> snapshot) const;
+  [[nodiscard]] std::shared_ptr<Snapshot> completed(std::unique_ptr<Snapshot> snapshot) const;
   void set_point(const Configuration& configuration, ConfigurationPoint& point) const;
 
   const Plan& plan_;
@@ -77,8 +92,9 @@ class SnapshotSolver {
   Eigen::Index column_;  ///< of the derivatives to the swept parameter
   double from_ = 0;
   double to_ = 0;
-  double length_ = 1;
-  int between_steps_ = 0;  ///< how many were asked for since the last step
+  solve::SoughtPoint sought_;  ///< its length is that of the mechanism
+  SnapshotPointer anchor_;     ///< whose angles are counted on; null where laws read none
+  int between_steps_ = 0;      ///< how many were asked for since the last step
 };
 
 }  // namespace assur::mechanism::follow

@@ -8,6 +8,7 @@
 #include "branch_tracker.hpp"
 #include "passage.hpp"
 #include "solve/closure_error.hpp"
+#include "sweep_range.hpp"
 
 namespace assur::mechanism::follow {
 
@@ -56,7 +57,8 @@ class Sweeper {
   Sweeper(const Plan& plan, const Values& values, const SweepObserver& observer)
       : observer_(observer), solver_(plan, values), tracker_(solver_) {}
 
-  void run() {
+  /// Returns how many branches have been numbered.
+  int run() {
     for (int step = 0; step < count(); ++step) {
       (void)solver_.values_at(value_at(step));
     }
@@ -73,6 +75,7 @@ class Sweeper {
       }
       observer_.progress(step + 1);
     }
+    return last_shown_;
   }
 
  private:
@@ -80,9 +83,7 @@ class Sweeper {
   [[nodiscard]] double sense() const { return range() < 0 ? -1 : 1; }
   [[nodiscard]] int count() const { return solver_.sweep().count; }
   [[nodiscard]] double value_at(int step) const {
-    const int last = count() - 1;
-    return last == 0 ? solver_.from()
-                     : solver_.from() + range() * (static_cast<double>(step) / last);
+    return value_at_step(solver_.from(), solver_.to(), step, count());
   }
 
   void pass(int step, const SnapshotPointer& set) {
@@ -357,15 +358,7 @@ class Sweeper {
 
 }  // namespace
 
-}  // namespace assur::mechanism::follow
-
-namespace assur::mechanism {
-
-void sweep(const Plan& plan, const SweepObserver& observer) {
-  sweep(plan, plan.values(), observer);
-}
-
-void sweep(const Plan& plan, const Values& values, const SweepObserver& observer) {
+SweepObserver expect_sweep(const Plan& plan, const Values& values, SweepObserver observer) {
   if (!plan.request().sweep) {
     throw MechanismError("sweep", "the request has no sweep");
   }
@@ -374,22 +367,34 @@ void sweep(const Plan& plan, const Values& values, const SweepObserver& observer
   if (!std::isfinite(values.value_of(range.to) - values.value_of(range.from))) {
     throw MechanismError("sweep", "the range from 'from' to 'to' is not finite");
   }
-  SweepObserver complete = observer;
-  if (!complete.record) {
-    complete.record = [](const SweepRecord&) {};
+  if (!observer.record) {
+    observer.record = [](const SweepRecord&) {};
   }
-  if (!complete.solved) {
-    complete.solved = [](double, const Solution&) {};
+  if (!observer.solved) {
+    observer.solved = [](double, const Solution&) {};
   }
-  if (!complete.progress) {
-    complete.progress = [](int) {};
+  if (!observer.progress) {
+    observer.progress = [](int) {};
   }
+  return observer;
+}
+
+}  // namespace assur::mechanism::follow
+
+namespace assur::mechanism {
+
+int sweep(const Plan& plan, const SweepObserver& observer) {
+  return sweep(plan, plan.values(), observer);
+}
+
+int sweep(const Plan& plan, const Values& values, const SweepObserver& observer) {
+  const SweepObserver complete = follow::expect_sweep(plan, values, observer);
   if (!plan.redundant().empty()) {  // throws where they do not hold as the sweep begins
     Values first = values;
     first.set(plan.request().sweep->parameter, values.value_of(plan.request().sweep->from));
     (void)plan.solve(first);
   }
-  follow::Sweeper(plan, values, complete).run();
+  return follow::Sweeper(plan, values, complete).run();
 }
 
 }  // namespace assur::mechanism

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <tuple>
 
 namespace assur::mechanism::plan {
 
@@ -258,7 +257,8 @@ class StructuralGraph {
     }
   }
 
-  /// Of the components that depend on ranked ones only, the smallest goes next.
+  /// Of the components that depend on ranked ones only, the smallest goes next, and of these the
+  /// one whose links' names come first: configurations may be numbered group by group.
   void rank_bodies(Decomposition& result) {
     Table<BodyIndex, std::vector<BodyIndex>> needs(bodies_.size()), read(bodies_.size());
     for (const BodyIndex body : bodies_.keys()) {
@@ -275,15 +275,17 @@ class StructuralGraph {
       }
     }
     const StrongComponents components(needs);
-    using Rank = std::tuple<std::size_t, BodyIndex>;  // links, first body
-    Table<ComponentIndex, Rank> ranks(components.count(), Rank(0, BodyIndex(bodies_.size())));
+    using Rank = std::pair<std::size_t, std::vector<std::string>>;  // how many links, their names
+    Table<ComponentIndex, Rank> ranks(components.count());
     Table<ComponentIndex, std::set<ComponentIndex>> waits_for(components.count());
     Table<ComponentIndex, std::vector<ComponentIndex>> waited_by(components.count());
     for (const BodyIndex body : bodies_.keys()) {
       const ComponentIndex own = components.of(body);
-      auto& [links, first] = ranks[own];
-      links += bodies_[body].link.exists() ? 1 : 0;
-      first = std::min(first, body);
+      auto& [links, names] = ranks[own];
+      if (bodies_[body].link.exists()) {
+        ++links;
+        names.push_back(linkage_.links[bodies_[body].link]);
+      }
       for (const BodyIndex needed : needs[body]) {
         const ComponentIndex other = components.of(needed);
         if (other != own && waits_for[own].insert(other).second) {
@@ -295,6 +297,9 @@ class StructuralGraph {
           waited_by[components.of(needed)].push_back(own);
         }
       }
+    }
+    for (Rank& rank : ranks) {
+      std::ranges::sort(rank.second);
     }
     std::set<std::pair<Rank, ComponentIndex>> ready;
     for (const ComponentIndex component : ranks.keys()) {

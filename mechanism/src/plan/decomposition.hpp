@@ -48,7 +48,8 @@ struct Decomposition {
 /// matched once more, one by one, a joint with a driver making three constraints. A link depends on
 /// what its matched joints join it to, and the strongly connected components of that relation are
 /// the groups: no smaller part can be solved alone. They come in an order in which each depends on
-/// earlier ones only, and the laws of its drivers read earlier ones only; smaller groups first.
+/// earlier ones only, and the laws of its drivers read earlier ones only; smaller groups first,
+/// and then in the order of their links' names.
 [[nodiscard]] Decomposition decompose(const Linkage& linkage, const DrivenBodies& bodies);
 
 }  // namespace assur::mechanism::plan

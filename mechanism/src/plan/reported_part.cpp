@@ -25,6 +25,13 @@ class PartFinder {
     for (const ReferenceAngle& angle : reference) {
       needed_[angle.link] = true;
     }
+    for (const Joint& joint : mechanism.joints()) {
+      if (joint.lowest.exists()) {  // its limits leave out configurations of what is reported
+        for (const FeatureIndex feature : joint.between) {
+          needed_[mechanism.features()[feature].link] = true;
+        }
+      }
+    }
     for (const ElementaryJoint& joint : structure.linkage.joints) {
       if (joint.prismatic && reported.has(joint.joint)) {
         needed_[joint.first] = true;

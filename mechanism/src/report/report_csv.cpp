@@ -140,7 +140,9 @@ std::string csv_rows(const Report& report) {
   const std::vector<Configuration>& configurations = report.solution.configurations;
   for (std::size_t index = 0; index < configurations.size(); ++index) {
     if (report::is_reported(report, index)) {
-      rows += "0," + std::to_string(index + 1);
+      const bool is_unnumbered = report.alone && report.nearest;
+      rows += "0,";
+      rows += is_unnumbered ? "" : std::to_string(report.alone ? report.branch : index + 1);
       report::add_cells(report.plan, report.values.spread(), configurations[index], rows);
       rows += "\n";
     }

@@ -177,6 +177,9 @@ std::string report_json(const Report& report) {
                           [](const Joint& joint) { return joint.lowest.exists(); })) {
     root["left_out"] = solution.left_out ? report::Json(*solution.left_out) : report::Json();
   }
+  if (solution.dropped > 0) {
+    root["dropped"] = {{"count", solution.dropped}, {"reason", solution.drop_reason}};
+  }
   if (report.nearest) {
     const auto number =
         report.alone ? report::Json() : report::Json(report.nearest->configuration + 1);

@@ -172,6 +172,11 @@ std::string report_text(const Report& report) {
             (*solution.left_out == 1 ? " configuration" : " configurations") +
             " beyond the limits of joints\n";
   }
+  if (solution.dropped > 0) {
+    text += "dropped: " + std::to_string(solution.dropped) +
+            (solution.dropped == 1 ? " choice" : " choices") +
+            " of configurations of earlier groups: " + solution.drop_reason + "\n";
+  }
   if (report.nearest) {
     const auto degrees = [](double angle) {
       std::array<char, 32> digits{};
@@ -196,9 +201,10 @@ std::string report_text(const Report& report) {
     std::array<char, 32> residual{};
     (void)std::snprintf(residual.data(), residual.size(), "%.1e", configuration.residual);
     text += "\nconfiguration " +
-            (report.alone ? "nearest to the reference"
-                          : std::to_string(index + 1) + " of " +
-                                std::to_string(solution.configurations.size())) +
+            (!report.alone ? std::to_string(index + 1) + " of " +
+                                 std::to_string(solution.configurations.size())
+             : report.nearest ? "nearest to the reference"
+                              : std::to_string(report.branch)) +
             ": " + report::regularity_text(configuration.regularity) + ", residual " +
             residual.data() + "\n";
     text += report::configuration_text(configuration, report);

@@ -89,7 +89,7 @@ namespace assur::mechanism::report {
 }
 
 [[nodiscard]] inline bool is_reported(const Report& report, std::size_t configuration) {
-  return report.branch == 0 || std::cmp_equal(configuration + 1, report.branch);
+  return report.alone || report.branch == 0 || std::cmp_equal(configuration + 1, report.branch);
 }
 
 }  // namespace assur::mechanism::report

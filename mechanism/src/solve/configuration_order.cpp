@@ -11,18 +11,26 @@ namespace {
 /// So many are put in order as they are.
 constexpr std::size_t few = 64;
 
+/// The directions of some links.
+struct LinkDirections {
+  const std::vector<LinkIndex>& links;
+  const Table<LinkIndex, Frame>& placed;
+
+  [[nodiscard]] std::size_t size() const { return links.size(); }
+  [[nodiscard]] const Direction<double>& operator[](std::size_t place) const {
+    return placed[links[place]].pose.direction;
+  }
+};
+
 }  // namespace
 
-void ConfigurationOrder::set_key(const Configuration& configuration, std::vector<double>& key) {
-  directions_.clear();
-  for (const LinkIndex link : parts_.links) {
-    directions_.push_back(configuration.links[link].pose.direction);
-  }
-  std::size_t place = support::turning_key_size(directions_.size());
-  key.assign(place + parts_.slides.size(), 0);
-  support::turning_key(directions_, key);
-  for (const NamedSlide& named : parts_.slides) {
-    for (const SlideState& slide : configuration.slides) {
+void set_order_key(const NamedParts& parts, const Table<LinkIndex, Frame>& links,
+                   const std::vector<SlideState>& slides, std::vector<double>& key) {
+  std::size_t place = support::turning_key_size(parts.links.size());
+  key.assign(place + parts.slides.size(), 0);
+  support::turning_key(LinkDirections{parts.links, links}, key);
+  for (const NamedSlide& named : parts.slides) {
+    for (const SlideState& slide : slides) {
       if (slide.joint == named.joint) {
         key[place] = named.sense * slide.displacement;
       }
@@ -56,7 +64,7 @@ void ConfigurationOrder::sort(std::vector<Configuration>& configurations) {
   }
   keys_.resize(configurations.size());
   for (std::size_t index = 0; index < configurations.size(); ++index) {
-    set_key(configurations[index], keys_[index]);
+    set_order_key(parts_, configurations[index].links, configurations[index].slides, keys_[index]);
   }
   if (configurations.size() > few) {
     sort_roughly(configurations);

@@ -2,10 +2,14 @@
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
-#include <assur/model.hpp>
 #include <vector>
 
 namespace assur::mechanism::solve {
+
+/// What places a configuration among others: the turning key of its links, then the displacements
+/// of its slides.
+void set_order_key(const NamedParts& parts, const Table<LinkIndex, Frame>& links,
+                   const std::vector<SlideState>& slides, std::vector<double>& key);
 
 /// Orders configurations by what depends neither on where the mechanism stands, nor on its size,
 /// nor on the order in which its parts are listed: sums over all pairs of links that groups place
@@ -20,11 +24,9 @@ class ConfigurationOrder {
 
  private:
   void sort_roughly(std::vector<Configuration>& configurations);
-  void set_key(const Configuration& configuration, std::vector<double>& key);
 
   const NamedParts& parts_;
   std::vector<std::vector<double>> keys_;  ///< room for them
-  std::vector<Direction<double>> directions_;
 };
 
 }  // namespace assur::mechanism::solve

@@ -23,6 +23,7 @@ struct PlacedLinks {
   Table<LinkIndex, Frame> links;                      ///< blocks behind the mechanism's links
   Table<LinkIndex, support::Displacement> displaced;  ///< of each, by rounding
   std::vector<SlideState> slides;
+  std::vector<CountedAngle> counted;
   Table<GroupIndex, PlacedGroup> groups;
   Status regularity = Status::ok;
   bool derivatives_known = true;

@@ -1,8 +1,12 @@
 #include "limits.hpp"
 
 #include <algorithm>
+#include <array>
 #include <assur/directions.hpp>
+#include <assur/support/limits.hpp>
+#include <assur/text/names.hpp>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "plan/plan_data.hpp"
@@ -10,22 +14,6 @@
 namespace assur::mechanism::solve {
 
 namespace {
-
-/// A limit counts as kept where rounding may have moved the coordinate beyond it.
-constexpr double rounding = 1e-12;
-
-bool is_between(double lowest, double coordinate, double highest) {
-  const double slack = rounding * std::max({1.0, std::abs(lowest), std::abs(highest)});
-  return lowest - slack <= coordinate && coordinate <= highest + slack;
-}
-
-/// Whether an angle, turned by whole turns, lies between two others.
-bool is_turned_between(double lowest, double angle, double highest) {
-  constexpr double turn = 2 * std::numbers::pi;
-  const double slack = rounding * std::max({1.0, std::abs(lowest), std::abs(highest)});
-  const double first = angle + turn * std::ceil((lowest - slack - angle) / turn);
-  return first <= highest + slack;
-}
 
 /// Above -pi, and not at it by what rounding leaves of half a turn: a law that reads the angle says
 /// the same however the links are listed.
@@ -65,19 +53,50 @@ JointMotion coordinate_of(const Values& values, const Table<LinkIndex, Frame>& l
           slide.acceleration};
 }
 
-bool keeps_limits(const Values& values, const Table<LinkIndex, Frame>& links,
-                  const std::vector<SlideState>& slides, JointIndex index) {
+double beyond_limits(const Values& values, const Table<LinkIndex, Frame>& links,
+                     const std::vector<SlideState>& slides, JointIndex index) {
   const Mechanism& mechanism = values.plan().mechanism;
   const Joint& joint = mechanism.joints()[index];
-  if (!joint.lowest.exists()) {
-    return true;
-  }
   const DriverIndex driver = mechanism.driver_of(index);
   const JointMotion motion =
       driver.exists() ? values.motion(driver) : coordinate_of(values, links, slides, index);
-  const auto keeps = joint.type == JointType::revolute ? is_turned_between : is_between;
-  return keeps(values.number(joint.lowest).value(), motion.position.value(),
-               values.number(joint.highest).value());
+  const double at = motion.position.value();
+  const double lowest = values.number(joint.lowest).value();
+  const double highest = values.number(joint.highest).value();
+  if (joint.type != JointType::revolute) {
+    return support::is_between(lowest, at, highest) ? 0 : std::max(lowest - at, at - highest);
+  }
+  if (support::is_turned_between(lowest, at, highest)) {
+    return 0;
+  }
+  constexpr double turn = 2 * std::numbers::pi;
+  const double above = at + turn * std::ceil((lowest - at) / turn);
+  return std::min(above - highest, lowest - (above - turn));
 }
 
 }  // namespace assur::mechanism::solve
+
+namespace assur::mechanism {
+
+void add_breach(const LimitBreach& breach, std::vector<LimitBreach>& breaches) {
+  const auto same = std::ranges::find(breaches, breach.joint, &LimitBreach::joint);
+  if (same == breaches.end()) {
+    breaches.push_back(breach);
+    return;
+  }
+  same->configurations += breach.configurations;
+  same->least = std::min(same->least, breach.least);
+}
+
+std::string breaches_text(const Mechanism& mechanism, const std::vector<LimitBreach>& breaches) {
+  return text::joined(breaches, ", ", [&](const LimitBreach& breach) {
+    const Joint& joint = mechanism.joints()[breach.joint];
+    const bool turns = joint.type == JointType::revolute;
+    std::array<char, 40> by{};
+    (void)std::snprintf(by.data(), by.size(), turns ? "%.3g deg" : "%.3g",
+                        turns ? breach.least * 180 / std::numbers::pi : breach.least);
+    return joint.name + " by " + by.data() + " at least";
+  });
+}
+
+}  // namespace assur::mechanism

@@ -11,9 +11,9 @@ namespace assur::mechanism::solve {
 [[nodiscard]] JointMotion coordinate_of(const Values& values, const Table<LinkIndex, Frame>& links,
                                         const std::vector<SlideState>& slides, JointIndex joint);
 
-/// Whether a joint keeps its limits, to the rounding of its coordinate, where what it joins is
-/// placed. One that has none keeps them.
-[[nodiscard]] bool keeps_limits(const Values& values, const Table<LinkIndex, Frame>& links,
-                                const std::vector<SlideState>& slides, JointIndex joint);
+/// By how much a joint with limits is beyond them, where what it joins is placed: radians, or the
+/// unit of length; 0 where it keeps them, to the rounding of its coordinate.
+[[nodiscard]] double beyond_limits(const Values& values, const Table<LinkIndex, Frame>& links,
+                                   const std::vector<SlideState>& slides, JointIndex joint);
 
 }  // namespace assur::mechanism::solve

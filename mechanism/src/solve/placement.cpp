@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "limits.hpp"
 #include "plan/plan_data.hpp"
@@ -16,6 +18,19 @@ bool is_of(const FoundGroup& group, LinkIndex link) {
 }
 
 }  // namespace
+
+Table<LinkIndex, std::size_t> groups_before(const Structure& structure) {
+  Table<LinkIndex, std::size_t> groups(structure.linkage.links.size(), 0);
+  for (const GroupIndex group : structure.groups.keys()) {
+    for (const LinkIndex link : structure.groups[group].links) {
+      groups[link] = group.place() + 1;
+    }
+  }
+  for (const DrivenLink& link : structure.driven) {
+    groups[link.to] = link.groups_before;
+  }
+  return groups;
+}
 
 Placement::Placement(const Values& values)
     : plan_(values.shared_plan()),
@@ -58,7 +73,7 @@ void Placement::begin() {
   steps_ = 0;
 }
 
-void Placement::move_driven_links(std::size_t groups, Table<LinkIndex, bool>* unplaced) {
+bool Placement::move_driven_links(std::size_t groups, Table<LinkIndex, bool>* unplaced) {
   const auto is_missing = [unplaced](LinkIndex link) {
     return unplaced != nullptr && (*unplaced)[link];
   };
@@ -71,14 +86,17 @@ void Placement::move_driven_links(std::size_t groups, Table<LinkIndex, bool>* un
     for (; reading != structure_.reading.end() && reading->groups_before == groups &&
            reading->links_before <= links;
          ++reading) {
-      if (!is_unread(*reading)) {
-        settle(*reading);
+      if (!is_unread(*reading) && !settle(*reading)) {
+        return false;
       }
     }
+    return true;
   };
   std::size_t slide = 0;
   for (std::size_t place = 0; place < structure_.driven.size(); ++place) {
-    settle_what_reads(place);
+    if (!settle_what_reads(place)) {
+      return false;
+    }
     const DrivenLink& link = structure_.driven[place];
     const bool slides = structure_.linkage.joints[link.joint].prismatic;
     if (link.groups_before == groups) {
@@ -93,17 +111,62 @@ void Placement::move_driven_links(std::size_t groups, Table<LinkIndex, bool>* un
     }
     slide += slides ? 1 : 0;
   }
-  settle_what_reads(structure_.driven.size());
+  return settle_what_reads(structure_.driven.size());
 }
 
-void Placement::settle(const ReadingDriver& reading) {
-  settled_->settle(reading.driver, [this](JointIndex joint) {
-    return coordinate_of(values_, placed_.links, placed_.slides, joint);
-  });
+JointMotion Placement::counted_coordinate(JointIndex joint) {
+  JointMotion motion = coordinate_of(values_, placed_.links, placed_.slides, joint);
+  if (plan_->mechanism.joints()[joint].type == JointType::revolute) {
+    const double turns = turns_of(joint, motion.position.value());
+    motion.position = motion.position + values_.constant(2 * std::numbers::pi * turns);
+    const double angle = motion.position.value();
+    const auto known = std::ranges::find(placed_.counted, joint, &CountedAngle::joint);
+    if (known == placed_.counted.end()) {
+      placed_.counted.push_back({joint, angle});
+    } else {
+      known->angle = angle;
+    }
+  }
+  return motion;
+}
+
+/// By the configuration nearby in which the links of the joint are turned as they are here.
+double Placement::turns_of(JointIndex joint, double angle) const {
+  if (nearby_ == nullptr) {
+    return 0;
+  }
+  double turns = 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Configuration& other : *nearby_) {
+    const auto counted = std::ranges::find(other.counted, joint, &CountedAngle::joint);
+    double away = 0;
+    for (const FeatureIndex feature : plan_->mechanism.joints()[joint].between) {
+      const LinkIndex link = plan_->mechanism.features()[feature].link;
+      const Direction<double>& here = placed_.links[link].pose.direction;
+      const Direction<double>& there = other.links[link].pose.direction;
+      away += std::hypot(here.cos - there.cos, here.sin - there.sin);
+    }
+    if (counted != other.counted.end() && away < nearest) {
+      nearest = away;
+      turns = std::round((counted->angle - angle) / (2 * std::numbers::pi));
+    }
+  }
+  return turns;
+}
+
+bool Placement::settle(const ReadingDriver& reading) {
+  try {
+    settled_->settle(reading.driver,
+                     [this](JointIndex joint) { return counted_coordinate(joint); });
+  } catch (const MechanismError& error) {
+    flaw_ = error.what();
+    return false;
+  }
   if (!values_.motion(reading.driver).is_known()) {
     placed_.regularity = Status::near_singular;
     placed_.derivatives_known = placed_.rates_known = false;
   }
+  return true;
 }
 
 void Placement::place_driven_link(std::size_t place, SlideState* slide) {

@@ -9,6 +9,9 @@
 
 namespace assur::mechanism::solve {
 
+/// For each link how many groups are placed before it is.
+[[nodiscard]] Table<LinkIndex, std::size_t> groups_before(const Structure& structure);
+
 /// The links of a mechanism while groups are placed depth first: what is placed stays placed while
 /// the groups behind it are solved, and is overwritten by the next configuration.
 class Placement {
@@ -22,7 +25,13 @@ class Placement {
   void begin();
   /// Moves what drivers say and move once the groups before one are placed, unless it is against
   /// links that are left unplaced, or by what those say; these are marked as unplaced then.
-  void move_driven_links(std::size_t groups, Table<LinkIndex, bool>* unplaced = nullptr);
+  /// False where a law has no value there, as `flaw` says.
+  [[nodiscard]] bool move_driven_links(std::size_t groups,
+                                       Table<LinkIndex, bool>* unplaced = nullptr);
+  [[nodiscard]] const std::string& flaw() const { return flaw_; }
+  /// Angles that laws read are counted on by whole turns from those of configurations nearby, until
+  /// another call; null: they are in (-pi, pi].
+  void count_from(const std::vector<Configuration>* nearby) { nearby_ = nearby; }
   /// Whether a group is held, and shaped, by links that are placed, and has configurations to find.
   [[nodiscard]] bool can_be_solved(GroupIndex group, const Table<LinkIndex, bool>& unplaced) const;
   /// Takes over where the group's neighbours are.
@@ -48,7 +57,9 @@ class Placement {
   void place_driven_link(std::size_t place, SlideState* slide);
   void set_motion(const JointMotion& motion, bool prismatic, double sense);
   void set_slide(const JointMotion& motion, JointIndex joint, SlideState& slide) const;
-  void settle(const ReadingDriver& reading);
+  [[nodiscard]] bool settle(const ReadingDriver& reading);
+  [[nodiscard]] JointMotion counted_coordinate(JointIndex joint);
+  [[nodiscard]] double turns_of(JointIndex joint, double angle) const;
 
   std::shared_ptr<const PlanData> plan_;
   const Structure& structure_;
@@ -59,6 +70,8 @@ class Placement {
   Table<GroupIndex, std::size_t> first_slide_;
   Table<GroupIndex, std::size_t> chosen_;
   PlacedLinks placed_;
+  const std::vector<Configuration>* nearby_ = nullptr;
+  std::string flaw_;
   std::size_t steps_ = 0;
   Frame joint_, motion_, moved_;  ///< room for what drivers move
 };

@@ -268,6 +268,22 @@ std::optional<Nearest> Plan::solve_nearest(const Values& values, Solution& resul
   return solve::MechanismSolver(values).solve_nearest(result);
 }
 
+std::size_t Plan::solve_one(const Values& values, std::size_t number, Solution& result) const {
+  expect_usable(values);
+  solve::MechanismSolver solver(values);
+  if (most_configurations() > most_listed) {
+    return solver.solve_one(number, result);
+  }
+  solver.solve({}, result);
+  std::vector<Configuration>& all = result.configurations;
+  const std::size_t passed = std::min(number, all.size());
+  if (passed == number) {
+    std::swap(all.front(), all[number - 1]);
+  }
+  all.resize(passed == number ? 1 : 0);
+  return passed;
+}
+
 std::vector<std::string> Plan::redundant() const {
   std::vector<std::string> names;
   for (const plan::RedundantJoint& joint : data_->redundant) {
@@ -303,7 +319,11 @@ std::optional<Nearest> Plan::nearest(const Values& values, const Solution& solut
 std::string Plan::obstacle(const Values& values) const {
   expect_usable(values);
   Solution result;
-  solve::MechanismSolver(values).solve({.measures_gap = true}, result);
+  try {
+    solve::MechanismSolver(values).solve({.measures_gap = true}, result);
+  } catch (const MechanismError& error) {  // a law has no value wherever all else closes
+    return error.what();
+  }
   return result.reason;
 }
 

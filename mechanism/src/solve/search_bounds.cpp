@@ -28,8 +28,8 @@ double most_configurations(const Structure& structure) {
 void refuse_search(const Structure& structure, const std::string& what) {
   throw MechanismError("", "there may be " + whole_number(most_configurations(structure)) +
                                " configurations, and " + what +
-                               "; give joints limits, or ask for the one that is nearest to a "
-                               "reference of more links");
+                               "; give joints limits, or ask for one alone: for the nearest to a "
+                               "reference of more links, or by a low number");
 }
 
 }  // namespace assur::mechanism::solve

@@ -8,16 +8,15 @@
 #include <numeric>
 #include <optional>
 
-#include "branch_motions.hpp"
 #include "closing_gaps.hpp"
 #include "configuration_order.hpp"
 #include "family_search.hpp"
+#include "group_order.hpp"
 #include "group_words.hpp"
 #include "limits.hpp"
-#include "placement.hpp"
+#include "listed_configuration.hpp"
 #include "plan/plan_data.hpp"
 #include "redundant_joints.hpp"
-#include "reference.hpp"
 #include "search_bounds.hpp"
 
 namespace assur::mechanism::solve {
@@ -34,26 +33,63 @@ class ConfigurationWalk {
         values_(placement_.values()),
         gaps_(placement_),
         families_(placement_, gaps_),
+        nearness_(placement_),
         order_(plan_.named_parts),
-        limited_(structure_.groups.size() + 1),
-        referred_(structure_.groups.size() + 1) {
-    find_what_is_placed_when();
+        group_order_(placement_),
+        is_ordered_by_groups_(most_configurations(structure_) > Plan::most_listed),
+        limited_(structure_.groups.size() + 1) {
+    find_limits();
   }
 
   void run(const Search& search, Solution& result) {
-    search_ = search;
-    seeks_nearest_ = false;
-    cuts_ =
-        search.within_limits && has_limits_ && most_configurations(structure_) > Plan::most_listed;
-    walk(result);
+    nearness_.seek_nothing();
+    number_ = 0;
+    walk(search, search.within_limits && has_limits_ && is_ordered_by_groups_, result);
+  }
+
+  void count_from(const std::vector<Configuration>* nearby) { placement_.count_from(nearby); }
+
+  std::size_t run_to(std::size_t number, Solution& result) {
+    nearness_.seek_nothing();
+    number_ = number;
+    walk({}, has_limits_, result);
+    return passed_;
   }
 
   std::optional<Nearest> run_to_nearest(Solution& result) {
-    search_ = Search();
-    seeks_nearest_ = true;
-    cuts_ = has_limits_;
-    walk(result);
-    if (result.configurations.empty()) {
+    nearness_.seek_reference();
+    number_ = 0;
+    walk({}, has_limits_, result);
+    return nearest();
+  }
+
+  std::optional<Nearest> run_near(const SoughtPoint& point, Solution& result) {
+    nearness_.seek(point);
+    number_ = 0;
+    walk({.within_limits = false}, false, result);
+    return nearest();
+  }
+
+ private:
+  /// After how many groups each limited joint has its coordinate.
+  void find_limits() {
+    const Table<LinkIndex, std::size_t> before = groups_before(structure_);
+    const Mechanism& mechanism = plan_.mechanism;
+    for (const JointIndex joint : mechanism.joints().keys()) {
+      if (mechanism.joints()[joint].lowest.exists()) {
+        std::size_t groups = 0;
+        for (const FeatureIndex feature : mechanism.joints()[joint].between) {
+          groups = std::max(groups, before[mechanism.features()[feature].link]);
+        }
+        limited_[groups].push_back(joint);
+        has_limits_ = true;
+      }
+    }
+  }
+
+  /// Of a search for one configuration, which has found it.
+  [[nodiscard]] std::optional<Nearest> nearest() const {
+    if (listed_ == 0) {
       return std::nullopt;
     }
     const bool has_runner_up = std::isfinite(next_square_);
@@ -61,36 +97,10 @@ class ConfigurationWalk {
                    has_runner_up ? std::optional(std::sqrt(next_square_)) : std::nullopt};
   }
 
- private:
-  /// After how many groups each limited joint has its coordinate, and each link of the reference
-  /// its angle.
-  void find_what_is_placed_when() {
-    Table<LinkIndex, std::size_t> groups_before(structure_.linkage.links.size(), 0);
-    for (const GroupIndex group : structure_.groups.keys()) {
-      for (const LinkIndex link : structure_.groups[group].links) {
-        groups_before[link] = group.place() + 1;
-      }
-    }
-    for (const DrivenLink& link : structure_.driven) {
-      groups_before[link.to] = link.groups_before;
-    }
-    const Mechanism& mechanism = plan_.mechanism;
-    for (const JointIndex joint : mechanism.joints().keys()) {
-      if (mechanism.joints()[joint].lowest.exists()) {
-        std::size_t groups = 0;
-        for (const FeatureIndex feature : mechanism.joints()[joint].between) {
-          groups = std::max(groups, groups_before[mechanism.features()[feature].link]);
-        }
-        limited_[groups].push_back(joint);
-        has_limits_ = true;
-      }
-    }
-    for (const ReferenceAngle& angle : plan_.request.reference) {
-      referred_[groups_before[angle.link]].push_back(angle);
-    }
-  }
-
-  void walk(Solution& result) {
+  /// `cuts`: what is beyond limits is left as soon as it is placed.
+  void walk(const Search& search, bool cuts, Solution& result) {
+    search_ = search;
+    cuts_ = cuts;
     begin(result);
     descend(0);
     solution_->configurations.resize(listed_);
@@ -101,29 +111,40 @@ class ConfigurationWalk {
   void begin(Solution& result) {
     placement_.begin();
     gaps_.begin(search_.measures_gap);
-    families_.begin(result.families, seeks_nearest_);
+    families_.begin(result.families, seeks_one());
     solution_ = &result;
     result.status = SolutionStatus::ok;
     result.mobility = 0;
     result.reason.clear();
+    result.dropped = 0;
+    result.drop_reason.clear();
+    result.breaches.clear();
     result.left_out = cuts_ ? std::nullopt : std::optional<std::size_t>(0);
     is_inconsistent_ = false;
-    listed_ = 0;
+    listed_ = passed_ = 0;
     has_cut_ = false;
     square_ = 0;
     least_square_ = next_square_ = std::numeric_limits<double>::infinity();
   }
 
+  /// Whether a single configuration is sought, in the memory of one.
+  [[nodiscard]] bool seeks_one() const { return nearness_.is_sought() || number_ > 0; }
+  [[nodiscard]] bool is_found() const { return number_ > 0 && passed_ == number_; }
+
   /// Solves the groups from one on, where all before it are placed.
   void descend(std::size_t depth) {
-    placement_.move_driven_links(depth);
+    if (!placement_.move_driven_links(depth)) {
+      ++solution_->dropped;
+      solution_->drop_reason = placement_.flaw();
+      return;
+    }
     if (cuts_ && !keeps_limits_at(depth)) {
       has_cut_ = true;
       return;
     }
     const double square = square_;
-    if (seeks_nearest_) {
-      square_ += square_of_differences(referred_[depth]);
+    if (nearness_.is_sought()) {
+      square_ += nearness_.square_at(depth);
     }
     if (square_ < next_square_) {
       descend_on(depth);
@@ -131,19 +152,17 @@ class ConfigurationWalk {
     square_ = square;
   }
 
-  [[nodiscard]] bool keeps_limits_at(std::size_t depth) const {
-    return std::ranges::all_of(limited_[depth], [this](JointIndex joint) {
-      return keeps_limits(values_, placed_.links, placed_.slides, joint);
-    });
-  }
-
-  [[nodiscard]] double square_of_differences(const std::vector<ReferenceAngle>& angles) const {
-    double square = 0;
-    for (const ReferenceAngle& angle : angles) {
-      const double difference = difference_from(values_, placed_.links[angle.link], angle);
-      square += difference * difference;
+  /// Of the joints that have their coordinates after so many groups; each that does not is told.
+  [[nodiscard]] bool keeps_limits_at(std::size_t depth) {
+    bool keeps = true;
+    for (const JointIndex joint : limited_[depth]) {
+      const double beyond = beyond_limits(values_, placed_.links, placed_.slides, joint);
+      if (beyond > 0) {
+        add_breach({joint, 1, beyond}, solution_->breaches);
+        keeps = false;
+      }
     }
-    return square;
+    return keeps;
   }
 
   void descend_on(std::size_t depth) {
@@ -180,7 +199,7 @@ class ConfigurationWalk {
     const bool derivatives_known = placed_.derivatives_known;
     const bool rates_known = placed_.rates_known;
     const Visits visits = order_of_visits(group, found.count);
-    for (std::size_t visit = 0; visit < found.count; ++visit) {
+    for (std::size_t visit = 0; visit < found.count && !is_found(); ++visit) {
       placed_.regularity = regularity;
       placed_.residual = residual;
       placed_.derivatives_known = derivatives_known;
@@ -190,22 +209,22 @@ class ConfigurationWalk {
     }
   }
 
-  using Visits = std::array<std::size_t, models::most_configurations>;
-
   /// The configurations of a group as they are found; where the nearest one is sought, those first
-  /// that are nearer.
+  /// that are nearer; where the mechanism's are numbered group by group, in the group's own order.
   [[nodiscard]] Visits order_of_visits(GroupIndex group, std::size_t count) {
     Visits order{};
     std::iota(order.begin(), order.end(), std::size_t{0});
-    if (seeks_nearest_) {
+    if (nearness_.is_sought()) {
       std::array<double, models::most_configurations> squares{};
       for (std::size_t index = 0; index < count; ++index) {
         placement_.place(group, index);
-        squares[index] = square_of_differences(referred_[group.place() + 1]);
+        squares[index] = nearness_.square_at(group.place() + 1);
       }
       std::stable_sort(
           order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count),
           [&](std::size_t one, std::size_t other) { return squares[one] < squares[other]; });
+    } else if (is_ordered_by_groups_ && count > 1) {
+      group_order_.sort(group, count, order);
     }
     return order;
   }
@@ -218,7 +237,7 @@ class ConfigurationWalk {
       is_inconsistent_ = true;
       return;
     }
-    if (seeks_nearest_) {
+    if (nearness_.is_sought()) {
       if (square_ >= least_square_) {
         next_square_ = square_;
         return;
@@ -229,12 +248,16 @@ class ConfigurationWalk {
     }
     bool keeps = true;
     if (has_limits_ && !cuts_) {
-      for (std::size_t depth = 0; depth < limited_.size() && keeps; ++depth) {
-        keeps = keeps_limits_at(depth);
+      for (std::size_t depth = 0; depth < limited_.size(); ++depth) {
+        keeps = keeps_limits_at(depth) && keeps;
       }
     }
     if (!keeps && search_.within_limits) {
       ++*solution_->left_out;
+      return;
+    }
+    ++passed_;
+    if (passed_ < number_) {
       return;
     }
     expect_room();
@@ -242,35 +265,9 @@ class ConfigurationWalk {
       solution_->configurations.emplace_back();
     }
     Configuration& result = solution_->configurations[listed_++];
-    const Mechanism& mechanism = plan_.mechanism;
-    result.links.resize(mechanism.links().size());
-    for (const LinkIndex link : mechanism.links().keys()) {
-      result.links[link] = placed_.links[link];
-    }
-    result.slides = placed_.slides;
-    result.outputs.resize(mechanism.outputs().size());
-    for (const OutputIndex output : mechanism.outputs().keys()) {
-      const FeatureIndex point = mechanism.outputs()[output].point;
-      carry(placed_.links[mechanism.features()[point].link], values_.frame(point),
-            result.outputs[output]);
-    }
-    result.regularity = placed_.regularity;
-    result.derivatives_known = placed_.derivatives_known;
-    result.rates_known = placed_.rates_known;
-    result.path_known = placed_.derivatives_known;
-    result.residual = placed_.residual;
     result.is_consistent = is_consistent;
     result.within_limits = keeps;
-    result.branches.clear();
-    result.determinants = placed_.determinants;
-    result.plan = placement_.shared_plan();
-    const Want& want = plan_.request.want;
-    if (!result.rates_known && (want.velocity || want.acceleration)) {
-      find_branches(values_, placed_, result);
-    }
-    if (!result.derivatives_known && plan_.request.sweep) {
-      find_derivatives(values_, placed_, plan_.request.sweep->parameter, result);
-    }
+    write_configuration(placement_, result);
   }
 
   /// Of a configuration with its derivatives to each parameter.
@@ -284,24 +281,34 @@ class ConfigurationWalk {
   }
 
   void conclude() {
+    if (passed_ > listed_) {  // one was sought, and there are others
+      return;
+    }
     if (is_inconsistent_ && solution_->configurations.empty() && solution_->families.empty()) {
       throw OverConstrained(*plan_.excess);
+    }
+    if (solution_->configurations.empty() && solution_->dropped > 0 &&
+        solution_->families.empty() && search_.within_limits && solution_->left_out == 0) {
+      throw MechanismError("", solution_->drop_reason);
     }
     if (solution_->configurations.empty()) {
       conclude_without_configurations();
       return;
     }
-    order_.sort(solution_->configurations);
+    if (!is_ordered_by_groups_) {
+      order_.sort(solution_->configurations);
+    }
   }
 
   void conclude_without_configurations() {
     if (solution_->families.empty()) {
       solution_->status = SolutionStatus::no_assembly;
-      solution_->reason = has_cut_ ? "what can be assembled is beyond the limits of joints"
-                          : solution_->left_out > 0
-                              ? "of " + std::to_string(*solution_->left_out) +
-                                    " configurations each is beyond the limits of a joint"
-                              : gaps_.reason();
+      const std::string breaches = breaches_text(plan_.mechanism, solution_->breaches);
+      solution_->reason =
+          has_cut_ ? "what can be assembled is beyond the limits of joints: " + breaches
+          : solution_->left_out > 0 ? reason_of_limits(*solution_->left_out) + breaches
+          : solution_->dropped > 0  ? solution_->drop_reason
+                                    : gaps_.reason();
       return;
     }
     solution_->status = SolutionStatus::degenerate;
@@ -312,6 +319,12 @@ class ConfigurationWalk {
     solution_->reason = freest->reason;
   }
 
+  static std::string reason_of_limits(std::size_t count) {
+    return count == 1 ? "the one configuration is beyond the limits of joints: "
+                      : "of " + std::to_string(count) +
+                            " configurations each is beyond the limits of a joint: ";
+  }
+
   Placement placement_;
   PlacedLinks& placed_;  ///< those of the placement
   const PlanData& plan_;
@@ -319,18 +332,23 @@ class ConfigurationWalk {
   const Values& values_;
   ClosingGaps gaps_;
   FamilySearch families_;
+  Nearness nearness_;
   ConfigurationOrder order_;
+  GroupOrder group_order_;
+  /// Where more configurations than can be listed may be, they are numbered as they are met, so
+  /// that the first of them are found without the others.
+  bool is_ordered_by_groups_;
   Search search_;
-  bool seeks_nearest_ = false;
+  std::size_t number_ = 0;        ///< of the configuration that is sought; none is if it is zero
+  std::size_t passed_ = 0;        ///< configurations so far
   bool cuts_ = false;             ///< whether what is beyond limits is left as soon as it is placed
   bool has_cut_ = false;          ///< whether something was
   Solution* solution_ = nullptr;  ///< that is being written
   bool is_inconsistent_ = false;  ///< constraints that are too many did not hold somewhere
   std::size_t listed_ = 0;        ///< configurations; those behind are of an earlier solution
-  std::vector<std::vector<JointIndex>> limited_;       ///< by the groups before them
-  std::vector<std::vector<ReferenceAngle>> referred_;  ///< likewise
+  std::vector<std::vector<JointIndex>> limited_;  ///< by the groups before them
   bool has_limits_ = false;
-  double square_ = 0;  ///< of the distance from the reference, of what is placed
+  double square_ = 0;  ///< of the distance from what is sought, of what is placed
   double least_square_ = 0, next_square_ = 0;  ///< of the nearest configuration, and the next one
 };
 
@@ -340,8 +358,20 @@ MechanismSolver::~MechanismSolver() = default;
 
 void MechanismSolver::solve(const Search& search, Solution& result) { walk_->run(search, result); }
 
+std::size_t MechanismSolver::solve_one(std::size_t number, Solution& result) {
+  return walk_->run_to(number, result);
+}
+
 std::optional<Nearest> MechanismSolver::solve_nearest(Solution& result) {
   return walk_->run_to_nearest(result);
+}
+
+void MechanismSolver::count_from(const std::vector<Configuration>* nearby) {
+  walk_->count_from(nearby);
+}
+
+std::optional<Nearest> MechanismSolver::solve_near(const SoughtPoint& point, Solution& result) {
+  return walk_->run_near(point, result);
 }
 
 }  // namespace assur::mechanism::solve

@@ -6,6 +6,8 @@
 #include <memory>
 #include <optional>
 
+#include "nearness.hpp"
+
 namespace assur::mechanism::solve {
 
 class ConfigurationWalk;
@@ -34,6 +36,13 @@ class MechanismSolver {
   void solve(const Search& search, Solution& result);
   /// See `Plan::solve_nearest`.
   [[nodiscard]] std::optional<Nearest> solve_nearest(Solution& result);
+  /// Of a mechanism whose configurations are numbered group by group: that of a number, from 1.
+  /// Returns how many were passed, which are all where there are fewer.
+  [[nodiscard]] std::size_t solve_one(std::size_t number, Solution& result);
+  /// The configuration nearest to a point, be it beyond limits, alone in the solution.
+  [[nodiscard]] std::optional<Nearest> solve_near(const SoughtPoint& point, Solution& result);
+  /// See `Placement::count_from`.
+  void count_from(const std::vector<Configuration>* nearby);
 
  private:
   std::unique_ptr<ConfigurationWalk> walk_;

@@ -50,7 +50,10 @@ class Parser {
     }
     Expression result = sum();
     if (at_ < text_.size()) {
-      fail("expected an operator, found '" + std::string(1, text_[at_]) + "'");
+      const bool is_factor =
+          std::isalpha(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '(';
+      fail("expected an operator, found '" + std::string(1, text_[at_]) + "'" +
+           (is_factor ? " (a product is written with '*')" : ""));
     }
     return result;
   }

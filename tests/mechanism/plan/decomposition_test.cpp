@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
         Chain{"stephenson_six_bar", {"dyad RRR 1: coupler rocker", "dyad RRR 1: bar lever"}},
         Chain{"stephenson_triad", {"triad RR-RR-RR 1: bar left right coupler"}},
         Chain{"platform_3rpr", {"triad RR-RR-RR 1: leg1 leg2 leg3 platform"}},
-        Chain{"jansen_leg", {"dyad RRR 1: j upper", "dyad RRR 1: k c", "dyad RRR 1: f lower"}},
+        Chain{"jansen_leg", {"dyad RRR 1: k c", "dyad RRR 1: j upper", "dyad RRR 1: f lower"}},
         Chain{"quintero_2011_rrp_rrr", {"tetrad RRP-RRR 2: rod lever slider bar"}}),
     [](const auto& chain) { return std::string(chain.param.example); });
 

@@ -61,7 +61,8 @@ TEST(Limits, OfADrivenJointHoldItsLaw) {
   EXPECT_EQ(with_limits("A", 0.7, 0.7).configurations().size(), 2U);
   const Solved none = with_limits("A", 1, 2);
   EXPECT_EQ(none.solution.status, SolutionStatus::no_assembly);
-  EXPECT_EQ(none.solution.reason, "of 2 configurations each is beyond the limits of a joint");
+  EXPECT_EQ(none.solution.reason,
+            "of 2 configurations each is beyond the limits of a joint: A by 17.2 deg at least");
 }
 
 TEST(Limits, LeaveOutRowsOfASweepWhoseBranchGoesOnBehindThem) {
@@ -102,6 +103,40 @@ TEST(ReportedPart, KeepsWhatItsLawsRead) {
   for (std::size_t place = 0; place < part.configurations().size(); ++place) {
     EXPECT_EQ(part.configurations()[place].output("T").position,
               whole.configurations()[place].output("T").position);
+  }
+}
+
+/// The rocker is not reported, but where it may stand leaves out a configuration of what is.
+TEST(ReportedPart, KeepsWhatHasLimits) {
+  Json scene = robot();
+  scene["drivers"]["E"]["position"] = 0.5;
+  scene["joints"]["D"]["limits"] = {0, 3.1};
+  scene["outputs"] = {{"B", "crank.B"}};
+  scene["report"] = {{"links", Json::array({"crank"})}, {"joints", Json::array()}};
+  const Solved limited = solved(scene);
+  EXPECT_EQ(limited.configurations().size(), 1U);
+  EXPECT_EQ(limited.solution.left_out, 1U);
+  scene["joints"]["D"].erase("limits");
+  EXPECT_TRUE(solved(scene).plan.structure().groups.empty());
+}
+
+/// Of the joints that keep a configuration out each is told, by the least in any.
+TEST(Limits, AreToldByHowMuchTheyAreBroken) {
+  Json scene = robot();
+  const Solved all = solved(scene);
+  std::array<double, 2> angles{};
+  for (std::size_t place = 0; place < 2; ++place) {
+    angles[place] = rocker_angle(all.configurations()[place]);
+  }
+  const double highest = std::max(angles[0], angles[1]);
+  scene["joints"]["D"]["limits"] = {highest + 0.25, highest + 0.3};
+  scene["joints"]["A"]["limits"] = {0.9, 1};
+  const Solved none = solved(scene);
+  ASSERT_EQ(none.solution.breaches.size(), 2U);
+  for (const mechanism::LimitBreach& breach : none.solution.breaches) {
+    const bool is_driven = none.plan.mechanism().joints()[breach.joint].name == "A";
+    EXPECT_EQ(breach.configurations, 2U);
+    EXPECT_NEAR(breach.least, is_driven ? 0.2 : 0.25, 1e-12);
   }
 }
 

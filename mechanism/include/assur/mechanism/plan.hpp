@@ -50,10 +50,17 @@ class Plan {
   /// of one: what is farther than the runner-up so far, or beyond limits, is left as soon as it is
   /// placed. Of families the first is told. Throws MechanismError as `solve` and `nearest` do.
   [[nodiscard]] std::optional<Nearest> solve_nearest(const Values& values, Solution& result) const;
+  /// The configuration of a number, from 1, alone in the solution. Returns how many configurations
+  /// were passed to find it: all of them where there are fewer, and the solution holds none then.
+  /// Where there may be more than `most_listed`, in the memory of one, and in a time that grows
+  /// with the number alone. Throws MechanismError as `solve` does.
+  [[nodiscard]] std::size_t solve_one(const Values& values, std::size_t number,
+                                      Solution& result) const;
   /// How many configurations there are at most, by the models of the groups.
   [[nodiscard]] double most_configurations() const;
   /// How many of them `solve` lists at most. Where there may be more, it leaves what is beyond the
-  /// limits of joints as soon as it is placed, and does not count it.
+  /// limits of joints as soon as it is placed, and does not count it; and it numbers configurations
+  /// group by group, in the order of the groups, those of each group as if it were alone.
   static constexpr std::size_t most_listed = 20000;
   /// Why there are no configurations: which group fails to close and by how much at least, or what
   /// moves freely. Takes longer than to solve. Empty where there are configurations.

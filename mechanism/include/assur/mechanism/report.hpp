@@ -15,7 +15,8 @@ struct Report {
   std::string title;  ///< for people, where the mechanism has no name
   int branch = 0;     ///< number of the one configuration to report, or 0 for all
   std::optional<Nearest> nearest = std::nullopt;  ///< where it was asked for, to be told as such
-  bool alone = false;  ///< the nearest one is alone in the solution: its number is not known
+  /// The one configuration is alone in the solution; of the nearest one the number is not known.
+  bool alone = false;
 };
 
 /// The JSON object of the scene format (docs/scenes.md).

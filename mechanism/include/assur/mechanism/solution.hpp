@@ -28,10 +28,18 @@ struct SlideState {
   Derivatives<1> follows;
 };
 
+/// The angle of a joint that a law reads where groups place it, with the whole turns that are
+/// counted along a branch.
+struct CountedAngle {
+  JointIndex joint;
+  double angle;
+};
+
 /// One assembly configuration of the whole mechanism.
 struct Configuration {
   Table<LinkIndex, Frame> links;  ///< of the mechanism's links, in the frame of the ground
   std::vector<SlideState> slides;
+  std::vector<CountedAngle> counted;
   Table<OutputIndex, Point> outputs;
   Status regularity = Status::ok;  ///< ok or near_singular
   /// Whether derivatives to the parameters, and velocities and accelerations, are known to two
@@ -73,6 +81,20 @@ struct Family {
   Table<LinkIndex, Frame> links;     ///< the frames of those that do
 };
 
+/// How many configurations are beyond the limits of a joint, and by how much at least: radians, or
+/// the unit of length.
+struct LimitBreach {
+  JointIndex joint;
+  std::size_t configurations;
+  double least;
+};
+
+/// Adds a breach to those of other joints, and of the same.
+void add_breach(const LimitBreach& breach, std::vector<LimitBreach>& breaches);
+/// `B by 3.5 deg at least, S by 0.2 at least`.
+[[nodiscard]] std::string breaches_text(const Mechanism& mechanism,
+                                        const std::vector<LimitBreach>& breaches);
+
 /// Every assembly configuration at one set of values.
 struct Solution {
   SolutionStatus status = SolutionStatus::ok;
@@ -83,6 +105,11 @@ struct Solution {
   std::vector<Family> families;
   /// Configurations beyond the limits of joints; nothing where there are too many to be counted.
   std::optional<std::size_t> left_out = 0;
+  /// Choices of configurations of earlier groups for which the law of a driver has no value, and
+  /// what that says: nothing is placed behind them.
+  std::size_t dropped = 0;
+  std::string drop_reason;
+  std::vector<LimitBreach> breaches;  ///< of limits, by what was left out or is not within them
 };
 
 /// The configuration whose links stand closest to the angles of a request's reference: with the

@@ -3,6 +3,7 @@
 
 #include <assur/mechanism/plan.hpp>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace assur::mechanism {
@@ -27,15 +28,32 @@ struct SweepObserver {
   std::function<void(int)> progress;  ///< steps done
 };
 
+/// So many branches are followed side by side at most.
+inline constexpr std::size_t most_followed = 1000;
+
 /// Follows every branch of a mechanism's configurations through its sweep. Two neighbouring sets of
 /// configurations are matched as a whole, and the interval is halved until either no match is open
 /// to doubt or singular events explain it. What stays in doubt ends and begins branches with an
 /// `unresolved` event. Records are reported as they are computed, and none is kept. Every step's
 /// values are evaluated before the first record, so that one that cannot be used throws
 /// MechanismError before anything is reported; where a formula has no value between two steps, no
-/// branch is followed through. Throws MechanismError where the plan's request has no sweep.
-void sweep(const Plan& plan, const SweepObserver& observer);
+/// branch is followed through. Returns how many branches there are, with those that have no record:
+/// they are beyond the limits of joints throughout. Throws MechanismError where the plan's request
+/// has no sweep.
+int sweep(const Plan& plan, const SweepObserver& observer);
 /// The same with all parameters but the swept one as in `values`.
-void sweep(const Plan& plan, const Values& values, const SweepObserver& observer);
+int sweep(const Plan& plan, const Values& values, const SweepObserver& observer);
+
+/// Follows one branch alone, in the memory of one configuration, however many others there are. It
+/// is that of a configuration at the first step that has one: by its number, from 1 and as
+/// `Plan::solve_one` counts, or where that is zero of the one nearest to the request's reference. A
+/// step is taken for one of the same branch by what `sweep` asks of two neighbouring sets, of this
+/// configuration alone and of its distance to the next; otherwise it is halved. Records have the
+/// given number as their branch, and no number of a configuration; there are no events. Returns at
+/// which value of the parameter the branch ends, if it does before the sweep: it folds there, or
+/// comes too close to another to be told apart. Throws as `sweep` does, and where no step has a
+/// configuration of that number.
+std::optional<double> sweep_branch(const Plan& plan, std::size_t number,
+                                   const SweepObserver& observer);
 
 }  // namespace assur::mechanism

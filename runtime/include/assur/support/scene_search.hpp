@@ -28,6 +28,11 @@ struct Solution {
   int mobility = 0;  ///< of the freest of them
 };
 
+/// What the solver of a scene with limits says.
+struct LimitedSolution : Solution {
+  int left_out = 0;  ///< configurations beyond the limits of joints
+};
+
 /// Whether a solver has parameters among its arguments.
 template <typename Solver, typename = void>
 inline constexpr bool has_parameters = false;
@@ -69,6 +74,7 @@ struct Access {
   static constexpr std::size_t turning_drivers = Solver::turning_drivers;  ///< the first ones
   static constexpr std::size_t first_key = Solver::first_key;  ///< the first that may differ
   using Key = std::array<double, lengths_from + Solver::keyed_slides>;
+  static constexpr bool has_limits = std::is_same_v<typename Solver::Solution, LimitedSolution>;
   /// Of each group the set of the groups that hold it, directly or through others.
   static constexpr auto holders = [] {
     constexpr std::size_t groups = std::tuple_size_v<Groups>;
@@ -106,6 +112,10 @@ struct Access {
   static void list(const Placed& placed, typename Solver::template State<double>& state) {
     Solver::list(placed, state);
   }
+  /// Whether all joints keep their limits where everything is placed.
+  [[nodiscard]] static bool keeps_limits(const Placed& placed) {
+    return Solver::keeps_limits(placed);
+  }
   /// What tells one state from another, and puts them in order.
   static void key(const Placed& placed, Key& key) { Solver::key(placed, key); }
 };
@@ -127,6 +137,7 @@ class Search {
   using Own = Access<Solver>;
   using Groups = typename Own::Groups;
   using Placed = typename Own::Placed;
+  using Solution = typename Solver::Solution;
   static constexpr auto capacity = static_cast<std::size_t>(Solver::max_configurations);
   static constexpr std::size_t group_count = std::tuple_size_v<Groups>;
   /// Of groups, a bit each.
@@ -139,7 +150,7 @@ class Search {
 
   explicit Search(States& states) : states_(states) {}
 
-  /// Every configuration, in the order of `assur solve`.
+  /// Every configuration within the limits of joints, in the order of `assur solve`.
   [[nodiscard, gnu::flatten]] Solution run(const typename Own::Given& given) {
     if (has_parameters<Solver> && !Own::is_finite(given)) {
       solution_.status = AssemblyStatus::not_finite;
@@ -193,6 +204,12 @@ class Search {
     } else if (loose.moving != 0) {
       count_families(loose.moving);
     } else {
+      if constexpr (Own::has_limits) {
+        if (!Own::keeps_limits(placed)) {
+          ++solution_.left_out;
+          return;
+        }
+      }
       const auto slot = static_cast<std::size_t>(solution_.count++);
       Own::list(placed, states_[slot]);
       Own::key(placed, keys_[slot]);

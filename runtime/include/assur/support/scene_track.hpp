@@ -46,6 +46,11 @@ struct Track {
   double reached = 0;  ///< the part of the way to the last point that is certainly of the branch
 };
 
+/// The same by the solver of a scene with limits. A branch is followed through them and back.
+struct LimitedTrack : Track {
+  bool within_limits = false;  ///< whether the state, where it was filled, keeps them
+};
+
 /// Follows branches of an emitted solver without rates. A step is taken for one of the same branch
 /// where Newton's steps contract, det J keeps its sign, and the linear predictions from both ends
 /// agree with the way; otherwise it is halved.
@@ -57,6 +62,7 @@ class Tracker {
   using Given = typename Own::Given;
   using Groups = typename Own::Groups;
   using Placed = typename Own::Placed;
+  using Track = typename Solver::Track;
 
  public:
   /// The branch of a configuration, by its number in the solver's list, from 0; no_convergence
@@ -66,7 +72,7 @@ class Tracker {
     branch.given = given;
     typename Search<Solver>::States states;
     Search<Solver, true> search(states);
-    const Solution solution = search.run(given);
+    const auto solution = search.run(given);
     if (solution.status == AssemblyStatus::not_finite) {
       branch.status = Status::not_finite;
     } else if (configuration < 0 || configuration >= solution.count) {
@@ -83,7 +89,8 @@ class Tracker {
   /// Follows a branch to where the drivers stand at `to`, and fills the state there; it is not
   /// changed where the branch is not followed to the end.
   [[nodiscard]] static Track run(const Given& to, Branch& branch, State& state) {
-    Track way{branch.status, 0};
+    Track way;
+    way.status = branch.status;
     if (!is_solvable(branch.status)) {
       return way;
     }
@@ -115,6 +122,9 @@ class Tracker {
       if (next == 1) {
         placed.regularity = end.status;
         Own::list(placed, state);
+        if constexpr (Own::has_limits) {
+          way.within_limits = Own::keeps_limits(placed);
+        }
       }
     }
     branch = *start;

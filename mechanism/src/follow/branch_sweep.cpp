@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <assur/mechanism/sweep.hpp>
+#include <cmath>
+#include <optional>
+
+#include "branch_matching.hpp"
+#include "sweep_range.hpp"
+
+namespace assur::mechanism::follow {
+
+namespace {
+
+/// The shortest interval, as a part of the sweep and of the parameter's value.
+constexpr double shortest_step = 1e-13;
+
+/// Follows one branch from step to step, with one configuration here and one further on.
+class BranchFollower {
+ public:
+  BranchFollower(const Plan& plan, std::size_t number, const SweepObserver& observer)
+      : plan_(plan), number_(number), observer_(observer), solver_(plan, plan.values()) {}
+
+  std::optional<double> run() {
+    const int count = solver_.sweep().count;
+    for (int step = 0; step < count; ++step) {
+      (void)solver_.values_at(value_at(step));
+    }
+    for (int step = 0; step < count; ++step) {
+      const double value = value_at(step);
+      solver_.begin_step();
+      if (current_ == nullptr) {
+        begin(value);
+      } else if (!goes_on_to(value)) {
+        return current_->parameter;
+      }
+      if (current_ != nullptr) {
+        report(step);
+      }
+      observer_.progress(step + 1);
+    }
+    if (current_ == nullptr) {
+      throw MechanismError("sweep", "no step has a configuration to begin with");
+    }
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] double value_at(int step) const {
+    return value_at_step(solver_.from(), solver_.to(), step, solver_.sweep().count);
+  }
+
+  void begin(double value) {
+    const SnapshotPointer first = solver_.one_at(value, number_);
+    if (first->count() == 0) {
+      observer_.solved(value, first->solution);
+      return;
+    }
+    current_ = solver_.near(value, first->points[PointIndex(0)].at);
+    solver_.count_from(current_);
+  }
+
+  /// Goes on to a value, or to where the branch ends before it.
+  [[nodiscard]] bool goes_on_to(double value) {
+    const double least =
+        shortest_step * std::max(std::abs(solver_.to() - solver_.from()), std::abs(value));
+    double width = value - current_->parameter;
+    while (current_->parameter != value) {
+      const double rest = value - current_->parameter;
+      width = std::abs(width) < std::abs(rest) ? width : rest;
+      const double next = width == rest ? value : current_->parameter + width;
+      const ConfigurationPoint& here = current_->points[PointIndex(0)];
+      const SnapshotPointer set =
+          solver_.near(next, here.at + (next - current_->parameter) * here.slope);
+      if (goes_on(*current_, *set)) {
+        current_ = set;
+        solver_.count_from(set);
+        width *= 2;
+      } else if (std::abs(width) < least) {
+        return false;
+      } else {
+        width /= 2;
+      }
+    }
+    return true;
+  }
+
+  void report(int step) {
+    observer_.solved(current_->parameter, current_->solution);
+    const Configuration& state = current_->configuration(PointIndex(0));
+    if (state.is_consistent && state.within_limits) {
+      observer_.record(
+          {step, 0, static_cast<int>(number_), "", current_->parameter, &current_->spread, &state});
+    }
+  }
+
+  const Plan& plan_;
+  std::size_t number_;
+  const SweepObserver& observer_;
+  SnapshotSolver solver_;
+  SnapshotPointer current_;  ///< the branch, as far as it has been followed
+};
+
+}  // namespace
+
+}  // namespace assur::mechanism::follow
+
+namespace assur::mechanism {
+
+std::optional<double> sweep_branch(const Plan& plan, std::size_t number,
+                                   const SweepObserver& observer) {
+  const SweepObserver complete = follow::expect_sweep(plan, plan.values(), observer);
+  return follow::BranchFollower(plan, number, complete).run();
+}
+
+}  // namespace assur::mechanism

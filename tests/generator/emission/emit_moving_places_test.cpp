@@ -1,0 +1,125 @@
+// Law: an emitted solver moves the places that change with the rates of parameters as `assur solve`
+// does: points and lines on the ground and on links, lengths of groups, laws that read joints.
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+#include "generator/solver_comparison.hpp"
+
+namespace assur::test::emit_moving_places_test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// An example all of whose parameters move, each at rates of its own.
+Json moving_example(const std::string& stem) {
+  Json scene = scene_json(std::filesystem::path(ASSUR_EXAMPLES) / (stem + ".json"));
+  double rate = 1;
+  for (auto& [name, parameter] : scene["parameters"].items()) {
+    if (!parameter.is_object()) {
+      parameter = Json{{"value", parameter}};
+    }
+    parameter["velocity"] = 0.3 * rate;
+    parameter["acceleration"] = 0.2 - 0.1 * rate;
+    rate = rate > 2 ? rate - 2.3 : rate + 0.7;
+  }
+  return scene;
+}
+
+TEST(EmitMovingPlaces, AgreesWithSolveWhereAllParametersMove) {
+  const TemporaryDirectory directory;
+  std::vector<EmittedScene> scenes;
+  const std::vector<std::pair<std::string, std::string>> examples = {
+      {"four_bar_coupler_curve", "FourBarCouplerCurve"},
+      {"slider_crank", "SliderCrank"},
+      {"shaper_quick_return", "ShaperQuickReturn"},
+      {"excavator_arm", "ExcavatorArm"},
+      {"quintero_2011_rrp_rrr", "Quintero2011RrpRrr"},
+      {"geared_five_bar", "GearedFiveBar"},
+      {"rack_press", "RackPress"}};
+  for (const auto& [stem, solver] : examples) {
+    const auto file = directory.write(stem + ".json", moving_example(stem).dump());
+    scenes.push_back({file, stem, solver, {}});
+  }
+  for (const int compared : compare_with_solve(scenes)) {
+    EXPECT_GT(compared, 100);
+  }
+}
+
+/// A length that moves and is a formula in another one that does, with a rate of its own.
+Json formula_with_its_own_rate() {
+  Json scene = scene_json(std::filesystem::path(ASSUR_EXAMPLES) / "slider_crank.json");
+  scene["parameters"]["crank"] = {{"value", "0.3*rod + 2*swell"}, {"velocity", 3}};
+  scene["parameters"]["rod"] = {{"value", 160}, {"velocity", "swell"}, {"acceleration", -2}};
+  scene["parameters"]["swell"] = {{"value", 1.5}, {"velocity", 0.5}, {"acceleration", 0.25}};
+  return scene;
+}
+
+TEST(EmitMovingPlaces, AgreesWithSolveWhereRatesStandInPlaceOfThoseThatFollow) {
+  const TemporaryDirectory directory;
+  const auto file = directory.write("swelling.json", formula_with_its_own_rate().dump());
+  EXPECT_GT(compare_with_solve({{file, "swelling", "Swelling", {}}}).front(), 100);
+}
+
+Json pin(const std::string& one, const std::string& other) {
+  return {{"type", "revolute"}, {"between", Json::array({one, other})}};
+}
+
+/// A crank-rocker, and a dyad from its coupler to the ground of which one link changes its shape by
+/// a law: a cylinder's length, or the bend between two bars, as the rocker stands.
+Json shaped_by_law(const std::string& law, bool is_cylinder) {
+  Json scene;
+  scene["parameters"] = {{"reach", {{"value", 2.0}, {"tolerance", 0.01}}},
+                         {"gain", {{"value", 0.3}, {"tolerance", 0.02}}}};
+  scene["links"]["ground"] = {{"A", {0, 0}}, {"D", {3, 0}}, {"H", {4, 2}}};
+  scene["links"]["crank"] = {{"A", {0, 0}}, {"B", {1, 0}}};
+  scene["links"]["coupler"] = {{"B", {0, 0}}, {"C", {3, 0}}, {"E", {1.5, 1}}};
+  scene["links"]["rocker"] = {{"D", {0, 0}}, {"C", {"reach", 0}}};
+  scene["links"]["lever"] = {{"H", {0, 0}}, {"K", {2, 0}}, {"T", {1, 1}}};
+  scene["joints"] = {{"A", pin("ground.A", "crank.A")},   {"B", pin("crank.B", "coupler.B")},
+                     {"C", pin("coupler.C", "rocker.C")}, {"D", pin("ground.D", "rocker.D")},
+                     {"E", pin("coupler.E", "tube.E")},   {"K", pin("rod.K", "lever.K")},
+                     {"H", pin("ground.H", "lever.H")}};
+  if (is_cylinder) {
+    const Json axis = {{"through", {0, 0}}, {"along", {1, 0}}};
+    scene["links"]["tube"] = {{"E", {0, 0}}, {"axis", axis}};
+    scene["links"]["rod"] = {{"K", {0, 0}}, {"axis", axis}};
+    scene["joints"]["S"] = {{"type", "prismatic"}, {"between", {"tube.axis", "rod.axis"}}};
+  } else {
+    scene["links"]["tube"] = {{"E", {0, 0}}, {"M", {1.5, 0}}};
+    scene["links"]["rod"] = {{"K", {1.2, 0}}, {"M", {0, 0}}};
+    scene["joints"]["S"] = pin("tube.M", "rod.M");
+  }
+  scene["drivers"] = {{"A", {{"position", 0.7}, {"velocity", 2}, {"acceleration", 1}}},
+                      {"S", {{"position", law}}}};
+  scene["outputs"] = {{"T", "lever.T"}};
+  return scene;
+}
+
+TEST(EmitMovingPlaces, AgreesWithSolveWhereLawsThatReadJointsShapeLaterGroups) {
+  const TemporaryDirectory directory;
+  std::vector<EmittedScene> scenes;
+  const std::vector<std::tuple<std::string, std::string, std::string, bool>> laws = {
+      {"cylinder", "Cylinder", "1.6 + gain*joint(D)", true},
+      {"bend", "Bend", "0.4 + gain*joint(D)", false},
+      {"root", "Root", "sqrt(2 + gain*joint(D)) + 0.1*joint(C)", true}};
+  for (const auto& [stem, solver, law, is_cylinder] : laws) {
+    const Json scene = shaped_by_law(law, is_cylinder);
+    scenes.push_back({directory.write(stem + ".json", scene.dump()), stem, solver, {}});
+  }
+  for (const int compared : compare_with_solve(scenes)) {
+    EXPECT_GT(compared, 100);
+  }
+}
+
+/// The root is declared behind the coordinate that it reads.
+TEST(EmitMovingPlaces, AgreesWithSolveWhereALawHasARoot) {
+  const TemporaryDirectory directory;
+  Json scene = scene_json(std::filesystem::path(ASSUR_EXAMPLES) / "rack_press.json");
+  scene["drivers"]["rack"]["position"] = "pinion*sqrt(joint(D) + 4)";
+  const auto file = directory.write("rooted.json", scene.dump());
+  EXPECT_GT(compare_with_solve({{file, "rooted", "Rooted", {}}}).front(), 100);
+}
+
+}  // namespace
+}  // namespace assur::test::emit_moving_places_test

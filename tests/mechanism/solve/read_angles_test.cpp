@@ -1,0 +1,129 @@
+// Law: the angle of a joint that a law reads goes on along a branch of a sweep, by whole turns and
+// in whatever steps; a law without a value drops the configurations where it has none, and no
+// other.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "mechanism/bars.hpp"
+#include "mechanism/sweep_runs.hpp"
+
+namespace assur::test::read_angles_test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double turn = 2 * std::numbers::pi;
+
+/// A drag link, all of whose links go around, and a rack on a pinion on its output link.
+Json rack_on_drag_link(int turns, int count) {
+  return {{"parameters", {{"phi", 0.4}}},
+          {"links",
+           {{"ground",
+             {{"A", {0, 0}}, {"D", {1, 0}}, {"way", {{"through", {0, 9}}, {"along", {1, 0}}}}}},
+            {"crank", {{"A", {0, 0}}, {"B", {3, 0}}}},
+            {"coupler", {{"B", {0, 0}}, {"C", {2.5, 0}}}},
+            {"output", {{"D", {0, 0}}, {"C", {3, 0}}}},
+            {"rack", {{"way", {{"through", {0, 0}}, {"along", {1, 0}}}}}}}},
+          {"joints",
+           {{"A", {{"type", "revolute"}, {"between", {"ground.A", "crank.A"}}}},
+            {"B", {{"type", "revolute"}, {"between", {"crank.B", "coupler.B"}}}},
+            {"C", {{"type", "revolute"}, {"between", {"coupler.C", "output.C"}}}},
+            {"D", {{"type", "revolute"}, {"between", {"ground.D", "output.D"}}}},
+            {"S", {{"type", "prismatic"}, {"between", {"ground.way", "rack.way"}}}}}},
+          {"drivers", {{"A", {{"position", "phi"}}}, {"S", {{"position", "2*joint(D)"}}}}},
+          {"sweep",
+           {{"parameter", "phi"}, {"from", 0.4}, {"to", 0.4 + turn * turns}, {"count", count}}}};
+}
+
+mechanism::Scene scene_of(const Json& json) { return mechanism::parse_scene(json.dump(), "scene"); }
+
+constexpr Eigen::Index output_cos = 4 * 3 + 2;
+constexpr Eigen::Index rack_x = 4 * 4;
+
+TEST(ReadAngles, GoOnAlongBranches) {
+  const SweepKept fine = run_sweep(scene_of(rack_on_drag_link(3, 3001)));
+  std::map<std::pair<int, int>, double> expected;  // by the branch and the step
+  for (const SweepRowKept& row : fine.rows) {
+    const double angle = std::atan2(row.pose(output_cos + 1), row.pose(output_cos));
+    const auto before = expected.find({row.branch, row.step - 1});
+    const double near = before == expected.end() ? 0 : before->second;
+    expected[{row.branch, row.step}] = angle + turn * std::round((near - angle) / turn);
+  }
+  ASSERT_EQ(expected.size(), 2U * 3001);
+  for (const int count : {3001, 301, 13, 7}) {
+    const SweepKept kept = run_sweep(scene_of(rack_on_drag_link(3, count)));
+    ASSERT_EQ(kept.rows.size(), 2U * static_cast<std::size_t>(count));
+    EXPECT_TRUE(kept.events.empty());
+    for (const SweepRowKept& row : kept.rows) {
+      const double angle = expected.at({row.branch, row.step * (3000 / (count - 1))});
+      EXPECT_NEAR(row.pose(rack_x), 2 * angle, 1e-9) << row.step << " of " << count;
+    }
+    EXPECT_NEAR(kept.rows.back().pose(rack_x) - kept.rows[1].pose(rack_x), 6 * turn, 1e-9);
+  }
+}
+
+TEST(ReadAngles, GoOnAlongABranchThatIsFollowedAlone) {
+  const mechanism::Scene scene = scene_of(rack_on_drag_link(3, 13));
+  const mechanism::Plan plan(scene);
+  const SweepKept all = run_sweep(scene);
+  for (const int branch : {1, 2}) {
+    std::vector<double> racks;
+    const auto record = [&](const mechanism::SweepRecord& row) {
+      racks.push_back(row.state->link("rack").pose.x);
+    };
+    const auto end =
+        sweep_branch(plan, static_cast<std::size_t>(branch), {record, nullptr, nullptr});
+    EXPECT_FALSE(end.has_value());
+    std::size_t place = 0;
+    for (const SweepRowKept& row : all.rows) {
+      if (row.branch == branch) {
+        ASSERT_LT(place, racks.size());
+        EXPECT_NEAR(racks[place++], row.pose(rack_x), 1e-9);
+      }
+    }
+  }
+}
+
+TEST(Laws, WithoutAValueDropTheirConfigurationsAlone) {
+  Bars bars;
+  bars.four_bar().point("arm", "E", 0, 0).point("arm", "T", 1, 0);
+  bars.join("E", {"coupler.E", "arm.E"});
+  bars.json()["drivers"]["E"]["position"] = "joint(D)";
+  bars.json()["outputs"]["T"] = "arm.T";
+  const Solved all = solved(bars.json());
+  ASSERT_EQ(all.configurations().size(), 2U);
+  const auto angle = [](const Configuration& one) {
+    return angle_of(one.link("rocker").pose.direction);
+  };
+  const double middle = (angle(all.configurations()[0]) + angle(all.configurations()[1])) / 2;
+  bars.json()["drivers"]["E"]["position"] = "sqrt(joint(D) - (" + std::to_string(middle) + "))";
+  const Solved one = solved(bars.json());
+  ASSERT_EQ(one.configurations().size(), 1U);
+  EXPECT_EQ(one.solution.status, SolutionStatus::ok);
+  EXPECT_GT(angle(one.configurations()[0]), middle);
+  EXPECT_EQ(one.solution.dropped, 1U);
+  EXPECT_EQ(one.solution.drop_reason, "drivers.E.position: the value is not a finite number");
+  EXPECT_NE(report_text(one.report())
+                .find("dropped: 1 choice of configurations of earlier groups: drivers.E.position"),
+            std::string::npos);
+  EXPECT_NE(report_json(one.report()).find("\"dropped\""), std::string::npos);
+  EXPECT_EQ(report_json(all.report()).find("\"dropped\""), std::string::npos);
+}
+
+/// Of the two branches of the sweep one has rows where the law has a value, and no other has any.
+TEST(Laws, WithoutAValueDropRowsOfASweep) {
+  Json scene = rack_on_drag_link(1, 41);
+  scene["drivers"]["S"]["position"] = "sqrt(1.5 - joint(D))";
+  const SweepKept kept = run_sweep(scene_of(scene));
+  EXPECT_EQ(kept.steps, 41);
+  EXPECT_GT(kept.rows.size(), 5U);
+  EXPECT_LT(kept.rows.size(), 77U);
+  for (const SweepRowKept& row : kept.rows) {
+    EXPECT_GE(row.pose(rack_x), 0);
+  }
+}
+
+}  // namespace
+}  // namespace assur::test::read_angles_test
