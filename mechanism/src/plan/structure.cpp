@@ -4,6 +4,7 @@
 #include <optional>
 #include <tuple>
 
+#include "clusters.hpp"
 #include "decomposition.hpp"
 #include "driver_laws.hpp"
 #include "grouping.hpp"
@@ -90,7 +91,7 @@ class PlacementPlanner {
           structure_.driven, [&](const DrivenLink& link) { return link.driver == driver; });
       if (at.touches(from) && !is_listed) {
         const LinkIndex to = at.other(from);
-        structure_.driven.push_back({driver, index, from, to});
+        structure_.driven.push_back({driver, index, from, to, {}});
         carry_from(to);
       }
     }
@@ -126,22 +127,45 @@ class PlacementPlanner {
         continue;
       }
       component.links = carriers_of(component);
-      std::optional<FoundGroup> found =
-          find_group(structure_.linkage, component.links, component.joints);
-      if (!found) {
-        refuse(component);
+      Component left = component;
+      std::optional<FoundGroup> found = find_group(structure_.linkage, left.links, left.joints);
+      while (!found) {
+        std::optional<Cluster> cluster = find_cluster(structure_.linkage, left);
+        if (!cluster) {
+          refuse(component);
+        }
+        add(std::move(cluster->group));
+        left = std::move(cluster->left);
+        found = find_group(structure_.linkage, left.links, left.joints);
       }
-      const std::size_t driven_before = structure_.driven.size();
-      for (const LinkIndex link : component.links) {
-        carry_from(link);
-      }
-      for (std::size_t place = driven_before; place < structure_.driven.size(); ++place) {
-        found->links.push_back(structure_.driven[place].to);
-      }
-      std::sort(found->links.begin(), found->links.end());
-      structure_.groups.add(std::move(*found));
+      add(std::move(*found));
     }
     order_driven_links();
+  }
+
+  /// Adds a group with what its links carry; the base of a relative one carries these links.
+  void add(FoundGroup group) {
+    const GroupIndex index(structure_.groups.size());
+    for (const LinkIndex link : group.links) {
+      if (group.base.exists()) {
+        structure_.driven.push_back({{}, {}, group.base, link, index});
+      }
+      carry_from(link);
+    }
+    for (std::size_t place = 0; place < group.links.size(); ++place) {
+      for (const DrivenLink& carried : structure_.driven) {
+        if (carried.from == group.links[place]) {
+          group.links.push_back(carried.to);
+        }
+      }
+    }
+    std::ranges::sort(group.links);
+    structure_.groups.add(std::move(group));
+  }
+
+  /// The links that the law behind a driven link reads.
+  [[nodiscard]] std::vector<LinkIndex> read_for(const DrivenLink& link) const {
+    return link.joint.exists() ? bodies_.read[link.joint] : std::vector<LinkIndex>();
   }
 
   /// A driven link is placed when the link that carries it is, and those that its law reads.
@@ -161,7 +185,7 @@ class PlacementPlanner {
     };
     put_driven_links_behind_what_they_read();
     for (DrivenLink& link : structure_.driven) {
-      link.groups_before = std::max(groups_before[link.from], latest(bodies_.read[link.joint]));
+      link.groups_before = std::max(groups_before[link.from], latest(read_for(link)));
       groups_before[link.to] = link.groups_before;
     }
     std::ranges::stable_sort(structure_.driven, {}, &DrivenLink::groups_before);
@@ -193,8 +217,8 @@ class PlacementPlanner {
       waits[link.to] = true;
     }
     const auto is_ready = [&](const DrivenLink& link) {
-      return !waits[link.from] && std::ranges::none_of(bodies_.read[link.joint],
-                                                       [&](LinkIndex read) { return waits[read]; });
+      return !waits[link.from] &&
+             std::ranges::none_of(read_for(link), [&](LinkIndex read) { return waits[read]; });
     };
     while (!waiting.empty()) {
       std::vector<DrivenLink> left;
@@ -409,26 +433,58 @@ std::vector<GroupIndex> Structure::holders_of(GroupIndex group) const {
   return holders;
 }
 
-Table<LinkIndex, bool> Structure::placed_before(GroupIndex group) const {
-  Table<LinkIndex, bool> placed = placed_by_drivers();
+std::vector<GroupIndex> Structure::all_holders_of(GroupIndex group) const {
+  std::vector<GroupIndex> holders;
   std::vector<GroupIndex> open = holders_of(group);
   while (!open.empty()) {
     const GroupIndex before = open.back();
     open.pop_back();
-    if (!placed[groups[before].links.front()]) {
+    if (std::ranges::find(holders, before) == holders.end()) {
+      holders.push_back(before);
+      std::ranges::copy(holders_of(before), std::back_inserter(open));
+    }
+  }
+  std::ranges::sort(holders);
+  return holders;
+}
+
+Table<LinkIndex, bool> Structure::placed_before(GroupIndex group) const {
+  Table<LinkIndex, bool> placed = placed_by_drivers();
+  for (const GroupIndex before : all_holders_of(group)) {
+    if (!groups[before].base.exists()) {
       for (const LinkIndex link : groups[before].links) {
         placed[link] = true;
       }
-      std::ranges::copy(holders_of(before), std::back_inserter(open));
     }
   }
   return placed;
 }
 
+std::vector<std::size_t> Structure::carried_by_base(GroupIndex group) const {
+  Table<LinkIndex, bool> carried(linkage.links.size(), false);
+  std::vector<std::size_t> result;
+  if (const LinkIndex base = groups[group].base; base.exists()) {
+    carried[base] = true;
+    for (std::size_t place = 0; place < driven.size(); ++place) {
+      const DrivenLink& link = driven[place];
+      const bool is_known = !link.group.exists() || link.group < group;
+      carried[link.to] = carried[link.to] || (carried[link.from] && is_known);
+      if (carried[link.from] && is_known) {
+        result.push_back(place);
+      }
+    }
+  }
+  return result;
+}
+
+bool Structure::has_relative_groups() const {
+  return std::ranges::any_of(groups, [](const FoundGroup& group) { return group.base.exists(); });
+}
+
 bool Structure::moves_by_laws(const Mechanism& mechanism) const {
   return std::ranges::any_of(driven, [&](const DrivenLink& link) {
-    const NumberIndex law = mechanism.drivers()[link.driver].position;
-    return link.groups_before > 0 || !mechanism.numbers()[law].formula.joints().empty();
+    return link.groups_before > 0 ||
+           !mechanism.numbers()[mechanism.drivers()[link.driver].position].formula.joints().empty();
   });
 }
 

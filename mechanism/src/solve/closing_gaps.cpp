@@ -53,14 +53,7 @@ void ClosingGaps::fail(GroupIndex group) {
 }
 
 std::vector<GroupIndex> ClosingGaps::holders_of(GroupIndex group) const {
-  const Table<LinkIndex, bool> is_placed = structure_.placed_before(group);
-  std::vector<GroupIndex> holders;
-  for (std::size_t place = 0; place < group.place(); ++place) {
-    if (is_placed[structure_.groups[GroupIndex(place)].links.front()]) {
-      holders.emplace_back(place);
-    }
-  }
-  return holders;
+  return structure_.all_holders_of(group);
 }
 
 std::vector<std::size_t> ClosingGaps::choices_of(const std::vector<GroupIndex>& groups) const {
