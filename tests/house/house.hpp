@@ -222,10 +222,11 @@ class HouseCheck {
     }
   }
 
-  /// Whatever begins a line between a door's namespace and its end has been declared by the door.
+  /// Whatever begins a line between a door's namespace and its end has been declared by the door;
+  /// the line behind `template` says what it defines.
   void check_definitions(const std::string& path, const std::string& text, const SourceLine& opened,
                          const Folder& door) {
-    static const std::regex begins(R"(^\w)");
+    static const std::regex begins(R"(^(?!template )\w)");
     std::istringstream in(text);
     std::string line;
     for (std::size_t number = 1; std::getline(in, line); ++number) {
@@ -244,13 +245,14 @@ class HouseCheck {
   /// Whether a door's headers declare the class or the function that a line defines, or the class
   /// of which it defines a member.
   [[nodiscard]] bool declares(const Folder& door, const std::string& line) const {
-    static const std::regex definition(R"(^(?:struct|class) (\w+)|(\w+)(::[\w:~]+)?\()");
+    static const std::regex definition(
+        R"(^(?:struct|class) (\w+)|(\w+)(?:<[^<>]*>)?::[\w:~]+(?:\(| = )|(\w+)\()");
     std::smatch found;
     if (!std::regex_search(line, found, definition)) {
       return false;
     }
-    const bool is_function = found[2].matched && !found[3].matched;
-    const std::string name = found[1].matched ? found[1] : found[2];
+    const bool is_function = found[3].matched;
+    const std::string name = is_function ? found[3] : found[1].matched ? found[1] : found[2];
     const std::regex declaration(is_function ? R"((^|\n)[^/\n]*\b)" + name + R"(\()"
                                              : R"(\n(struct|class) )" + name + R"(\b)");
     return std::any_of(files_.begin(), files_.end(), [&](const auto& file) {

@@ -58,17 +58,15 @@ House house() {
               {"runtime/text/src", "assur::text", {words}, {}},
 
               {mechanism, "assur::mechanism", {runtime, words}, {"Eigen"}},
-              part("file", {}, {"nlohmann"}),
+              part("description", {}, {}),
+              part("file", {"description"}, {"nlohmann"}),
               part("models", {}),
-              part("plan", {"models"}),
-              part("values", {"models", "plan"}),
-              part("solve", {"models", "plan", "values"}),
-              part("follow", {"plan", "values", "solve"}),
-              part("report", {}, {"Eigen", "nlohmann"}),
-              {"mechanism/src",
-               "assur::mechanism",
-               {mechanism, runtime, words, "mechanism/src/plan", "mechanism/src/solve"},
-               {"Eigen"}},
+              part("plan", {"description", "models"}, {}),
+              part("values", {"description", "models", "plan"}),
+              part("solve", {"description", "models", "plan", "values"}),
+              part("follow", {"description", "models", "plan", "values", "solve"}),
+              part("report", {"description", "models", "plan", "values", "solve"},
+                   {"Eigen", "nlohmann"}),
 
               {"generator", "assur::generator", {}, {}},
               stage("structure", {}, {}),
@@ -233,6 +231,7 @@ TEST(HouseCheck, AcceptsWhatFollowsTheTable) {
            {"high/e.cpp",
             "namespace assur::low {\nint solve(int a) {\n  helper(a);\n}\n"
             "Solver::Solver(int a) {\n}\nclass Solver {\n};\n"
+            "template <>\nconst bool Solver<2>::exists = true;\n"
             "}  // namespace assur::low\nnamespace assur::high {\nint more() {\n"}}),
       std::vector<std::string>{});
 }
@@ -259,6 +258,8 @@ TEST(HouseCheck, NamesTheLineThatBreaksARule) {
          "namespace assur::high {\n}  // namespace assur::high\n"
          "namespace assur::low {\n\nclass Solver {\n"}},
        "high/e.cpp:5: no header of low declares: class Solver {"},
+      {{{"high/e.cpp", "namespace assur::low {\ntemplate <>\nint Solver<2>::count = 1;\n"}},
+       "high/e.cpp:3: no header of low declares: int Solver<2>::count = 1;"},
       {{{"low/detail/b.hpp", "namespace assur::low {\n"}},
        "low/detail/b.hpp:1: namespace assur::low in a folder of assur::low::detail"},
       {{{"attic/d.cpp", ""}}, "attic/d.cpp:1: belongs to no folder of the house"}};

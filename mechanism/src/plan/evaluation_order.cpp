@@ -142,7 +142,7 @@ class OrderFinder {
     for (const ParameterIndex parameter : parameters.keys()) {
       const bool swept = request_.sweep && request_.sweep->parameter == parameter;
       if (request_.want.sensitivity || swept) {
-        order_.column_of[parameter] = static_cast<Eigen::Index>(order_.columns.size());
+        order_.column_of[parameter] = static_cast<std::ptrdiff_t>(order_.columns.size());
         order_.columns.push_back(parameter);
       }
     }

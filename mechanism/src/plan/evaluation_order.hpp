@@ -1,9 +1,9 @@
 // Turns a mechanism's formulas into the order in which they are evaluated, and what each feeds.
 #pragma once
 
-#include <Eigen/Core>
 #include <assur/mechanism/request.hpp>
 #include <assur/mechanism/structure.hpp>
+#include <cstddef>
 #include <vector>
 
 namespace assur::mechanism {
@@ -26,14 +26,14 @@ namespace assur::mechanism::plan {
 
 /// The order of evaluation. Formulas hold indices: nothing is looked up by name any more.
 struct EvaluationOrder {
-  std::vector<ParameterIndex> parameters;         ///< each behind those in its formula
-  std::vector<NumberIndex> numbers;               ///< of all else that solving reads, but laws
-  std::vector<DriverIndex> drivers;               ///< each behind those that its law reads
-  Table<DriverIndex, bool> reads_links;           ///< whether a law reads where links are
-  Table<ParameterIndex, bool> moves;              ///< whether a parameter has rates in time
-  std::vector<FeatureIndex> features;             ///< of joints and outputs
-  std::vector<ParameterIndex> columns;            ///< to which derivatives are taken
-  Table<ParameterIndex, Eigen::Index> column_of;  ///< of each parameter; -1 where it has none
+  std::vector<ParameterIndex> parameters;           ///< each behind those in its formula
+  std::vector<NumberIndex> numbers;                 ///< of all else that solving reads, but laws
+  std::vector<DriverIndex> drivers;                 ///< each behind those that its law reads
+  Table<DriverIndex, bool> reads_links;             ///< whether a law reads where links are
+  Table<ParameterIndex, bool> moves;                ///< whether a parameter has rates in time
+  std::vector<FeatureIndex> features;               ///< of joints and outputs
+  std::vector<ParameterIndex> columns;              ///< to which derivatives are taken
+  Table<ParameterIndex, std::ptrdiff_t> column_of;  ///< of each parameter; -1 where it has none
   bool second_order = false;
 };
 

@@ -9,9 +9,9 @@ namespace assur::mechanism::solve {
 namespace {
 
 constexpr double undecided = std::numeric_limits<double>::quiet_NaN();
-constexpr auto highest = static_cast<Eigen::Index>(models::Series::order);
+constexpr auto highest_order = static_cast<Eigen::Index>(models::Series::order);
 /// A term this small a part of what it is the component of is zero but for rounding.
-constexpr double negligible = 1e-6;
+constexpr double negligible_part = 1e-6;
 /// Rounding by `noise` moves a configuration by noise / s, s the least singular value of J to its
 /// largest. Rates are known to two digits where noise / s^2 is at most this, second rates where
 /// noise / s^3 is.
@@ -41,7 +41,7 @@ class BranchExpansion {
   explicit BranchExpansion(const GroupOnTheMove& group)
       : group_(group),
         count_(static_cast<Eigen::Index>(group.model.unknowns.size())),
-        parts_(Eigen::MatrixXd::Zero(count_, highest + 1)) {
+        parts_(Eigen::MatrixXd::Zero(count_, highest_order + 1)) {
     factorise();
   }
 
@@ -53,11 +53,11 @@ class BranchExpansion {
     const double least = std::sqrt(noise / two_digits_lost);
     if (last > least) {
       rank_ = count_;
-      for (Eigen::Index order = 1; order <= highest; ++order) {
+      for (Eigen::Index order = 1; order <= highest_order; ++order) {
         solve(order);
       }
       if (!(noise / (last * last * last) < two_digits_lost)) {
-        parts_.rightCols(highest - 1).setConstant(undecided);
+        parts_.rightCols(highest_order - 1).setConstant(undecided);
       }
       list();
     } else if (last * last < met * noise && (count_ == 1 || firmness(count_ - 2) > least)) {
@@ -119,7 +119,7 @@ class BranchExpansion {
 
   [[nodiscard]] models::Series part_of(Eigen::Index row) const {
     models::Series part;
-    for (std::size_t order = 1; order <= highest; ++order) {
+    for (std::size_t order = 1; order <= highest_order; ++order) {
       part.c[order] = parts_(row, static_cast<Eigen::Index>(order));
     }
     return part;
@@ -152,7 +152,7 @@ class BranchExpansion {
   /// w f of an order, and whether that is zero but for rounding.
   [[nodiscard]] bool can_close(Eigen::Index order) const {
     const Eigen::VectorXd f = closures(order);
-    return std::abs(blocked_.dot(f)) <= negligible * size_of(order, f);
+    return std::abs(blocked_.dot(f)) <= negligible_part * size_of(order, f);
   }
   /// The size of the terms that a coefficient of the closures is made of: of each dimension and
   /// each input that moves alone, and of the unknowns.
@@ -214,7 +214,7 @@ class BranchExpansion {
     const double start = size_of_order(order);
     const auto component = [this](const Eigen::VectorXd& f) {
       const double along = blocked_.dot(f);
-      return std::abs(along) > negligible * f.norm() ? along : 0.0;
+      return std::abs(along) > negligible_part * f.norm() ? along : 0.0;
     };
     double reach = start > 0 ? start : 1;
     double rounding = 0;
@@ -252,7 +252,7 @@ class BranchExpansion {
 
   /// Each order is decided by the next, which is linear in its part along v.
   void expand_crossing() {
-    for (Eigen::Index order = 2; order < highest; ++order) {
+    for (Eigen::Index order = 2; order < highest_order; ++order) {
       solve(order);
       const Eigen::VectorXd least = parts_.col(order);
       const double size = size_of_order(order);
@@ -262,7 +262,7 @@ class BranchExpansion {
       const double there = blocked_.dot(closures(order + 1));
       parts_.col(order) = least - here / (there - here) * step * free_;
     }
-    parts_.col(highest).setConstant(undecided);
+    parts_.col(highest_order).setConstant(undecided);
     list();
   }
 
@@ -275,7 +275,7 @@ class BranchExpansion {
     const std::vector<double> parts = goes_on ? free_parts(2, 4) : std::vector<double>{undecided};
     const Eigen::VectorXd least = parts_.col(2);
     for (const double part : parts) {
-      parts_.rightCols(highest - 1).setConstant(undecided);
+      parts_.rightCols(highest_order - 1).setConstant(undecided);
       parts_.col(2) = least + part * free_;
       list();
     }

@@ -10,7 +10,7 @@ namespace assur::mechanism::solve {
 namespace {
 
 /// Of the mechanism's size: what rounding may leave of a configuration that is regular, or is not.
-constexpr double rounding = 1e-11;
+constexpr double rounding_where_regular = 1e-11;
 constexpr double rounding_where_singular = 1e-6;
 
 /// Two features in the ground's frame, and the largest length that went into them.
@@ -41,7 +41,7 @@ bool holds(const Values& values, const Table<LinkIndex, Frame>& links,
   const Pair pair = placed(values, links, joint);
   const Pose<double>& one = pair.one.pose;
   const Pose<double>& other = pair.other.pose;
-  const double relative = is_regular ? rounding : rounding_where_singular;
+  const double relative = is_regular ? rounding_where_regular : rounding_where_singular;
   const NumberIndex given = values.plan().request.redundancy_tolerance;
   const double tolerance =
       std::max(relative * pair.size, given.exists() ? values.number(given).value() : 0);

@@ -20,6 +20,7 @@
 #include <assur/directions.hpp>
 #include <assur/kinematics.hpp>
 #include <assur/model.hpp>
+#include <assur/model_tables.hpp>
 #include <assur/normal_form.hpp>
 #include <assur/second_order.hpp>
 #include <assur/singularity.hpp>

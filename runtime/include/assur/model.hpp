@@ -1,9 +1,10 @@
-// Turns numbers into the vocabulary of generated models: directions, poses, and tables that
-// describe a model.
+// Turns numbers into the vocabulary of generated models: directions, poses, and the tables of
+// model_tables.hpp.
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
+#include <assur/model_tables.hpp>
 #include <cstddef>
 #include <tuple>
 
@@ -44,42 +45,5 @@ template <typename Scalar>
 [[nodiscard]] constexpr Scalar constant(double nearest, double rest) {
   return Scalar(nearest) + Scalar(rest);
 }
-
-/// A dimension or an input of a model as its vectors and matrices index it.
-struct ModelVariable {
-  const char* name;
-  bool is_angle;  ///< radians; otherwise a length
-};
-
-/// An unknown of a model: the angle of a link, or the displacement of a prismatic joint.
-struct ModelUnknown {
-  const char* name;
-  bool is_angle;
-  int owner;  ///< index of the link whose angle it is, or of the joint that slides
-};
-
-/// The base, to which external joints attach, in place of a link index.
-inline constexpr int base_link = -1;
-
-/// A joint of a model: the links it joins (`first` may be the base) and its type.
-struct ModelJoint {
-  char name;
-  int first;
-  int second;
-  bool prismatic;
-};
-
-/// A link of a model by its joints; a binary link has -1 in the third place.
-struct ModelLink {
-  const char* name;
-  std::array<int, 3> joints;
-};
-
-/// A kind, and which joint of the model each of its joints plays.
-template <int Joints>
-struct KindRoles {
-  const char* kind;
-  std::array<int, static_cast<std::size_t>(Joints)> role;
-};
 
 }  // namespace assur

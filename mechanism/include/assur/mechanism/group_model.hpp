@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <assur/model.hpp>
+#include <assur/model_tables.hpp>
 #include <string>
 #include <vector>
 

@@ -7,11 +7,11 @@
 
 #include "plan/plan_data.hpp"
 #include "plan/reported_part.hpp"
-#include "solve/reference.hpp"
-#include "solve/search_bounds.hpp"
-#include "solve/solver.hpp"
+#include "reference.hpp"
+#include "search_bounds.hpp"
+#include "solver.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::solve {
 
 namespace {
 
@@ -142,7 +142,7 @@ bool holds(const std::shared_ptr<const PlanData>& plan) {
   try {
     const Values values(plan, {});
     Solution solution;
-    solve::MechanismSolver(values).solve({}, solution);
+    MechanismSolver(values).solve({}, solution);
     return !solution.configurations.empty();
   } catch (const OverConstrained&) {
     return false;
@@ -210,12 +210,16 @@ const Item& item_named(const Table<Key, Part>& parts, const Table<Key, Item>& it
 
 }  // namespace
 
+}  // namespace assur::mechanism::solve
+
+namespace assur::mechanism {
+
 Plan::Plan(const Mechanism& mechanism, const Request& request)
-    : data_(planned(mechanism, request)) {}
+    : data_(solve::planned(mechanism, request)) {}
 
 Plan::Plan(const Scene& scene) {
   try {
-    data_ = planned(scene.mechanism, scene.request);
+    data_ = solve::planned(scene.mechanism, scene.request);
   } catch (const MechanismError& error) {
     throw InputError(scene.file + ": " + error.what());
   }
@@ -260,7 +264,7 @@ double Plan::most_configurations() const { return solve::most_configurations(dat
 
 std::optional<Nearest> Plan::solve_nearest(const Values& values, Solution& result) const {
   expect_usable(values);
-  expect_reference(data_->request);
+  solve::expect_reference(data_->request);
   return solve::MechanismSolver(values).solve_nearest(result);
 }
 
@@ -274,7 +278,7 @@ std::vector<std::string> Plan::redundant() const {
 
 std::optional<Nearest> Plan::nearest(const Values& values, const Solution& solution) const {
   expect_usable(values);
-  expect_reference(data_->request);
+  solve::expect_reference(data_->request);
   const auto distance = [&](const Configuration& configuration) {
     double square = 0;
     for (const ReferenceAngle& angle : data_->request.reference) {
@@ -309,7 +313,7 @@ const Structure& Plan::structure() const { return data_->structure; }
 
 const Frame& Configuration::link(const std::string& name) const {
   expect_solved();
-  return item_named(plan->mechanism.links(), links, name, "link");
+  return solve::item_named(plan->mechanism.links(), links, name, "link");
 }
 
 void Configuration::expect_solved() const {
@@ -320,7 +324,7 @@ void Configuration::expect_solved() const {
 
 const Point& Configuration::output(const std::string& name) const {
   expect_solved();
-  return item_named(plan->mechanism.outputs(), outputs, name, "output");
+  return solve::item_named(plan->mechanism.outputs(), outputs, name, "output");
 }
 
 }  // namespace assur::mechanism

@@ -3,7 +3,7 @@
 #include <assur/text/suggestion.hpp>
 #include <set>
 
-namespace assur::mechanism {
+namespace assur::mechanism::description {
 
 namespace {
 
@@ -17,6 +17,10 @@ void expect_new(bool is_known, const std::string& name, const std::string& part)
 }
 
 }  // namespace
+
+}  // namespace assur::mechanism::description
+
+namespace assur::mechanism {
 
 std::string in_quotes(const std::string& text) {
   std::string shown;
@@ -90,7 +94,7 @@ void Mechanism::expect_new_parameter(const std::string& name) const {
   if (text::is_reserved_name(name)) {
     throw MechanismError("parameters", in_quotes(name) + " is the name of a function or constant");
   }
-  expect_new(parameter_of_name_.count(name) > 0, name, "parameters");
+  description::expect_new(parameter_of_name_.count(name) > 0, name, "parameters");
 }
 
 ParameterIndex Mechanism::declare_parameter(const std::string& name) {
@@ -136,9 +140,9 @@ LinkIndex Mechanism::add_link(const std::string& name) {
   if (name.empty() || name.find('.') != std::string::npos) {
     throw MechanismError("links", in_quotes(name) + " is not a name: it is empty or has a dot");
   }
-  expect_new(index_of(links_, name).exists(), name, "links");
-  if (links_.size() == most_links) {
-    throw MechanismError("links", "there are more than " + std::to_string(most_links));
+  description::expect_new(index_of(links_, name).exists(), name, "links");
+  if (links_.size() == description::most_links) {
+    throw MechanismError("links", "there are more than " + std::to_string(description::most_links));
   }
   return links_.add({name, {}});
 }
@@ -219,7 +223,7 @@ FeatureIndex Mechanism::feature_named(const std::string& name, const std::string
 JointIndex Mechanism::add_joint(const std::string& name, JointType type,
                                 const std::vector<std::string>& between) {
   const std::string part = "joints." + name + ".between";
-  expect_new(index_of(joints_, name).exists(), name, "joints");
+  description::expect_new(index_of(joints_, name).exists(), name, "joints");
   if (between.size() < 2) {
     throw MechanismError(part, "expected two or more features [\"link.feature\", ...]");
   }
@@ -307,7 +311,7 @@ DriverIndex Mechanism::driver_of(JointIndex joint) const {
 
 OutputIndex Mechanism::add_output(const std::string& name, const std::string& point) {
   const std::string part = "outputs." + name;
-  expect_new(index_of(outputs_, name).exists(), name, "outputs");
+  description::expect_new(index_of(outputs_, name).exists(), name, "outputs");
   const FeatureIndex feature = feature_named(point, part);
   if (features_[feature].is_line) {
     throw MechanismError(part, "an output is a point, and this feature is a line");

@@ -2,7 +2,7 @@
 #include <assur/support/rigid_motion.hpp>
 #include <assur/variables.hpp>
 
-namespace assur::mechanism {
+namespace assur::mechanism::values {
 
 namespace {
 
@@ -99,6 +99,10 @@ Pose<Dual> pose_of(const Pose<double>& pose, const Coordinate& coordinate) {
 
 }  // namespace
 
+}  // namespace assur::mechanism::values
+
+namespace assur::mechanism {
+
 template <int Coordinates>
 void Derivatives<Coordinates>::set_zero(Eigen::Index parameters, bool with_second) {
   first.setZero(Coordinates, parameters);
@@ -145,7 +149,7 @@ Pose<Dual> Frame::to_parameters() const {
         value, follows.first.row(row).transpose(),
         follows.has_second() ? follows.second[static_cast<std::size_t>(row)] : Eigen::MatrixXd());
   };
-  return pose_of(pose, coordinate);
+  return values::pose_of(pose, coordinate);
 }
 
 Pose<Dual> Frame::in_time() const {
@@ -153,7 +157,7 @@ Pose<Dual> Frame::in_time() const {
     return Dual(value, Eigen::VectorXd::Constant(1, velocity(row)),
                 Eigen::MatrixXd::Constant(1, 1, acceleration(row)));
   };
-  return pose_of(pose, coordinate);
+  return values::pose_of(pose, coordinate);
 }
 
 Frame Frame::identity(Eigen::Index parameters, bool with_second) {
@@ -163,12 +167,12 @@ Frame Frame::identity(Eigen::Index parameters, bool with_second) {
 }
 
 void compose(const Frame& frame, const Frame& inner, Frame& result) {
-  const CarriedOrigin origin(frame, inner);
-  const Vector2d position = origin.position();
+  const values::CarriedOrigin origin(frame, inner);
+  const Eigen::Vector2d position = origin.position();
   result.pose = {position.x(), position.y(), turned(frame.pose.direction, inner.pose.direction)};
   result.velocity << origin.velocity(), frame.velocity(2) + inner.velocity(2);
   result.acceleration << origin.acceleration(), frame.acceleration(2) + inner.acceleration(2);
-  make_room(frame.follows, result.follows);
+  values::make_room(frame.follows, result.follows);
   origin.follow(result.follows);
   result.follows.first.row(2) = frame.follows.first.row(2) + inner.follows.first.row(2);
   if (frame.follows.has_second()) {
@@ -183,11 +187,11 @@ Frame composed(const Frame& frame, const Frame& inner) {
 }
 
 void carry(const Frame& frame, const Frame& inner, Point& result) {
-  const CarriedOrigin origin(frame, inner);
+  const values::CarriedOrigin origin(frame, inner);
   result.position = origin.position();
   result.velocity = origin.velocity();
   result.acceleration = origin.acceleration();
-  make_room(frame.follows, result.follows);
+  values::make_room(frame.follows, result.follows);
   origin.follow(result.follows);
 }
 

@@ -1,0 +1,33 @@
+# assur_mechanism_folder(SOURCES FILE... [LINKS FOLDER...] [PUBLIC TARGET...] [PRIVATE TARGET...] [OPTIMISE LEVEL]): the
+# library <library>_<folder> of this folder of mechanism/src, for each <library> of
+# ASSUR_MECHANISM_LIBRARIES. With the tests comes a program that holds all of it and what it says
+# that it links, so that the linker finds an arrow that points upwards.
+function(assur_mechanism_folder)
+  cmake_parse_arguments(arg "" "OPTIMISE" "SOURCES;LINKS;PUBLIC;PRIVATE" ${ARGN})
+  if(NOT DEFINED arg_OPTIMISE)
+    set(arg_OPTIMISE g)
+  endif()
+  get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  foreach(whole IN LISTS ASSUR_MECHANISM_LIBRARIES)
+    set(library ${whole}_${folder})
+    add_library(${library} STATIC EXCLUDE_FROM_ALL ${arg_SOURCES})
+    target_compile_features(${library} PUBLIC cxx_std_20)
+    target_compile_options(${library} PRIVATE -O${arg_OPTIMISE} ${${whole}_OPTIONS})
+    target_include_directories(${library} PUBLIC ${PROJECT_SOURCE_DIR}/mechanism/include
+      PRIVATE ${PROJECT_SOURCE_DIR}/mechanism/src)
+    set(below ${arg_LINKS})
+    list(TRANSFORM below PREPEND ${whole}_)
+    target_link_libraries(${library} PUBLIC ${below} ${arg_PUBLIC} assur::text
+      PRIVATE ${arg_PRIVATE} assur_build_flags)
+    set_target_properties(${library} PROPERTIES ASSUR_COMPILER_HEAP 600000
+      POSITION_INDEPENDENT_CODE $<TARGET_PROPERTY:${whole},POSITION_INDEPENDENT_CODE>)
+    target_sources(${whole} PRIVATE $<TARGET_OBJECTS:${library}>)
+  endforeach()
+  if(ASSUR_BUILD_TESTS)
+    set(library assur_mechanism_${folder})
+    add_executable(${library}_alone ${PROJECT_SOURCE_DIR}/tests/house/empty_program.cpp)
+    set_target_properties(${library}_alone PROPERTIES UNITY_BUILD OFF)
+    target_link_libraries(${library}_alone
+      PRIVATE $<LINK_LIBRARY:WHOLE_ARCHIVE,${library}> assur_build_flags)
+  endif()
+endfunction()
