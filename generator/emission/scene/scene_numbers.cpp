@@ -173,10 +173,15 @@ LinkFeature<SceneNumber> SceneNumbers::feature(mechanism::FeatureIndex index, bo
 
 LinkFeature<SceneNumber> SceneNumbers::feature(const mechanism::ElementaryJoint& at,
                                                mechanism::LinkIndex link) const {
+  const auto feature_of = [this](mechanism::FeatureIndex index, bool is_line) {
+    return feature(index, is_line);
+  };
   return mechanism::carried_feature<SceneNumber>(
-      plan_.structure(), at, link,
-      [this](mechanism::FeatureIndex index, bool is_line) { return feature(index, is_line); },
-      [this](mechanism::DriverIndex driver) { return positions_[driver]; });
+      plan_.structure(), at, link, feature_of,
+      [&](const LinkFeature<SceneNumber>& carried, const mechanism::DrivenLink& driven) {
+        return mechanism::moved_feature(carried, plan_.structure(), driven, feature_of,
+                                        positions_[driven.driver]);
+      });
 }
 
 /// What laws read first.

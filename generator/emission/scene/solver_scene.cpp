@@ -149,6 +149,15 @@ mechanism::Plan expect_modelled(mechanism::Plan plan) {
         "the joint has constraints that are too many, which a solver does not check; take them "
         "away: where the others hold, this one does");
   }
+  for (const mechanism::FoundGroup& group : plan.structure().groups) {
+    if (group.base.exists()) {
+      throw mechanism::MechanismError(
+          "links", "the links " + text::listed(plan.structure().names_of(group.links)) +
+                       " are solved relative to the moving link " +
+                       plan.structure().linkage.links[group.base] +
+                       ", which a solver does not model; 'assur solve' does");
+    }
+  }
   return plan;
 }
 

@@ -197,22 +197,31 @@ bool is_carried(const Structure& structure, const ElementaryJoint& at, const Has
   return any_between(at.first, at.holder_first) || any_between(at.second, at.holder_second);
 }
 
-}  // namespace
-
-std::vector<GroupIndex> groups_carried_by(DriverIndex driver, const PlanData& plan) {
+/// The groups in which a driven link that has a property carries features of joints.
+template <typename Has>
+std::vector<GroupIndex> groups_with_links(const Structure& structure, const Has& has) {
   std::vector<GroupIndex> result;
-  const Structure& structure = plan.structure;
   for (const GroupIndex group : structure.groups.keys()) {
     const auto& joints = structure.groups[group].assignments.front().joints;
-    const bool any = std::ranges::any_of(joints, [&](ElementaryJointIndex joint) {
-      return is_carried(structure, structure.linkage.joints[joint],
-                        [driver](const DrivenLink& link) { return link.driver == driver; });
-    });
-    if (any) {
+    if (std::ranges::any_of(joints, [&](ElementaryJointIndex joint) {
+          return is_carried(structure, structure.linkage.joints[joint], has);
+        })) {
       result.push_back(group);
     }
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<GroupIndex> groups_carried_by(DriverIndex driver, const PlanData& plan) {
+  return groups_with_links(plan.structure,
+                           [driver](const DrivenLink& link) { return link.driver == driver; });
+}
+
+std::vector<GroupIndex> groups_carried_by(GroupIndex group, const PlanData& plan) {
+  return groups_with_links(plan.structure,
+                           [group](const DrivenLink& link) { return link.group == group; });
 }
 
 Dependents dependents_of(ParameterIndex changed, const PlanData& plan) {
@@ -280,6 +289,9 @@ Dependents dependents_of(ParameterIndex changed, const PlanData& plan) {
     const bool any = std::any_of(joints.begin(), joints.end(), [&](ElementaryJointIndex joint) {
       const ElementaryJoint& at = plan.structure.linkage.joints[joint];
       const auto is_moved_by = [&](const DrivenLink& link) {
+        if (link.group.exists()) {
+          return false;  // where that group is settled, this one is evaluated
+        }
         const ElementaryJoint& driven = plan.structure.linkage.joints[link.joint];
         return is_moved[link.driver] || is_touched(driven.on_first) || is_touched(driven.on_second);
       };

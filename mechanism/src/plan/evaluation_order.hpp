@@ -41,8 +41,9 @@ struct EvaluationOrder {
 /// parameters the lists of all of them together are as long as the chain's square.
 [[nodiscard]] Dependents dependents_of(ParameterIndex changed, const PlanData& plan);
 
-/// The groups with links that a driver moves against one another.
+/// The groups with links that a driver, or a group before them, moves against one another.
 [[nodiscard]] std::vector<GroupIndex> groups_carried_by(DriverIndex driver, const PlanData& plan);
+[[nodiscard]] std::vector<GroupIndex> groups_carried_by(GroupIndex group, const PlanData& plan);
 
 /// Throws MechanismError where a parameter depends on itself or has no value.
 /// `more`: features that are evaluated beside those of joints and outputs.

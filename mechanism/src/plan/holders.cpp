@@ -5,6 +5,38 @@
 
 namespace assur::mechanism {
 
+namespace plan {
+namespace {
+
+/// For each link whether it stands where those of some groups do.
+Table<LinkIndex, bool> placed_with(const Structure& structure,
+                                   const std::vector<GroupIndex>& groups) {
+  Table<LinkIndex, bool> placed(structure.linkage.links.size(), false);
+  placed[structure.linkage.ground] = true;
+  for (const GroupIndex group : groups) {
+    if (structure.groups[group].base.exists()) {
+      continue;  // It places its links against its base.
+    }
+    for (const LinkIndex link : structure.groups[group].links) {
+      placed[link] = true;
+    }
+  }
+  for (const DrivenLink& link : structure.driven) {
+    const auto waits = [&](const ReadingDriver& one) {
+      return one.driver == link.driver &&
+             !std::ranges::all_of(one.reads, [&](LinkIndex read) { return placed[read]; });
+    };
+    const bool has_shape =
+        !link.group.exists() || std::ranges::find(groups, link.group) != groups.end();
+    placed[link.to] =
+        placed[link.from] && has_shape && std::ranges::none_of(structure.reading, waits);
+  }
+  return placed;
+}
+
+}  // namespace
+}  // namespace plan
+
 std::vector<GroupIndex> Structure::holders_of(GroupIndex group) const {
   std::vector<GroupIndex> holders;
   const auto add_group_of = [&](LinkIndex link) {
@@ -53,34 +85,10 @@ std::vector<GroupIndex> Structure::all_holders_of(GroupIndex group) const {
   return {all.begin(), all.end()};
 }
 
-namespace {
-
-/// For each link whether it stands where those of some groups do.
-Table<LinkIndex, bool> placed_with(const Structure& structure,
-                                   const std::vector<GroupIndex>& groups) {
-  Table<LinkIndex, bool> placed(structure.linkage.links.size(), false);
-  placed[structure.linkage.ground] = true;
-  for (const GroupIndex group : groups) {
-    for (const LinkIndex link : structure.groups[group].links) {
-      placed[link] = true;
-    }
-  }
-  for (const DrivenLink& link : structure.driven) {
-    const auto waits = [&](const ReadingDriver& one) {
-      return one.driver == link.driver &&
-             !std::ranges::all_of(one.reads, [&](LinkIndex read) { return placed[read]; });
-    };
-    placed[link.to] = placed[link.from] && std::ranges::none_of(structure.reading, waits);
-  }
-  return placed;
-}
-
-}  // namespace
-
-Table<LinkIndex, bool> Structure::placed_by_drivers() const { return placed_with(*this, {}); }
+Table<LinkIndex, bool> Structure::placed_by_drivers() const { return plan::placed_with(*this, {}); }
 
 Table<LinkIndex, bool> Structure::placed_before(GroupIndex group) const {
-  return placed_with(*this, all_holders_of(group));
+  return plan::placed_with(*this, all_holders_of(group));
 }
 
 }  // namespace assur::mechanism

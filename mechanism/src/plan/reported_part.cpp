@@ -62,6 +62,9 @@ class PartFinder {
         continue;
       }
       needed_[link->from] = true;
+      if (!link->driver.exists()) {
+        continue;
+      }
       for (const JointIndex joint : joints_in_laws(mechanism_, link->driver)) {
         for (const FeatureIndex feature : mechanism_.joints()[joint].between) {
           needed_[mechanism_.features()[feature].link] = true;

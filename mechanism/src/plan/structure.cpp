@@ -1,330 +1,5 @@
 #include <algorithm>
 #include <assur/mechanism/structure.hpp>
-#include <assur/text/names.hpp>
-#include <optional>
-#include <tuple>
-
-#include "decomposition.hpp"
-#include "driver_laws.hpp"
-#include "grouping.hpp"
-
-namespace assur::mechanism::plan {
-
-namespace {
-
-/// Places the ground and what it carries, then group by group, each with what its links carry.
-class PlacementPlanner {
- public:
-  explicit PlacementPlanner(const Mechanism& mechanism) : mechanism_(mechanism) {
-    structure_.linkage = linkage_of(mechanism);
-    const std::size_t links = structure_.linkage.links.size();
-    bodies_.placed.assign(links, false);
-    for (const LinkIndex link : structure_.linkage.links.keys()) {
-      bodies_.carrier.add(link);
-    }
-    bodies_.driven.assign(structure_.linkage.joints.size(), false);
-    bodies_.read.resize(structure_.linkage.joints.size());
-  }
-
-  Structure run() {
-    (void)laws_in_order(mechanism_);  // what follows walks through laws that have an order
-    if (!structure_.linkage.ground.exists()) {
-      throw MechanismError("links", "no link is named 'ground', so nothing holds the mechanism");
-    }
-    tie_driven_links();
-    find_groups();
-    return std::move(structure_);
-  }
-
- private:
-  [[nodiscard]] const ElementaryJoint& joint(ElementaryJointIndex index) const {
-    return structure_.linkage.joints[index];
-  }
-
-  /// Links that drivers tie together move as one: each gets the same carrier, which is the ground
-  /// where that is one of them.
-  void tie_driven_links() {
-    for (const DriverIndex driver : mechanism_.drivers().keys()) {
-      const Joint& named = mechanism_.joints()[mechanism_.drivers()[driver].joint];
-      if (named.between.size() != 2) {
-        throw MechanismError(
-            "drivers." + named.name,
-            "a driver moves a joint of two links; give each link a pin of its own");
-      }
-      const ElementaryJoint& at = joint(joint_of(driver));
-      const LinkIndex one = bodies_.carrier[at.first];
-      const LinkIndex other = bodies_.carrier[at.second];
-      if (one == other) {
-        refuse(driver);
-      }
-      const LinkIndex kept = other == structure_.linkage.ground ? other : one;
-      for (LinkIndex& carrier : bodies_.carrier) {
-        carrier = carrier == one || carrier == other ? kept : carrier;
-      }
-      bodies_.driven[joint_of(driver)] = true;
-      bodies_.read[joint_of(driver)] = links_read_by(driver);
-    }
-    for (const LinkIndex link : bodies_.placed.keys()) {
-      bodies_.placed[link] = bodies_.carrier[link] == structure_.linkage.ground;
-    }
-    carry_from(structure_.linkage.ground);
-  }
-
-  /// The links at the joints that a law reads. Of a driven joint it reads the law, and no link.
-  [[nodiscard]] std::vector<LinkIndex> links_read_by(DriverIndex driver) const {
-    std::vector<LinkIndex> links;
-    for (const JointIndex read : joints_read(mechanism_, driver)) {
-      for (const FeatureIndex feature : mechanism_.joints()[read].between) {
-        links.push_back(mechanism_.features()[feature].link);
-      }
-    }
-    return links;
-  }
-
-  /// Lists what drivers move against a link, and against what they move.
-  void carry_from(LinkIndex from) {
-    for (const DriverIndex driver : mechanism_.drivers().keys()) {
-      const ElementaryJointIndex index = joint_of(driver);
-      const ElementaryJoint& at = joint(index);
-      const bool is_listed = std::ranges::any_of(
-          structure_.driven, [&](const DrivenLink& link) { return link.driver == driver; });
-      if (at.touches(from) && !is_listed) {
-        const LinkIndex to = at.other(from);
-        structure_.driven.push_back({driver, index, from, to});
-        carry_from(to);
-      }
-    }
-  }
-
-  [[noreturn]] void refuse(DriverIndex driver) const {
-    const ElementaryJoint& at = joint(joint_of(driver));
-    throw MechanismError("drivers." + at.name,
-                         "the driven joint joins the links " +
-                             text::listed(structure_.names_of({at.first, at.second})) +
-                             (bodies_.carrier[at.first] == structure_.linkage.ground
-                                  ? ", which are placed already"
-                                  : ", which other drivers tie together already") +
-                             "; take this driver or another one away");
-  }
-
-  [[nodiscard]] ElementaryJointIndex joint_of(DriverIndex driver) const {
-    for (const ElementaryJointIndex index : structure_.linkage.joints.keys()) {
-      if (joint(index).joint == mechanism_.drivers()[driver].joint) {
-        return index;
-      }
-    }
-    return {};
-  }
-
-  void find_groups() {
-    Decomposition decomposition = decompose(structure_.linkage, bodies_);
-    expect_balance(decomposition);
-    expect_order(decomposition);
-    structure_.linkage = std::move(decomposition.linkage);
-    for (Component& component : decomposition.components) {
-      if (component.joints.empty()) {  // a driver places it, against a link that has listed it
-        continue;
-      }
-      component.links = carriers_of(component);
-      std::optional<FoundGroup> found =
-          find_group(structure_.linkage, component.links, component.joints);
-      if (!found) {
-        refuse(component);
-      }
-      const std::size_t driven_before = structure_.driven.size();
-      for (const LinkIndex link : component.links) {
-        carry_from(link);
-      }
-      for (std::size_t place = driven_before; place < structure_.driven.size(); ++place) {
-        found->links.push_back(structure_.driven[place].to);
-      }
-      std::sort(found->links.begin(), found->links.end());
-      structure_.groups.add(std::move(*found));
-    }
-    order_driven_links();
-  }
-
-  /// A driven link is placed when the link that carries it is, and those that its law reads.
-  void order_driven_links() {
-    Table<LinkIndex, std::size_t> groups_before(structure_.linkage.links.size(), 0);
-    for (const GroupIndex group : structure_.groups.keys()) {
-      for (const LinkIndex link : structure_.groups[group].links) {
-        groups_before[link] = group.place() + 1;
-      }
-    }
-    const auto latest = [&](const std::vector<LinkIndex>& links) {
-      std::size_t groups = 0;
-      for (const LinkIndex link : links) {
-        groups = std::max(groups, groups_before[link]);
-      }
-      return groups;
-    };
-    put_driven_links_behind_what_they_read();
-    for (DrivenLink& link : structure_.driven) {
-      link.groups_before = std::max(groups_before[link.from], latest(bodies_.read[link.joint]));
-      groups_before[link.to] = link.groups_before;
-    }
-    std::ranges::stable_sort(structure_.driven, {}, &DrivenLink::groups_before);
-    Table<LinkIndex, std::size_t> links_before(structure_.linkage.links.size(), 0);
-    for (std::size_t place = 0; place < structure_.driven.size(); ++place) {
-      links_before[structure_.driven[place].to] = place + 1;
-    }
-    structure_.laws = laws_in_order(mechanism_);
-    for (const DriverIndex driver : structure_.laws) {
-      if (std::vector<LinkIndex>& read = bodies_.read[joint_of(driver)]; !read.empty()) {
-        std::size_t links = 0;
-        for (const LinkIndex link : read) {
-          links = std::max(links, links_before[link]);
-        }
-        structure_.reading.push_back({driver, latest(read), links, std::move(read)});
-      }
-    }
-    std::ranges::stable_sort(structure_.reading, {}, [](const ReadingDriver& reading) {
-      return std::make_pair(reading.groups_before, reading.links_before);
-    });
-  }
-
-  /// Links on which others stand, or which the laws of others read, come first.
-  void put_driven_links_behind_what_they_read() {
-    std::vector<DrivenLink> waiting = std::move(structure_.driven);
-    structure_.driven.clear();
-    Table<LinkIndex, bool> waits(structure_.linkage.links.size(), false);
-    for (const DrivenLink& link : waiting) {
-      waits[link.to] = true;
-    }
-    const auto is_ready = [&](const DrivenLink& link) {
-      return !waits[link.from] && std::ranges::none_of(bodies_.read[link.joint],
-                                                       [&](LinkIndex read) { return waits[read]; });
-    };
-    while (!waiting.empty()) {
-      std::vector<DrivenLink> left;
-      for (const DrivenLink& link : waiting) {
-        if (is_ready(link)) {
-          waits[link.to] = false;
-          structure_.driven.push_back(link);
-        } else {
-          left.push_back(link);
-        }
-      }
-      waiting = std::move(left);
-    }
-  }
-
-  static void expect_order(const Decomposition& decomposition) {
-    const Imbalance& coupled = decomposition.coupled;
-    if (!coupled.links.empty()) {
-      throw MechanismError(
-          "drivers", "what the laws of the joints " + text::listed(coupled.joints) +
-                         " read makes the links " + text::listed(coupled.links) +
-                         " wait for one another: they can only be solved together, as a group "
-                         "that is not known here; let a law read joints that are placed before");
-    }
-  }
-
-  /// Of links that drivers tie together in a group, the one with most of the group's joints, and
-  /// then the one whose name comes first, carries the others: what a driver does not move between
-  /// stays constant. The group's joints are handed to those that carry, which are the result,
-  /// ascending.
-  std::vector<LinkIndex> carriers_of(const Component& component) {
-    Table<LinkIndex, int> joints(bodies_.carrier.size(), 0);
-    for (const ElementaryJointIndex index : component.joints) {
-      ++joints[joint(index).first];
-      ++joints[joint(index).second];
-    }
-    const auto rank = [&](LinkIndex link) {
-      const bool is_block = link.place() >= mechanism_.links().size();
-      return std::make_tuple(is_block, -joints[link], structure_.linkage.links[link]);
-    };
-    Table<LinkIndex, LinkIndex> carrier(bodies_.carrier.size());
-    for (const LinkIndex link : component.links) {
-      carrier[link] = link;
-    }
-    for (const DriverIndex driver : mechanism_.drivers().keys()) {
-      const ElementaryJoint& at = joint(joint_of(driver));
-      const LinkIndex one = carrier[at.first];
-      const LinkIndex other = carrier[at.second];
-      if (one.exists() && other.exists()) {
-        const LinkIndex kept = rank(one) < rank(other) ? one : other;
-        for (const LinkIndex link : component.links) {
-          carrier[link] = carrier[link] == one || carrier[link] == other ? kept : carrier[link];
-        }
-      }
-    }
-    for (const ElementaryJointIndex index : component.joints) {
-      ElementaryJoint& at = structure_.linkage.joints[index];
-      at.first = carrier[at.first].exists() ? carrier[at.first] : at.first;
-      at.second = carrier[at.second].exists() ? carrier[at.second] : at.second;
-    }
-    std::vector<LinkIndex> carriers;
-    for (const LinkIndex link : component.links) {
-      if (carrier[link] == link) {
-        carriers.push_back(link);
-      }
-    }
-    return carriers;
-  }
-
-  [[noreturn]] void refuse(const Component& component) const {
-    std::vector<std::string> known;
-    for (const GroupModels& group : known_groups()) {
-      known.push_back(group.structure.name);
-    }
-    const int assur_class = assur_class_of(structure_.linkage, component.links, component.joints);
-    throw MechanismError(
-        "links", "the links " + text::listed(structure_.names_of(component.links)) +
-                     " can only be solved together, as a group of class " +
-                     std::to_string(assur_class) + " with " +
-                     std::to_string(component.links.size()) +
-                     " links, which is not known here (known: " + text::listed(known) + ")");
-  }
-
-  /// Whether one of some joints joins links that drivers tie together, none of which is placed.
-  [[nodiscard]] bool is_within_tied(const std::vector<std::string>& joints) const {
-    const auto is_tied = [this](FeatureIndex one, FeatureIndex other) {
-      const LinkIndex carrier = bodies_.carrier[mechanism_.features()[one].link];
-      return one != other && carrier != structure_.linkage.ground &&
-             carrier == bodies_.carrier[mechanism_.features()[other].link];
-    };
-    return std::ranges::any_of(mechanism_.joints(), [&](const Joint& joint) {
-      return std::ranges::find(joints, joint.name) != joints.end() &&
-             std::ranges::any_of(joint.between, [&](FeatureIndex one) {
-               return std::ranges::any_of(joint.between,
-                                          [&](FeatureIndex other) { return is_tied(one, other); });
-             });
-    });
-  }
-
-  void expect_balance(const Decomposition& decomposition) const {
-    const Imbalance& over = decomposition.overloaded;
-    const Imbalance& under = decomposition.free;
-    const std::string excess =
-        "over-constrained by " + std::to_string(over.surplus) + ": the joints " +
-        text::listed(over.joints) +
-        (over.links.empty() && is_within_tied(over.joints) ? " join links that drivers tie together"
-         : over.links.empty()
-             ? " join links that are placed already"
-             : " hold the links " + text::listed(over.links) + " more often than they can move") +
-        "; take a joint or a driver away";
-    const std::string lack = "under-constrained by " + std::to_string(under.surplus) +
-                             ": the links " + text::listed(under.links) +
-                             " keep a freedom; drive one of their joints, or add a joint";
-    if (over.surplus > 0) {
-      throw OverConstrained("joints", excess + (under.surplus > 0 ? "; elsewhere " + lack : ""),
-                            over.surplus, over.joints);
-    }
-    if (under.surplus > 0) {
-      throw MechanismError("links", lack);
-    }
-  }
-
-  const Mechanism& mechanism_;
-  Structure structure_;
-  DrivenBodies bodies_;
-};
-
-}  // namespace
-
-}  // namespace assur::mechanism::plan
 
 namespace assur::mechanism {
 
@@ -376,10 +51,31 @@ Table<LinkIndex, bool> Structure::carried_by_ground() const {
   return carried;
 }
 
+std::vector<std::size_t> Structure::carried_by_base(GroupIndex group) const {
+  Table<LinkIndex, bool> carried(linkage.links.size(), false);
+  std::vector<std::size_t> result;
+  if (const LinkIndex base = groups[group].base; base.exists()) {
+    carried[base] = true;
+    for (std::size_t place = 0; place < driven.size(); ++place) {
+      const DrivenLink& link = driven[place];
+      const bool is_known = !link.group.exists() || link.group < group;
+      carried[link.to] = carried[link.to] || (carried[link.from] && is_known);
+      if (carried[link.from] && is_known) {
+        result.push_back(place);
+      }
+    }
+  }
+  return result;
+}
+
+bool Structure::has_relative_groups() const {
+  return std::ranges::any_of(groups, [](const FoundGroup& group) { return group.base.exists(); });
+}
+
 bool Structure::moves_by_laws(const Mechanism& mechanism) const {
   return std::ranges::any_of(driven, [&](const DrivenLink& link) {
-    const NumberIndex law = mechanism.drivers()[link.driver].position;
-    return link.groups_before > 0 || !mechanism.numbers()[law].formula.joints().empty();
+    return link.groups_before > 0 ||
+           !mechanism.numbers()[mechanism.drivers()[link.driver].position].formula.joints().empty();
   });
 }
 
@@ -417,10 +113,6 @@ NamedParts Structure::named_parts(const Mechanism& mechanism) const {
               return mechanism.joints()[one.joint].name < mechanism.joints()[other.joint].name;
             });
   return parts;
-}
-
-Structure structure_of(const Mechanism& mechanism) {
-  return plan::PlacementPlanner(mechanism).run();
 }
 
 }  // namespace assur::mechanism

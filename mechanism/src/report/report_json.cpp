@@ -92,6 +92,9 @@ Json groups_json(const Structure& structure) {
                     {"kind", group.kind},
                     {"model", group.model->number},
                     {"links", structure.names_of(group.links)}});
+    if (group.base.exists()) {
+      list.back()["relative_to"] = structure.linkage.links[group.base];
+    }
   }
   return list;
 }

@@ -156,6 +156,7 @@ std::string report_text(const Report& report) {
     for (const std::string& link : structure.names_of(group.links)) {
       text += " " + link;
     }
+    text += group.base.exists() ? ", relative to " + structure.linkage.links[group.base] : "";
     text += "\n";
   }
   for (const std::string& joint : report.plan.redundant()) {

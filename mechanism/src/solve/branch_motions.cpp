@@ -40,7 +40,9 @@ class BranchWalk {
         structure_(values.plan().structure),
         placed_(placed),
         configuration_(configuration),
-        links_(structure_.linkage.links.size()) {}
+        links_(structure_.linkage.links.size()),
+        carried_(structure_.driven.size()),
+        has_relative_groups_(structure_.has_relative_groups()) {}
 
   std::vector<Configuration> run() {
     links_[structure_.linkage.ground] = models::at_rest({0, 0, {1, 0}});
@@ -51,25 +53,50 @@ class BranchWalk {
  private:
   void move_driven_links(std::size_t groups_before) {
     for (std::size_t place = 0; place < structure_.driven.size(); ++place) {
-      const DrivenLink& link = structure_.driven[place];
-      if (link.groups_before != groups_before) {
-        continue;
+      if (structure_.driven[place].groups_before == groups_before) {
+        move_driven_link(place);
       }
-      const ElementaryJoint& joint = structure_.linkage.joints[link.joint];
-      const models::Series& motion = motions_.drivers[link.driver];
-      const models::Series moved = joint.first == link.from ? motion : -motion;
-      // About the joint's place on the placed link, from where the moved link stands.
-      const Pose<models::Series> base =
-          composed(links_[link.from], placed_in(values_.frame(joint.on(link.from))));
-      const Pose<models::Series> step = joint.prismatic
-                                            ? Pose<models::Series>{moved, 0, {1, 0}}
-                                            : Pose<models::Series>{0, 0, turning({1, 0}, moved)};
-      // Where the moved link's own feature moves on it, it is not enough to turn the link.
-      links_[link.to] =
-          motions_.in_time && is_moving(values_.driven_frame(place))
-              ? composed(composed(composed(base, standing(link, joint)), step),
-                         as_it_moves(values_.driven_frame(place)))
-              : composed(composed(base, step), seen_from(base, placed_.links[link.to].pose));
+    }
+  }
+
+  void move_driven_link(std::size_t place) {
+    const DrivenLink& link = structure_.driven[place];
+    if (link.group.exists()) {
+      links_[link.to] = composed(links_[link.from], carried_[place]);
+      return;
+    }
+    const ElementaryJoint& joint = structure_.linkage.joints[link.joint];
+    const models::Series& motion = motions_.drivers[link.driver];
+    const models::Series moved = joint.first == link.from ? motion : -motion;
+    // About the joint's place on the placed link, from where the moved link stands.
+    const Pose<models::Series> base =
+        composed(links_[link.from], placed_in(values_.frame(joint.on(link.from))));
+    const Pose<models::Series> step = joint.prismatic
+                                          ? Pose<models::Series>{moved, 0, {1, 0}}
+                                          : Pose<models::Series>{0, 0, turning({1, 0}, moved)};
+    // Where the moved link's own feature moves on it, or what carries it stands elsewhere while a
+    // group is solved relative to that, it is not enough to turn the link.
+    links_[link.to] =
+        has_relative_groups_ || (motions_.in_time && is_moving(values_.driven_frame(place)))
+            ? composed(composed(composed(base, standing(link, joint)), step),
+                       placed_in(values_.driven_frame(place)))
+            : composed(composed(base, step), seen_from(base, placed_.links[link.to].pose));
+  }
+
+  /// As solving does: on the axes of the ground, with what it carries.
+  void put_base(GroupIndex group) {
+    if (structure_.groups[group].base.exists()) {
+      links_[structure_.groups[group].base] = models::at_rest({0, 0, {1, 0}});
+      for (const std::size_t place : structure_.carried_by_base(group)) {
+        move_driven_link(place);
+      }
+    }
+  }
+  void keep_carried(GroupIndex group) {
+    for (std::size_t place = 0; place < structure_.driven.size(); ++place) {
+      if (structure_.driven[place].group == group) {
+        carried_[place] = links_[structure_.driven[place].to];
+      }
     }
   }
 
@@ -106,6 +133,7 @@ class BranchWalk {
     }
     const GroupIndex group(depth);
     const Values::GroupNumbers& numbers = values_.numbers_of(group);
+    put_base(group);
     const models::FlatSeries u = inputs(numbers);
     const models::FlatSeries d = dimensions(*structure_.groups[group].model, numbers);
     const PlacedGroup& here = placed_.groups[group];
@@ -116,6 +144,7 @@ class BranchWalk {
       for (std::size_t link = 0; link < numbers.links.size(); ++link) {
         links_[numbers.links[link]] = composed(branch.poses[link], placed_in(numbers.own[link]));
       }
+      keep_carried(group);
       const std::size_t before = slides_.size();
       for (const values::MeasuredSlide& slide : numbers.slides) {
         const models::Series& moved = branch.unknowns[static_cast<std::size_t>(slide.unknown)];
@@ -211,6 +240,8 @@ class BranchWalk {
   const PlacedLinks& placed_;
   const Configuration& configuration_;
   Table<LinkIndex, Pose<models::Series>> links_;
+  std::vector<Pose<models::Series>> carried_;  ///< links of groups, in the frames of their bases
+  bool has_relative_groups_;
   std::vector<MovingSlide> slides_;
   std::vector<Configuration> found_;
 };
@@ -289,10 +320,13 @@ Motions along_parameter(const Values& values, Eigen::Index column) {
 }
 
 /// Whether what drives the mechanism is known; a law that reads a singular group's links is not,
-/// nor is how a driver changes a link whose features hardly define its frame.
+/// nor is how such a group shapes others, nor how a driver changes a link whose features hardly
+/// define its frame.
 bool are_known(const Motions& motions, const Values& values) {
   for (const GroupIndex group : values.plan().structure.groups.keys()) {
-    if (!precision_of_shape(values.numbers_of(group).firmness).second_rates_known) {
+    const Values::GroupNumbers& numbers = values.numbers_of(group);
+    if (!precision_of_shape(numbers.firmness).second_rates_known || !numbers.d_rate.allFinite() ||
+        !numbers.d_second_rate.allFinite()) {
       return false;
     }
   }

@@ -64,6 +64,7 @@ std::vector<std::string> ClosingGaps::stance_of_holders(GroupIndex group) const 
   std::vector<std::string> holders;
   for (const LinkIndex link : placement_.plan().mechanism.links().keys()) {
     const bool holds =
+        link != structure_.groups[group].base &&
         std::ranges::any_of(placement_.values().numbers_of(group).held,
                             [link](const values::HeldJoint& joint) { return joint.base == link; });
     const bool is_of_group =
@@ -86,11 +87,12 @@ std::string ClosingGaps::reason() const {
   }
   const GroupIndex group(static_cast<std::size_t>(least - failures_.begin()));
   const FoundGroup& found = structure_.groups[group];
-  std::string reason = "group " + std::to_string(group.place() + 1) + " (" +
-                       found.model->group->name + " " + found.kind + ": " +
-                       text::listed(structure_.names_of(found.links)) + "): the joints " +
-                       text::listed(joint_names(placement_.values(), group, false)) +
-                       " fail to close by " + short_number(least->least_gap) + " at least";
+  std::string reason =
+      "group " + std::to_string(group.place() + 1) + " (" + found.model->group->name + " " +
+      found.kind + ": " + text::listed(structure_.names_of(found.links)) +
+      (found.base.exists() ? ", relative to " + structure_.linkage.links[found.base] : "") +
+      "): the joints " + text::listed(joint_names(placement_.values(), group, false)) +
+      " fail to close by " + short_number(least->least_gap) + " at least";
   std::vector<std::string> holders;
   for (const GroupIndex holder : structure_.all_holders_of(group)) {
     holders.push_back(std::to_string(holder.place() + 1));

@@ -13,6 +13,10 @@ namespace assur::mechanism::solve {
 
 namespace {
 
+bool slides_on(const Structure& structure, const DrivenLink& link) {
+  return link.joint.exists() && structure.linkage.joints[link.joint].prismatic;
+}
+
 bool is_of(const FoundGroup& group, LinkIndex link) {
   return std::ranges::find(group.links, link) != group.links.end();
 }
@@ -36,7 +40,9 @@ Placement::Placement(const Values& values)
     : plan_(values.shared_plan()),
       structure_(plan_->structure),
       given_(values),
-      settled_(structure_.reading.empty() ? std::nullopt : std::optional(values)),
+      settled_(structure_.reading.empty() && !structure_.has_relative_groups()
+                   ? std::nullopt
+                   : std::optional(values)),
       values_(settled_ ? *settled_ : given_),
       chosen_(structure_.groups.size(), 0) {
   const auto parameters = static_cast<Eigen::Index>(values.columns().size());
@@ -49,11 +55,13 @@ Placement::Placement(const Values& values)
   }
   std::size_t slides = 0;
   for (const DrivenLink& link : structure_.driven) {
-    slides += structure_.linkage.joints[link.joint].prismatic ? 1 : 0;
+    driven_slide_.push_back(slides);
+    slides += slides_on(structure_, link) ? 1 : 0;
   }
   solvers_.reserve(structure_.groups.size());
   for (const GroupIndex group : structure_.groups.keys()) {
     solvers_.add(GroupSolver(values_, group));
+    carried_by_base_.add(structure_.carried_by_base(group));
     first_slide_.add(slides);
     for (const ModelUnknown& unknown : structure_.groups[group].model->unknowns) {
       slides += unknown.is_angle ? 0 : 1;
@@ -92,13 +100,11 @@ bool Placement::move_driven_links(std::size_t groups, Table<LinkIndex, bool>* un
     }
     return true;
   };
-  std::size_t slide = 0;
   for (std::size_t place = 0; place < structure_.driven.size(); ++place) {
     if (!settle_what_reads(place)) {
       return false;
     }
     const DrivenLink& link = structure_.driven[place];
-    const bool slides = structure_.linkage.joints[link.joint].prismatic;
     if (link.groups_before == groups) {
       const bool reads_nothing = std::ranges::any_of(
           structure_.reading,
@@ -106,10 +112,9 @@ bool Placement::move_driven_links(std::size_t groups, Table<LinkIndex, bool>* un
       if (is_missing(link.from) || reads_nothing) {
         (*unplaced)[link.to] = true;
       } else {
-        place_driven_link(place, slides ? &placed_.slides[slide] : nullptr);
+        place_driven_link(place);
       }
     }
-    slide += slides ? 1 : 0;
   }
   return settle_what_reads(structure_.driven.size());
 }
@@ -169,8 +174,15 @@ bool Placement::settle(const ReadingDriver& reading) {
   return true;
 }
 
-void Placement::place_driven_link(std::size_t place, SlideState* slide) {
+void Placement::place_driven_link(std::size_t place) {
   const DrivenLink& link = structure_.driven[place];
+  if (link.group.exists()) {
+    const Frame& there = values_.driven_frame(place);
+    compose(placed_.links[link.from], there, placed_.links[link.to]);
+    placed_.displaced[link.to] = placed_.displaced[link.from].carries(
+        there.pose.x, there.pose.y, values_.driven_rounding(place));
+    return;
+  }
   const JointMotion& motion = values_.motion(link.driver);
   const ElementaryJoint& at = structure_.linkage.joints[link.joint];
   set_motion(motion, at.prismatic, at.first == link.from ? 1.0 : -1.0);
@@ -186,9 +198,20 @@ void Placement::place_driven_link(std::size_t place, SlideState* slide) {
                                             at.prismatic ? support::Displacement::of_slide(position)
                                                          : support::Displacement::of_turn(position))
                                    .carries(back.x, back.y, values_.rounding(at.on(link.to)));
-  if (slide != nullptr) {
-    set_slide(motion, at.joint, *slide);
+  if (at.prismatic) {
+    set_slide(motion, at.joint, placed_.slides[driven_slide_[place]]);
   }
+}
+
+void Placement::hold(GroupIndex group) {
+  if (const LinkIndex base = structure_.groups[group].base; base.exists()) {
+    placed_.links[base] = placed_.links[structure_.linkage.ground];
+    placed_.displaced[base] = {};
+    for (const std::size_t place : carried_by_base_[group]) {
+      place_driven_link(place);
+    }
+  }
+  solvers_[group].hold(placed_);
 }
 
 /// The moved frame in that of the joint: turned about its origin, or slid along its x-axis.
@@ -226,8 +249,11 @@ bool Placement::can_be_solved(GroupIndex group, const Table<LinkIndex, bool>& un
              return link.driver == reading.driver && is_of(structure_.groups[group], link.to);
            });
   };
-  return std::ranges::none_of(structure_.reading, shapes_it) && solvers_[group].has_normal_form() &&
-         structure_.groups[group].model->rigid && !values_.numbers_of(group).is_held_by(unplaced);
+  return std::ranges::none_of(structure_.reading, shapes_it) &&
+         std::ranges::none_of(structure_.groups[group].links,
+                              [&](LinkIndex link) { return unplaced[link]; }) &&
+         solvers_[group].has_normal_form() && structure_.groups[group].model->rigid &&
+         !values_.numbers_of(group).is_held_by(unplaced);
 }
 
 const models::GroupAssemblies& Placement::assemble(GroupIndex group) {
@@ -240,6 +266,9 @@ const models::GroupAssemblies& Placement::assemble(GroupIndex group) {
 
 void Placement::place(GroupIndex group, std::size_t index) {
   solvers_[group].place(index, first_slide_[group], placed_);
+  if (structure_.groups[group].base.exists()) {
+    settled_->settle(group, placed_.links, placed_.displaced);
+  }
   placed_.groups[group] = {solvers_[group].configuration(index), solvers_[group].displaced()};
   chosen_[group] = index;
   if (plan_->request.sweep) {

@@ -34,11 +34,13 @@ class Placement {
   void count_from(const std::vector<Configuration>* nearby) { nearby_ = nearby; }
   /// Whether a group is held, and shaped, by links that are placed, and has configurations to find.
   [[nodiscard]] bool can_be_solved(GroupIndex group, const Table<LinkIndex, bool>& unplaced) const;
-  /// Takes over where the group's neighbours are.
-  void hold(GroupIndex group) { solvers_[group].hold(placed_); }
+  /// Takes over where the group's neighbours are. The link relative to which a group is solved is
+  /// put on the axes of the ground, with all that it carries, until it is placed itself.
+  void hold(GroupIndex group);
   /// Finds the configurations of a group where it is held. Throws MechanismError after too many.
   [[nodiscard]] const models::GroupAssemblies& assemble(GroupIndex group);
-  /// Places a group in one of the configurations that were found last.
+  /// Places a group in one of the configurations that were found last; one that is solved relative
+  /// to a link, in that link's frame, as a part of the shapes of the groups behind it.
   void place(GroupIndex group, std::size_t index);
 
   [[nodiscard]] const PlanData& plan() const { return *plan_; }
@@ -54,7 +56,7 @@ class Placement {
   [[nodiscard]] PlacedLinks& placed() { return placed_; }
 
  private:
-  void place_driven_link(std::size_t place, SlideState* slide);
+  void place_driven_link(std::size_t place);
   void set_motion(const JointMotion& motion, bool prismatic, double sense);
   void set_slide(const JointMotion& motion, JointIndex joint, SlideState& slide) const;
   [[nodiscard]] bool settle(const ReadingDriver& reading);
@@ -64,10 +66,13 @@ class Placement {
   std::shared_ptr<const PlanData> plan_;
   const Structure& structure_;
   const Values& given_;
-  std::optional<Values> settled_;  ///< where laws read links
+  std::optional<Values> settled_;  ///< where laws read links, or groups shape others
   const Values& values_;           ///< one or the other
   Table<GroupIndex, GroupSolver> solvers_;
   Table<GroupIndex, std::size_t> first_slide_;
+  std::vector<std::size_t> driven_slide_;  ///< of each driven link that slides
+  /// Of a group that is solved relative to a link, the driven links that this one carries.
+  Table<GroupIndex, std::vector<std::size_t>> carried_by_base_;
   Table<GroupIndex, std::size_t> chosen_;
   PlacedLinks placed_;
   const std::vector<Configuration>* nearby_ = nullptr;

@@ -93,6 +93,17 @@ void make_room(const Derivatives<3>& like, Derivatives<Coordinates>& result) {
   }
 }
 
+/// A pose from `coordinate(value, row)`, a coordinate with its derivatives.
+template <typename Coordinate>
+Pose<Dual> pose_of(const Pose<double>& pose, const Coordinate& coordinate) {
+  const auto& [cosine, sine] = pose.direction;
+  const Dual angle = coordinate(0, 2);
+  return {
+      coordinate(pose.x, 0),
+      coordinate(pose.y, 1),
+      {Dual::chained(cosine, angle, -sine, -cosine), Dual::chained(sine, angle, cosine, -sine)}};
+}
+
 }  // namespace
 
 }  // namespace assur::mechanism::values
@@ -137,6 +148,23 @@ void Frame::move(const Pose<Dual>& in_time) {
     velocity(place) = coordinate.derivatives().size() > 0 ? coordinate.derivatives()(0) : 0;
     acceleration(place) = coordinate.has_hessian() ? coordinate.hessian()(0, 0) : 0;
   }
+}
+
+Pose<Dual> Frame::to_parameters() const {
+  const auto coordinate = [this](double value, Eigen::Index row) {
+    return Dual(
+        value, follows.first.row(row).transpose(),
+        follows.has_second() ? follows.second[static_cast<std::size_t>(row)] : Eigen::MatrixXd());
+  };
+  return values::pose_of(pose, coordinate);
+}
+
+Pose<Dual> Frame::in_time() const {
+  const auto coordinate = [this](double value, Eigen::Index row) {
+    return Dual(value, Eigen::VectorXd::Constant(1, velocity(row)),
+                Eigen::MatrixXd::Constant(1, 1, acceleration(row)));
+  };
+  return values::pose_of(pose, coordinate);
 }
 
 Frame Frame::identity(Eigen::Index parameters, bool with_second) {

@@ -26,7 +26,8 @@ struct MeasuredSlide {
   double shift_rate = 0, shift_second_rate = 0;  ///< in time
 };
 
-/// Where a placed link holds an external joint of the group.
+/// Where a placed link holds an external joint of the group; of a group that is solved relative to
+/// a link, that one or one that it carries.
 struct HeldJoint {
   LinkIndex base;
   FeatureIndex feature;

@@ -116,12 +116,19 @@ LinkFeature<Dual> Values::in_time(FeatureIndex index, bool is_line) const {
 }
 
 LinkFeature<Dual> Values::in_time(const ElementaryJoint& at, LinkIndex link) const {
+  const auto feature_of = [this](FeatureIndex feature, bool is_line) {
+    return in_time(feature, is_line);
+  };
   return carried_feature<Dual>(
-      plan_->structure, at, link,
-      [this](FeatureIndex feature, bool is_line) { return in_time(feature, is_line); },
-      [this](DriverIndex driver) {
-        const JointMotion& motion = motions_[driver];
-        return values::in_time(motion.position.value(), motion.velocity, motion.acceleration);
+      plan_->structure, at, link, feature_of,
+      [&](const LinkFeature<Dual>& carried, const DrivenLink& driven) {
+        if (driven.group.exists()) {
+          return placed_feature(carried, driven_frames_[place_of(driven)].in_time());
+        }
+        const JointMotion& motion = motions_[driven.driver];
+        return moved_feature(
+            carried, plan_->structure, driven, feature_of,
+            values::in_time(motion.position.value(), motion.velocity, motion.acceleration));
       });
 }
 

@@ -281,19 +281,6 @@ LinkFeature<Dual> Values::feature(FeatureIndex feature, bool is_line) const {
   return feature.exists() ? features_[feature] : values::block_feature(*this, is_line);
 }
 
-void Values::evaluate_driven_frames() {
-  driven_frames_.clear();
-  for (const DrivenLink& link : plan_->structure.driven) {
-    const ElementaryJoint& at = plan_->structure.linkage.joints[link.joint];
-    const LinkFeature<Dual> on = feature(at.on(link.to), at.prismatic);
-    driven_frames_.push_back(Frame::at(inverse<Dual>({on.x, on.y, on.along})));
-    if (moves(at.on(link.to))) {
-      const LinkFeature<Dual> moving = in_time(at.on(link.to), at.prismatic);
-      driven_frames_.back().move(inverse<Dual>({moving.x, moving.y, moving.along}));
-    }
-  }
-}
-
 void Values::evaluate_group(GroupIndex index) {
   const FoundGroup& group = plan_->structure.groups[index];
   groups_[index] = group_geometry(
@@ -309,36 +296,6 @@ void Values::evaluate_group(GroupIndex index) {
     values::set_rates(in_time(group), plan_->structure, group, numbers);
   }
   group_numbers_[index] = std::make_shared<const GroupNumbers>(std::move(numbers));
-}
-
-LinkFeature<Dual> Values::feature(const ElementaryJoint& at, LinkIndex link) const {
-  return carried_feature<Dual>(
-      plan_->structure, at, link,
-      [this](FeatureIndex feature, bool is_line) { return this->feature(feature, is_line); },
-      [this](DriverIndex driver) { return motions_[driver].position; });
-}
-
-support::Displacement Values::rounding(const ElementaryJoint& at, LinkIndex link) const {
-  const LinkIndex holder = at.holder(link);
-  if (holder == link) {
-    return rounding(at.on(link));
-  }
-  using support::Displacement;
-  const DrivenLink& driven = *plan_->structure.driven_link(holder);
-  const ElementaryJoint& joint = plan_->structure.linkage.joints[driven.joint];
-  const double position = std::abs(motions_[driven.driver].position.value());
-  // The longest lever about which the driver turns it, and what it slides by.
-  const auto size_of = [this](FeatureIndex feature) {
-    const Pose<double>& pose = frame(feature).pose;
-    return std::abs(pose.x) + std::abs(pose.y);
-  };
-  ElementaryJoint nearer = at;
-  (link == at.first ? nearer.holder_first : nearer.holder_second) = driven.from;
-  const double lever = size_of(at.on(link)) + size_of(joint.on(driven.to));
-  return (joint.prismatic ? Displacement::of_slide(position) : Displacement::of_turn(position))
-      .carries(lever, 0, rounding(joint.on(driven.from)))
-      .carries(0, 0, rounding(joint.on(driven.to)))
-      .carries(0, 0, rounding(nearer, link));
 }
 
 void Values::evaluate_driver(DriverIndex index,
@@ -363,14 +320,6 @@ void Values::evaluate_driver(DriverIndex index,
       driver.velocity.exists() ? numbers_[driver.velocity].value() : values::rate_of(law);
   motion.acceleration = driver.acceleration.exists() ? numbers_[driver.acceleration].value()
                                                      : values::second_rate_of(law);
-}
-
-void Values::settle(DriverIndex driver,
-                    const std::function<JointMotion(JointIndex)>& coordinate_of) {
-  evaluate_driver(driver, coordinate_of);
-  for (const GroupIndex group : plan::groups_carried_by(driver, *plan_)) {
-    evaluate_group(group);
-  }
 }
 
 SlideMeasure<Dual> Values::slide_measure(GroupIndex group, int model_joint) const {

@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "counting.hpp"
+#include "generator/emittable_scenes.hpp"
 #include "generator/solver_comparison.hpp"
 
 namespace assur::test::emit_scene_counts_test {
@@ -64,16 +65,12 @@ TEST(EmitSceneCounts, AreWhatTheFunctionsOfAllExamplesDo) {
   const TemporaryDirectory directory;
   std::map<std::string, Count> stated;
   std::string structs;
-  for (const char* scenes : {ASSUR_EXAMPLES, ASSUR_SCENES}) {
-    for (const auto& entry : fs::directory_iterator(scenes)) {
-      if (entry.path().extension() == ".json") {
-        const std::string stem = entry.path().stem().string();
-        emit_solver({entry.path(), stem, "", {}}, directory);
-        const std::string header = read_file(directory.path() / "assur/scenes" / (stem + ".hpp"));
-        structs += groups_of(header);
-        stated.merge(stated_counts(header));
-      }
-    }
+  for (const fs::path& scene : emittable_scenes({ASSUR_EXAMPLES, ASSUR_SCENES})) {
+    const std::string stem = scene.stem().string();
+    emit_solver({scene, stem, "", {}}, directory);
+    const std::string header = read_file(directory.path() / "assur/scenes" / (stem + ".hpp"));
+    structs += groups_of(header);
+    stated.merge(stated_counts(header));
   }
   std::string calls;
   for (const auto& [name, count] : stated) {

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "generator/awkward_scene.hpp"
+#include "generator/emittable_scenes.hpp"
 #include "generator/solver_comparison.hpp"
 
 namespace assur::test::emit_scene_test {
@@ -27,17 +28,8 @@ std::string struct_of(const std::string& stem) {
 }
 
 std::vector<EmittedScene> examples() {
-  std::vector<fs::path> files;
-  for (const char* directory : {ASSUR_EXAMPLES, ASSUR_SCENES}) {
-    for (const auto& entry : fs::directory_iterator(directory)) {
-      if (entry.path().extension() == ".json") {
-        files.push_back(entry.path());
-      }
-    }
-  }
-  std::sort(files.begin(), files.end());
   std::vector<EmittedScene> scenes;
-  for (const fs::path& file : files) {
+  for (const fs::path& file : emittable_scenes({ASSUR_EXAMPLES, ASSUR_SCENES})) {
     const std::string stem = file.stem().string();
     scenes.push_back({file, stem, struct_of(stem), {}});
   }

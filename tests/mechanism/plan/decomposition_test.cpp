@@ -58,7 +58,10 @@ INSTANTIATE_TEST_SUITE_P(
         Chain{"stephenson_triad", {"triad RR-RR-RR 1: bar left right coupler"}},
         Chain{"platform_3rpr", {"triad RR-RR-RR 1: leg1 leg2 leg3 platform"}},
         Chain{"jansen_leg", {"dyad RRR 1: k c", "dyad RRR 1: j upper", "dyad RRR 1: f lower"}},
-        Chain{"quintero_2011_rrp_rrr", {"tetrad RRP-RRR 2: rod lever slider bar"}}),
+        Chain{"quintero_2011_rrp_rrr", {"tetrad RRP-RRR 2: rod lever slider bar"}},
+        Chain{"scissor_lift_crossed",
+              {"dyad RRR 1: lower_right tube rod", "dyad RRP 2: lower_left lower_right tube rod D",
+               "dyad RRR 1: upper_left upper_right", "dyad RPR 3: table F"}}),
     [](const auto& chain) { return std::string(chain.param.example); });
 
 TEST(RandomChains, FallIntoTheGroupsOfWhichTheyWereMade) {

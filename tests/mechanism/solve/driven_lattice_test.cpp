@@ -17,12 +17,6 @@ namespace {
 /// of rounding, and what hangs on them by a fold to the root of that.
 constexpr double within_singular = 1e-3;
 
-/// Of the constraints, the least singular value to the largest.
-Real condition_of(const RigidScene& rigid, const RealVector& q) {
-  const auto values = Eigen::JacobiSVD<RealMatrix>(rigid.jacobian(q)).singularValues();
-  return values(values.size() - 1) / values(0);
-}
-
 /// Lattice scenes are singular exactly or by far not.
 constexpr Real singular = 1e-13L;
 
@@ -138,7 +132,11 @@ void print(const Tally& tally) {
             << " and " << tally.acceleration << '\n';
 }
 
-TEST(DrivenLattice, TellsTheTruthInSpecialPositions) {
+using DrivenLattice = DrivenScenes;
+INSTANTIATE_TEST_SUITE_P(Tied, DrivenLattice, testing::Values(Ties::drivers, Ties::groups),
+                         name_of_ties);
+
+TEST_P(DrivenLattice, TellsTheTruthInSpecialPositions) {
   Tally tally;
   for_each_scene(40, 2000, Places::lattice,
                  [&](const RandomDrivenScene& made, unsigned seed) { check(made, seed, tally); });
@@ -147,7 +145,7 @@ TEST(DrivenLattice, TellsTheTruthInSpecialPositions) {
 
 /// Links between parallel slides, which move freely though all else is held (27283 to 27745); a
 /// driven link whose law reads what moves (27870, 28470); families that differed by rounding.
-TEST(DrivenLattice, TellsWhatIsFreeAndWhatStandsInKnownScenes) {
+TEST(KnownDrivenLattice, TellsWhatIsFreeAndWhatStandsInKnownScenes) {
   Tally tally;
   for (const unsigned seed : {27283U, 27346U, 27492U, 27540U, 27745U, 27635U, 27982U, 28617U,
                               27496U, 28555U, 27870U, 28470U}) {

@@ -22,6 +22,9 @@ namespace assur::test {
 /// where parts are equal and parallel and joints stand in singular positions.
 enum class Places : unsigned char { anywhere, lattice };
 
+/// What ties links together that are one link of a group: drivers alone, or other groups too.
+enum class Ties : unsigned char { drivers, groups };
+
 /// Driven links, groups of links some of which are several that drivers tie together, and driven
 /// links behind them. Laws read joints that are placed before; parameters move, and with them
 /// lengths, directions and laws.
@@ -32,7 +35,8 @@ class RandomDrivenScene {
     double x, y, theta;
   };
 
-  RandomDrivenScene(unsigned seed, Places places, int groups) : engine_(seed), places_(places) {
+  RandomDrivenScene(unsigned seed, Places places, int groups, Ties ties = Ties::drivers)
+      : engine_(seed), places_(places), ties_(ties) {
     poses_["ground"] = {0, 0, 0};
     scene_["links"]["ground"] = Json::object();
     placed_.emplace_back("ground");
@@ -274,10 +278,20 @@ class RandomDrivenScene {
   }
 
   void add_group() {
-    const auto& known = mechanism::known_groups();
     static constexpr std::array<std::size_t, 10> which = {0, 0, 0, 0, 0, 1, 1, 1, 2, 2};
-    const mechanism::GroupModels& group =
-        known[std::min(which[static_cast<std::size_t>(below(10))], known.size() - 1)];
+    conclude_stage(add_group(which[static_cast<std::size_t>(below(10))], nullptr));
+  }
+
+  /// The group of links that a body holds alone: they are a part of the body.
+  void add_group_to(Body& body) {
+    const std::vector<std::string> added = add_group(chance(0.8) ? 0 : 1 + below(2), &body);
+    body.insert(body.end(), added.begin(), added.end());
+  }
+
+  /// The links of a group, one of those that are known, on a body or on what is placed.
+  std::vector<std::string> add_group(std::size_t which, const Body* base) {
+    const auto& known = mechanism::known_groups();
+    const mechanism::GroupModels& group = known[std::min(which, known.size() - 1)];
     const std::size_t count = group.structure.joints.size();
     std::vector<bool> slides(count);
     do {
@@ -304,7 +318,14 @@ class RandomDrivenScene {
           tie(bodies[link][static_cast<std::size_t>(below(member))], bodies[link].back());
         }
       }
+      if (ties_ == Ties::groups && chance(base == nullptr ? 0.4 : 0.1)) {
+        const std::size_t before = bodies[link].size();
+        add_group_to(bodies[link]);
+        added.insert(added.end(), bodies[link].begin() + static_cast<std::ptrdiff_t>(before),
+                     bodies[link].end());
+      }
     }
+    const Body* const outer = std::exchange(base_, base);
     for (std::size_t joint = 0; joint < count; ++joint) {
       add_joint(group.structure, joint, slides[joint], bodies, is_block);
     }
@@ -313,7 +334,8 @@ class RandomDrivenScene {
         add_slot(group.structure, static_cast<int>(link), slides, bodies);
       }
     }
-    conclude_stage(added);
+    base_ = outer;
+    return added;
   }
 
   /// A link of a pin and a slide may be the block of a pin in a slot.
@@ -332,7 +354,9 @@ class RandomDrivenScene {
 
   /// A link on one side of a joint of the group.
   std::string side(int link, const std::vector<Body>& bodies) {
-    return link == base_link ? any_placed() : any_of(bodies[static_cast<std::size_t>(link)]);
+    return link != base_link  ? any_of(bodies[static_cast<std::size_t>(link)])
+           : base_ != nullptr ? any_of(*base_)
+                              : any_placed();
   }
   static bool is_side_of_block(int link, const std::vector<bool>& is_block) {
     return link != base_link && is_block[static_cast<std::size_t>(link)];
@@ -346,7 +370,8 @@ class RandomDrivenScene {
     }
     std::string one = side(at.first, bodies);
     std::string other = side(at.second, bodies);
-    if (at.first == base_link && !slides && !open_pins().empty() && chance(0.3)) {
+    const bool is_on_ground = at.first == base_link && base_ == nullptr;
+    if (is_on_ground && !slides && !open_pins().empty() && chance(0.3)) {
       const std::vector<OpenPin> pins = open_pins();
       const OpenPin& pin = pins[static_cast<std::size_t>(below(static_cast<int>(pins.size())))];
       scene_["joints"][pin.joint]["between"].push_back(feature(other, pin.place, false, pin.joint));
@@ -411,6 +436,9 @@ class RandomDrivenScene {
 
   std::mt19937 engine_;
   Places places_;
+  Ties ties_;
+  const Body* base_ =
+      nullptr;  ///< that holds the group which is being added, if not what is placed
   Json scene_;
   std::map<std::string, BodyPose> poses_;
   std::map<std::string, double> value_;

@@ -37,6 +37,9 @@ struct Frame {
   [[nodiscard]] static Frame at(const Pose<Dual>& pose);
   /// Takes over the rates of a pose that is a function of time (one derivative, one second one).
   void move(const Pose<Dual>& in_time);
+  /// The pose with its derivatives to the parameters, and as a function of time.
+  [[nodiscard]] Pose<Dual> to_parameters() const;
+  [[nodiscard]] Pose<Dual> in_time() const;
   /// On the axes of the outer frame.
   [[nodiscard]] static Frame identity(Eigen::Index parameters, bool with_second);
 };

@@ -76,22 +76,45 @@ template <typename Scalar>
   return result;
 }
 
+/// A feature of a driven link in the frame of the link that carries it. `feature_of(feature,
+/// is_line)` is a feature in its own link's frame, `position` where the driver's law puts the
+/// joint.
+template <typename Scalar, typename FeatureOf>
+[[nodiscard]] LinkFeature<Scalar> moved_feature(const LinkFeature<Scalar>& feature,
+                                                const Structure& structure,
+                                                const DrivenLink& driven,
+                                                const FeatureOf& feature_of,
+                                                const Scalar& position) {
+  const ElementaryJoint& joint = structure.linkage.joints[driven.joint];
+  return moved_feature(feature, feature_of(joint.on(driven.from), joint.prismatic),
+                       feature_of(joint.on(driven.to), joint.prismatic), joint.prismatic,
+                       joint.first == driven.from ? position : Scalar(-position));
+}
+
+/// A feature of a link that stands in a frame, in the outer frame of that one.
+template <typename Scalar>
+[[nodiscard]] LinkFeature<Scalar> placed_feature(const LinkFeature<Scalar>& feature,
+                                                 const Pose<Scalar>& frame) {
+  LinkFeature<Scalar> result = feature;
+  const auto& [cosine, sine] = frame.direction;
+  result.x = frame.x + cosine * feature.x - sine * feature.y;
+  result.y = frame.y + sine * feature.x + cosine * feature.y;
+  result.along = turned(feature.along, frame.direction);
+  return result;
+}
+
 /// A joint's feature in the frame of a link that has it, or that carries the link that has it.
-/// `feature_of(feature, is_line)` is a feature in its own link's frame, `position_of(driver)` where
-/// a driver's law puts the driven joint.
-template <typename Scalar, typename FeatureOf, typename PositionOf>
+/// `feature_of(feature, is_line)` is a feature in its own link's frame, `carried(feature, link)`
+/// one of a driven link in the frame of the link that carries it.
+template <typename Scalar, typename FeatureOf, typename Carried>
 [[nodiscard]] LinkFeature<Scalar> carried_feature(const Structure& structure,
                                                   const ElementaryJoint& at, LinkIndex link,
                                                   const FeatureOf& feature_of,
-                                                  const PositionOf& position_of) {
+                                                  const Carried& carried) {
   LinkFeature<Scalar> result = feature_of(at.on(link), at.prismatic);
   for (LinkIndex holder = at.holder(link); holder != link;) {
     const DrivenLink& driven = *structure.driven_link(holder);
-    const ElementaryJoint& joint = structure.linkage.joints[driven.joint];
-    const Scalar position = position_of(driven.driver);
-    result = moved_feature(result, feature_of(joint.on(driven.from), joint.prismatic),
-                           feature_of(joint.on(driven.to), joint.prismatic), joint.prismatic,
-                           joint.first == driven.from ? position : Scalar(-position));
+    result = carried(result, driven);
     holder = driven.from;
   }
   return result;

@@ -9,8 +9,9 @@
 namespace assur::mechanism {
 
 /// A joint between two links, revolute or prismatic, with its feature on each; the feature of a
-/// block, which has no size, is none. In a group, links that drivers tie together count as one of
-/// them: the joint joins that one, and the feature may be that of a link that it carries.
+/// block, which has no size, is none. In a group, links that drivers or other groups tie together
+/// count as one of them: the joint joins that one, and the feature may be that of a link that it
+/// carries.
 struct ElementaryJoint {
   std::string name;
   JointIndex joint;  ///< of the mechanism
@@ -53,11 +54,15 @@ struct Linkage {
 
 [[nodiscard]] Linkage linkage_of(const Mechanism& mechanism);
 
-/// A link that a driver moves against another one, which is placed before it.
+using GroupIndex = Index<struct FoundGroup>;
+
+/// A link whose place against another one is known before that one is placed: a driver moves it
+/// there, or it is of a group that is solved relative to that one.
 struct DrivenLink {
-  DriverIndex driver;
-  ElementaryJointIndex joint;
+  DriverIndex driver;          ///< none where a group places it
+  ElementaryJointIndex joint;  ///< with the driver
   LinkIndex from, to;
+  GroupIndex group;  ///< that is solved relative to `from`; none where a driver moves it
   std::size_t groups_before = 0;  ///< how many groups are placed before; none where it is the
                                   ///< ground that carries it
 };
@@ -80,12 +85,16 @@ struct RoleAssignment {
 struct FoundGroup {
   const GroupModel* model;
   std::string kind;  ///< spelled by the mechanism's order of links and joints
-  /// In the order of the mechanism; with those that drivers move against a link of the group.
+  /// In the order of the mechanism; with those that its links carry, moved by drivers or held by
+  /// groups that are solved before.
   std::vector<LinkIndex> links;
   /// Assignments under which the kind is the model's representative, in a fixed order.
   std::vector<RoleAssignment> assignments;
+  /// The link that holds all of the group, and relative to which it is solved, as if that link were
+  /// the ground: it is placed by a later group, and the links here with it. None where what holds
+  /// the group is placed before.
+  LinkIndex base = {};
 };
-using GroupIndex = Index<FoundGroup>;
 
 /// A slide, and whether its displacement runs from the link whose name comes first to the other, 1,
 /// or back, -1.
@@ -117,7 +126,8 @@ struct Structure {
   /// For each link whether it is the ground or drivers place it by laws that read no link of a
   /// group: where it is does not depend on any closure.
   [[nodiscard]] Table<LinkIndex, bool> placed_by_drivers() const;
-  /// The groups that hold a group, directly or by a link that waits for them: each once.
+  /// The groups that hold a group or shape its links, directly or by a link that waits for them:
+  /// each once.
   [[nodiscard]] std::vector<GroupIndex> holders_of(GroupIndex group) const;
   /// The groups that hold a group, and those that hold these, in order.
   [[nodiscard]] std::vector<GroupIndex> all_holders_of(GroupIndex group) const;
@@ -126,7 +136,12 @@ struct Structure {
   [[nodiscard]] Table<LinkIndex, bool> placed_before(GroupIndex group) const;
   /// Whether laws of drivers change the shapes of groups' links, or read other joints.
   [[nodiscard]] bool moves_by_laws(const Mechanism& mechanism) const;
-  /// The driven link that is this one; null if no driver moves it.
+  /// The driven links, by their places, that the base of a group carries when the group is solved;
+  /// none where it has no base.
+  [[nodiscard]] std::vector<std::size_t> carried_by_base(GroupIndex group) const;
+  /// Whether groups are solved relative to links that move.
+  [[nodiscard]] bool has_relative_groups() const;
+  /// The driven link that is this one; null if nothing carries it.
   [[nodiscard]] const DrivenLink* driven_link(LinkIndex link) const;
 };
 

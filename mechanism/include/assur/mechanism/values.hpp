@@ -67,6 +67,10 @@ class Values {
   /// the joints without drivers. Throws as the constructor does, but for derivatives, which are not
   /// finite where such a joint's are not.
   void settle(DriverIndex driver, const std::function<JointMotion(JointIndex)>& coordinate_of);
+  /// Takes over how the links of a group that is solved relative to a link stand in that link's
+  /// frame, and evaluates the groups that they shape.
+  void settle(GroupIndex group, const Table<LinkIndex, Frame>& links,
+              const Table<LinkIndex, support::Displacement>& displaced);
   /// The value of any number, evaluated here and now. Throws MechanismError where it is not finite.
   [[nodiscard]] double value_of(NumberIndex number) const;
   /// A feature in its link's frame; that of a block, which is none, has no extent.
@@ -78,7 +82,12 @@ class Values {
     return feature.exists() ? frames_[feature] : block_;
   }
   /// Of a driven link, by its place among them: its own frame, in that of the driven joint on it.
+  /// Where a group places it, in that of the link that carries it, once the group is settled; and
+  /// how far rounding may have displaced it there.
   [[nodiscard]] const Frame& driven_frame(std::size_t place) const { return driven_frames_[place]; }
+  [[nodiscard]] const support::Displacement& driven_rounding(std::size_t place) const {
+    return driven_roundings_[place];
+  }
   /// How far rounding may have moved and turned a feature on its link, beyond that of its own
   /// coordinates.
   [[nodiscard]] support::Displacement rounding(FeatureIndex feature) const {
@@ -112,6 +121,8 @@ class Values {
   void evaluate_driver(DriverIndex driver,
                        const std::function<JointMotion(JointIndex)>& coordinate_of);
   void evaluate_driven_frames();
+  /// The place of a driven link among them.
+  [[nodiscard]] std::size_t place_of(const DrivenLink& link) const;
   void evaluate_group(GroupIndex group);
   void evaluate_requests();
   [[nodiscard]] Dual evaluated(
@@ -147,6 +158,7 @@ class Values {
   Table<FeatureIndex, support::Displacement> roundings_;
   Frame block_;
   std::vector<Frame> driven_frames_;
+  std::vector<support::Displacement> driven_roundings_;
   Table<GroupIndex, GroupGeometry<Dual>> groups_;
   Spread spread_;
   bool usable_ = true;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <assur/detail/index.hpp>
+#include <assur/support/discriminant.hpp>
 #include <assur/support/displacement.hpp>
 #include <assur/support/placed_link.hpp>
 #include <assur/support/specialised.hpp>

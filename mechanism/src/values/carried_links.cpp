@@ -1,0 +1,98 @@
+// Turns what drivers say, and groups that are solved relative to links, into how links carry one
+// another and one another's features.
+#include <assur/mechanism/values.hpp>
+#include <cmath>
+#include <limits>
+
+#include "plan/plan_data.hpp"
+
+namespace assur::mechanism {
+
+void Values::evaluate_driven_frames() {
+  driven_frames_.clear();
+  driven_roundings_.assign(plan_->structure.driven.size(), {});
+  for (const DrivenLink& link : plan_->structure.driven) {
+    if (link.group.exists()) {
+      driven_frames_.push_back(
+          Frame::identity(static_cast<Eigen::Index>(columns().size()), second_order()));
+      driven_frames_.back().pose.x = driven_frames_.back().pose.y =
+          std::numeric_limits<double>::quiet_NaN();
+      continue;
+    }
+    const ElementaryJoint& at = plan_->structure.linkage.joints[link.joint];
+    const LinkFeature<Dual> on = feature(at.on(link.to), at.prismatic);
+    driven_frames_.push_back(Frame::at(inverse<Dual>({on.x, on.y, on.along})));
+    if (moves(at.on(link.to))) {
+      const LinkFeature<Dual> moving = in_time(at.on(link.to), at.prismatic);
+      driven_frames_.back().move(inverse<Dual>({moving.x, moving.y, moving.along}));
+    }
+  }
+}
+
+std::size_t Values::place_of(const DrivenLink& link) const {
+  return static_cast<std::size_t>(&link - plan_->structure.driven.data());
+}
+
+LinkFeature<Dual> Values::feature(const ElementaryJoint& at, LinkIndex link) const {
+  const auto feature_of = [this](FeatureIndex feature, bool is_line) {
+    return this->feature(feature, is_line);
+  };
+  return carried_feature<Dual>(
+      plan_->structure, at, link, feature_of,
+      [&](const LinkFeature<Dual>& carried, const DrivenLink& driven) {
+        return driven.group.exists()
+                   ? placed_feature(carried, driven_frames_[place_of(driven)].to_parameters())
+                   : moved_feature(carried, plan_->structure, driven, feature_of,
+                                   motions_[driven.driver].position);
+      });
+}
+
+support::Displacement Values::rounding(const ElementaryJoint& at, LinkIndex link) const {
+  const LinkIndex holder = at.holder(link);
+  if (holder == link) {
+    return rounding(at.on(link));
+  }
+  using support::Displacement;
+  const DrivenLink& driven = *plan_->structure.driven_link(holder);
+  const auto size_of = [this](FeatureIndex feature) {
+    const Pose<double>& pose = frame(feature).pose;
+    return std::abs(pose.x) + std::abs(pose.y);
+  };
+  ElementaryJoint nearer = at;
+  (link == at.first ? nearer.holder_first : nearer.holder_second) = driven.from;
+  if (driven.group.exists()) {
+    return driven_roundings_[place_of(driven)].carries(size_of(at.on(link)), 0,
+                                                       rounding(nearer, link));
+  }
+  const ElementaryJoint& joint = plan_->structure.linkage.joints[driven.joint];
+  const double position = std::abs(motions_[driven.driver].position.value());
+  // The longest lever about which the driver turns it, and what it slides by.
+  const double lever = size_of(at.on(link)) + size_of(joint.on(driven.to));
+  return (joint.prismatic ? Displacement::of_slide(position) : Displacement::of_turn(position))
+      .carries(lever, 0, rounding(joint.on(driven.from)))
+      .carries(0, 0, rounding(joint.on(driven.to)))
+      .carries(0, 0, rounding(nearer, link));
+}
+
+void Values::settle(DriverIndex driver,
+                    const std::function<JointMotion(JointIndex)>& coordinate_of) {
+  evaluate_driver(driver, coordinate_of);
+  for (const GroupIndex group : plan::groups_carried_by(driver, *plan_)) {
+    evaluate_group(group);
+  }
+}
+
+void Values::settle(GroupIndex group, const Table<LinkIndex, Frame>& links,
+                    const Table<LinkIndex, support::Displacement>& displaced) {
+  for (const DrivenLink& link : plan_->structure.driven) {
+    if (link.group == group) {
+      driven_frames_[place_of(link)] = links[link.to];
+      driven_roundings_[place_of(link)] = displaced[link.to];
+    }
+  }
+  for (const GroupIndex shaped : plan::groups_carried_by(group, *plan_)) {
+    evaluate_group(shaped);
+  }
+}
+
+}  // namespace assur::mechanism
