@@ -359,7 +359,7 @@ class GroupSpecialiser {
     view.set("struct", struct_name);
     view.set("title", title);
     view.set("unit", cpp::round_trip(numbers_.unit));
-    view.set("size", cpp::round_trip(numbers_.size));
+    view.set("own_length", cpp::round_trip(numbers_.size));
     view.set("has_parameters", parameter_count() > 0);
     view.set("parameter_count", std::to_string(parameter_count()));
     std::vector<std::string> closure = model::closure_lines(equations_);

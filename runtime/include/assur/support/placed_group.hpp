@@ -100,7 +100,7 @@ template <typename Group, int Order, int Parameters>
 /// Whether places are so long beside a group that a rounding of theirs is more than a few of its.
 template <typename Group>
 [[nodiscard]] bool is_small_where_held(const typename Group::template Inputs<double>& u) {
-  constexpr double most = 16 * Group::size;
+  constexpr double most = 16 * Group::own_length;
   return most < most_length_of_numbers && longest_length(u) > most;
 }
 
@@ -119,7 +119,7 @@ template <typename Group, int Order, int Parameters>
   placed.regularity = regularity;
   // Less is little beside the rounding that every verdict counts.
   constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
-  if (held.displaced.moved > rounding * Group::size || held.displaced.turned > rounding ||
+  if (held.displaced.moved > rounding * Group::own_length || held.displaced.turned > rounding ||
       is_small_where_held<Group>(held.u)) {
     placed.regularity = regularity_among_displaced(held, q, regularity);
   }

@@ -135,7 +135,7 @@ template <typename Model>
 [[nodiscard]] double own_size(const typename Model::template Dimensions<double>& d,
                               const typename Model::template Inputs<double>& u) {
   if constexpr (Model::dimension_count == 0) {
-    return Model::size;
+    return Model::own_length;
   } else {
     return size_of<Model>(d, u);
   }
