@@ -1,8 +1,7 @@
 // Law: on the way to where two configurations meet their numbers stay, by the sign of det J, which
 // cannot change on that way; and keys of configurations that meet keep their order.
+#include <Eigen/LU>
 #include <assur/assemblies.hpp>
-#include <assur/detail/closed_form.hpp>
-#include <assur/detail/pivots.hpp>
 #include <assur/numeric/order.hpp>
 #include <cmath>
 #include <iostream>
@@ -24,8 +23,8 @@ TYPED_TEST(OrderNearFolds, StaysWhatItIs) {
   using Model = TypeParam;
   if constexpr (!Model::rigid) {
     GTEST_SKIP() << "has no configurations";
-  } else if constexpr (!detail::vouches_for_roots<Model>) {
-    GTEST_SKIP() << "may have other configurations, or keys that change signs on the way";
+  } else if constexpr (Model::max_configurations != 2) {
+    GTEST_SKIP() << "may have other configurations on the way";
   } else {
     using Inputs = typename Model::template Inputs<double>;
     constexpr int draws = 3000;
@@ -46,9 +45,7 @@ TYPED_TEST(OrderNearFolds, StaysWhatItIs) {
         return u;
       };
       const auto closes = [&](double part) {
-        detail::FinalPolynomial<Model, double> T;
-        Model::position_polynomial(d, at(part), T);
-        return detail::discriminants_of(T).discriminant > 0;
+        return compiled::assemblies<Model>(d, at(part)).count == 2;
       };
       double low = 0;
       double high = 1;
@@ -67,8 +64,9 @@ TYPED_TEST(OrderNearFolds, StaysWhatItIs) {
         if (low < gap || found.count != 2) {
           continue;
         }
-        const int orientation = detail::orientation_of<Model>(
-            detail::pivots_at<Model, double>(d, u, found.configurations[0]));
+        Matrix<double, Model::equation_count, Model::unknown_count> jacobian;
+        Model::jacobian(d, u, found.configurations[0], jacobian);
+        const int orientation = jacobian.determinant() < 0 ? -1 : 1;
         EXPECT_TRUE(before == 0 || orientation == before) << "draw " << draw << ", gap " << gap;
         before = orientation;
         ++compared;
