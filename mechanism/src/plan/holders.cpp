@@ -3,9 +3,7 @@
 #include <assur/mechanism/structure.hpp>
 #include <set>
 
-namespace assur::mechanism {
-
-namespace plan {
+namespace assur::mechanism::plan {
 namespace {
 
 /// For each link whether it stands where those of some groups do.
@@ -35,7 +33,9 @@ Table<LinkIndex, bool> placed_with(const Structure& structure,
 }
 
 }  // namespace
-}  // namespace plan
+}  // namespace assur::mechanism::plan
+
+namespace assur::mechanism {
 
 std::vector<GroupIndex> Structure::holders_of(GroupIndex group) const {
   std::vector<GroupIndex> holders;
