@@ -85,7 +85,7 @@ class SpecialGroupOf {
   /// A specialised group is in a unit that may be much longer than it is.
   [[nodiscard]] static constexpr double longest() {
     if constexpr (Model::dimension_count == 0) {
-      return std::min(1.0, Model::size);
+      return std::min(1.0, Model::own_length);
     } else {
       return 1;
     }
