@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <assur/detail/index.hpp>
+#include <assur/support/derivative_digits.hpp>
 #include <assur/support/discriminant.hpp>
 #include <assur/support/displacement.hpp>
 #include <assur/support/placed_link.hpp>
@@ -97,6 +98,17 @@ template <typename Group, int Order, int Parameters>
   return among == Status::ok ? regularity : among;
 }
 
+/// The derivatives of a configuration that is not regular, counting what rounding has displaced.
+template <typename Group, int Order, int Parameters>
+[[nodiscard, gnu::noinline, gnu::cold]] KnownDerivatives derivatives_among_displaced(
+    const HeldJoints<Group, Order, Parameters>& held,
+    const typename Group::template Configuration<double>& q) {
+  using Model = Specialised<Group>;
+  const typename Model::template Dimensions<double> d;
+  return known_derivatives(
+      DisplacedGroup<Model>(d, held.u, held.displaced).regularity(d, held.u, q));
+}
+
 /// Whether places are so long beside a group that a rounding of theirs is more than a few of its.
 template <typename Group>
 [[nodiscard]] bool is_small_where_held(const typename Group::template Inputs<double>& u) {
@@ -104,8 +116,8 @@ template <typename Group>
   return most < most_length_of_numbers && longest_length(u) > most;
 }
 
-/// Places a group's links in a configuration of known regularity. Where the Jacobian has no
-/// inverse, rates and gradients are NaN.
+/// Places a group's links in a configuration of known regularity. Rates and gradients that do not
+/// exist, or keep no two digits, are NaN.
 template <typename Group, int Order, int Parameters>
 [[nodiscard]] PlacedGroup<Group, Order, Parameters> place_group(
     const HeldJoints<Group, Order, Parameters>& held,
@@ -123,7 +135,7 @@ template <typename Group, int Order, int Parameters>
       is_small_where_held<Group>(held.u)) {
     placed.regularity = regularity_among_displaced(held, q, regularity);
   }
-  const bool solvable = is_solvable(placed.regularity);
+  const bool regular = placed.regularity == Status::ok;
   Poses<double, links + Group::direction_count> poses;
   Group::link_poses(held.u, q, poses);
   for (int link = 0; link < links; ++link) {
@@ -139,15 +151,20 @@ template <typename Group, int Order, int Parameters>
   if constexpr (Order > 0) {
     Matrix<double, links, 3> velocity = Matrix<double, links, 3>::Zero();
     Vector<double, Group::unknown_count> q_rate;
-    q_rate.setConstant(none);
     const Vector<double, Group::input_count> u_rate = held.rates.col(0);
     if constexpr (Order > 1) {
       const Vector<double, Group::input_count> u_second_rate = held.rates.col(1);
       Matrix<double, links, 3> acceleration = Matrix<double, links, 3>::Zero();
       Vector<double, Group::unknown_count> q_second_rate;
-      q_second_rate.setConstant(none);
-      if (solvable) {
-        Group::motion(held.u, q, u_rate, u_second_rate, q_rate, q_second_rate);
+      Group::motion(held.u, q, u_rate, u_second_rate, q_rate, q_second_rate);
+      if (!regular) {
+        const KnownDerivatives known = derivatives_among_displaced(held, q);
+        if (!known.rates) {
+          q_rate.setConstant(none);
+        }
+        if (!known.second_rates) {
+          q_second_rate.setConstant(none);
+        }
       }
       if constexpr (links > 0) {
         Group::link_accelerations(held.u, q, q_rate, q_second_rate, u_rate, u_second_rate,
@@ -160,8 +177,11 @@ template <typename Group, int Order, int Parameters>
         rates(1, 1) = acceleration(link, 1) * Group::unit;
         rates(2, 1) = acceleration(link, 2);
       }
-    } else if (solvable) {
+    } else {
       Group::velocity(held.u, q, u_rate, q_rate);
+      if (!regular && !derivatives_among_displaced(held, q).rates) {
+        q_rate.setConstant(none);
+      }
     }
     if constexpr (links > 0) {
       Group::link_velocities(held.u, q, q_rate, u_rate, velocity);
@@ -177,7 +197,7 @@ template <typename Group, int Order, int Parameters>
 
   if constexpr (links > 0 && (Parameters > 0 || Group::holds_groups)) {
     Matrix<double, Group::unknown_count, Group::equation_count> J_inverse;
-    if (solvable) {
+    if (is_solvable(placed.regularity)) {
       Model::inverse_jacobian(d, held.u, q, J_inverse);
     } else {
       J_inverse.setConstant(none);
@@ -189,6 +209,9 @@ template <typename Group, int Order, int Parameters>
       }
     }
     if constexpr (Parameters > 0) {
+      if (!regular && !derivatives_among_displaced(held, q).rates) {
+        J_inverse.setConstant(none);
+      }
       // J q_a = -(F_a + F_u u_a), and p_a = P_a + P_u u_a + P_q q_a.
       Matrix<double, Group::equation_count, Parameters> F_a;
       Matrix<double, Group::equation_count, Group::input_count> F_u;

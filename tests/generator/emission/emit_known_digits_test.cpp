@@ -1,0 +1,174 @@
+// Law: what an emitted solver gives of rates and sensitivities has two digits at least, beside a
+// change point too; what has not, or does not exist, is NaN. What `assur solve` calls regular where
+// a group is much smaller than its surroundings is `ok`.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "generator/solver_comparison.hpp"
+#include "mechanism/scene_maker.hpp"
+
+namespace assur::test::emit_known_digits_test {
+namespace {
+
+constexpr double rate = 1, second_rate = 0.5;
+
+SceneMaker::Json four_bar(double crank, double coupler, double rocker, double ground) {
+  return SceneMaker()
+      .parameter("coupler", {{"value", coupler}, {"tolerance", 0.01}})
+      .bar("ground", {{"A", 0}, {"D", ground}})
+      .bar("crank", {{"A", 0}, {"B", crank}})
+      .bar("coupler", {{"B", 0}, {"C", "coupler"}})
+      .bar("rocker", {{"D", 0}, {"C", rocker}})
+      .drive("A", 0, rate, second_rate)
+      .scene();
+}
+
+/// What is read of a configuration: of the rocker, but for the sensitivity of C.y to the coupler.
+struct Reading {
+  int near_singular;
+  double sin, omega, alpha, sensitivity;
+};
+
+/// The emitted solver's configurations at each position of its driver.
+std::vector<std::vector<Reading>> emitted(const SceneMaker::Json& json,
+                                          const std::vector<double>& positions) {
+  const TemporaryDirectory directory;
+  const std::string root = directory.path().string();
+  const EmittedScene scene{directory.write("linkage.json", json.dump()), "linkage", "Linkage", {}};
+  emit_solver(scene, directory);
+  std::ostringstream code;
+  code.precision(17);
+  code << "#include <cstdio>\n#include <assur/scenes/linkage.hpp>\n"
+          "using S = assur::scenes::Linkage;\nint main() {\n"
+          "  std::array<S::State<double>, S::max_configurations> states;\n"
+          "  S::Drivers<double> drivers;\n";
+  for (const double position : positions) {
+    code << "  drivers.A.position = " << position << ";\n"
+         << R"(  {
+    const int count = S::solve(drivers, states).count;
+    std::printf("%d\n", count);
+    for (int i = 0; i < count; ++i) {
+      const auto& s = states[static_cast<std::size_t>(i)];
+      const auto& rocker = s.links.rocker;
+      std::printf("%d %.17g %.17g %.17g %.17g\n", s.regularity == assur::Status::ok ? 0 : 1,
+                  rocker.pose.direction.sin, rocker.velocity(2), rocker.acceleration(2),
+                  s.outputs.C.sensitivity(1, 0));
+    }
+  }
+)";
+  }
+  code << "}\n";
+  compile(ASSUR_COMPILER, "-O0 -o " + root + "/driver", directory.write("driver.cpp", code.str()),
+          directory);
+  EXPECT_EQ(std::system((root + "/driver > " + root + "/printed").c_str()), 0);
+  std::istringstream printed(read_file(directory.path() / "printed"));
+  std::vector<std::vector<Reading>> readings(positions.size());
+  const auto number = [&printed] {
+    std::string text;
+    printed >> text;
+    return std::strtod(text.c_str(), nullptr);
+  };
+  for (auto& of_position : readings) {
+    std::size_t count = 0;
+    printed >> count;
+    of_position.resize(count);
+    for (Reading& reading : of_position) {
+      printed >> reading.near_singular;
+      reading.sin = number();
+      reading.omega = number();
+      reading.alpha = number();
+      reading.sensitivity = number();
+    }
+  }
+  return readings;
+}
+
+/// The rocker of a branch whose half angle has the crank's tangent times so much.
+Reading exact(double times, double position) {
+  const double t = std::tan(position / 2);
+  const double reduced = 1 + times * times * t * t;
+  const double slope = times * (1 + t * t) / reduced;
+  const double bend = times * t * (1 - times * times) * (1 + t * t) / (reduced * reduced);
+  return {0, std::sin(2 * std::atan(times * t)), slope * rate,
+          bend * rate * rate + slope * second_rate, -1 / std::tan(position)};
+}
+
+/// Whether a number is known; then it has two digits.
+int counted(double value, double truth) {
+  if (std::isnan(value)) {
+    return 0;
+  }
+  EXPECT_NEAR(value, truth, 5e-3 * std::abs(truth));
+  return 1;
+}
+
+TEST(EmitKnownDigits, AreAllThatIsGivenBesideTheChangePointOfAParallelogram) {
+  const std::vector<double> positions = {
+      0,   std::numbers::pi, 1e-16, 1e-12, 1e-9, 1e-7, 1e-6, 3e-6, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3,
+      1e-2};
+  int nothing = 0;
+  int rates_alone = 0;
+  int all = 0;
+  for (const auto& [crank, ground] :
+       std::vector<std::pair<double, double>>{{2, 3}, {0.7, 1.1}, {2, 3.7}}) {
+    const auto found = emitted(four_bar(crank, ground, crank, ground), positions);
+    for (std::size_t place = 0; place < positions.size(); ++place) {
+      const double position = positions[place];
+      SCOPED_TRACE(testing::Message() << crank << ", " << ground << " at " << position);
+      const Reading parallel = exact(1, position);
+      const Reading crossed = exact(-(ground + crank) / (ground - crank), position);
+      ASSERT_FALSE(found[place].empty());
+      const bool at_change_point = found[place].size() == 1;
+      for (const Reading& reading : found[place]) {
+        const bool is_parallel =
+            std::abs(reading.sin - parallel.sin) < std::abs(reading.sin - crossed.sin);
+        const Reading& truth = is_parallel ? parallel : crossed;
+        const int rates = counted(reading.omega, truth.omega);
+        const int second_rates = counted(reading.alpha, truth.alpha);
+        EXPECT_EQ(std::isnan(reading.sensitivity), rates == 0);
+        if (is_parallel && rates == 1) {
+          counted(reading.sensitivity, truth.sensitivity);
+        }
+        EXPECT_LE(second_rates, at_change_point ? 0 : rates);
+        EXPECT_LE(rates, at_change_point ? 0 : 1);
+        EXPECT_TRUE(reading.near_singular == 1 || second_rates == 1);
+        ++(rates == 0 ? nothing : second_rates == 0 ? rates_alone : all);
+      }
+    }
+  }
+  std::printf("%d without rates, %d with first rates alone, %d with all\n", nothing, rates_alone,
+              all);
+  EXPECT_GE(nothing, 12);
+  EXPECT_GE(rates_alone, 6);
+  EXPECT_GE(all, 12);
+}
+
+TEST(EmitKnownDigits, AreKeptBySmallRodsOnALongCrankAsSolveSays) {
+  for (const double rod : {1e-5, 1e-6, 1e-7}) {
+    SCOPED_TRACE(rod);
+    SceneMaker::Json scene = four_bar(1, rod, rod, 1);
+    scene["drivers"]["A"]["position"] = rod;
+    const auto found = emitted(scene, {rod}).front();
+    const TemporaryDirectory directory;
+    const CommandResult solved = run_assur(
+        "solve " + directory.write("rods.json", scene.dump()).string() + " --format json");
+    ASSERT_EQ(solved.status, 0) << solved.messages;
+    const auto report = SceneMaker::Json::parse(solved.output);
+    ASSERT_EQ(report["configurations"].size(), 2U);
+    ASSERT_EQ(found.size(), 2U);
+    for (std::size_t index = 0; index < 2; ++index) {
+      const auto& configuration = report["configurations"][index];
+      EXPECT_EQ(configuration["regularity"], "regular");
+      EXPECT_EQ(found[index].near_singular, 0);
+      const double omega = configuration["links"]["rocker"]["velocity"][2];
+      const double alpha = configuration["links"]["rocker"]["acceleration"][2];
+      EXPECT_NEAR(found[index].omega, omega, 1e-6 * std::abs(omega));
+      EXPECT_NEAR(found[index].alpha, alpha, 1e-6 * std::abs(alpha));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace assur::test::emit_known_digits_test
