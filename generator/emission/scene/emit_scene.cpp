@@ -184,6 +184,9 @@ class SceneEmitter {
       if (solver_.reports(link)) {
         links.push_back(member);
       }
+    }
+    for (const mechanism::LinkIndex link : solver_.plan.structure().linkage.links.keys()) {
+      const std::string& member = solver_.members.links[link];
       if (!solver_.is_ground(link) && solver_.needs[link] != FrameNeed::nothing) {
         const bool whole = solver_.needs[link] == FrameNeed::everything;
         placed.push_back((whole ? "LinkFrame " : "Direction<double> ") + member + ";");

@@ -218,7 +218,8 @@ SceneLines lines_of_group(const SolverScene& solver, mechanism::GroupIndex group
   const auto shapes_it = [&](mechanism::DriverIndex driver) {
     return std::ranges::any_of(structure.driven, [&](const mechanism::DrivenLink& link) {
       const std::vector<mechanism::LinkIndex>& links = structure.groups[group].links;
-      return link.driver == driver && std::ranges::find(links, link.to) != links.end();
+      return link.driver == driver && link.groups_before <= group.place() &&
+             std::ranges::find(links, link.to) != links.end();
     });
   };
   SceneLines lines = lines_of(solver);

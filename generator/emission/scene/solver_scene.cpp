@@ -75,7 +75,9 @@ mechanism::Table<Key, std::string> members_of(const std::vector<std::string>& na
   return members;
 }
 
-SceneMembers scene_members(const mechanism::Mechanism& described) {
+/// A block, which a driver may move, has a member beside the mechanism's own links.
+SceneMembers scene_members(const mechanism::Mechanism& described,
+                           const mechanism::Linkage& linkage) {
   SceneMembers members;
   members.joints = members_of<mechanism::JointIndex>(names_of(described.joints()), {});
   // In what is placed so far, slides and other things stand among the links.
@@ -83,7 +85,8 @@ SceneMembers scene_members(const mechanism::Mechanism& described) {
   for (const std::string& member : members.joints) {
     taken.push_back("slide_" + member);
   }
-  members.links = members_of<mechanism::LinkIndex>(names_of(described.links()), taken);
+  members.links =
+      members_of<mechanism::LinkIndex>({linkage.links.begin(), linkage.links.end()}, taken);
   std::vector<std::string> driven;
   for (const mechanism::Driver& driver : described.drivers()) {
     driven.push_back(described.joints()[driver.joint].name);
@@ -170,7 +173,7 @@ SolverScene::SolverScene(const mechanism::Scene& described)
       values(plan.values()),
       variable(variable_parameters(plan)),
       parameters(modelled_parameters(plan, values, variable)),
-      members(scene_members(plan.mechanism())),
+      members(scene_members(plan.mechanism(), plan.structure().linkage)),
       numbers(plan, values, spelled(variable), parameters.columns(), members.drivers,
               members.joints),
       needs(needs_of_links(*this)),

@@ -135,13 +135,15 @@ JointMotion Placement::counted_coordinate(JointIndex joint) {
   return motion;
 }
 
-/// By the configuration nearby in which the links of the joint are turned as they are here.
+/// By the configuration nearby in which the links of the joint are turned as they are here, if they
+/// are turned alike: the mirror of a branch has its own count.
 double Placement::turns_of(JointIndex joint, double angle) const {
   if (nearby_ == nullptr) {
     return 0;
   }
   double turns = 0;
-  double nearest = std::numeric_limits<double>::infinity();
+  constexpr double alike = 1;  // of two chords of unit circles together
+  double nearest = alike;
   for (const Configuration& other : *nearby_) {
     const auto counted = std::ranges::find(other.counted, joint, &CountedAngle::joint);
     double away = 0;

@@ -36,6 +36,21 @@ Pair placed(const Values& values, const Table<LinkIndex, Frame>& links,
   return pair;
 }
 
+/// What rounding of rates is compared with: two links may both be at rest where others move.
+struct Fastest {
+  double speed = 0, turning = 0;
+};
+
+Fastest fastest_of(const Table<LinkIndex, Frame>& links, double size) {
+  Fastest fastest;
+  for (const Frame& link : links) {
+    fastest.turning = std::max(fastest.turning, std::abs(link.velocity(2)));
+    fastest.speed = std::max(fastest.speed, link.velocity.head<2>().norm());
+  }
+  fastest.speed += fastest.turning * size;
+  return fastest;
+}
+
 bool holds(const Values& values, const Table<LinkIndex, Frame>& links,
            const plan::RedundantJoint& joint, bool is_regular, bool rates_known) {
   const Pair pair = placed(values, links, joint);
@@ -47,19 +62,19 @@ bool holds(const Values& values, const Table<LinkIndex, Frame>& links,
       std::max(relative * pair.size, given.exists() ? values.number(given).value() : 0);
   const Eigen::Vector2d arm(other.x - one.x, other.y - one.y);
   const Eigen::Vector2d rate = pair.other.velocity.head<2>() - pair.one.velocity.head<2>();
-  const double speed =
-      std::max(pair.one.velocity.head<2>().norm(), pair.other.velocity.head<2>().norm());
+  constexpr double rounding_of_rates = 1e-8;
+  const Fastest fastest = fastest_of(links, pair.size);
   const bool has_rates = rates_known && rate.allFinite() && !given.exists();
   if (pair.are_lines) {
     const Direction<double>& along = one.direction;
     const double across = along.cos * arm.y() - along.sin * arm.x();
     const double sine = turned(other.direction, reversed(along)).sin;
     const double turning = pair.other.velocity(2) - pair.one.velocity(2);
-    const double turns = std::max(std::abs(pair.other.velocity(2)), std::abs(turning));
     return std::abs(across) <= tolerance && std::abs(sine) * pair.size <= tolerance &&
-           (!has_rates || std::abs(turning) <= 1e-8 * turns || turns == 0);
+           (!has_rates || std::abs(turning) <= rounding_of_rates * fastest.turning);
   }
-  return arm.norm() <= tolerance && (!has_rates || rate.norm() <= 1e-8 * speed || speed == 0);
+  return arm.norm() <= tolerance &&
+         (!has_rates || rate.norm() <= rounding_of_rates * fastest.speed);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ namespace {
 
 /// Products of two coordinates and their derivatives must be finite.
 const double largest_coordinate = std::ldexp(1.0, 400);
+const double least_size = std::ldexp(1.0, -400);
 
 LinkFeature<Dual> block_feature(const Values& values, bool is_line) {
   return {is_line,
@@ -70,6 +71,7 @@ void Values::evaluate() {
   for (const FeatureIndex feature : order.features) {
     evaluate_feature(feature);
   }
+  expect_unit();
   evaluate_driven_frames();
   for (const GroupIndex group : groups_.keys()) {
     evaluate_group(group);
@@ -240,6 +242,21 @@ double Values::rounding(NumberIndex index) const {
                                      parameter_roundings_[parameter]);
       })
       .error;
+}
+
+void Values::expect_unit() const {
+  double largest = 0;
+  for (const FeatureIndex feature : plan_->evaluation.features) {
+    const Pose<double>& pose = frames_[feature].pose;
+    largest = std::max({largest, std::abs(pose.x), std::abs(pose.y)});
+  }
+  for (const DriverIndex driver : plan_->evaluation.drivers) {
+    largest = std::max(largest, std::abs(motions_[driver].position.value()));
+  }
+  if (largest > 0 && largest < values::least_size) {
+    throw MechanismError("links",
+                         "all coordinates are smaller than 2^-400; give the lengths in another unit");
+  }
 }
 
 void Values::evaluate_feature(FeatureIndex index) {
