@@ -28,10 +28,12 @@ struct Program {
 
 inline void PrintTo(const Program& program, std::ostream* out) { *out << program.name; }
 
-/// Octave takes long to begin.
+/// Octave takes long to begin. What never ends is not waited for as long.
 inline std::string options_of(const Program& program) {
-  return std::string("--run --time-limit ") +
-         (std::string(program.file).ends_with(".m") ? "8" : "2");
+  const bool ends = std::string(program.answer).find("did not end") == std::string::npos;
+  const bool is_octave = std::string(program.file).ends_with(".m");
+  const char* const limit = is_octave ? (ends ? "8" : "2") : (ends ? "2" : "1");
+  return std::string("--run --time-limit ") + limit;
 }
 
 inline CommandResult audited(const TemporaryDirectory& directory, const Program& program,

@@ -231,7 +231,7 @@ TEST_P(PlantedSlips, AreAllFoundAndNothingElse) {
   Tally tally;
   // By default each way meets a few slips of a few models, and all slips are met.
   std::size_t turn = 0;
-  const auto taken = [&] { return whole || ++turn % 29 == 0; };
+  const auto taken = [&] { return whole || ++turn % 37 == 0; };
   for (std::size_t number = 0; number < models.size(); ++number) {
     const CodedModel model(*models[number]);
     const std::string what =
@@ -254,7 +254,7 @@ TEST_P(PlantedSlips, AreAllFoundAndNothingElse) {
             << seed << '\n';
   EXPECT_EQ(tally.found, tally.planted);
   EXPECT_EQ(tally.false_alarms, 0U);
-  EXPECT_GE(tally.planted, whole ? 8 * models.size() - 10 : 10);
+  EXPECT_GE(tally.planted, whole ? 8 * models.size() - 10 : 8);
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, PlantedSlips, testing::ValuesIn(ways),

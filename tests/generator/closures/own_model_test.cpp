@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "command/command.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::own_model_test {
 namespace {
@@ -318,7 +319,8 @@ TEST(OwnModel, CheckTellsWhatDiffers) {
   emit(every_function, directory);
   const std::string arguments = "emit --check --closures " + every_function.string() +
                                 " --output " + directory.path().string();
-  for (int run = 0; run < 10; ++run) {  // GiNaC's order of terms differs from run to run
+  const int runs = is_whole_campaign() ? 10 : 3;
+  for (int run = 0; run < runs; ++run) {  // GiNaC's order of terms differs from run to run
     EXPECT_EQ(run_assur(arguments).status, 0);
   }
   directory.write("assur/closures/every_function.hpp", "");

@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "command/command.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::determinism_test {
 namespace {
 
-constexpr int processes = 3;
+/// Three by `ctest -L long`.
+const int processes = is_whole_campaign() ? 3 : 2;
 
 /// The call's arguments. `OUTPUT` stands for a new directory, whose files belong to what is
 /// compared; `EXAMPLES` and `HERE` for those of the examples and of this test.

@@ -7,6 +7,7 @@
 #include "generator/awkward_scene.hpp"
 #include "generator/emittable_scenes.hpp"
 #include "generator/solver_comparison.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::emit_scene_test {
 namespace {
@@ -27,9 +28,14 @@ std::string struct_of(const std::string& stem) {
   return name;
 }
 
-std::vector<EmittedScene> examples() {
+/// One in so many.
+std::vector<EmittedScene> examples(std::size_t stride) {
   std::vector<EmittedScene> scenes;
+  std::size_t number = 0;
   for (const fs::path& file : emittable_scenes({ASSUR_EXAMPLES, ASSUR_SCENES})) {
+    if (number++ % stride != 0) {
+      continue;
+    }
     const std::string stem = file.stem().string();
     scenes.push_back({file, stem, struct_of(stem), {}});
   }
@@ -45,10 +51,12 @@ EmittedScene awkwardly_named(const TemporaryDirectory& directory) {
           "Scene4BarCo", members};
 }
 
-/// All in one program, because most of its compilation is what they share.
+/// All in one program, because most of its compilation is what they share; by default of every
+/// other example.
 TEST(EmitScene, AgreesWithSolveOverAllExamplesAndAwkwardNames) {
   const TemporaryDirectory directory;
-  std::vector<EmittedScene> scenes = examples();
+  const bool whole = is_whole_campaign();
+  std::vector<EmittedScene> scenes = examples(whole ? 1 : 2);
   scenes.push_back(awkwardly_named(directory));
   const std::vector<int> compared = compare_with_solve(scenes);
   for (std::size_t index = 0; index < scenes.size(); ++index) {
@@ -56,7 +64,7 @@ TEST(EmitScene, AgreesWithSolveOverAllExamplesAndAwkwardNames) {
   }
   const int all = std::accumulate(compared.begin(), compared.end(), 0);
   std::printf("all: %d numbers\n", all);
-  EXPECT_GT(all, 10000);
+  EXPECT_GT(all, whole ? 10000 : 4000);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "generator/solver_comparison.hpp"
 #include "mechanism/scene_maker.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::emit_variable_test {
 namespace {
@@ -203,9 +204,9 @@ VariableScene example(const std::filesystem::path& file, const std::string& solv
 }
 
 std::vector<VariableScene> variable_scenes() {
-  std::vector<VariableScene> scenes = {four_bar(), quick_return(), turning_slides()};
-  if (std::getenv("ASSUR_WHOLE_CAMPAIGN") != nullptr) {
-    scenes.insert(scenes.end(), {platform(), parallel_slides(), drawn_bars()});
+  std::vector<VariableScene> scenes = {four_bar(), turning_slides()};
+  if (is_whole_campaign()) {
+    scenes.insert(scenes.end(), {quick_return(), platform(), parallel_slides(), drawn_bars()});
     const std::filesystem::path examples = ASSUR_EXAMPLES;
     for (const auto& [file, solver] :
          std::map<std::string, std::string>{{"jansen_leg", "JansenLeg"},

@@ -7,6 +7,7 @@
 #include "largest.hpp"
 #include "mechanism/random_sweep.hpp"
 #include "mechanism/sweep_runs.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::sweep_events_test {
 namespace {
@@ -174,14 +175,19 @@ const std::vector<FlatCase> flat_cases = {{{-2, 4, -6, 1, 7, -9}, 2},  {{-3, 5, 
                                           {{8, 9, 3, -8, 4, 5}, 4}};
 
 /// The mirror image of a pose at p belongs to -p; a branch that crosses must go through.
+/// By default every third mechanism is swept in the smallest steps.
 TEST(SweepEvents, FlattenedMechanismsCross) {
   double parameter_error = 0;
   double pose_error = 0;
   int pieces = 0;
+  int number = 0;
   for (const FlatCase& flat : flat_cases) {
     SCOPED_TRACE(flat.x[0]);
     for (const int count : {8, 20, 21, 201, 2000}) {  // odd ones have a step at the crossing
       SCOPED_TRACE(count);
+      if (count == 2000 && number++ % 3 != 0 && !is_whole_campaign()) {
+        continue;
+      }
       const SweepKept kept = run_sweep(flat_scene(flat.x, 0, count));
       ASSERT_EQ(kept.count_of("crossing"), 1);
       ASSERT_EQ(kept.count_of("unresolved"), 0);
@@ -211,7 +217,7 @@ TEST(SweepEvents, FlattenedMechanismsCross) {
   }
   std::cout << "crossings within " << parameter_error << " rad, their poses within " << pose_error
             << '\n';
-  EXPECT_GT(pieces, 20);
+  EXPECT_GT(pieces, is_whole_campaign() ? 20 : 8);
   EXPECT_LT(parameter_error, 1e-12);
   EXPECT_LT(pose_error, 1e-11);
 }
@@ -229,9 +235,10 @@ std::vector<std::string> texts(const SweepKept& kept) {
 /// Where E is moved the crossing opens: on one side of it into two branches that pass one another,
 /// on the other the mechanism flattens twice, and there two branches end and two others begin at
 /// one configuration. Few steps must see the same as many.
-/// A third of the openings by default.
+/// One in seven of these by default.
 TEST(SweepEvents, CrossingsThatOpenAreSeenAtAnyStep) {
-  const bool all = std::getenv("ASSUR_WHOLE_CAMPAIGN") != nullptr;
+  const bool all = is_whole_campaign();
+  int number = 0;
   int opened = 0;
   int passing = 0;
   for (const FlatCase& flat : flat_cases) {
@@ -239,7 +246,10 @@ TEST(SweepEvents, CrossingsThatOpenAreSeenAtAnyStep) {
       continue;
     }
     for (const double sign : {-1.0, 1.0}) {
-      for (int power = 2; power <= 11; power += all ? 1 : 3) {
+      for (int power = 2; power <= 11; ++power) {
+        if (number++ % 7 != 0 && !all) {
+          continue;
+        }
         SCOPED_TRACE(sign * power);
         const double delta = sign * std::pow(10.0, -power);
         const SweepKept few = run_sweep(flat_scene(flat.x, delta, 20));
@@ -263,8 +273,8 @@ TEST(SweepEvents, CrossingsThatOpenAreSeenAtAnyStep) {
     }
   }
   std::cout << opened << " open, " << passing << " pass\n";
-  EXPECT_GT(opened, all ? 20 : 6);
-  EXPECT_GT(passing, all ? 20 : 6);
+  EXPECT_GT(opened, all ? 20 : 2);
+  EXPECT_GT(passing, all ? 20 : 2);
 }
 
 /// A group that half a turn maps on itself, its two bars swept: pairs of configurations that the

@@ -8,11 +8,13 @@
 #include "runtime/exact.hpp"
 #include "runtime/model_types.hpp"
 #include "runtime/sturm.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::assembly_test {
 namespace {
 
-constexpr int samples = 300;
+/// `ctest -L long` draws the whole.
+const int samples = is_whole_campaign() ? 300 : 120;
 constexpr unsigned seed = 14142;
 
 template <typename Model>

@@ -11,6 +11,7 @@
 #include "runtime/compiled_models.hpp"
 #include "runtime/model_types.hpp"
 #include "runtime/near_singular_groups.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::verdicts_test {
 namespace {
@@ -18,7 +19,8 @@ namespace {
 using Long = long double;
 
 constexpr unsigned seed = 8129;
-constexpr int samples = 15;
+/// `ctest -L long` draws the whole.
+const int samples = is_whole_campaign() ? 15 : 6;
 
 template <typename Model>
 class Verdicts : public testing::Test {

@@ -8,6 +8,7 @@
 
 #include "runtime/cluster_value.hpp"
 #include "runtime/sturm.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::trigonometric_roots_test {
 namespace {
@@ -162,8 +163,9 @@ TEST(TrigonometricRoots, NearlyTripleAndQuadrupleRoots) {
 TEST(TrigonometricRoots, FourAndSixRootsOrFewerNearOnePoint) {
   RandomInputs random(seed + 5);
   Outcome outcome;
+  const int samples = is_whole_campaign() ? 2000 : 500;
   for (int exponent = 1; exponent <= 8; ++exponent) {
-    for (int sample = 0; sample < 2000; ++sample) {
+    for (int sample = 0; sample < samples; ++sample) {
       // Pairs of roots, real or not, within some distances of a point; half the points are close to
       // where the charts meet.
       const double distance = std::pow(10.0, -exponent);

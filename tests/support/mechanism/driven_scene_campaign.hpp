@@ -4,17 +4,16 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <iostream>
 
 #include "mechanism/random_driven_scene.hpp"
 #include "mechanism/rigid_poses.hpp"
 #include "mechanism/scene_solutions.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test {
 
 constexpr unsigned first_driven_seed = 27182;
-inline bool is_whole_campaign() { return std::getenv("ASSUR_WHOLE_CAMPAIGN") != nullptr; }
 
 /// Groups that tie links make scenes larger.
 inline RandomDrivenScene driven_scene(unsigned seed, Places places, Ties ties = Ties::drivers) {

@@ -7,6 +7,7 @@
 
 #include "mechanism/lattice_run.hpp"
 #include "mechanism/lattice_search.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::lattice_test {
 namespace {
@@ -89,7 +90,8 @@ TEST(LatticeTruth, AgreesWithASearchFromRandomStarts) {
   int configurations = 0;
   int missed = 0;
   const std::vector<LatticeKind> kinds = lattice_kinds();
-  for (const LatticeTruth& truth : read_lattice_truth(ASSUR_LATTICE_TRUTH, 2 * kinds.size())) {
+  const std::size_t scenes = (is_whole_campaign() ? 2 : 1) * kinds.size();
+  for (const LatticeTruth& truth : read_lattice_truth(ASSUR_LATTICE_TRUTH, scenes)) {
     const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const LatticeKind& at) {
       return at.spelling == truth.kind;
     });
