@@ -21,6 +21,9 @@ class ModelFunctions {
   using Inputs = typename Model::template Inputs<double>;
   using Configuration = typename Model::template Configuration<double>;
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  /// Derivatives divide by a product of as many lengths as there are unknowns. Where it leaves the
+  /// range of double they are not known.
+  static constexpr double most_binary_digits = 1000;
 
  public:
   static void assemble(const FlatVariables& d, const FlatVariables& u,
@@ -61,6 +64,9 @@ class ModelFunctions {
     motion.standing = among.regularity(d, u, q);
     motion.size = among.size();
     motion.held = among.held();
+    if (!(std::abs(std::log2(motion.size)) * Model::unknown_count < most_binary_digits)) {
+      motion.standing = {};
+    }
     const bool solvable = is_solvable(motion.standing.status);
     Matrix<double, Model::unknown_count, Model::equation_count> inverse;
     if (solvable) {

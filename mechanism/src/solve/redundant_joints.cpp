@@ -13,7 +13,8 @@ namespace {
 constexpr double rounding_where_regular = 1e-11;
 constexpr double rounding_where_singular = 1e-6;
 
-/// Two features in the ground's frame, and the largest length that went into them.
+/// Two features in the ground's frame, and the largest length of the mechanism, which goes into
+/// them where they are at the origin too.
 struct Pair {
   Frame one, other;
   bool are_lines;
@@ -28,10 +29,11 @@ Pair placed(const Values& values, const Table<LinkIndex, Frame>& links,
   };
   Pair pair{frame(joint.one), frame(joint.other), mechanism.features()[joint.one].is_line, 0};
   for (const FeatureIndex feature : {joint.one, joint.other}) {
-    const Frame& link = links[mechanism.features()[feature].link];
     const Pose<double>& local = values.frame(feature).pose;
-    pair.size = std::max({pair.size, std::abs(link.pose.x), std::abs(link.pose.y),
-                          std::abs(local.x), std::abs(local.y)});
+    pair.size = std::max({pair.size, std::abs(local.x), std::abs(local.y)});
+  }
+  for (const Frame& link : links) {
+    pair.size = std::max({pair.size, std::abs(link.pose.x), std::abs(link.pose.y)});
   }
   return pair;
 }

@@ -251,7 +251,10 @@ void Values::expect_unit() const {
     largest = std::max({largest, std::abs(pose.x), std::abs(pose.y)});
   }
   for (const DriverIndex driver : plan_->evaluation.drivers) {
-    largest = std::max(largest, std::abs(motions_[driver].position.value()));
+    const JointIndex joint = plan_->mechanism.drivers()[driver].joint;
+    if (plan_->mechanism.joints()[joint].type != JointType::revolute) {
+      largest = std::max(largest, std::abs(motions_[driver].position.value()));
+    }
   }
   if (largest > 0 && largest < values::least_size) {
     throw MechanismError("links",

@@ -112,6 +112,8 @@ class Values {
  private:
   void expect_finite(ParameterIndex parameter, double value) const;
   void expect_limits() const;
+  /// Throws MechanismError where all coordinates are too small to be divided by.
+  void expect_unit() const;
   void evaluate();
   void evaluate_dependents(ParameterIndex parameter);
   void evaluate_parameter(ParameterIndex parameter);
