@@ -14,7 +14,7 @@ namespace assur::test::kinds_test {
 namespace {
 
 /// Of each kind; `ctest -L long` draws the whole.
-const unsigned samples = is_whole_campaign() ? 25 : 8;
+const unsigned samples = is_whole_campaign() ? 25 : 16;
 // Second differences need the longer step: their rounding error grows with its inverse square.
 constexpr Real motion_step = 1e-3L;
 constexpr Real dimension_step = 1e-5L;

@@ -209,7 +209,8 @@ void add_driven_links(const SolverScene& solver, std::size_t groups_before, Scen
 }
 
 /// The statements of a function for a group. Where laws that read joints change the shape of its
-/// links, the coordinates of these come first, as far as the statements read them.
+/// links, the coordinates of these come first, as far as the statements read them; a law that moves
+/// a link behind the group may read the group itself.
 template <typename Add>
 SceneLines lines_of_group(const SolverScene& solver, mechanism::GroupIndex group, const Add& add) {
   SceneLines alone = lines_of(solver);
@@ -218,14 +219,13 @@ SceneLines lines_of_group(const SolverScene& solver, mechanism::GroupIndex group
   const auto shapes_it = [&](mechanism::DriverIndex driver) {
     return std::ranges::any_of(structure.driven, [&](const mechanism::DrivenLink& link) {
       const std::vector<mechanism::LinkIndex>& links = structure.groups[group].links;
-      return link.driver == driver && link.groups_before <= group.place() &&
-             std::ranges::find(links, link.to) != links.end();
+      return link.driver == driver && std::ranges::find(links, link.to) != links.end();
     });
   };
   SceneLines lines = lines_of(solver);
   for (const mechanism::ReadingDriver& reading : structure.reading) {
     if (const std::vector<std::string> others = alone.lines();
-        shapes_it(reading.driver) && !others.empty()) {
+        reading.groups_before <= group.place() && shapes_it(reading.driver) && !others.empty()) {
       add_joints_read(solver, reading.driver, lines, others);
     }
   }

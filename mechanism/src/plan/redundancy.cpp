@@ -30,7 +30,7 @@ struct Step {
 
 class Balancer {
  public:
-  explicit Balancer(const Mechanism& mechanism) : mechanism_(mechanism) {}
+  Balancer(const Mechanism& mechanism, LeftOut most) : mechanism_(mechanism), most_(most) {}
 
   [[nodiscard]] std::optional<Step> best(const OverConstrained& fault) {
     surplus_ = fault.surplus;
@@ -63,7 +63,7 @@ class Balancer {
     const Joint& at = mechanism_.joints()[joint];
     const FeatureIndex other = at.between[0] == feature ? at.between[1] : at.between[0];
     const RedundantJoint redundant{at.name, other, feature};
-    if (surplus_ > 1 && at.type != JointType::pin_in_slot) {
+    if (most_ == LeftOut::joints && surplus_ > 1 && at.type != JointType::pin_in_slot) {
       consider({mechanism_.without(joint, feature), redundant, {}, {}}, feature);
     }
     if (at.type == JointType::revolute) {
@@ -108,6 +108,7 @@ class Balancer {
   }
 
   const Mechanism& mechanism_;
+  LeftOut most_;
   int surplus_ = 0;
   std::optional<Step> best_;
   std::string best_link_;
@@ -115,12 +116,12 @@ class Balancer {
 
 }  // namespace
 
-std::optional<BalancedMechanism> balanced(const Mechanism& mechanism,
-                                          const OverConstrained& fault) {
+std::optional<BalancedMechanism> balanced(const Mechanism& mechanism, const OverConstrained& fault,
+                                          LeftOut most) {
   if (fault.surplus > most_surplus) {
     return std::nullopt;
   }
-  std::optional<Step> step = Balancer(mechanism).best(fault);
+  std::optional<Step> step = Balancer(mechanism, most).best(fault);
   if (!step) {
     return std::nullopt;
   }
@@ -128,7 +129,7 @@ std::optional<BalancedMechanism> balanced(const Mechanism& mechanism,
     return BalancedMechanism{
         std::move(step->mechanism), std::move(*step->structure), {step->redundant}};
   }
-  std::optional<BalancedMechanism> rest = balanced(step->mechanism, *step->fault);
+  std::optional<BalancedMechanism> rest = balanced(step->mechanism, *step->fault, most);
   if (rest) {
     rest->redundant.insert(rest->redundant.begin(), step->redundant);
   }

@@ -21,11 +21,16 @@ struct BalancedMechanism {
   std::vector<RedundantJoint> redundant;
 };
 
+/// What may be left out of a joint that has constraints too many.
+enum class LeftOut : unsigned char {
+  joints,      ///< a pin holds by a slot alone, along the link, or a joint holds a link not at all
+  constraints  ///< the former alone
+};
+
 /// The mechanism with as many constraints less as it has too many. Of the ways to leave them out,
-/// the one with the smallest groups, and then the first by the names of joints and links: either a
-/// pin holds by a slot alone, along the link, or a joint does not hold a link at all. Nothing where
-/// no way leaves a mechanism whose groups are known.
+/// the one with the smallest groups, and then the first by the names of joints and links. Nothing
+/// where no way leaves a mechanism whose groups are known.
 [[nodiscard]] std::optional<BalancedMechanism> balanced(const Mechanism& mechanism,
-                                                        const OverConstrained& fault);
+                                                        const OverConstrained& fault, LeftOut most);
 
 }  // namespace assur::mechanism::plan

@@ -149,34 +149,43 @@ bool holds(const std::shared_ptr<const PlanData>& plan) {
   }
 }
 
-/// Of a mechanism with constraints that hold where the others do, if they do at its own numbers and
-/// where the drivers have gone on: what holds at one instant alone locks the mechanism.
-std::shared_ptr<const PlanData> planned_with_redundancy(const Mechanism& mechanism,
-                                                        const Request& request,
-                                                        const OverConstrained& excess) {
-  std::optional<plan::BalancedMechanism> part = plan::balanced(mechanism, excess);
-  if (!part) {
-    throw OverConstrained(excess);
-  }
+/// A mechanism without the constraints that it has too many, if these hold at its own numbers and
+/// where the drivers have gone on: what holds at one instant alone locks the mechanism. Else null.
+std::shared_ptr<const PlanData> planned_without(const plan::BalancedMechanism& part,
+                                                const Request& request,
+                                                const OverConstrained& excess) {
   std::vector<FeatureIndex> features;
-  for (const plan::RedundantJoint& joint : part->redundant) {
+  for (const plan::RedundantJoint& joint : part.redundant) {
     features.insert(features.end(), {joint.one, joint.other});
   }
   const auto planned_with = [&](const Mechanism& whole) {
-    PlanData data = *planned_whole(whole, request, part->structure, features);
-    data.redundant = part->redundant;
+    PlanData data = *planned_whole(whole, request, part.structure, features);
+    data.redundant = part.redundant;
     data.excess = excess;
     return std::make_shared<const PlanData>(std::move(data));
   };
   constexpr double on = 0.01;
-  const std::shared_ptr<const PlanData> plan = planned_with(part->mechanism);
-  const bool goes_on = mechanism.drivers().empty() ||
-                       holds(planned_with(part->mechanism.driven_on(on))) ||
-                       holds(planned_with(part->mechanism.driven_on(-on)));
-  if (!goes_on || !holds(plan)) {
-    throw OverConstrained(excess);
+  const std::shared_ptr<const PlanData> plan = planned_with(part.mechanism);
+  const bool goes_on = part.mechanism.drivers().empty() ||
+                       holds(planned_with(part.mechanism.driven_on(on))) ||
+                       holds(planned_with(part.mechanism.driven_on(-on)));
+  return goes_on && holds(plan) ? plan : nullptr;
+}
+
+/// Of a mechanism with constraints that hold where the others do. Without whole joints its groups
+/// are the smallest, but they may move freely where the mechanism does not, as a coupler does on
+/// parallel cranks.
+std::shared_ptr<const PlanData> planned_with_redundancy(const Mechanism& mechanism,
+                                                        const Request& request,
+                                                        const OverConstrained& excess) {
+  for (const plan::LeftOut most : {plan::LeftOut::joints, plan::LeftOut::constraints}) {
+    if (const auto part = plan::balanced(mechanism, excess, most)) {
+      if (auto plan = planned_without(*part, request, excess)) {
+        return plan;
+      }
+    }
   }
-  return plan;
+  throw OverConstrained(excess);
 }
 
 std::shared_ptr<const PlanData> planned(const Mechanism& mechanism, const Request& request) {

@@ -257,8 +257,8 @@ void Values::expect_unit() const {
     }
   }
   if (largest > 0 && largest < values::least_size) {
-    throw MechanismError("links",
-                         "all coordinates are smaller than 2^-400; give the lengths in another unit");
+    throw MechanismError(
+        "links", "all coordinates are smaller than 2^-400; give the lengths in another unit");
   }
 }
 

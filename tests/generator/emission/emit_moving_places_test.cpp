@@ -101,6 +101,30 @@ Json law_with_a_root() {
   return scene;
 }
 
+/// A gear on the rocker, driven by the rocker's own joint, and a pin that a driver moves in a slot
+/// of the coupler, with a dyad behind it.
+Json driven_behind_its_group(const std::string& law, bool is_slot) {
+  Json scene = shaped_by_law("1.6 + gain*joint(D)", true);
+  if (is_slot) {
+    scene["links"]["coupler"]["slot"] = {{"through", {0.5, 0.2}}, {"along", {1, 0.3}}};
+    scene["links"]["follower"] = {{"P", {0, 0}}, {"Q", {2.5, 0}}};
+    scene["links"]["guide"] = {{"Q", {0, 0}}, {"R", {2.2, 0}}};
+    scene["links"]["ground"]["R"] = {2, -2};
+    scene["joints"]["P"] = {{"type", "pin-in-slot"}, {"between", {"follower.P", "coupler.slot"}}};
+    scene["joints"]["Q"] = pin("follower.Q", "guide.Q");
+    scene["joints"]["R"] = pin("ground.R", "guide.R");
+    scene["drivers"]["P"] = {{"position", law}};
+    scene["outputs"]["Q"] = "guide.Q";
+  } else {
+    scene["links"]["gear"] = {{"C", {0, 0}}, {"G", {0.4, 0.1}}};
+    scene["links"]["rocker"]["F"] = {1, 0.2};
+    scene["joints"]["F"] = pin("rocker.F", "gear.C");
+    scene["drivers"]["F"] = {{"position", law}};
+    scene["outputs"]["G"] = "gear.G";
+  }
+  return scene;
+}
+
 /// Where laws that read joints shape later groups or have a root, and where rates stand in place of
 /// those that follow: in one program, because most of its compilation is what they share.
 TEST(EmitMovingPlaces, AgreesWithSolveOfLawsAndRatesOfTheirOwn) {
@@ -119,6 +143,16 @@ TEST(EmitMovingPlaces, AgreesWithSolveOfLawsAndRatesOfTheirOwn) {
     const Json scene = shaped_by_law(law, is_cylinder);
     scenes.push_back({directory.write(stem + ".json", scene.dump()), stem, solver, {}});
   }
+  scenes.push_back(
+      {directory.write("gear.json", driven_behind_its_group("0.5*joint(D)", false).dump()),
+       "gear",
+       "Gear",
+       {}});
+  scenes.push_back(
+      {directory.write("slot.json", driven_behind_its_group("0.4 + 0.1*joint(D)", true).dump()),
+       "slot",
+       "Slot",
+       {}});
   for (const int compared : compare_with_solve(scenes)) {
     EXPECT_GT(compared, 100);
   }

@@ -44,6 +44,37 @@ TEST(RedundantJoints, OfAParallelogramOfFiveBarsHold) {
   }
 }
 
+/// Equal cranks of which any is driven: pins on the ground are at rest, and at its origin.
+TEST(RedundantJoints, OfManyParallelCranksHold) {
+  for (const int cranks : {3, 4, 5}) {
+    for (const int driven : {0, 1, 2}) {
+      SCOPED_TRACE(std::to_string(cranks) + " cranks, driven is " + std::to_string(driven));
+      Json scene;
+      scene["links"]["coupler"] = Json::object();
+      for (int crank = 0; crank < cranks; ++crank) {
+        const std::string number = std::to_string(crank);
+        const std::string name = "crank" + number;
+        const Json place = {crank % 3, 0.25 * (crank / 3)};
+        scene["links"]["ground"]["A" + number] = place;
+        scene["links"]["coupler"]["B" + number] = place;
+        scene["links"][name] = {{"A", {0, 0}}, {"B", {1, 0}}};
+        scene["joints"]["A" + number] = {{"type", "revolute"},
+                                         {"between", {"ground.A" + number, name + ".A"}}};
+        scene["joints"]["B" + number] = {{"type", "revolute"},
+                                         {"between", {name + ".B", "coupler.B" + number}}};
+      }
+      scene["drivers"]["A" + std::to_string(driven)] = {{"position", 1.0}, {"velocity", 2}};
+      const Solved found = solved(scene);
+      EXPECT_EQ(found.plan.redundant().size(), static_cast<std::size_t>(cranks - 2));
+      ASSERT_EQ(found.configurations().size(), 1U);
+      const mechanism::Frame& coupler = found.configurations()[0].link("coupler");
+      EXPECT_NEAR(coupler.pose.x, std::cos(1.0), 1e-13);
+      EXPECT_NEAR(coupler.velocity(0), -2 * std::sin(1.0), 1e-12);
+      EXPECT_NEAR(coupler.velocity(2), 0, 1e-12);
+    }
+  }
+}
+
 TEST(RedundantJoints, ThatDoNotHoldAreRefused) {
   Bars bars = five_bars(2, 1.500001);
   EXPECT_EQ(message_of(bars.json()), too_many);
