@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command/command.hpp"
+#include "scenes_of.hpp"
 
 namespace assur::test::same_text_test {
 namespace {
@@ -14,17 +15,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr int processes = 3;
-
-std::vector<std::string> example_names() {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(ASSUR_EXAMPLES)) {
-    if (entry.path().extension() == ".json") {
-      names.push_back(entry.path().stem().string());
-    }
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
 
 class SameText : public testing::TestWithParam<std::string> {
  protected:
@@ -91,7 +81,7 @@ TEST_P(SameText, OfEmittedSolvers) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SameText, testing::ValuesIn(example_names()),
+INSTANTIATE_TEST_SUITE_P(Scenes, SameText, testing::ValuesIn(scenes_of(ASSUR_EXAMPLES)),
                          [](const auto& name) { return name.param; });
 
 }  // namespace

@@ -13,23 +13,13 @@
 #include "mechanism/rigid_scene.hpp"
 #include "mechanism/solved.hpp"
 #include "richardson.hpp"
+#include "scenes_of.hpp"
 #include "whole_campaign.hpp"
 
 namespace assur::test::examples_test {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<std::string> example_names() {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(ASSUR_EXAMPLES)) {
-    if (entry.path().extension() == ".json") {
-      names.push_back(entry.path().stem().string());
-    }
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
 
 std::string setting(const std::string& name, double value) {
   std::array<char, 40> text{};
@@ -279,7 +269,7 @@ TEST_P(Example, ListsWhateverNewtonFinds) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Example, testing::ValuesIn(example_names()),
+INSTANTIATE_TEST_SUITE_P(Scenes, Example, testing::ValuesIn(scenes_of(ASSUR_EXAMPLES)),
                          [](const auto& name) { return std::string(name.param); });
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "command/command.hpp"
 #include "largest.hpp"
 #include "mechanism/solved.hpp"
+#include "scenes_of.hpp"
 
 namespace assur::test::reported_part_test {
 namespace {
@@ -86,12 +87,9 @@ TEST(ReportedPart, HasWhatTheWholeMechanismSaysOfIt) {
   int links = 0;
   int slides = 0;
   int smaller = 0;
-  for (const auto& entry : fs::directory_iterator(ASSUR_EXAMPLES)) {
-    if (entry.path().extension() != ".json") {
-      continue;
-    }
-    SCOPED_TRACE(entry.path().filename().string());
-    const std::string text = read_file(entry.path());
+  for (const std::string& scene : scenes_of(ASSUR_EXAMPLES)) {
+    SCOPED_TRACE(scene);
+    const std::string text = read_file(fs::path(ASSUR_EXAMPLES) / (scene + ".json"));
     const Solved whole(mechanism::parse_scene(text, "scene"));
     const mechanism::Mechanism& all = whole.plan.mechanism();
     for (const mechanism::Link& link : all.links()) {

@@ -2,12 +2,12 @@
 // every bit; long chains of parameters need no deep stack, and cycles are refused by name.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 
 #include "mechanism/same_solution.hpp"
+#include "scenes_of.hpp"
 
 namespace assur::test::values_test {
 namespace {
@@ -15,17 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 using mechanism::Mechanism;
 using mechanism::ParameterIndex;
-
-std::vector<std::string> example_names() {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(ASSUR_EXAMPLES)) {
-    if (entry.path().extension() == ".json") {
-      names.push_back(entry.path().stem().string());
-    }
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
 
 void expect_same(const Plan& plan, const Values& set, const Values& fresh) {
   expect_same_values(set, fresh, plan.mechanism());
@@ -57,7 +46,7 @@ TEST_P(ExampleValues, SetAreThoseEvaluatedAfresh) {
   check_settings(Plan(mechanism::read_scene(fs::path(ASSUR_EXAMPLES) / (GetParam() + ".json"))));
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ExampleValues, testing::ValuesIn(example_names()),
+INSTANTIATE_TEST_SUITE_P(Scenes, ExampleValues, testing::ValuesIn(scenes_of(ASSUR_EXAMPLES)),
                          [](const auto& name) { return name.param; });
 
 /// The crank's length, the driver, a tolerance and the covariance follow from others by formulas,
