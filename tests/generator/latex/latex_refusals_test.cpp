@@ -79,6 +79,9 @@ const std::vector<Refusal> refusals = {
     {"a^12 = c", 4, number},
     {"\\frac12 3 = c", 9, number},
     {"a2 = c", 2, number},
+    {"2\\frac12 a = c", 2, "a mixed number or a product? write \\cdot, or a sum in brackets"},
+    {"a^{(1)} = a", 1,
+     "an index or a power? say in the map what this is, or write the power without brackets"},
     {"ab = c", 1,
      "'ab' is a quantity, and may be a product here; set it as \\mathit{...} or say in the map "
      "what "
@@ -172,6 +175,17 @@ INSTANTIATE_TEST_SUITE_P(
                  "p.tex:1:1: the equations of another file are not followed; audit it by itself"},
         Unusable{"\\iffalse \\[ a = a \\] \\fi", "length a\n",
                  "p.tex:1:1: \\iffalse is not followed; take it out"},
+        Unusable{"\\mathcode`\\-=43 \\[ a - a = a + a \\]", "length a\n",
+                 "p.tex:1:1: \\mathcode changes what letters mean, which is not followed"},
+        Unusable{"\\catcode`\\*=13 \\def*{+}\\[ a * a = a^2 \\]", "length a\n",
+                 "p.tex:1:1: \\catcode changes what letters mean, which is not followed"},
+        Unusable{"\\begin{empheq}{align} a &= 2a \\end{empheq} \\[ a = a \\]", "length a\n",
+                 "p.tex:1:1: what is in 'empheq' is not read; write equation or align"},
+        Unusable{"\\setcounter{equation}{\\value{a}}\\[ a = a \\]", "length a\n",
+                 "p.tex:1:1: the numbers of equations are set to '\\value{a}', which is not "
+                 "followed; write the number"},
+        Unusable{"\\begin{equation} a = a \\end{equation}", "length a\nskip (2)\n",
+                 "p.map:2:6: the paper has no equation (2) that could be skipped"},
         Unusable{"\\def\\x{\\x\\x}\\[ \\x \\]", "length a\n",
                  "p.tex:1:16: the definition of \\x has no end"},
         Unusable{"\\newcommand{\\x}[1][b]{#1}\\[ \\x = a \\]", "length a\n",
