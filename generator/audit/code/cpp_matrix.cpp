@@ -88,6 +88,7 @@ class CppMatrix {
     }
     for (const Tokens& part : comma_parts(statement.subspan(type))) {
       if (const LeadingName name = leading_name(part); name.tokens > 0) {
+        CppScope::expect_no_function(name.name);
         scope_.locals().forget(name.name, "a variable outside the function may be set by anyone");
       }
     }

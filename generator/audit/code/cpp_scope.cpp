@@ -15,6 +15,9 @@ CodeName name_of(const Token& token) { return {token.spelling, token.spelling, t
 
 bool is_read(ValueSort sort) { return sort == ValueSort::real || sort == ValueSort::unknown; }
 
+/// Whether a value is what was assigned.
+bool is_kept(ValueSort sort) { return sort == ValueSort::real || sort == ValueSort::whole; }
+
 Tokens without_attributes(Tokens tokens) {
   while (tokens.size() > 1 && tokens[0].is("[") && tokens[1].is("[")) {
     tokens = tokens.subspan(behind_closing(tokens, 0));
@@ -45,20 +48,45 @@ void CppScope::read_file(const FillingFunction& file) {
   for (const Token& name : file.constants) {
     locals_.forget(name_of(name), "it is a constant of an enumeration");
   }
+  in_function_ = file.is_function;
   for (const Tokens& member : file.members) {
-    const std::size_t length = type_length(member);
-    const Tokens names = member.subspan(length);
-    const bool read = is_read(types_.sort_of(member.first(length)));
-    for (const Tokens& part : read ? std::vector<Tokens>{} : comma_parts(names)) {
-      locals_.declare_member(part.empty() ? "" : part[0].spelling,
-                             why_not_read(ValueSort::rounded));
-    }
+    read_member(member);
   }
   for (const Tokens& list : file.templated) {
     for (const Tokens& each : declared_parts(list)) {
       read_template(each);
     }
   }
+}
+
+void CppScope::read_member(Tokens member) {
+  if (member.size() > 3 && member[0].is("using")) {
+    types_.define(member[1].spelling, member.subspan(3));
+    return;
+  }
+  if (member.size() > 2 && member[0].is("typedef")) {
+    types_.define(member.back().spelling, member.subspan(1, member.size() - 2));
+    return;
+  }
+  const std::size_t length = type_length(member);
+  const bool read = is_read(types_.sort_of(member.first(length)));
+  for (const Tokens& part : comma_parts(member.subspan(read ? member.size() : length))) {
+    if (!part.empty()) {
+      locals_.declare_member(part[0].spelling, why_not_read(ValueSort::rounded));
+    }
+  }
+}
+
+void CppScope::expect_no_function(const CodeName& name) {
+  if (is_known_function(name.name)) {
+    throw CodeError("'" + name.name + "' is given another meaning" + by_running, name.place);
+  }
+}
+
+const CppScope::Declared* CppScope::declared(const CodeName& name) const {
+  const auto found = std::find_if(declared_.rbegin(), declared_.rend(),
+                                  [&](const Declared& each) { return name.is_part_of(each.name); });
+  return found == declared_.rend() ? nullptr : &*found;
 }
 
 void CppScope::read_template(Tokens parameter) {
@@ -77,8 +105,10 @@ void CppScope::read_template(Tokens parameter) {
 
 void CppScope::take_parameter(Tokens parameter, bool shared) {
   parameter = without_attributes(parameter);
-  const auto value = std::find_if(parameter.begin(), parameter.end(), [](const Token& token) {
-    return token.is("=") || token.is("[") || token.is(")");
+  int depth = 0;  // of a template's arguments
+  const auto value = std::find_if(parameter.begin(), parameter.end(), [&](const Token& token) {
+    depth += token.is("<") ? 1 : token.is(">") ? -1 : token.is(">>") ? -2 : 0;
+    return depth <= 0 && (token.is("=") || token.is("[") || token.is(")"));
   });
   const Tokens declared = parameter.first(static_cast<std::size_t>(value - parameter.begin()));
   if (declared.size() < 2 || !declared.back().is_name()) {
@@ -86,6 +116,8 @@ void CppScope::take_parameter(Tokens parameter, bool shared) {
   }
   const CodeName name = name_of(declared.back());
   const ValueSort sort = types_.sort_of(declared.first(declared.size() - 1));
+  expect_no_function(name);
+  declared_.push_back({name, sort, shared || sort == ValueSort::unknown, false});
   locals_.declare_real(name.name);
   if (sort == ValueSort::rounded) {
     locals_.forget(name, why_not_read(sort));
@@ -94,9 +126,6 @@ void CppScope::take_parameter(Tokens parameter, bool shared) {
   locals_.take(name);
   if (sort == ValueSort::whole) {
     locals_.declare_whole(name);
-  }
-  if (shared || sort == ValueSort::unknown) {
-    shared_.push_back(name);
   }
 }
 
@@ -108,6 +137,10 @@ void CppScope::declare(Tokens part, Tokens statement, Tokens type) {
   const bool reference = has(type, "&");
   const CodeName name = name_of(part[0]);
   Tokens value = part.subspan(1);
+  const bool view = has(type, "Map") || has(type, "Ref") || has(type, "span");
+  const bool unknown = sort == ValueSort::unknown && !value.empty();
+  expect_no_function(name);
+  declared_.push_back({name, sort, unknown || view, has(type, "auto")});
   if (const Token* mention = mention_of(value, array_); mention != nullptr && reference) {
     refuse(*mention);
   }
@@ -141,7 +174,6 @@ void CppScope::declare(Tokens part, Tokens statement, Tokens type) {
   if (sort == ValueSort::rounded || sort == ValueSort::unknown) {
     locals_.refuse_calls(value);
     locals_.forget(name, why_not_read(sort));
-    shared_.push_back(name);
     return;
   }
   if (has(type, "auto") && is_whole_value(value)) {
@@ -165,23 +197,35 @@ void CppScope::assign(Tokens part, Tokens statement) {
   if (name.tokens == 0 || name.tokens >= target.size()) {
     refuse_statement(part.empty() ? statement : part);
   }
-  for (const CodeName& shared : shared_) {
-    if (name.name.is_part_of(shared)) {
-      throw CodeError("what is set through '" + shared.spelled + "' may be " + array_ +
-                          ", or another value" + by_running,
-                      name.name.place);
-    }
-  }
   const Token& mark = target[name.tokens];
-  const Tokens value = target.subspan(name.tokens + 1);
-  check_reading(value);
-  if (mark.is("=") && !value.empty()) {
-    locals_.set(name.name, value);
-  } else if (mark.is("+=") || mark.is("-=") || mark.is("*=") || mark.is("/=")) {
-    locals_.refuse_calls(value.empty() ? part : value);
-    locals_.forget(name.name, "write its whole value in place of '" + mark.spelling + "'");
-  } else {
+  if (!mark.is("=") && !mark.is("+=") && !mark.is("-=") && !mark.is("*=") && !mark.is("/=")) {
     refuse_statement(part);
+  }
+  const Declared* const known = declared(name.name);
+  if (known == nullptr && in_function_) {
+    throw CodeError("'" + name.name.spelled +
+                        "' is set, and what it is was not declared in this function" + by_running,
+                    name.name.place);
+  }
+  const bool whole = known != nullptr && known->name.spelled == name.name.spelled;
+  if (known != nullptr && (known->shared || (known->shared_parts && !whole))) {
+    throw CodeError("what is set through '" + known->name.spelled + "' may be " + array_ +
+                        ", or another value" + by_running,
+                    name.name.place);
+  }
+  const Tokens value = target.subspan(name.tokens + 1);
+  if (value.empty()) {
+    refuse_statement(part);
+  }
+  check_reading(value);
+  if (!mark.is("=")) {
+    locals_.refuse_calls(value);
+    locals_.forget(name.name, "write its whole value in place of '" + mark.spelling + "'");
+  } else if (known != nullptr && !is_kept(known->sort)) {
+    locals_.refuse_calls(value);
+    locals_.forget(name.name, why_not_read(known->sort));
+  } else {
+    locals_.set(name.name, value);
   }
 }
 

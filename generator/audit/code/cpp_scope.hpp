@@ -29,6 +29,8 @@ class CppScope {
   /// Throws CodeError unless a value mentions the matrix by whole entries alone.
   void check_reading(Tokens value) const;
 
+  /// Throws CodeError for a name that formulas have for a function.
+  static void expect_no_function(const CodeName& name);
   /// Throw CodeError for a use of the matrix, and for a statement, that cannot be read.
   [[noreturn]] void refuse(const Token& at) const;
   [[noreturn]] void refuse_statement(Tokens statement) const;
@@ -38,10 +40,22 @@ class CppScope {
   void read_template(Tokens parameter);
   [[nodiscard]] bool is_whole_value(Tokens value) const;
 
+  /// What the function may set, and how.
+  struct Declared {
+    CodeName name;
+    ValueSort sort = ValueSort::real;
+    bool shared = false;        ///< through it something else may be set
+    bool shared_parts = false;  ///< through its parts
+  };
+  /// The last one of that name, or of what it is part of.
+  [[nodiscard]] const Declared* declared(const CodeName& name) const;
+  void read_member(Tokens member);
+
   const std::string& array_;
   LocalValues locals_;
   TypeNames types_;
-  std::vector<CodeName> shared_;  ///< through which something else may be set
+  std::vector<Declared> declared_;
+  bool in_function_ = false;
 };
 
 }  // namespace assur::generator::audit::code

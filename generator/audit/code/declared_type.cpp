@@ -80,10 +80,11 @@ std::size_t type_length(Tokens tokens) {
 
 ValueSort TypeNames::sort_of(const Token& token) const {
   const auto named = named_.find(token.spelling);
-  return named != named_.end()    ? named->second
-         : is_rounded_type(token) ? ValueSort::rounded
-         : is_whole_type(token)   ? ValueSort::whole
-                                  : ValueSort::unknown;
+  return named != named_.end()          ? named->second
+         : is_eigen_type_of(token, 'd') ? ValueSort::real
+         : is_rounded_type(token)       ? ValueSort::rounded
+         : is_whole_type(token)         ? ValueSort::whole
+                                        : ValueSort::unknown;
 }
 
 ValueSort TypeNames::sort_of(Tokens type) const {
