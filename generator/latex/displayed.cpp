@@ -42,12 +42,13 @@ void expect_readable_size(const Tokens& equation) {
   for (const Token& token : equation) {
     depth += token.is("{") ? 1 : token.is("}") ? -1 : 0;
     if (depth > most_braces) {
-      throw FormulaError("nested too deeply", token.place);
+      throw FormulaError("this is nested too deeply", token.place);
     }
   }
   if (equation.size() > longest_equation) {
-    throw FormulaError("an equation of more than " + std::to_string(longest_equation) + " tokens",
-                       equation[0].place);
+    throw FormulaError(
+        "this equation has more than " + std::to_string(longest_equation) + " tokens",
+        equation[0].place);
   }
 }
 

@@ -181,7 +181,7 @@ class FileReader {
     }
     const Tokens statement = tokens_.subspan(from, at_ - from);
     if (!next_is(";")) {
-      throw CodeError("a statement without its semicolon", tokens_[from].place);
+      throw CodeError("this statement has no semicolon", tokens_[from].place);
     }
     if (parameters == 0 || !is_prototype(statement, parameters - from)) {
       outer_.push_back(statement);
@@ -249,8 +249,9 @@ class FileReader {
     std::size_t first = 0;
     for (std::size_t at = 0; at < inside.size(); ++at) {
       if (inside[at].kind == Token::Kind::directive) {
-        throw CodeError("a line for the preprocessor inside the function" + by_running,
-                        inside[at].place);
+        throw CodeError(
+            "a line for the preprocessor inside the function cannot be read" + by_running,
+            inside[at].place);
       }
       if (inside[at].is("{") && at == first) {
         throw CodeError("a block inside the function cannot be read" + by_running,
@@ -266,7 +267,7 @@ class FileReader {
     if (first != inside.size()) {
       list.push_back(inside.subspan(first));
       static_cast<void>(statements_of(list));  // it may say more than that
-      throw CodeError("a statement without its semicolon", inside[first].place);
+      throw CodeError("this statement has no semicolon", inside[first].place);
     }
     file_.statements = statements_of(list);
   }
