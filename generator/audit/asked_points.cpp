@@ -35,14 +35,16 @@ std::vector<Asked> AskedPoints::drawn() {
   std::vector<Asked> asked;
   std::vector<Point> others;
   for (std::size_t index = 0; asked.size() < run_.points && index < 6 * run_.points; ++index) {
-    Point* const point = points_.point(index, assembled_);
-    if (point == nullptr) {
+    const Point* const drawn = points_.point(index, assembled_);
+    if (drawn == nullptr) {
       break;
     }
-    if (!is_allowed(*point)) {
+    // What the closures determine may lie to either side.
+    std::optional<Point> point = index % 2 == 0 ? *drawn : turned(*drawn);
+    if (!point || !is_allowed(*point)) {
       continue;
     }
-    if (all_lengths_positive(*point)) {
+    if (parameters_positive(*point)) {
       add_point(*point, asked);
     } else {
       others.push_back(*point);
@@ -65,6 +67,20 @@ std::vector<Asked> AskedPoints::drawn() {
   return drawn();
 }
 
+std::optional<AskedPoints::Point> AskedPoints::turned(const Point& point) {
+  GiNaC::exmap values = point.values;
+  for (const closures::AuditSymbol& symbol : points_.system().symbols()) {
+    if (symbol.unknown && !symbol.angle) {
+      values[symbol.symbol] = -values[symbol.symbol];
+    }
+  }
+  try {
+    return assembled_ ? points_.assembled_from(values) : Point{values, {}};
+  } catch (const std::runtime_error&) {  // it cannot be assembled so
+    return std::nullopt;
+  }
+}
+
 std::vector<Asked> AskedPoints::simple() {
   SimpleValues random;
   std::vector<Asked> list;
@@ -85,7 +101,7 @@ std::vector<Asked> AskedPoints::simple() {
     }
     try {
       std::optional<Point> point = assembled_ ? points_.assembled_from(values) : Point{values, {}};
-      if (point && all_lengths_positive(*point) && is_allowed(*point)) {
+      if (point && parameters_positive(*point) && is_allowed(*point)) {
         add_point(*point, list);
       }
     } catch (const std::runtime_error&) {  // a value is missing there
@@ -133,10 +149,11 @@ bool AskedPoints::is_allowed(Point& point) {
   });
 }
 
-bool AskedPoints::all_lengths_positive(const Point& point) const {
+bool AskedPoints::parameters_positive(const Point& point) const {
   const auto& symbols = points_.system().symbols();
   return std::all_of(symbols.begin(), symbols.end(), [&](const auto& symbol) {
-    return symbol.angle || point.values.at(symbol.symbol).info(GiNaC::info_flags::positive);
+    return symbol.angle || symbol.unknown ||
+           point.values.at(symbol.symbol).info(GiNaC::info_flags::positive);
   });
 }
 

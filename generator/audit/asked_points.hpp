@@ -27,12 +27,15 @@ constexpr std::size_t fewest_points = 3;
 /// Draws points for one statement.
 class AskedPoints {
  public:
+  using Point = closures::ClosurePoints::Point;
+
   AskedPoints(closures::ClosurePoints& points, const ExpectedMatrix& expected,
               const RunStatement& run)
       : points_(points), expected_(expected), run_(run), assembled_(expected.on_closures) {}
 
-  /// The points of comparisons: where a length is negative comes last, since a program may take
-  /// none such. Throws FormulaError where there are too few, and NotAlgebraic.
+  /// The points of comparisons: where a given length is negative comes last, since a program may
+  /// take none such; unknown ones have either sign. Throws FormulaError where there are too few,
+  /// and NotAlgebraic.
   [[nodiscard]] std::vector<Asked> drawn();
   /// Points of few and small numbers, for counterexamples that can be checked with a pencil; may be
   /// none.
@@ -49,10 +52,10 @@ class AskedPoints {
   [[nodiscard]] bool mentions(const std::string& name) const;
 
  private:
-  using Point = closures::ClosurePoints::Point;
-
   [[nodiscard]] bool is_allowed(Point& point);
-  [[nodiscard]] bool all_lengths_positive(const Point& point) const;
+  /// With the unknown lengths turned round, if the closures can hold there.
+  [[nodiscard]] std::optional<Point> turned(const Point& point);
+  [[nodiscard]] bool parameters_positive(const Point& point) const;
   [[nodiscard]] bool follows_closures() const;
   void add_point(const Point& point, std::vector<Asked>& list);
 

@@ -30,8 +30,9 @@ class MoreDigits {
 };
 
 bool is_nothing(const GiNaC::ex& value) {
-  if (value.is_zero() || value.normal().is_zero()) {
-    return true;
+  const GiNaC::ex exact = value.normal();
+  if (exact.is_zero() || exact.info(GiNaC::info_flags::rational)) {
+    return exact.is_zero();
   }
   const MoreDigits digits;
   const GiNaC::ex decimal = value.evalf();

@@ -1,5 +1,6 @@
 // Turns `printed` statements of an audit file, one after the other, into findings.
 #include <assur/text/input_file.hpp>
+#include <set>
 
 #include "audit/auditor.hpp"
 #include "audit/code/cpp_matrix.hpp"
@@ -124,7 +125,14 @@ void Auditor::read_printed_code(const closures::PlacedText& label, closures::Pla
   } catch (const text::InputError& error) {
     reader_.fail(file.place, error.what());
   }
-  const bool matlab = std::filesystem::path(path).extension() == ".m";
+  const std::string ending = std::filesystem::path(path).extension().string();
+  static const std::set<std::string> cpp = {".cpp", ".cc",  ".cxx", ".c++", ".c",   ".h",  ".hpp",
+                                            ".hh",  ".hxx", ".ipp", ".inl", ".tpp", ".cu", ".ino"};
+  const bool matlab = ending == ".m";
+  if (!matlab && !cpp.contains(ending)) {
+    reader_.fail(file.place, "C++ (.cpp, .hpp, ...) and MATLAB (.m) are read, and '" + ending +
+                                 "' is neither" + code::by_running);
+  }
   const code::AuditedMatrix audited{array.text, matrix.rows.size(), matrix.columns.size()};
   try {
     for (const code::CodeEntry& entry :

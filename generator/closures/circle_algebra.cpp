@@ -202,6 +202,14 @@ GiNaC::ex CircleAlgebra::root_of(const GiNaC::ex& radicand) {
 }
 
 bool CircleAlgebra::vanishes(const GiNaC::ex& algebraic) const {
+  try {
+    return has_no_rest(algebraic);
+  } catch (const std::invalid_argument&) {
+    return false;  // GiNaC divides no polynomials whose numbers are irrational
+  }
+}
+
+bool CircleAlgebra::has_no_rest(const GiNaC::ex& algebraic) const {
   GiNaC::ex rest = algebraic.normal().numer().expand();
   for (auto root = roots_.rbegin(); root != roots_.rend() && !rest.is_zero(); ++root) {
     if (rest.has(root->symbol)) {

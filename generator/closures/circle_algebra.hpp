@@ -59,6 +59,7 @@ class CircleAlgebra {
   [[nodiscard]] bool under_a_root(const GiNaC::symbol& symbol) const;
 
  private:
+  [[nodiscard]] bool has_no_rest(const GiNaC::ex& algebraic) const;
   struct Root {
     GiNaC::symbol symbol{};
     GiNaC::ex radicand{};  ///< algebraic, in roots that come earlier

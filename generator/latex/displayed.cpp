@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <string_view>
 
 #include "latex/rows.hpp"
@@ -13,15 +14,21 @@ namespace {
 /// Environments that display equations, without a star.
 struct Environment {
   std::string_view name;
-  bool rows;  ///< each row is an equation
+  bool rows;              ///< each row is an equation
+  bool argument = false;  ///< it begins with one that says how columns look
 };
-constexpr std::array<Environment, 7> environments = {{{"equation", false},
-                                                      {"align", true},
-                                                      {"gather", true},
-                                                      {"eqnarray", true},
-                                                      {"flalign", true},
-                                                      {"multline", false},
-                                                      {"displaymath", false}}};
+constexpr std::array<Environment, 12> environments = {{{"equation", false},
+                                                       {"align", true},
+                                                       {"gather", true},
+                                                       {"eqnarray", true},
+                                                       {"flalign", true},
+                                                       {"alignat", true, true},
+                                                       {"xalignat", true, true},
+                                                       {"xxalignat", true, true},
+                                                       {"IEEEeqnarray", true, true},
+                                                       {"dmath", false},
+                                                       {"multline", false},
+                                                       {"displaymath", false}}};
 
 constexpr std::array<std::string_view, 4> headings = {"\\part", "\\chapter", "\\section",
                                                       "\\subsection"};
@@ -35,12 +42,13 @@ void expect_readable_size(const Tokens& equation) {
   for (const Token& token : equation) {
     depth += token.is("{") ? 1 : token.is("}") ? -1 : 0;
     if (depth > most_braces) {
-      throw FormulaError("nested too deeply", token.place);
+      throw FormulaError("this is nested too deeply", token.place);
     }
   }
   if (equation.size() > longest_equation) {
-    throw FormulaError("an equation of more than " + std::to_string(longest_equation) + " tokens",
-                       equation[0].place);
+    throw FormulaError(
+        "this equation has more than " + std::to_string(longest_equation) + " tokens",
+        equation[0].place);
   }
 }
 
@@ -74,6 +82,8 @@ class Scanner {
     } else if (token.is("\\input") || token.is("\\include")) {
       throw FormulaError("the equations of another file are not followed; audit it by itself",
                          token.place);
+    } else if (token.is("\\setcounter") || token.is("\\addtocounter")) {
+      set_counter(token);
     } else if (token.text.starts_with("\\if") && in_body_) {
       throw FormulaError(token.text + " is not followed; take it out", token.place);
     } else {
@@ -98,6 +108,23 @@ class Scanner {
     if (!token.is("\\subsection")) {
       section_ = title;
     }
+  }
+
+  void set_counter(const Token& token) {
+    const bool added = token.is("\\addtocounter");
+    const std::string counter = letters_of(take_argument(tokens_, ++at_));
+    const std::string number = letters_of(take_argument(tokens_, at_));
+    if (counter != "equation") {
+      return;
+    }
+    int value = 0;
+    const char* const end = number.data() + number.size();
+    if (std::from_chars(number.data(), end, value).ptr != end) {
+      throw FormulaError("the numbers of equations are set to '" + number +
+                             "', which is not followed; write the number",
+                         token.place);
+    }
+    number_ = value + (added ? number_ : 0);
   }
 
   void shown_between(const char* closing) {
@@ -153,10 +180,19 @@ class Scanner {
     const std::string plain = starred ? name.substr(0, name.size() - 1) : name;
     const auto known = std::find_if(environments.begin(), environments.end(),
                                     [&](const Environment& each) { return each.name == plain; });
+    if (begins && (plain == "empheq" || plain == "darray")) {
+      throw FormulaError("what is in '" + name + "' is not read; write equation or align",
+                         token.place);
+    }
     if (!begins || known == environments.end()) {
       return;
     }
-    const Tokens inside = take_environment(tokens_, at_, name, token);
+    Tokens inside = take_environment(tokens_, at_, name, token);
+    if (known->argument) {
+      std::size_t behind = 0;
+      static_cast<void>(take_argument(inside, behind));
+      inside = slice(inside, behind, inside.size());
+    }
     const bool counted = !starred && name != "displaymath";
     if (!known->rows) {
       show(inside, counted);

@@ -20,7 +20,7 @@ FormulaReader::FormulaReader(Tokens tokens, const Reading& reading, std::vector<
     place_ = tokens_[0].place;
   }
   if (depth_ > most_nested) {
-    throw FormulaError("nested too deeply", place_);
+    throw FormulaError("this is nested too deeply", place_);
   }
 }
 

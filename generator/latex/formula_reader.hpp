@@ -55,6 +55,8 @@ class FormulaReader {
   Expression explicit_sum(const Tokens& tokens, std::size_t behind, std::size_t at);
   Expression product();
   /// Whether a factor may stand behind another without a sign between them.
+  /// `\frac12` begins there.
+  [[nodiscard]] bool is_fraction_of_numbers(std::size_t at) const;
   void expect_clear_product(const Factor& left, const Token& next, bool spaced) const;
 
   // Factors.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace assur::generator::latex {
 
@@ -28,13 +29,22 @@ class Expander {
       const Token token = next();
       if (token.is("\\newcommand") || token.is("\\renewcommand") || token.is("\\providecommand")) {
         define_command();
-      } else if (token.is("\\def")) {
+      } else if (token.is("\\def") || token.is("\\edef") || token.is("\\gdef") ||
+                 token.is("\\xdef")) {
+        global_ = token.is("\\gdef") || token.is("\\xdef");
         define_plainly();
+        global_ = false;
+      } else if (token.is("\\let")) {
+        define_alike();
+      } else if (token.is("\\mathcode") || changes_letters(token)) {
+        throw FormulaError(token.text + " changes what letters mean, which is not followed",
+                           token.place);
       } else if (token.is("\\DeclareMathOperator")) {
         define_operator();
       } else if (const auto macro = macros_.find(token.text); macro != macros_.end()) {
         replace(token, macro->second);
       } else {
+        follow_group(token);
         result_.push_back(token);
       }
     }
@@ -96,7 +106,29 @@ class Expander {
 
   void define(const Tokens& name, Macro macro) {
     if (name.size() == 1 && name[0].is_command() && !kept_.contains(name[0].text)) {
+      const auto before = macros_.find(name[0].text);
+      if (!groups_.empty() && !global_) {
+        groups_.back().emplace_back(
+            name[0].text, before == macros_.end() ? std::nullopt : std::optional(before->second));
+      }
       macros_[name[0].text] = std::move(macro);
+    }
+  }
+
+  /// What a group defines ends with it.
+  void follow_group(const Token& token) {
+    if (token.is("{") || token.is("\\begin")) {
+      groups_.emplace_back();
+    } else if ((token.is("}") || token.is("\\end")) && !groups_.empty()) {
+      std::vector<Definition> ended = std::move(groups_.back());
+      groups_.pop_back();
+      for (auto each = ended.rbegin(); each != ended.rend(); ++each) {
+        if (each->second) {
+          macros_[each->first] = *each->second;
+        } else {
+          macros_.erase(each->first);
+        }
+      }
     }
   }
 
@@ -123,6 +155,25 @@ class Expander {
     }
     macro.body = argument();
     define(name, std::move(macro));
+  }
+
+  /// `\let\NAME=\OTHER`: what the other means now.
+  void define_alike() {
+    const Tokens name = argument();
+    take("=");
+    const Tokens other = argument();
+    if (other.size() != 1 || (name.size() == 1 && name[0].is(other[0].text.c_str()))) {
+      return;
+    }
+    const auto known = macros_.find(other[0].text);
+    define(name, known == macros_.end() ? Macro{0, other} : known->second);
+  }
+
+  /// That of `@` is changed by packages, and stands in no formula.
+  [[nodiscard]] bool changes_letters(const Token& token) const {
+    const std::size_t behind = rest_.size();
+    return token.is("\\catcode") &&
+           !(behind > 1 && (rest_[behind - 2].is("\\@") || rest_[behind - 2].is("@")));
   }
 
   void define_operator() {
@@ -180,6 +231,9 @@ class Expander {
   Tokens rest_;  ///< in reverse
   Tokens result_;
   std::map<std::string, Macro> macros_;
+  using Definition = std::pair<std::string, std::optional<Macro>>;
+  std::vector<std::vector<Definition>> groups_;  ///< what stood before in those that are open
+  bool global_ = false;                          ///< what is defined outlives its group
   std::size_t replacements_ = 0;
   Place last_{1, 1};
 };

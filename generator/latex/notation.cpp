@@ -156,19 +156,19 @@ class AtomReader {
         ++at_;
       } else if (token.is("_")) {
         if (index) {
-          throw FormulaError("two indices", token.place);
+          throw FormulaError("this has two indices; write them as one", token.place);
         }
         index = true;
         atom_.name += "_" + flat(take_argument(tokens_, ++at_));
       } else if (token.is("^")) {
         if (!atom_.superscript.empty()) {
-          throw FormulaError("two superscripts", token.place);
+          throw FormulaError("this has two superscripts; write brackets", token.place);
         }
         const Tokens script = take_argument(tokens_, ++at_);
         atom_.superscript = flat(script);
         atom_.power = could_be_power(script) ? script : Tokens{};
         if (atom_.superscript.empty()) {
-          throw FormulaError("an empty superscript", token.place);
+          throw FormulaError("this superscript is empty", token.place);
         }
       } else {
         return;

@@ -25,6 +25,11 @@ Expression FormulaReader::raised(Expression base) {
 }
 
 Expression FormulaReader::powered(Expression base, const Tokens& exponent, std::size_t at) {
+  const bool bracketed = exponent.size() == 3 && exponent[0].is("(") && exponent[2].is(")");
+  if (bracketed) {
+    fail("an index or a power? say in the map what this is, or write the power without brackets",
+         at);
+  }
   return binary("^", Operation::power, std::move(base), read(exponent, at), at);
 }
 
@@ -34,7 +39,9 @@ Factor FormulaReader::factor() {
   }
   const Token& token = tokens_[at_];
   if (token.is_digit() || token.is(".")) {
-    return {number(), FactorKind::number};
+    Expression tree = number();
+    const bool bare = tree.kind == Expression::Kind::number;
+    return {std::move(tree), bare ? FactorKind::number : FactorKind::closed};
   }
   if (const std::optional<Meaning> meaning = reading_.notations.at(tokens_, at_)) {
     return {quantity(*meaning), meaning->power.empty() ? FactorKind::symbol : FactorKind::closed};

@@ -1,5 +1,7 @@
 #include "latex/read_latex.hpp"
 
+#include <algorithm>
+
 #include "latex/formula_reader.hpp"
 #include "latex/indices.hpp"
 #include "latex/rows.hpp"
@@ -166,6 +168,17 @@ Expression FormulaReader::product() {
   }
 }
 
+bool FormulaReader::is_fraction_of_numbers(std::size_t at) const {
+  if (!is_fraction(tokens_[at++])) {
+    return false;
+  }
+  const auto is_number = [](const Tokens& part) {
+    return std::all_of(part.begin(), part.end(), [](const Token& each) { return each.is_digit(); });
+  };
+  const Tokens above = take_argument(tokens_, at);
+  return is_number(above) && is_number(take_argument(tokens_, at));
+}
+
 void FormulaReader::expect_clear_product(const Factor& left, const Token& next, bool spaced) const {
   if (closes(next) || next.is("}")) {
     fail("'" + next.text + "' closes nothing", at_);
@@ -181,6 +194,9 @@ void FormulaReader::expect_clear_product(const Factor& left, const Token& next, 
         "a number stands directly behind a factor; write \\cdot, or braces around an index or "
         "a power of two digits",
         at_);
+  }
+  if (left.kind == FactorKind::number && !spaced && is_fraction_of_numbers(at_)) {
+    fail("a mixed number or a product? write \\cdot, or a sum in brackets", at_);
   }
   const bool derivative =
       is_fraction(next) && at_ + 2 < tokens_.size() && tokens_[at_ + 2].is("\\partial");

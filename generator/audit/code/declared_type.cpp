@@ -1,27 +1,45 @@
 #include "audit/code/declared_type.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace assur::generator::audit::code {
 
-bool is_whole_type(const Token& token) {
-  static const std::set<std::string> types = {
-      "int",     "long",    "short",   "unsigned",  "signed",   "char",
-      "bool",    "Index",   "size_t",  "ptrdiff_t", "int8_t",   "int16_t",
-      "int32_t", "int64_t", "uint8_t", "uint16_t",  "uint32_t", "uint64_t"};
-  const std::string& name = token.spelling;
-  const bool of_whole = name.size() > 6 && name.ends_with('i') &&
-                        (name.starts_with("Matrix") || name.starts_with("Array") ||
-                         name.starts_with("Vector") || name.starts_with("RowVector"));
-  return token.is_name() && (types.contains(name) || of_whole);
+namespace {
+
+bool is_one_of(const Token& token, const std::set<std::string>& names) {
+  return token.is_name() && names.contains(token.spelling);
 }
 
-namespace {
+/// `Matrix2f` for 'f', `VectorXi` for 'i': what Eigen calls its types of such numbers.
+bool is_eigen_type_of(const Token& token, char numbers) {
+  const std::string& name = token.spelling;
+  return token.is_name() && name.size() > 6 && name.ends_with(numbers) &&
+         (name.starts_with("Matrix") || name.starts_with("Array") || name.starts_with("Vector") ||
+          name.starts_with("RowVector"));
+}
+
+bool is_whole_type(const Token& token) {
+  static const std::set<std::string> types = {"int", "long", "signed", "Index", "ptrdiff_t"};
+  const std::string& name = token.spelling;
+  const bool sized = token.is_name() && name.starts_with("int") && name.ends_with("_t");
+  return sized || is_one_of(token, types) || is_eigen_type_of(token, 'i');
+}
+
+/// Their values are not always what was assigned, or what a sum of them should be.
+bool is_rounded_type(const Token& token) {
+  static const std::set<std::string> types = {
+      "float",   "float_t", "half",     "bfloat16", "bool",   "char",   "short",   "unsigned",
+      "wchar_t", "char8_t", "char16_t", "char32_t", "size_t", "int8_t", "int16_t", "byte"};
+  const std::string& name = token.spelling;
+  const bool sized = token.is_name() && name.starts_with("uint") && name.ends_with("_t");
+  return sized || is_one_of(token, types) || is_eigen_type_of(token, 'f');
+}
 
 bool is_type_word(const Token& token) {
   return token.is("const") || token.is("constexpr") || token.is("auto") || token.is("double") ||
          token.is("float") || token.is("static") || token.is("inline") || token.is("typename") ||
-         is_whole_type(token);
+         is_whole_type(token) || is_rounded_type(token);
 }
 
 }  // namespace
@@ -58,6 +76,33 @@ std::size_t type_length(Tokens tokens) {
   }
   // The last name read is the variable's, unless one stands behind.
   return named && at < tokens.size() && tokens[at].is_name() ? at : 0;
+}
+
+ValueSort TypeNames::sort_of(const Token& token) const {
+  const auto named = named_.find(token.spelling);
+  return named != named_.end()          ? named->second
+         : is_eigen_type_of(token, 'd') ? ValueSort::real
+         : is_rounded_type(token)       ? ValueSort::rounded
+         : is_whole_type(token)         ? ValueSort::whole
+                                        : ValueSort::unknown;
+}
+
+ValueSort TypeNames::sort_of(Tokens type) const {
+  // `long double` is real, `unsigned int` wraps round.
+  for (const ValueSort sort : {ValueSort::rounded, ValueSort::real, ValueSort::whole}) {
+    if (std::any_of(type.begin(), type.end(),
+                    [&](const Token& token) { return sort_of(token) == sort; })) {
+      return sort;
+    }
+  }
+  return ValueSort::unknown;
+}
+
+void TypeNames::define(const std::string& name, Tokens type) { named_[name] = sort_of(type); }
+
+const char* why_not_read(ValueSort sort) {
+  return sort == ValueSort::rounded ? "its type does not keep every number as it is; write double"
+                                    : "its type may be one of any numbers; write double";
 }
 
 }  // namespace assur::generator::audit::code

@@ -1,5 +1,6 @@
 #include "audit/code/directives.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace assur::generator::audit::code {
@@ -63,11 +64,16 @@ bool is_standard_header(const std::string& name) {
   return known.contains(name) || name.starts_with("Eigen/");
 }
 
+/// The words of a directive, without a comment behind them.
 std::vector<std::string> words_of(const std::string& directive) {
+  const std::size_t end = std::min(directive.find("//"), directive.find("/*"));
   std::vector<std::string> words;
   std::string word;
-  for (const char letter : directive.substr(1) + " ") {
-    if (letter != ' ' && letter != '\t' && letter != '\r') {
+  for (const char letter : directive.substr(1, std::max<std::size_t>(end, 1) - 1) + " ") {
+    if (letter == '<' && !word.empty()) {
+      words.push_back(std::move(word));
+      word = letter;
+    } else if (letter != ' ' && letter != '\t' && letter != '\r') {
       word += letter;
     } else if (!word.empty()) {
       words.push_back(std::move(word));
@@ -77,6 +83,23 @@ std::vector<std::string> words_of(const std::string& directive) {
   return words;
 }
 
+bool includes_known(const std::vector<std::string>& words) {
+  if (words.size() != 2 || words[0] != "include" || words[1].size() < 3) {
+    return false;
+  }
+  const std::string& name = words[1];
+  return name.front() == '<' && name.back() == '>' && name.find("..") == name.npos &&
+         is_standard_header(name.substr(1, name.size() - 2));
+}
+
+/// A compiler may have defined it before, or what stands in the file may be replaced by it.
+bool guards(const std::string& name, Tokens tokens) {
+  return !name.starts_with("__") &&
+         std::none_of(tokens.begin(), tokens.end(), [&](const Token& token) {
+           return token.is_name() && token.spelling == name;
+         });
+}
+
 }  // namespace
 
 void check_directives(Tokens tokens) {
@@ -84,6 +107,14 @@ void check_directives(Tokens tokens) {
   for (const Token& token : tokens) {
     if (token.kind == Token::Kind::directive) {
       all.push_back(&token);
+      const std::string& text = token.spelling;
+      const std::size_t comment = text.find("/*");
+      const std::size_t end = comment == text.npos ? text.npos : text.find("*/", comment + 2);
+      const bool ends = end != text.npos && text.find_first_not_of(" \t\r", end + 2) == text.npos;
+      if (comment < text.find("//") && !ends) {
+        throw CodeError("a comment that begins here may hide what follows; end it in this line",
+                        token.place);
+      }
     }
   }
   const auto words = [&](std::size_t at) { return words_of(all[at]->spelling); };
@@ -95,8 +126,8 @@ void check_directives(Tokens tokens) {
     const std::vector<std::string> defined = words(1);
     const std::vector<std::string> closed = words(to - 1);
     if (opened.size() == 2 && opened[0] == "ifndef" && defined.size() == 2 &&
-        defined[0] == "define" && defined[1] == opened[1] && !closed.empty() &&
-        closed[0] == "endif") {
+        defined[0] == "define" && defined[1] == opened[1] && guards(opened[1], tokens) &&
+        !closed.empty() && closed[0] == "endif") {
       from += 2;
       to -= 1;
     }
@@ -104,22 +135,15 @@ void check_directives(Tokens tokens) {
   for (; from < to; ++from) {
     const std::vector<std::string> line = words(from);
     const std::string& text = all[from]->spelling;
-    const std::size_t open = text.find('<');
-    const std::size_t close = text.find('>');
-    const bool known = !line.empty() && line[0].starts_with("include") && open < close &&
-                       close != text.npos &&
-                       is_standard_header(text.substr(open + 1, close - open - 1));
-    if (line.size() == 2 && line[0] == "pragma" && line[1] == "once") {
+    if (includes_known(line) || line == std::vector<std::string>{"pragma", "once"}) {
       continue;
     }
-    if (!known) {
-      const bool header = !line.empty() && line[0].starts_with("include");
-      throw CodeError(
-          header ? "a header of your own may define macros that change what this says" + by_running
-                 : "'" + text.substr(0, text.find('\n')) + "' may change what the code says" +
-                       by_running,
-          all[from]->place);
-    }
+    const bool header = !line.empty() && line[0].starts_with("include");
+    throw CodeError(
+        header ? "a header of your own may define macros that change what this says" + by_running
+               : "'" + text.substr(0, text.find('\n')) + "' may change what the code says" +
+                     by_running,
+        all[from]->place);
   }
 }
 

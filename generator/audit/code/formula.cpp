@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <assur/text/expression.hpp>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <set>
 
 namespace assur::generator::audit::code {
 
@@ -38,16 +42,22 @@ std::size_t circle_number(Tokens tokens) {
     return 3;
   }
   const bool templated = tokens.size() >= 6 && tokens[2].is("pi_v") && tokens[3].is("<") &&
-                         tokens[4].is_name() && tokens[5].is(">");
+                         tokens[4].is_name() && !tokens[4].is("float") && tokens[5].is(">");
   return templated ? 6 : 0;
 }
 
 /// A number without its suffix.
 std::string plain_number(const Token& token) {
   std::string text = token.spelling;
+  if (text.find_first_of("fFuU") != text.npos && text.find_first_of("xX") == text.npos) {
+    throw CodeError(
+        "a number of type float or unsigned rounds or wraps round what it meets; write "
+        "it without its suffix",
+        token.place);
+  }
   const bool octal = text.size() > 1 && text[0] == '0' && text.find('.') == text.npos &&
                      text.find_first_of("eE") == text.npos;
-  const std::size_t end = text.find_last_not_of("fFlLuU");
+  const std::size_t end = text.find_last_not_of("lL");
   text.resize(end + 1);
   if (octal || text.find_first_not_of("0123456789.eE+-") != text.npos) {
     throw CodeError("a number spelled '" + token.spelling + "' cannot be read; write a decimal one",
@@ -127,6 +137,10 @@ class FormulaWriter {
           "'" + token.spelling.substr(0, 20) + "' cannot be read inside an expression" + by_running,
           token.place);
     }
+    if (token.is(">") && rest.size() > 1 && rest[1].is("(")) {
+      throw CodeError("a call of a template's function cannot be followed" + by_running,
+                      token.place);
+    }
     put(token, token.spelling, 1);
   }
 
@@ -147,29 +161,56 @@ class FormulaWriter {
   CodeFormula formula_;
 };
 
+/// What a part of a formula is in C++: a whole number, and its size where numbers alone tell it.
+struct Whole {
+  bool whole = false;
+  double most = 0;
+};
+
 struct Wholeness {
   const CodeFormula& formula;
-  const std::set<std::string>& whole;
+  const std::vector<CodeName>& whole;
 
-  bool operator()(const text::Expression& node) const {
+  Whole operator()(const text::Expression& node) const {
     using Kind = text::Expression::Kind;
     if (node.kind == Kind::number) {
-      return node.name.find_first_not_of("0123456789") == std::string::npos;
+      return {node.name.find_first_not_of("0123456789") == std::string::npos,
+              std::strtod(node.name.c_str(), nullptr)};
     }
     if (node.kind == Kind::name) {
-      return whole.contains(node.name);
+      return {is_whole_name(node.name), 0};
     }
-    bool all = true;
+    std::vector<Whole> parts;
     for (const text::Expression& argument : node.arguments) {
-      all = (*this)(argument) && all;
+      parts.push_back((*this)(argument));
     }
+    const bool all =
+        std::all_of(parts.begin(), parts.end(), [](const Whole& each) { return each.whole; });
     using text::Operation;
     if (all && node.operation == Operation::divide) {
       throw CodeError("a quotient of whole numbers is rounded in C++; write 1.0/2",
                       formula.text.at(node.column));
     }
-    return all && (node.operation == Operation::add || node.operation == Operation::subtract ||
-                   node.operation == Operation::multiply || node.operation == Operation::negate);
+    const bool product = node.operation == Operation::multiply;
+    const bool sum = node.operation == Operation::add || node.operation == Operation::subtract;
+    const bool stays = all && (product || sum || node.operation == Operation::negate);
+    double most = stays ? parts[0].most : 0;
+    for (std::size_t at = 1; stays && at < parts.size(); ++at) {
+      most = product ? most * parts[at].most : most + parts[at].most;
+    }
+    if (stays && most > std::numeric_limits<std::int32_t>::max()) {
+      throw CodeError("whole numbers beyond 2147483647 wrap round in C++; write 100000.0",
+                      formula.text.at(node.column));
+    }
+    return {stays, most};
+  }
+
+  [[nodiscard]] bool is_whole_name(const std::string& name) const {
+    const auto of_formula = std::find_if(formula.names.begin(), formula.names.end(),
+                                         [&](const CodeName& each) { return each.name == name; });
+    return of_formula != formula.names.end() &&
+           std::any_of(whole.begin(), whole.end(),
+                       [&](const CodeName& each) { return of_formula->is_part_of(each); });
   }
 };
 
@@ -205,6 +246,7 @@ LeadingName leading_name(Tokens tokens) {
       }
       found.name.name += "_" + rest[1].spelling;
       found.name.spelled += "[" + rest[1].spelling + "]";
+      found.name.called = found.name.called || rest[0].is("(");
       found.tokens += 3;
     } else if (are(next(5), {"(", "#", ",", "#", ")"})) {
       if (is_known_function(tokens[0].spelling)) {
@@ -212,6 +254,7 @@ LeadingName leading_name(Tokens tokens) {
       }
       found.name.name += "_" + rest[1].spelling + "_" + rest[3].spelling;
       found.name.spelled += "[" + rest[1].spelling + "][" + rest[3].spelling + "]";
+      found.name.called = true;
       found.tokens += 5;
     } else {
       const bool called = !rest.empty() && rest[0].is("(");
@@ -224,14 +267,14 @@ CodeFormula code_formula(Tokens tokens, const Dialect& dialect) {
   return FormulaWriter(tokens, dialect).run();
 }
 
-bool is_whole(const CodeFormula& formula, const std::set<std::string>& whole) {
+bool is_whole(const CodeFormula& formula, const std::vector<CodeName>& whole) {
   text::Expression tree;
   try {
     tree = text::parse_expression(formula.text.text, functions);
   } catch (const text::ExpressionError&) {
     return false;  // whoever reads it as a formula says why
   }
-  return Wholeness{formula, whole}(tree);
+  return Wholeness{formula, whole}(tree).whole;
 }
 
 }  // namespace assur::generator::audit::code

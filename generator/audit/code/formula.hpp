@@ -1,8 +1,6 @@
 // Turns a C++ expression into the formula that it is, character by character in the same place.
 #pragma once
 
-#include <set>
-
 #include "audit/code/tokens.hpp"
 
 namespace assur::generator::audit::code {
@@ -12,6 +10,7 @@ struct CodeName {
   std::string name;     ///< in formulas: `a_b`, `a_2`, `a_1_2`
   std::string spelled;  ///< `a.b` for `a->b` too, `a[2]` for `a(2)` too
   closures::Place place;
+  bool called = false;  ///< it is spelled with round brackets, and may be a call
 
   /// Whether it is that variable, or a part of it.
   [[nodiscard]] bool is_part_of(const CodeName& whole) const;
@@ -42,8 +41,8 @@ struct Dialect {
 [[nodiscard]] CodeFormula code_formula(Tokens tokens, const Dialect& dialect = {});
 
 /// Whether the formula's value is a whole number in C++, where `whole` are such variables. Throws
-/// CodeError for a quotient of two, which is rounded.
-[[nodiscard]] bool is_whole(const CodeFormula& formula, const std::set<std::string>& whole);
+/// CodeError for a quotient of two, which is rounded, and for what no `int` can hold.
+[[nodiscard]] bool is_whole(const CodeFormula& formula, const std::vector<CodeName>& whole);
 
 /// Whether a function of this name is read as the one of mathematics.
 [[nodiscard]] bool is_known_function(const std::string& name);

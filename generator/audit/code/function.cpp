@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "audit/code/directives.hpp"
 #include "audit/code/formula.hpp"
@@ -45,16 +46,17 @@ class FileReader {
     if (open_ > 0) {
       throw CodeError("a bracket is not closed", tokens_.back().place);
     }
-    if (!function_) {
-      return {{}, statements_of(outer_), {}, false};
+    if (!file_.is_function) {
+      file_.statements = statements_of(outer_);
+      return file_;
     }
     for (const Tokens& statement : outer_) {
       if (const Token* mention = mention_of(statement, array_)) {
         refuse_mention(*mention, "outside the function that fills it");
       }
     }
-    function_->globals = statements_of(outer_);
-    return *function_;
+    file_.globals = statements_of(outer_);
+    return file_;
   }
 
  private:
@@ -102,6 +104,7 @@ class FileReader {
 
   void skip_template() {
     const Token& first = tokens_[at_];
+    const std::size_t from = at_ + 2;
     int depth = 0;
     for (++at_; at_ < tokens_.size(); ++at_) {
       depth += next_is("<") ? 1 : next_is(">") ? -1 : next_is(">>") ? -2 : 0;
@@ -112,10 +115,11 @@ class FileReader {
     if (at_ == tokens_.size()) {
       throw CodeError("this template cannot be read", first.place);
     }
+    templated_.push_back(tokens_.subspan(from, at_ - std::min(from, at_)));
     ++at_;
   }
 
-  /// A type of plain members.
+  /// A type of plain members, whose sorts count, or a list of constants.
   void skip_type() {
     const std::size_t from = at_;
     while (at_ < tokens_.size() && !next_is("{") && !next_is(";") && !next_is("(")) {
@@ -135,6 +139,22 @@ class FileReader {
     if (call != type.end() || at_ != to || to == tokens_.size()) {
       throw CodeError("a type that is more than a list of members cannot be read" + by_running,
                       tokens_[from].place);
+    }
+    templated_.clear();
+    const auto open =
+        std::find_if(type.begin(), type.end(), [](const Token& token) { return token.is("{"); });
+    const auto inside = static_cast<std::size_t>(open - type.begin());
+    if (open == type.end()) {
+      return;
+    }
+    std::size_t first = inside + 1;
+    for (std::size_t at = first; at < type.size(); ++at) {
+      if (tokens_[from].is("enum") && type[at].is_name()) {
+        file_.constants.push_back(type[at]);
+      } else if (type[at].is(";")) {
+        file_.members.push_back(type.subspan(first, at - first));
+        first = at + 1;
+      }
     }
   }
 
@@ -161,7 +181,7 @@ class FileReader {
     }
     const Tokens statement = tokens_.subspan(from, at_ - from);
     if (!next_is(";")) {
-      throw CodeError("a statement without its semicolon", tokens_[from].place);
+      throw CodeError("this statement has no semicolon", tokens_[from].place);
     }
     if (parameters == 0 || !is_prototype(statement, parameters - from)) {
       outer_.push_back(statement);
@@ -169,7 +189,7 @@ class FileReader {
   }
 
   /// `void fill(Matrix& J)`: a type, a name that is not the matrix's, and what it takes.
-  [[nodiscard]] bool is_prototype(Tokens statement, std::size_t parameters) const {
+  [[nodiscard]] bool is_prototype(Tokens statement, std::size_t parameters) {
     if (parameters < 2 || parameters >= statement.size()) {
       return false;
     }
@@ -182,6 +202,7 @@ class FileReader {
     const Tokens taken =
         statement.subspan(parameters + 1, behind_closing(statement, parameters) - parameters - 2);
     refuse_known(name);
+    file_.functions.push_back(name);
     const auto values = comma_parts(taken);
     return taken.empty() || std::all_of(values.begin(), values.end(), [](Tokens value) {
              return value.size() > 1 || (value.size() == 1 && value[0].is_name());
@@ -189,7 +210,7 @@ class FileReader {
   }
 
   static void refuse_known(const Token& name) {
-    if (is_known_function(name.spelling)) {
+    if (is_known_function(name.spelling) || name.is("Zero")) {
       throw CodeError(
           "a function '" + name.spelling + "' of your own is not the one of formulas" + by_running,
           name.place);
@@ -197,18 +218,20 @@ class FileReader {
   }
 
   void read_function(std::size_t from, std::size_t parameters) {
+    const std::vector<Tokens> templated = std::exchange(templated_, {});
     const Tokens whole = tokens_.subspan(from);
     const std::size_t body = at_ - from;
     const std::size_t end = behind_closing(whole, body);
     at_ = from + end;
     if (parameters > from) {
       refuse_known(tokens_[parameters - 1]);
+      file_.functions.push_back(tokens_[parameters - 1]);
     }
     const Token* const mention = mention_of(whole.first(end), array_);
     if (mention == nullptr) {
       return;
     }
-    if (function_) {
+    if (file_.is_function) {
       refuse_mention(*mention, "in a second function");
     }
     const std::size_t head = parameters - from;
@@ -218,16 +241,17 @@ class FileReader {
                     [](const Token& token) { return token.is(":") || token.is("try"); })) {
       refuse_mention(*mention, "in a constructor");
     }
-    FillingFunction found;
-    found.is_function = true;
-    found.parameters = whole.subspan(head + 1, head_end - head - 2);
+    file_.is_function = true;
+    file_.templated = templated;
+    file_.parameters = whole.subspan(head + 1, head_end - head - 2);
     const Tokens inside = whole.subspan(body + 1, end - body - 2);
     std::vector<Tokens> list;
     std::size_t first = 0;
     for (std::size_t at = 0; at < inside.size(); ++at) {
       if (inside[at].kind == Token::Kind::directive) {
-        throw CodeError("a line for the preprocessor inside the function" + by_running,
-                        inside[at].place);
+        throw CodeError(
+            "a line for the preprocessor inside the function cannot be read" + by_running,
+            inside[at].place);
       }
       if (inside[at].is("{") && at == first) {
         throw CodeError("a block inside the function cannot be read" + by_running,
@@ -243,10 +267,9 @@ class FileReader {
     if (first != inside.size()) {
       list.push_back(inside.subspan(first));
       static_cast<void>(statements_of(list));  // it may say more than that
-      throw CodeError("a statement without its semicolon", inside[first].place);
+      throw CodeError("this statement has no semicolon", inside[first].place);
     }
-    found.statements = statements_of(list);
-    function_ = found;
+    file_.statements = statements_of(list);
   }
 
   static void refuse_words(Tokens tokens) {
@@ -284,7 +307,8 @@ class FileReader {
   std::size_t at_ = 0;
   int open_ = 0;  ///< namespaces
   std::vector<Tokens> outer_;
-  std::optional<FillingFunction> function_;
+  std::vector<Tokens> templated_;  ///< what stands before the next declaration
+  FillingFunction file_;
 };
 
 }  // namespace

@@ -11,6 +11,10 @@ struct FillingFunction {
   std::vector<Tokens> globals;     ///< statements outside functions, which run before
   std::vector<Tokens> statements;  ///< without the semicolons
   Tokens parameters;               ///< empty where the file is a list of statements
+  std::vector<Tokens> templated;   ///< between the brackets of `template <...>`
+  std::vector<Tokens> members;     ///< declarations inside the file's types
+  std::vector<Token> constants;    ///< names in its enumerations
+  std::vector<Token> functions;    ///< names of all that it has
   bool is_function = false;
 };
 

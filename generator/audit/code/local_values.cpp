@@ -1,19 +1,50 @@
 #include "audit/code/local_values.hpp"
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
 namespace assur::generator::audit::code {
 
 namespace {
 
-void refuse_calls(const CodeFormula& formula) {
-  if (!formula.unknown_calls.empty()) {
-    const CodeName& call = formula.unknown_calls.front();
-    throw CodeError("what '" + call.name + "' does cannot be followed" + by_running, call.place);
-  }
-}
+constexpr long largest_whole = std::numeric_limits<std::int32_t>::max();
 
 }  // namespace
 
+void LocalValues::refuse_calls(const CodeFormula& formula) const {
+  std::vector<CodeName> calls = formula.unknown_calls;
+  for (const CodeName& name : formula.names) {
+    const std::string base = name.spelled.substr(0, name.spelled.find_first_of(".["));
+    const bool set = std::any_of(assigned_.begin(), assigned_.end(), [&](const Assigned& each) {
+      return name.is_part_of(each.name) && !functions_.contains(each.name.name);
+    });
+    const bool element = set || (system_.is_known(name.name) && !functions_.contains(base));
+    if (name.called && !element) {
+      calls.push_back({base, base, name.place, true});
+    }
+  }
+  if (!calls.empty()) {
+    throw CodeError("what '" + calls[0].name + "' does cannot be followed" + by_running,
+                    calls[0].place);
+  }
+}
+
+void LocalValues::refuse_calls(Tokens expression) const {
+  if (!expression.empty()) {
+    refuse_calls(code_formula(expression, dialect_));
+  }
+}
+
 void LocalValues::expect_readable(const CodeName& name) const {
+  const std::size_t dot = name.spelled.rfind('.');
+  const std::string member =
+      dot == name.spelled.npos
+          ? ""
+          : name.spelled.substr(dot + 1, name.spelled.find('[', dot) - dot - 1);
+  if (const auto found = members_.find(member); found != members_.end()) {
+    throw CodeError("'" + name.spelled + "' cannot be read: " + found->second, name.place);
+  }
   for (auto at = assigned_.rbegin(); at != assigned_.rend(); ++at) {
     if (at->name.name == name.name && at->name.spelled != name.spelled) {
       throw CodeError("'" + name.spelled + "' and '" + at->name.spelled +
@@ -60,12 +91,13 @@ void LocalValues::expect_free(const CodeName& name) const {
 
 void LocalValues::set(const CodeName& name, Tokens expression) {
   expect_free(name);
-  const bool whole = whole_.contains(name.name);
+  const bool whole = std::any_of(whole_.begin(), whole_.end(),
+                                 [&](const CodeName& each) { return name.is_part_of(each); });
   std::string reason;
   closures::Place place = name.place;
   std::optional<GiNaC::ex> meaning;
   try {
-    refuse_calls(code_formula(expression, dialect_));
+    refuse_calls(expression);
   } catch (const CodeError& error) {
     if (std::string(error.what()).ends_with(by_running)) {
       throw;  // it may do more than give a value
@@ -77,6 +109,10 @@ void LocalValues::set(const CodeName& name, Tokens expression) {
       throw CodeError("its value is rounded to a whole number", read.text.place);
     }
     meaning = closures::read_formula(read.text, system_, names_);
+    if (whole && GiNaC::is_a<GiNaC::numeric>(*meaning) &&
+        GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(*meaning)) > largest_whole) {
+      throw CodeError("its value is larger than a whole number is sure to hold", read.text.place);
+    }
   } catch (const closures::FormulaError& error) {
     reason = error.what();
     place = error.place;

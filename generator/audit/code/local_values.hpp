@@ -1,7 +1,9 @@
 // Turns the assignments of straight-line code, one after the other, into what its variables mean.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <set>
 
 #include "audit/code/formula.hpp"
 #include "closures/read_formula.hpp"
@@ -25,10 +27,20 @@ class LocalValues {
   void take(const CodeName& name);
   /// It may be changed no more: something refers to it.
   void hold(Tokens expression);
-  /// Its values are whole numbers.
-  void declare_whole(const std::string& name) { whole_.insert(name); }
+  /// Its values, and those of its parts, are whole numbers.
+  void declare_whole(const CodeName& name) { whole_.push_back(name); }
   /// Its values are any numbers, whatever has been said of an earlier one of that name.
-  void declare_real(const std::string& name) { whole_.erase(name); }
+  void declare_real(const std::string& name) {
+    std::erase_if(whole_, [&](const CodeName& each) { return each.name == name; });
+  }
+  /// Whatever is spelled `NAME(...)` is a call of a function of the file.
+  void declare_function(const std::string& name) { functions_.insert(name); }
+  /// Whatever is spelled `.NAME` can not be read, for that reason.
+  void declare_member(const std::string& name, const std::string& reason) {
+    members_[name] = reason;
+  }
+  /// Throws CodeError where an expression may do more than give a value.
+  void refuse_calls(Tokens expression) const;
 
   [[nodiscard]] bool is_whole(const CodeFormula& value) const {
     return code::is_whole(value, whole_);
@@ -45,13 +57,16 @@ class LocalValues {
 
   void expect_free(const CodeName& name) const;
   void expect_readable(const CodeName& name) const;
+  void refuse_calls(const CodeFormula& formula) const;
 
   closures::ClosureSystem& system_;
   Dialect dialect_;
   closures::LocalNames names_;
   std::vector<Assigned> assigned_;
   std::vector<CodeName> held_;
-  std::set<std::string> whole_;
+  std::vector<CodeName> whole_;
+  std::set<std::string> functions_;
+  std::map<std::string, std::string> members_;
 };
 
 }  // namespace assur::generator::audit::code

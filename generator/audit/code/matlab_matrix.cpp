@@ -22,14 +22,14 @@ PlainMatlab plain(const std::string& code) {
   PlainMatlab result{code, {}};
   std::string& text = result.text;
   closures::Place place{1, 1};
-  bool in_block = false;
+  int blocks = 0;  // block comments stand inside others
   for (std::size_t from = 0; from < text.size(); ++place.line) {
     const std::size_t end = std::min(text.find('\n', from), text.size());
     const std::string line = closures::trimmed({text.substr(from, end - from), {}}).text;
     const bool opens = line == "%{" || line == "#{";
     const bool closes = line == "%}" || line == "#}";
-    std::size_t comment = in_block || opens ? from : text.find_first_of("%#", from);
-    in_block = (in_block || opens) && !closes;
+    std::size_t comment = blocks > 0 || opens ? from : text.find_first_of("%#", from);
+    blocks += opens ? 1 : closes && blocks > 0 ? -1 : 0;
     const std::size_t joint = text.find("...", from);
     if (joint < std::min(comment, end)) {
       result.joined_lines.insert(place.line);
@@ -39,6 +39,18 @@ PlainMatlab plain(const std::string& code) {
     if (const std::size_t quote = text.find_first_of("'\"\\", from); quote < code_end) {
       throw CodeError("a transpose, a text or a left division cannot be read" + by_running,
                       {place.line, quote - from + 1});
+    }
+    for (const char* other : {"//", "/*"}) {
+      if (const std::size_t mark = text.find(other, from); mark < code_end) {
+        throw CodeError("'" + std::string(other) + "' begins no comment in MATLAB",
+                        {place.line, mark - from + 1});
+      }
+    }
+    if (const std::size_t ends = code.find('\r', from); ends < end && ends + 1 < end) {
+      throw CodeError(
+          "a line that ends with a carriage return alone may be two; end lines with "
+          "line feeds",
+          {place.line, ends - from + 1});
     }
     std::fill(text.begin() + static_cast<std::ptrdiff_t>(code_end),
               text.begin() + static_cast<std::ptrdiff_t>(end), ' ');
@@ -135,7 +147,15 @@ class MatlabMatrix {
       }
     }
     read(tokens.subspan(from));
-    return filled_.entries();
+    std::vector<CodeEntry> entries = filled_.entries();
+    // A script goes on with a matrix that may have been there before.
+    const AuditedMatrix& audited = filled_.matrix();
+    if ((is_function_ || cleared_) && (rows_ != audited.rows || columns_ != audited.columns)) {
+      throw CodeError(array_ + " is " + std::to_string(rows_) + " by " + std::to_string(columns_) +
+                          " in the end, and is audited as " + audited.size_text(),
+                      sized_);
+    }
+    return entries;
   }
 
  private:
@@ -160,7 +180,13 @@ class MatlabMatrix {
                     : "the function does not give " + array_,
              tokens[from]);
     }
+    for (const Token& token : head.subspan(1)) {
+      if (is_known_function(token.spelling) || token.is("pi")) {
+        refuse("'" + token.spelling + "' is given another meaning", token);
+      }
+    }
     begun_ = true;
+    is_function_ = true;
     return end;
   }
 
@@ -222,7 +248,10 @@ class MatlabMatrix {
 
   void read_filling(const LeadingName& target, Tokens statement, Tokens value) {
     const CodeName whole{array_, array_, statement[0].place};
+    sized_ = statement[0].place;
     if (target.tokens == 6) {
+      rows_ = std::max(rows_, index(statement[2]) + 1);
+      columns_ = std::max(columns_, index(statement[4]) + 1);
       filled_.assign(index(statement[2]), index(statement[4]), target.name, value, locals_);
     } else if (target.tokens == 1 && value[0].is("[") && behind_closing(value, 0) == value.size()) {
       std::vector<Tokens> all;
@@ -237,10 +266,12 @@ class MatlabMatrix {
         }
         all.insert(all.end(), row.begin(), row.end());
       }
+      set_size(rows.size(), filled_.matrix().columns);
       filled_.assign_all(all, value[0].place, locals_);
       locals_.forget(whole, "it is set as part of a list");
     } else if (target.tokens == 1 && (are(value, {"zeros", "(", "#", ")"}) ||
                                       are(value, {"zeros", "(", "#", ",", "#", ")"}))) {
+      set_size(whole_number(value[2]), whole_number(value[value.size() - 2]));
       filled_.clear();
       locals_.forget(whole, "it is cleared");
     } else {
@@ -249,15 +280,24 @@ class MatlabMatrix {
     }
   }
 
-  /// Indices begin with 1; what is outside is refused by the matrix.
-  [[nodiscard]] static std::size_t index(const Token& token) {
-    return token.spelling.size() > 6 ? 999999 : std::stoul(token.spelling) - 1;
+  void set_size(std::size_t rows, std::size_t columns) {
+    rows_ = rows;
+    columns_ = columns;
+    cleared_ = true;
   }
+
+  /// Indices begin with 1; what is outside is refused by the matrix.
+  [[nodiscard]] static std::size_t index(const Token& token) { return whole_number(token) - 1; }
 
   const std::string& array_;
   FilledMatrix filled_;
   LocalValues locals_;
   const std::set<std::size_t>& joined_;
+  std::size_t rows_ = 0;
+  std::size_t columns_ = 0;
+  closures::Place sized_{1, 1};  ///< where the size was last said
+  bool cleared_ = false;
+  bool is_function_ = false;
   bool begun_ = false;
   bool ended_ = false;
 };

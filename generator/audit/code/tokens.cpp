@@ -80,10 +80,10 @@ class Lexer {
   bool skip_blank() {
     const std::size_t before = at_;
     if (const std::size_t joined = joint(at_); joined > 0) {
-      // A name may go on behind it, and be another one.
-      if (at_ > 0 && in_name(code_[at_ - 1]) && at_ + joined < code_.size() &&
-          in_name(code_[at_ + joined])) {
-        fail("a name that goes on in the next line cannot be read; write it in one line");
+      // A name or a mark may go on behind it, and be another one.
+      if (at_ > 0 && !is_space(code_[at_ - 1]) && at_ + joined < code_.size() &&
+          !is_space(code_[at_ + joined])) {
+        fail("a word that goes on in the next line cannot be read; write it in one line");
       }
       at_ += joined;
     } else if (is_space(letter())) {
@@ -102,6 +102,13 @@ class Lexer {
       const std::size_t end = code_.find("*/", at_ + 2);
       if (end == std::string::npos) {
         fail("this comment does not end");
+      }
+      for (std::size_t star = code_.find('*', at_ + 2); star < end;
+           star = code_.find('*', star + 1)) {
+        const std::size_t joined = joint(star + 1);
+        if (joined > 0 && star + 1 + joined < code_.size() && code_[star + 1 + joined] == '/') {
+          fail("a comment that ends over two lines cannot be read; write its end in one line");
+        }
       }
       at_ = end + 2;
     }
@@ -249,15 +256,40 @@ std::vector<Tokens> comma_parts(Tokens tokens) {
   return parts;
 }
 
+std::vector<Tokens> declared_parts(Tokens tokens) {
+  std::vector<Tokens> parts;
+  int depth = 0;
+  std::size_t from = 0;
+  for (const Tokens& part : comma_parts(tokens)) {
+    for (const Token& token : part) {
+      depth += token.is("<") ? 1 : token.is(">") ? -1 : token.is(">>") ? -2 : 0;
+    }
+    if (depth <= 0) {
+      const auto end = static_cast<std::size_t>(part.data() + part.size() - tokens.data());
+      parts.push_back(tokens.subspan(from, end - from));
+      from = end + 1;
+    }
+  }
+  if (from < tokens.size()) {
+    parts.push_back(tokens.subspan(from));
+  }
+  return parts;
+}
+
 bool are(Tokens tokens, std::initializer_list<const char*> spelled) {
   return std::equal(tokens.begin(), tokens.end(), spelled.begin(), spelled.end(),
                     [](const Token& token, const char* expected) {
                       return std::string_view(expected) == "#"
                                  ? token.kind == Token::Kind::number &&
+                                       (token.spelling[0] != '0' || token.spelling == "0") &&
                                        std::all_of(token.spelling.begin(), token.spelling.end(),
                                                    is_digit)
                                  : token.is(expected);
                     });
+}
+
+std::size_t whole_number(const Token& token) {
+  return token.spelling.size() > 6 ? 999999 : std::stoul(token.spelling);
 }
 
 closures::Place place_in_code(const std::string& code, closures::Place place) {

@@ -34,8 +34,12 @@ using Tokens = std::span<const Token>;
 [[nodiscard]] std::size_t behind_closing(Tokens tokens, std::size_t open);
 /// The parts between the commas that stand outside brackets.
 [[nodiscard]] std::vector<Tokens> comma_parts(Tokens tokens);
+/// Of a list of declarations: commas between `<` and `>` are part of a type.
+[[nodiscard]] std::vector<Tokens> declared_parts(Tokens tokens);
 /// Whether the tokens are these, one after the other; `#` stands for any whole number.
 [[nodiscard]] bool are(Tokens tokens, std::initializer_list<const char*> spelled);
+/// The number that a token spells; what is longer than any matrix is 999999.
+[[nodiscard]] std::size_t whole_number(const Token& token);
 /// The place in the code, where the column counts on over the ends of lines.
 [[nodiscard]] closures::Place place_in_code(const std::string& code, closures::Place place);
 

@@ -170,7 +170,15 @@ void PaperMap::read_skip(const PlacedText& rest) {
     return;
   }
   for (const PlacedText& label : closures::words(rest)) {
-    skipped_.insert(label.text);
+    skipped_.emplace(label.text, label.place);
+  }
+}
+
+void PaperMap::expect_skipped(const std::set<std::string>& labels) const {
+  for (const auto& [label, place] : skipped_) {
+    if (!labels.contains(label)) {
+      fail(place, "the paper has no equation " + label + " that could be skipped");
+    }
   }
 }
 

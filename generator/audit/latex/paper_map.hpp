@@ -1,6 +1,9 @@
 // Turns a map, which ties the notation of a paper to quantities, into what reads the paper.
 #pragma once
 
+#include <map>
+#include <set>
+
 #include "audit/equation_audit.hpp"
 #include "closures/closure_reader.hpp"
 #include "latex/displayed.hpp"
@@ -40,6 +43,8 @@ class PaperMap {
     return summed_;
   }
   [[nodiscard]] const std::map<std::string, DisplayCommand>& commands() const { return commands_; }
+  /// Throws AuditSyntaxError where the map skips an equation that is none of these.
+  void expect_skipped(const std::set<std::string>& labels) const;
   [[nodiscard]] bool skips(const std::string& label, const std::string& section) const {
     return skipped_.contains(label) || skipped_sections_.contains(section);
   }
@@ -71,7 +76,7 @@ class PaperMap {
   std::map<std::string, std::vector<std::string>> indices_;
   std::map<std::string, std::vector<std::string>> summed_;
   std::map<std::string, DisplayCommand> commands_;
-  std::set<std::string> skipped_;
+  std::map<std::string, closures::Place> skipped_;
   std::set<std::string> skipped_sections_;
   bool brackets_multiply_ = false;
   bool blanks_are_zero_ = false;

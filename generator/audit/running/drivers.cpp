@@ -89,8 +89,9 @@ std::string octave_driver(const UserProgram& program, const std::vector<std::str
     quantities += "  " + names[at] + " = assur_quantities(" + std::to_string(at + 1) + ");\n";
   }
   const std::string check =
-      "  if rows(result) != {{rows}} || columns(result) != {{columns}}\n"
-      "    complain(sprintf(\"%d by %d\", rows(result), columns(result)));\n  end\n";
+      "  if ! isequal(size(result), [{{rows}} {{columns}}])\n"
+      "    complain(strjoin(cellfun(@num2str, num2cell(size(result)), \"UniformOutput\", false), "
+      "\" by \"));\n  end\n";
   return filled(template_named("driver.m"),
                 {{"file", quoted(program.file.string())},
                  {"quantities", quantities},

@@ -146,16 +146,17 @@ void expect_quiet(const ProcessEnd& end, const std::string& complaint, const Mat
                            " by " + std::to_string(size.columns),
                        done);
   }
+  const std::size_t point = done < all ? done : ProgramError::none;
   if (end.kind == ProcessEnd::Kind::too_long) {
-    throw ProgramError("did not end within " + seconds_text(limits.seconds), done);
+    throw ProgramError("did not end within " + seconds_text(limits.seconds), point);
   }
   if (end.kind == ProcessEnd::Kind::killed) {
-    throw ProgramError(signal_text(end.code), done);
+    throw ProgramError(signal_text(end.code), point);
   }
   if (end.code != 0 || done < all) {
     throw ProgramError("ended with status " + std::to_string(end.code) + " after " +
                            std::to_string(done) + " of " + std::to_string(all) + " points",
-                       done);
+                       point);
   }
 }
 

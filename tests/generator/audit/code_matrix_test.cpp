@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(
              "// J(0, 0) = 1;\n/* J += 2; */ J(0, 0) = -l /* ; */ * sin(q_0); // end\n" REST, 0,
              "all 4 agree"},
         Code{"Powers", "J(0, 0) = -std::pow(l, 2) / l * sin(q_0);" REST, 0, "all 4 agree"},
-        Code{"Suffixes", "J(0, 0) = -2.0f*l*0.5F*1.e0f*sin(q_0);" REST, 0, "all 4 agree"},
+        Code{"Suffixes", "J(0, 0) = -2.0L*l*0.5l*sin(q_0);" REST, 0, "all 4 agree"},
         Code{"Pi",
              "J(0, 0) = l*cos(q_0 + M_PI/2); J(0, 1) = s*cos(std::numbers::pi);"
              "J(1, 0) = l*cos(q_0);",
@@ -220,7 +220,7 @@ INSTANTIATE_TEST_SUITE_P(
         Code{"OwnType", "struct A { A operator=(double); };\n" BODY(RIGHT), 2,
              "mine.cpp:1:1: a type that is more than a list"},
         Code{"ContinuedComment", BODY("// careful \\\nJ(0, 0) = 1;\n" REST), 1, "3 of 4 agree"},
-        Code{"ContinuedName", BODY("J(0, 0) = l*l\\\nl;" REST), 2, "a name that goes on"},
+        Code{"ContinuedName", BODY("J(0, 0) = l*l\\\nl;" REST), 2, "a word that goes on"},
         Code{"Digraphs", BODY(RIGHT "\nJ<:0:><:0:> = 7;"), 2,
              "mine.cpp:3:2: '<:' is another spelling"},
         Code{"Trigraph", BODY("// what?\?/\n" RIGHT), 2, "mine.cpp:2:8: a trigraph means"},

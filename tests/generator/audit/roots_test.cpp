@@ -238,6 +238,19 @@ TEST(Roots, ABranchIsToldByASignAndAPointOfEach) {
       << evidence(dyad.declared, "h = 2*b*c*sin(q - p)");
 }
 
+TEST(Roots, NumbersWithoutRootsAreComparedWhole) {
+  const auto verdict = [](const std::string& equation) {
+    return audit_text(numbers.declared + ("printed equation (1) : " + equation + "\n"), "r")
+        .statements.at(0)
+        .findings.at(0)
+        .comparison.verdict;
+  };
+  EXPECT_EQ(verdict("a = a + 1e-50"), Verdict::differs);
+  EXPECT_EQ(verdict("sin(t) = sin(t)*(1 + 1e-60)"), Verdict::differs);
+  EXPECT_EQ(verdict("sqrt(5 + 2*sqrt(6)) = sqrt(2) + sqrt(3)"), Verdict::agrees);
+  EXPECT_EQ(verdict("sqrt(5 + 2*sqrt(6)) = sqrt(2) - sqrt(3)"), Verdict::differs);
+}
+
 TEST(Roots, OtherSignsOfManyRootsAreNotTriedAndItIsSaid) {
   std::string declared;
   std::string left;

@@ -132,6 +132,9 @@ INSTANTIATE_TEST_SUITE_P(
             "#include <cmath>\ndouble* f(double l, double t) { double* J = new double[4]; J[0] = "
             "-l*std::sin(t); J[1] = -1; J[2] = l*std::cos(t); return J; }",
             CALL "\n  entry result[2*i + j]", 1, "3 of 4 agree"},
+        Program{"OfOneSideAlone", "a.cpp",
+                "#include <cmath>\ndouble f(double s) { return -std::fabs(s); }",
+                "-s\n  result f(s)", 1, "differs"},
         Program{"OverOneHalfTurn", "a.cpp",
                 CPP("return {{-l*sin(theta), -1}, {l*sqrt(1 - sin(theta)*sin(theta)), 0}};"), CALL,
                 1, "3 of 4 agree"},

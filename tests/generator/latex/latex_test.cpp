@@ -172,6 +172,32 @@ J = \left[\begin{array}{cc} -l\sin\rod & -1 \\ l\cos\rod & 0 \end{array}\right]
                     "matrix (4)!", "matrix (4)", "matrix (4)", "matrix (4)"}));
 }
 
+TEST(Latex, DefinitionsEndWithTheirGroups) {
+  const std::string paper = R"(\newcommand{\x}{r}
+\setcounter{equation}{6}
+{\renewcommand{\x}{l} \begin{equation} \x = l \end{equation} \gdef\y{s}}
+\begin{center} \let\x=\varphi \begin{equation} \sin\x = \sin\varphi \end{equation} \end{center}
+\begin{equation} \x = r \end{equation}
+\let\z\x \renewcommand{\x}{l}
+\begin{equation} \z = \y \end{equation}
+\begin{equation} \z = r \end{equation}
+)";
+  EXPECT_EQ(
+      labels(report_of(paper, crank_map)),
+      (Labels{"equation (7)", "equation (8)", "equation (9)", "equation (10)!", "equation (11)"}));
+}
+
+TEST(Latex, EveryDisplayIsRead) {
+  for (const std::string name : {"dmath", "flalign*", "gather"}) {
+    const std::string paper = "\\begin{" + name + "} r = l \\end{" + name + "}";
+    EXPECT_FALSE(report_of(paper, crank_map).agrees()) << name;
+  }
+  for (const std::string name : {"alignat", "xalignat*", "IEEEeqnarray"}) {
+    const std::string paper = "\\begin{" + name + "}{2} r &= l \\end{" + name + "}";
+    EXPECT_FALSE(report_of(paper, crank_map).agrees()) << name;
+  }
+}
+
 TEST(Latex, IndicesRunAndAreSummed) {
   const std::string map = R"(length a1 a2 b1 b2
 unknown b1 b2
