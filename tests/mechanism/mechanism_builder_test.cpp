@@ -279,6 +279,42 @@ TEST(MisusedLibrary, IsRefusedInALine) {
   EXPECT_THROW(mechanism::Plan(bar, request), MechanismError);
 }
 
+/// Where a table or an index of a request is not the mechanism's own.
+TEST(MisusedLibrary, ARequestThatDoesNotFitIsRefusedInALine) {
+  mechanism::Mechanism bar = turning_bar();
+  const auto refusal = [&bar](const auto& ask) {
+    mechanism::Request request;
+    ask(request);
+    return message_of([&] { (void)mechanism::Plan(bar, request); });
+  };
+  const mechanism::ParameterIndex phi = bar.parameter_named("phi");
+  const mechanism::NumberIndex variance = bar.add_number(1, "variance");
+  const std::string each =
+      "covariance.matrix: expected a row and a column for each of the parameters";
+  EXPECT_EQ(refusal([&](auto& request) {
+              request.covariance = mechanism::Covariance{{phi}, {}};
+            }),
+            each);
+  EXPECT_EQ(refusal([&](auto& request) {
+              request.covariance = mechanism::Covariance{{phi}, {{variance, variance}}};
+            }),
+            each);
+  EXPECT_EQ(refusal([&](auto& request) {
+              request.covariance = mechanism::Covariance{{phi}, {{mechanism::NumberIndex()}}};
+            }),
+            "covariance.matrix: the number is missing");
+  EXPECT_EQ(refusal([&](auto& request) {
+              request.redundancy_tolerance = mechanism::NumberIndex(bar.numbers().size());
+            }),
+            "redundancy.tolerance: the number is missing");
+  EXPECT_EQ(refusal([&](auto& request) { request.variable = {mechanism::ParameterIndex(9)}; }),
+            "variable: no such parameter");
+  EXPECT_EQ(refusal([&](auto& request) {
+              request.covariance = mechanism::Covariance{{phi}, {{variance}}};
+            }),
+            "no error");
+}
+
 TEST(MisusedLibrary, AFormulaThatIsReplacedOrNotUsedDoesNotCount) {
   mechanism::Mechanism bar = turning_bar();
   bar.set_parameter("a", "1/0");

@@ -108,15 +108,25 @@ void expect_usable(const Mechanism& mechanism, const Request& request) {
       }
     }
     const auto& matrix = request.covariance->matrix;
-    for (const std::vector<NumberIndex>& row : matrix) {
-      if (matrix.size() != named.size() || row.size() != named.size()) {
+    const auto expect_each = [&named](std::size_t count) {
+      if (count != named.size()) {
         throw MechanismError("covariance.matrix",
                              "expected a row and a column for each of the parameters");
       }
+    };
+    expect_each(matrix.size());
+    for (const std::vector<NumberIndex>& row : matrix) {
+      expect_each(row.size());
       for (const NumberIndex entry : row) {
         expect_number(entry, "covariance.matrix");
       }
     }
+  }
+  if (request.redundancy_tolerance.exists()) {
+    expect_number(request.redundancy_tolerance, "redundancy.tolerance");
+  }
+  for (const ParameterIndex parameter : request.variable) {
+    expect_parameter(parameter, "variable");
   }
 }
 
