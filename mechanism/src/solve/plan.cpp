@@ -130,13 +130,6 @@ void expect_usable(const Mechanism& mechanism, const Request& request) {
   }
 }
 
-void expect_reference(const Request& request) {
-  if (request.reference.empty()) {
-    throw MechanismError(
-        "reference", "there is no angle of a link to be near to; give the angles of some links");
-  }
-}
-
 /// Of a mechanism all of which is modelled.
 std::shared_ptr<const PlanData> planned_whole(const Mechanism& mechanism, const Request& request,
                                               Structure structure,
@@ -289,6 +282,9 @@ std::optional<Nearest> Plan::solve_nearest(const Values& values, Solution& resul
 
 std::size_t Plan::solve_one(const Values& values, std::size_t number, Solution& result) const {
   expect_usable(values);
+  if (number == 0) {
+    throw MechanismError("", "there is no configuration 0; they are numbered from 1");
+  }
   solve::MechanismSolver solver(values);
   if (most_configurations() > most_listed) {
     return solver.solve_one(number, result);

@@ -2,6 +2,7 @@
 // fit is refused where it is added, by name.
 #include <gtest/gtest.h>
 
+#include <assur/mechanism/sweep.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -277,6 +278,20 @@ TEST(MisusedLibrary, IsRefusedInALine) {
   EXPECT_THROW(mechanism::Plan(bar, request), MechanismError);
   request.sweep = mechanism::Sweep{phi, bar.add_number(0, "from"), bar.add_number(1, "to"), 0};
   EXPECT_THROW(mechanism::Plan(bar, request), MechanismError);
+}
+
+TEST(MisusedLibrary, ANumberThatNoConfigurationHasIsRefused) {
+  mechanism::Mechanism bar = turning_bar();
+  mechanism::Request request;
+  request.sweep = mechanism::Sweep{bar.parameter_named("phi"), bar.add_number(0, "from"),
+                                   bar.add_number(1, "to"), 3};
+  const mechanism::Plan plan(bar, request);
+  mechanism::Solution solution;
+  EXPECT_EQ(message_of([&] { (void)plan.solve_one(plan.values(), 0, solution); }),
+            "there is no configuration 0; they are numbered from 1");
+  EXPECT_EQ(message_of([&] { (void)mechanism::sweep_branch(plan, 0, {}); }),
+            "reference: there is no angle of a link to be near to; give the angles of some links");
+  EXPECT_EQ(message_of([&] { (void)mechanism::sweep_branch(plan, 1, {}); }), "no error");
 }
 
 /// Where a table or an index of a request is not the mechanism's own.
