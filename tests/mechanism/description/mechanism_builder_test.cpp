@@ -215,6 +215,7 @@ TEST(MechanismBuilder, AFaultLeavesNothingBehind) {
   EXPECT_NE(message_of([&] { made.add_line("coupler.R", 0, 0, 1, "no_such"); }), "no error");
   EXPECT_NE(message_of([&] { made.add_parameter("fresh", "no_such"); }), "no error");
   EXPECT_NE(message_of([&] { made.add_driver("B", 0, "no_such"); }), "no error");
+  EXPECT_NE(message_of([&] { made.set_limits("C", 4, "no_such"); }), "no error");
   const Plan plan(made);
   expect_same_solution(plan.solve(plan.values()), Solved(scene_of_file()).solution);
 }
