@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <assur/text/identifiers.hpp>
+#include <assur/text/names.hpp>
 #include <set>
 
 #include "closures/angle_terms.hpp"
@@ -37,8 +38,10 @@ class Translation {
       } catch (const NotAlgebraic& error) {
         throw NotAlgebraic("closure " + closure.name + ": " + error.what());
       }
-      result_.residuals_meaning += (result_.residuals_meaning.empty() ? "" : ", ") + closure.name;
     }
+    result_.residuals_meaning =
+        text::joined(system_.closures(), ", ",
+                     [](const ClosureSystem::Closure& closure) { return closure.name; });
     return std::move(result_);
   }
 

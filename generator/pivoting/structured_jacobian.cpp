@@ -1,6 +1,7 @@
 #include "pivoting/structured_jacobian.hpp"
 
 #include <algorithm>
+#include <assur/text/names.hpp>
 #include <numeric>
 
 #include "error.hpp"
@@ -244,10 +245,8 @@ void StructuredJacobian::name_pivots() {
 
 void StructuredJacobian::name_core_pivots(const GiNaC::ex& determinant, const GiNaC::ex& size) {
   const equations::ClosureEquations& equations = closures_.equations();
-  std::string names;
-  for (const std::size_t unknown : core_unknowns_) {
-    names += (names.empty() ? "" : ", ") + equations.unknowns[unknown].name;
-  }
+  const std::string names = text::joined(
+      core_unknowns_, ", ", [&](std::size_t unknown) { return equations.unknowns[unknown].name; });
   const std::string meaning = ": " + names + " free to first order";
   const std::optional<TrigonometricProduct> product =
       trigonometric_product(vocabulary_.expand(determinant), equations);

@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 const std::string four_bar = ASSUR_EXAMPLES "/four_bar_coupler_curve.json";
+const std::string audited = ASSUR_EXAMPLES "/audit/mitsi_tetrad_kinds.audit";
 
 /// A command line that prints.
 struct Printing {
@@ -39,16 +40,28 @@ TEST_P(UnwritableOutput, ToAClosedPipeIsRefused) {
   expect_refusal(run_process(GetParam().arguments, closed_pipe()));
 }
 
+/// A descriptor that may not be written to, as one that is closed.
+TEST_P(UnwritableOutput, ToADescriptorThatIsReadIsRefused) {
+  expect_refusal(run_process(GetParam().arguments, open("/dev/null", O_RDONLY | O_CLOEXEC)));
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Command, UnwritableOutput,
     testing::Values(Printing{"SolveText", {"solve", four_bar}},
                     Printing{"SolveJson", {"solve", four_bar, "--format", "json"}},
                     Printing{"SolveSweep", {"solve", four_bar, "--format", "csv"}},
                     Printing{"Derive", {"derive", "RRP"}},
+                    Printing{"DeriveLatex", {"derive", "RRP", "--format", "latex"}},
                     Printing{"DeriveJson", {"derive", "RRP", "--format", "json"}},
                     Printing{"Catalogue", {"catalogue"}},
-                    Printing{"Audit", {"audit", ASSUR_EXAMPLES "/audit/zhauyt_2017.audit"}},
-                    Printing{"Help", {"solve", "--help"}}, Printing{"Version", {"--version"}}),
+                    Printing{"CatalogueMarkdown", {"catalogue", "--format", "markdown"}},
+                    Printing{"CatalogueJson", {"catalogue", "--format", "json"}},
+                    Printing{"Audit", {"audit", audited}},
+                    Printing{"AuditMarkdown", {"audit", audited, "--format", "markdown"}},
+                    Printing{"AuditJson", {"audit", audited, "--format", "json"}},
+                    Printing{"AuditGithub", {"audit", audited, "--format", "github"}},
+                    Printing{"Schema", {"schema"}}, Printing{"Help", {"solve", "--help"}},
+                    Printing{"Version", {"--version"}}),
     [](const auto& printing) { return std::string(printing.param.name); });
 
 std::size_t files_in(const fs::path& directory) {

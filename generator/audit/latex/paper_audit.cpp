@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <assur/text/input_file.hpp>
+#include <assur/text/names.hpp>
 
 #include "audit/latex/matrix_statement.hpp"
 #include "audit/source_lines.hpp"
@@ -25,11 +26,8 @@ Tokens in_case(Tokens tokens, const Case& values) {
 }
 
 std::string case_text(const Case& values) {
-  std::string text;
-  for (const auto& [index, value] : values) {
-    text += (text.empty() ? "" : ", ") + index + " = " + value;
-  }
-  return text;
+  return text::joined(values, ", ",
+                      [](const auto& pair) { return pair.first + " = " + pair.second; });
 }
 
 class PaperAuditor {

@@ -37,6 +37,9 @@ class PendingFiles {
     if (error) {
       throw text::InputError("--output: cannot write " + target.string() + ": " + error.message());
     }
+    if (fs::is_directory(target, error)) {
+      throw text::InputError("--output: cannot replace " + target.string() + ": it is a directory");
+    }
     errno = 0;
     std::ofstream out(beside, std::ios::binary);
     if (out) {

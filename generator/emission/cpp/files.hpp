@@ -13,8 +13,9 @@ struct EmittedFile {
   std::string text;
 };
 
-/// Writes the files. Each is written beside its place and then moved there, so that none is ever
-/// half-written. Throws InputError if the directory cannot be written.
+/// Writes the files. Each is written beside its place, and all are moved there when the last one is
+/// written, so that none is ever half-written and a full disk leaves what was there. Throws
+/// InputError if the directory cannot be written, or a directory has the place of a file.
 void write_files(const std::vector<EmittedFile>& files, const std::filesystem::path& directory);
 /// The files that are missing or differ in `directory`.
 [[nodiscard]] std::vector<std::filesystem::path> differing_files(

@@ -266,6 +266,7 @@ void Mechanism::expect_fitting(const Joint& joint, const std::string& part) cons
 void Mechanism::set_limits(const std::string& joint, const Given& lowest, const Given& highest) {
   const std::string part = "joints." + joint + ".limits";
   const JointIndex index = joint_named(joint, part);
+  (void)number(highest, part + "[1]");  // Where it is refused, the lowest stays as it was.
   put_number(lowest, part + "[0]", joints_[index].lowest);
   put_number(highest, part + "[1]", joints_[index].highest);
 }

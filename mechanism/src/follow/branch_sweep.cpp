@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "branch_matching.hpp"
+#include "solve/reference.hpp"
 #include "sweep_range.hpp"
 
 namespace assur::mechanism::follow {
@@ -107,6 +108,9 @@ namespace assur::mechanism {
 
 std::optional<double> sweep_branch(const Plan& plan, std::size_t number,
                                    const SweepObserver& observer) {
+  if (number == 0) {
+    solve::expect_reference(plan.request());
+  }
   const SweepObserver complete = follow::expect_sweep(plan, plan.values(), observer);
   return follow::BranchFollower(plan, number, complete).run();
 }

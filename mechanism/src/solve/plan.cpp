@@ -108,22 +108,25 @@ void expect_usable(const Mechanism& mechanism, const Request& request) {
       }
     }
     const auto& matrix = request.covariance->matrix;
-    for (const std::vector<NumberIndex>& row : matrix) {
-      if (matrix.size() != named.size() || row.size() != named.size()) {
+    const auto expect_each = [&named](std::size_t count) {
+      if (count != named.size()) {
         throw MechanismError("covariance.matrix",
                              "expected a row and a column for each of the parameters");
       }
+    };
+    expect_each(matrix.size());
+    for (const std::vector<NumberIndex>& row : matrix) {
+      expect_each(row.size());
       for (const NumberIndex entry : row) {
         expect_number(entry, "covariance.matrix");
       }
     }
   }
-}
-
-void expect_reference(const Request& request) {
-  if (request.reference.empty()) {
-    throw MechanismError(
-        "reference", "there is no angle of a link to be near to; give the angles of some links");
+  if (request.redundancy_tolerance.exists()) {
+    expect_number(request.redundancy_tolerance, "redundancy.tolerance");
+  }
+  for (const ParameterIndex parameter : request.variable) {
+    expect_parameter(parameter, "variable");
   }
 }
 
@@ -279,6 +282,9 @@ std::optional<Nearest> Plan::solve_nearest(const Values& values, Solution& resul
 
 std::size_t Plan::solve_one(const Values& values, std::size_t number, Solution& result) const {
   expect_usable(values);
+  if (number == 0) {
+    throw MechanismError("", "there is no configuration 0; they are numbered from 1");
+  }
   solve::MechanismSolver solver(values);
   if (most_configurations() > most_listed) {
     return solver.solve_one(number, result);

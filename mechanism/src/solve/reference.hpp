@@ -2,10 +2,19 @@
 #pragma once
 
 #include <assur/directions.hpp>
+#include <assur/mechanism/error.hpp>
 #include <assur/mechanism/request.hpp>
 #include <assur/mechanism/values.hpp>
 
 namespace assur::mechanism::solve {
+
+/// Throws MechanismError for a request without a reference.
+inline void expect_reference(const Request& request) {
+  if (request.reference.empty()) {
+    throw MechanismError(
+        "reference", "there is no angle of a link to be near to; give the angles of some links");
+  }
+}
 
 /// In radians, half a turn at most.
 [[nodiscard]] inline double difference_from(const Values& values, const Frame& link,

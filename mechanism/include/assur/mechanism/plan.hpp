@@ -53,7 +53,7 @@ class Plan {
   /// The configuration of a number, from 1, alone in the solution. Returns how many configurations
   /// were passed to find it: all of them where there are fewer, and the solution holds none then.
   /// Where there may be more than `most_listed`, in the memory of one, and in a time that grows
-  /// with the number alone. Throws MechanismError as `solve` does.
+  /// with the number alone. Throws MechanismError as `solve` does, and for the number zero.
   [[nodiscard]] std::size_t solve_one(const Values& values, std::size_t number,
                                       Solution& result) const;
   /// How many configurations there are at most, by the models of the groups.

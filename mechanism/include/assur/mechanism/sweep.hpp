@@ -52,7 +52,7 @@ int sweep(const Plan& plan, const Values& values, const SweepObserver& observer)
 /// given number as their branch, and no number of a configuration; there are no events. Returns at
 /// which value of the parameter the branch ends, if it does before the sweep: it folds there, or
 /// comes too close to another to be told apart. Throws as `sweep` does, and where no step has a
-/// configuration of that number.
+/// configuration of that number or, for the number zero, the request has no reference.
 std::optional<double> sweep_branch(const Plan& plan, std::size_t number,
                                    const SweepObserver& observer);
 

@@ -2,6 +2,7 @@
 // fit is refused where it is added, by name.
 #include <gtest/gtest.h>
 
+#include <assur/mechanism/sweep.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -214,6 +215,7 @@ TEST(MechanismBuilder, AFaultLeavesNothingBehind) {
   EXPECT_NE(message_of([&] { made.add_line("coupler.R", 0, 0, 1, "no_such"); }), "no error");
   EXPECT_NE(message_of([&] { made.add_parameter("fresh", "no_such"); }), "no error");
   EXPECT_NE(message_of([&] { made.add_driver("B", 0, "no_such"); }), "no error");
+  EXPECT_NE(message_of([&] { made.set_limits("C", 4, "no_such"); }), "no error");
   const Plan plan(made);
   expect_same_solution(plan.solve(plan.values()), Solved(scene_of_file()).solution);
 }
@@ -277,6 +279,56 @@ TEST(MisusedLibrary, IsRefusedInALine) {
   EXPECT_THROW(mechanism::Plan(bar, request), MechanismError);
   request.sweep = mechanism::Sweep{phi, bar.add_number(0, "from"), bar.add_number(1, "to"), 0};
   EXPECT_THROW(mechanism::Plan(bar, request), MechanismError);
+}
+
+TEST(MisusedLibrary, ANumberThatNoConfigurationHasIsRefused) {
+  mechanism::Mechanism bar = turning_bar();
+  mechanism::Request request;
+  request.sweep = mechanism::Sweep{bar.parameter_named("phi"), bar.add_number(0, "from"),
+                                   bar.add_number(1, "to"), 3};
+  const mechanism::Plan plan(bar, request);
+  mechanism::Solution solution;
+  EXPECT_EQ(message_of([&] { (void)plan.solve_one(plan.values(), 0, solution); }),
+            "there is no configuration 0; they are numbered from 1");
+  EXPECT_EQ(message_of([&] { (void)mechanism::sweep_branch(plan, 0, {}); }),
+            "reference: there is no angle of a link to be near to; give the angles of some links");
+  EXPECT_EQ(message_of([&] { (void)mechanism::sweep_branch(plan, 1, {}); }), "no error");
+}
+
+/// Where a table or an index of a request is not the mechanism's own.
+TEST(MisusedLibrary, ARequestThatDoesNotFitIsRefusedInALine) {
+  mechanism::Mechanism bar = turning_bar();
+  const auto refusal = [&bar](const auto& ask) {
+    mechanism::Request request;
+    ask(request);
+    return message_of([&] { (void)mechanism::Plan(bar, request); });
+  };
+  const mechanism::ParameterIndex phi = bar.parameter_named("phi");
+  const mechanism::NumberIndex variance = bar.add_number(1, "variance");
+  const std::string each =
+      "covariance.matrix: expected a row and a column for each of the parameters";
+  EXPECT_EQ(refusal([&](auto& request) {
+              request.covariance = mechanism::Covariance{{phi}, {}};
+            }),
+            each);
+  EXPECT_EQ(refusal([&](auto& request) {
+              request.covariance = mechanism::Covariance{{phi}, {{variance, variance}}};
+            }),
+            each);
+  EXPECT_EQ(refusal([&](auto& request) {
+              request.covariance = mechanism::Covariance{{phi}, {{mechanism::NumberIndex()}}};
+            }),
+            "covariance.matrix: the number is missing");
+  EXPECT_EQ(refusal([&](auto& request) {
+              request.redundancy_tolerance = mechanism::NumberIndex(bar.numbers().size());
+            }),
+            "redundancy.tolerance: the number is missing");
+  EXPECT_EQ(refusal([&](auto& request) { request.variable = {mechanism::ParameterIndex(9)}; }),
+            "variable: no such parameter");
+  EXPECT_EQ(refusal([&](auto& request) {
+              request.covariance = mechanism::Covariance{{phi}, {{variance}}};
+            }),
+            "no error");
 }
 
 TEST(MisusedLibrary, AFormulaThatIsReplacedOrNotUsedDoesNotCount) {
