@@ -178,6 +178,15 @@ TEST(NormalForm, RefusesWhatIsNoLink) {
   EXPECT_EQ(normal_form(features, 2, form), Status::singular);
 }
 
+TEST(NormalForm, RefusesPointsWhoseDistanceHasNoSquare) {
+  NormalForm<double> form;
+  for (const double far : {1e200, 1e-200}) {
+    const std::array<LinkFeature<double>, 3> features{
+        {{false, 0, 0, {}}, {false, 0, -far, {}}, {}}};
+    EXPECT_EQ(normal_form(features, 2, form), Status::not_finite) << far;
+  }
+}
+
 TEST(NormalForm, OfCoincidingPointsHasAnyAxis) {
   NormalForm<double> form;
   const std::array<LinkFeature<double>, 3> features{{{false, 1, 2, {}}, {false, 1, 2, {}}, {}}};

@@ -100,7 +100,8 @@ template <typename Scalar>
 /// Brings a link of two or three joints, `count` of them, into its normal form; all features are
 /// given in one frame, and the form is in theirs. Set where the status is ok. singular: the first
 /// two of lines alone are parallel, so that the group is degenerate or a relabelling is needed; or
-/// there are not two or three features. not_finite.
+/// there are not two or three features. not_finite, also where the square of the distance between
+/// the first two of points alone leaves the range of the scalar.
 template <typename Scalar>
 [[nodiscard]] Status normal_form(const std::array<LinkFeature<Scalar>, 3>& features, int count,
                                  NormalForm<Scalar>& result) {
@@ -135,9 +136,14 @@ template <typename Scalar>
     const Scalar dx = points[1]->x - points[0]->x;
     const Scalar dy = points[1]->y - points[0]->y;
     axis_length = sqrt(dx * dx + dy * dy);
+    if (!detail::is_number(axis_length)) {
+      return Status::not_finite;
+    }
     // Where the first two points coincide, any axis will do.
     if (axis_length > Scalar(0)) {
       axis = {dx / axis_length, dy / axis_length};
+    } else if (dx > Scalar(0) || dx < Scalar(0) || dy > Scalar(0) || dy < Scalar(0)) {
+      return Status::not_finite;
     }
   }
   result.frame.direction = axis;
