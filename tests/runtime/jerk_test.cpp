@@ -8,12 +8,13 @@
 #include "largest.hpp"
 #include "richardson.hpp"
 #include "runtime/model_types.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::jerk_test {
 namespace {
 
 constexpr unsigned seed = 271;
-constexpr int samples = 100;
+const unsigned samples = is_whole_campaign() ? 100 : 25;
 
 /// A random assembled group whose inputs move by a cubic of time.
 template <typename Model>

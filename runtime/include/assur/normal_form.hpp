@@ -142,7 +142,7 @@ template <typename Scalar>
     // Where the first two points coincide, any axis will do.
     if (axis_length > Scalar(0)) {
       axis = {dx / axis_length, dy / axis_length};
-    } else if (dx > Scalar(0) || dx < Scalar(0) || dy > Scalar(0) || dy < Scalar(0)) {
+    } else if (!(dx == Scalar(0) && dy == Scalar(0))) {
       return Status::not_finite;
     }
   }

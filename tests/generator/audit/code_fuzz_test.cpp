@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstdlib>
 #include <iostream>
 #include <optional>
 #include <random>
 
 #include "audit/audit.hpp"
 #include "command/command.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::code_fuzz_test {
 namespace {
@@ -35,8 +35,6 @@ std::string function_of(const std::vector<std::string>& statements) {
   }
   return text + "}\n";
 }
-
-bool whole_campaign() { return std::getenv("ASSUR_WHOLE_CAMPAIGN") != nullptr; }
 
 /// The answer of a file of code that is read; nothing where it is refused.
 std::optional<AuditReport> read(const TemporaryDirectory& directory, const std::string& name,
@@ -135,7 +133,7 @@ TEST(CodeFuzz, WhateverIsCalledRightComputesWhatIsRight) {
   std::mt19937 engine(seed);
   std::size_t refused = 0;
   std::size_t right = 0;
-  const std::size_t pairs = whole_campaign() ? 1500 : 20;
+  const std::size_t pairs = is_whole_campaign() ? 1500 : 20;
   for (std::size_t count = 0; count < inserted.size() + pairs; ++count) {
     std::vector<std::string> statements = body;
     const std::size_t more = count < inserted.size() ? 1 : 2;
@@ -168,7 +166,7 @@ TEST(CodeFuzz, NoTextDoesMoreThanBeAnsweredOrRefused) {
   const std::string letters = "(){}[]<>;:,.+-*/^%&|!~=?#'\"\\ \nJlsq019e_\x80";
   const TemporaryDirectory directory;
   std::mt19937 engine(seed);
-  const std::size_t tries = whole_campaign() ? 20000 : 500;
+  const std::size_t tries = is_whole_campaign() ? 20000 : 500;
   for (const auto& [name, original] : originals) {
     std::size_t answered = 0;
     for (std::size_t count = 0; count < tries; ++count) {

@@ -14,6 +14,7 @@
 #include "command/command.hpp"
 #include "derivatives/differentiate.hpp"
 #include "derivatives/mobility.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::slips_test {
 namespace {
@@ -225,7 +226,7 @@ TEST_P(PlantedSlips, AreAllFoundAndNothingElse) {
       std::system("octave-cli --version >/dev/null 2>&1") != 0) {
     GTEST_SKIP() << "octave-cli is not installed";
   }
-  const bool whole = std::getenv("ASSUR_WHOLE_CAMPAIGN") != nullptr;
+  const bool whole = is_whole_campaign();
   const std::vector<const Model*> models = rigid_models();
   ASSERT_GE(models.size(), 20U);
   Tally tally;

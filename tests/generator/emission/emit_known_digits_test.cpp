@@ -31,22 +31,20 @@ struct Reading {
   double sin, omega, alpha, sensitivity;
 };
 
-/// The emitted solver's configurations at each position of its driver.
-std::vector<std::vector<Reading>> emitted(const SceneMaker::Json& json,
-                                          const std::vector<double>& positions) {
-  const TemporaryDirectory directory;
-  const std::string root = directory.path().string();
-  const EmittedScene scene{directory.write("linkage.json", json.dump()), "linkage", "Linkage", {}};
-  emit_solver(scene, directory);
-  std::ostringstream code;
-  code.precision(17);
-  code << "#include <cstdio>\n#include <assur/scenes/linkage.hpp>\n"
-          "using S = assur::scenes::Linkage;\nint main() {\n"
-          "  std::array<S::State<double>, S::max_configurations> states;\n"
-          "  S::Drivers<double> drivers;\n";
+/// A scene, and where its driver stands.
+struct Posed {
+  SceneMaker::Json scene;
+  std::vector<double> positions;
+};
+
+/// Prints the configurations of a solver at each position of its driver.
+constexpr const char* printing = R"(
+template <typename S>
+void print(const std::vector<double>& positions) {
+  std::array<typename S::template State<double>, S::max_configurations> states;
+  typename S::template Drivers<double> drivers;
   for (const double position : positions) {
-    code << "  drivers.A.position = " << position << ";\n"
-         << R"(  {
+    drivers.A.position = position;
     const int count = S::solve(drivers, states).count;
     std::printf("%d\n", count);
     for (int i = 0; i < count; ++i) {
@@ -57,29 +55,50 @@ std::vector<std::vector<Reading>> emitted(const SceneMaker::Json& json,
                   s.outputs.C.sensitivity(1, 0));
     }
   }
+}
 )";
+
+/// The configurations of each scene's emitted solver, all in one program: [scene][position].
+std::vector<std::vector<std::vector<Reading>>> emitted(const std::vector<Posed>& scenes) {
+  const TemporaryDirectory directory;
+  const std::string root = directory.path().string();
+  std::string includes = "#include <cstdio>\n#include <vector>\n";
+  std::ostringstream calls;
+  calls.precision(17);
+  for (std::size_t index = 0; index < scenes.size(); ++index) {
+    const std::string number = std::to_string(index);
+    const auto file = directory.write("linkage" + number + ".json", scenes[index].scene.dump());
+    emit_solver({file, "", "", {}}, directory);
+    includes += "#include <assur/scenes/linkage" + number + ".hpp>\n";
+    calls << "  print<assur::scenes::Linkage" << number << ">({";
+    for (const double position : scenes[index].positions) {
+      calls << position << ", ";
+    }
+    calls << "});\n";
   }
-  code << "}\n";
-  compile(ASSUR_COMPILER, "-O0 -o " + root + "/driver", directory.write("driver.cpp", code.str()),
-          directory);
+  const auto source =
+      directory.write("driver.cpp", includes + printing + "int main() {\n" + calls.str() + "}\n");
+  compile(ASSUR_COMPILER, "-O0 -o " + root + "/driver", source, directory);
   EXPECT_EQ(std::system((root + "/driver > " + root + "/printed").c_str()), 0);
   std::istringstream printed(read_file(directory.path() / "printed"));
-  std::vector<std::vector<Reading>> readings(positions.size());
   const auto number = [&printed] {
     std::string text;
     printed >> text;
     return std::strtod(text.c_str(), nullptr);
   };
-  for (auto& of_position : readings) {
-    std::size_t count = 0;
-    printed >> count;
-    of_position.resize(count);
-    for (Reading& reading : of_position) {
-      printed >> reading.near_singular;
-      reading.sin = number();
-      reading.omega = number();
-      reading.alpha = number();
-      reading.sensitivity = number();
+  std::vector<std::vector<std::vector<Reading>>> readings;
+  for (const Posed& posed : scenes) {
+    for (auto& of_position : readings.emplace_back(posed.positions.size())) {
+      std::size_t count = 0;
+      printed >> count;
+      of_position.resize(count);
+      for (Reading& reading : of_position) {
+        printed >> reading.near_singular;
+        reading.sin = number();
+        reading.omega = number();
+        reading.alpha = number();
+        reading.sensitivity = number();
+      }
     }
   }
   return readings;
@@ -111,9 +130,15 @@ TEST(EmitKnownDigits, AreAllThatIsGivenBesideTheChangePointOfAParallelogram) {
   int nothing = 0;
   int rates_alone = 0;
   int all = 0;
-  for (const auto& [crank, ground] :
-       std::vector<std::pair<double, double>>{{2, 3}, {0.7, 1.1}, {2, 3.7}}) {
-    const auto found = emitted(four_bar(crank, ground, crank, ground), positions);
+  const std::vector<std::pair<double, double>> lengths = {{2, 3}, {0.7, 1.1}, {2, 3.7}};
+  std::vector<Posed> scenes;
+  for (const auto& [crank, ground] : lengths) {
+    scenes.push_back({four_bar(crank, ground, crank, ground), positions});
+  }
+  const auto all_found = emitted(scenes);
+  for (std::size_t index = 0; index < scenes.size(); ++index) {
+    const auto& [crank, ground] = lengths[index];
+    const auto& found = all_found[index];
     for (std::size_t place = 0; place < positions.size(); ++place) {
       const double position = positions[place];
       SCOPED_TRACE(testing::Message() << crank << ", " << ground << " at " << position);
@@ -146,14 +171,19 @@ TEST(EmitKnownDigits, AreAllThatIsGivenBesideTheChangePointOfAParallelogram) {
 }
 
 TEST(EmitKnownDigits, AreKeptBySmallRodsOnALongCrankAsSolveSays) {
+  std::vector<Posed> scenes;
   for (const double rod : {1e-5, 1e-6, 1e-7}) {
-    SCOPED_TRACE(rod);
-    SceneMaker::Json scene = four_bar(1, rod, rod, 1);
-    scene["drivers"]["A"]["position"] = rod;
-    const auto found = emitted(scene, {rod}).front();
+    scenes.push_back({four_bar(1, rod, rod, 1), {rod}});
+    scenes.back().scene["drivers"]["A"]["position"] = rod;
+  }
+  const auto all_found = emitted(scenes);
+  for (std::size_t rod = 0; rod < scenes.size(); ++rod) {
+    SCOPED_TRACE(scenes[rod].positions.front());
+    const auto& found = all_found[rod].front();
     const TemporaryDirectory directory;
-    const CommandResult solved = run_assur(
-        "solve " + directory.write("rods.json", scene.dump()).string() + " --format json");
+    const CommandResult solved =
+        run_assur("solve " + directory.write("rods.json", scenes[rod].scene.dump()).string() +
+                  " --format json");
     ASSERT_EQ(solved.status, 0) << solved.messages;
     const auto report = SceneMaker::Json::parse(solved.output);
     ASSERT_EQ(report["configurations"].size(), 2U);

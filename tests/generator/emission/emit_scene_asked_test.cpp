@@ -10,6 +10,7 @@
 #include "generator/emittable_scenes.hpp"
 #include "generator/emitted_code.hpp"
 #include "generator/solver_comparison.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::emit_scene_asked_test {
 namespace {
@@ -292,9 +293,9 @@ template <typename Solver> void use_nearest() {
   EXPECT_GT(functions, most < all.size() ? 100U : 200U);
 }
 
-// A seventh of them by default, all by `ctest -L long`, which sets the variable.
+// A seventh of them by default, all by `ctest -L long`.
 TEST(EmitSceneAsked, IsAllThatAnEmittedSolverHolds) {
-  const bool whole = std::getenv("ASSUR_WHOLE_CAMPAIGN") != nullptr;
+  const bool whole = is_whole_campaign();
   const std::vector<Emitted> all = emitted_solvers(whole);
   EXPECT_GE(all.size(), whole ? 500U : 80U);
   expect_everything_is_read(all);

@@ -14,20 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// `four_bar` as `FourBar`.
-std::string struct_of(const std::string& stem) {
-  std::string name;
-  bool capital = true;
-  for (const char c : stem) {
-    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
-    if (plain) {
-      name += static_cast<char>(capital ? std::toupper(c) : c);
-    }
-    capital = !plain;
-  }
-  return name;
-}
-
 /// One in so many.
 std::vector<EmittedScene> examples(std::size_t stride) {
   std::vector<EmittedScene> scenes;
@@ -52,11 +38,11 @@ EmittedScene awkwardly_named(const TemporaryDirectory& directory) {
 }
 
 /// All in one program, because most of its compilation is what they share; by default of every
-/// other example.
+/// third example.
 TEST(EmitScene, AgreesWithSolveOverAllExamplesAndAwkwardNames) {
   const TemporaryDirectory directory;
   const bool whole = is_whole_campaign();
-  std::vector<EmittedScene> scenes = examples(whole ? 1 : 2);
+  std::vector<EmittedScene> scenes = examples(whole ? 1 : 3);
   scenes.push_back(awkwardly_named(directory));
   const std::vector<int> compared = compare_with_solve(scenes);
   for (std::size_t index = 0; index < scenes.size(); ++index) {
@@ -64,7 +50,7 @@ TEST(EmitScene, AgreesWithSolveOverAllExamplesAndAwkwardNames) {
   }
   const int all = std::accumulate(compared.begin(), compared.end(), 0);
   std::printf("all: %d numbers\n", all);
-  EXPECT_GT(all, whole ? 10000 : 4000);
+  EXPECT_GT(all, whole ? 10000 : 2000);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "generator/solver_comparison.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::emit_scene_track_test {
 namespace {
@@ -39,15 +40,17 @@ Tracked driven_slide() {
   return tracked;
 }
 
+/// By default a dyad alone, several, slides, a triad, and folds.
 std::vector<Tracked> tracked_scenes() {
   std::vector<Tracked> scenes = {example("four_bar_coupler_curve", "FourBarCouplerCurve"),
-                                 example("jansen_leg", "JansenLeg"),
-                                 example("slider_crank", "SliderCrank"),
                                  example("shaper_quick_return", "ShaperQuickReturn"),
-                                 example("zhauyt_2017_six_bar", "Zhauyt2017SixBar"),
-                                 example("stephenson_triad", "StephensonTriad"),
-                                 example("quintero_2011_rrp_rrr", "Quintero2011RrpRrr"),
-                                 driven_slide()};
+                                 example("stephenson_triad", "StephensonTriad"), driven_slide()};
+  if (is_whole_campaign()) {
+    scenes.insert(scenes.end(),
+                  {example("jansen_leg", "JansenLeg"), example("slider_crank", "SliderCrank"),
+                   example("zhauyt_2017_six_bar", "Zhauyt2017SixBar"),
+                   example("quintero_2011_rrp_rrr", "Quintero2011RrpRrr")});
+  }
   for (Tracked& tracked : scenes) {
     tracked.scene["want"] = {"position"};
   }
@@ -284,8 +287,8 @@ TEST(EmitSceneTrack, StaysOnTheBranchesOfTheSweep) {
       "%d points, at most %.1e from solve's; %d branches followed to the end, %d to at most "
       "%.2g%% of a step before an event\n",
       totals.points, totals.largest, totals.whole, totals.ends, 100 * totals.earliest);
-  EXPECT_GT(totals.points, 4000);
-  EXPECT_GT(totals.ends, 8);
+  EXPECT_GT(totals.points, is_whole_campaign() ? 4000 : 1000);
+  EXPECT_GT(totals.ends, is_whole_campaign() ? 8 : 2);
 }
 
 }  // namespace

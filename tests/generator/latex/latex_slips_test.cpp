@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -14,6 +13,7 @@
 
 #include "audit/latex/paper_audit.hpp"
 #include "generator/derived_latex.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::latex_slips_test {
 namespace {
@@ -208,7 +208,7 @@ const std::vector<std::pair<const char*, Slip>> slips = {{"sign", sign},
 
 // A share of the models by default, all by `ctest -L long`, which sets the variable.
 TEST(LatexSlips, AreFoundAndNothingElseIs) {
-  const bool whole = std::getenv("ASSUR_WHOLE_CAMPAIGN") != nullptr;
+  const bool whole = is_whole_campaign();
   constexpr std::size_t most_models = 8;
   std::vector<document::Derivation> derivations;
   for (const structure::Model* model : all_models()) {

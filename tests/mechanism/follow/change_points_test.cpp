@@ -6,12 +6,12 @@
 #include <assur/mechanism/sweep.hpp>
 #include <cmath>
 #include <complex>
-#include <cstdlib>
 #include <map>
 #include <numbers>
 #include <set>
 
 #include "mechanism/scene_maker.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::change_points_test {
 namespace {
@@ -153,7 +153,7 @@ class ChangePoints : public testing::TestWithParam<Row> {};
 /// All of these by `ctest -L long`, one in 17 by default.
 TEST_P(ChangePoints, AreCrossingsInSweepsOfAnyWidth) {
   const Row& row = GetParam();
-  const bool all = std::getenv("ASSUR_WHOLE_CAMPAIGN") != nullptr;
+  const bool all = is_whole_campaign();
   int number = 0;
   const auto flat = static_cast<double>(row.flat());
   for (double width = 1; width > 5e-10; width /= 10) {

@@ -175,7 +175,8 @@ const std::vector<FlatCase> flat_cases = {{{-2, 4, -6, 1, 7, -9}, 2},  {{-3, 5, 
                                           {{8, 9, 3, -8, 4, 5}, 4}};
 
 /// The mirror image of a pose at p belongs to -p; a branch that crosses must go through.
-/// By default every third mechanism is swept in the smallest steps.
+/// By default two of the mechanisms are swept in the smallest steps, one of each number of
+/// branches.
 TEST(SweepEvents, FlattenedMechanismsCross) {
   double parameter_error = 0;
   double pose_error = 0;
@@ -185,7 +186,7 @@ TEST(SweepEvents, FlattenedMechanismsCross) {
     SCOPED_TRACE(flat.x[0]);
     for (const int count : {8, 20, 21, 201, 2000}) {  // odd ones have a step at the crossing
       SCOPED_TRACE(count);
-      if (count == 2000 && number++ % 3 != 0 && !is_whole_campaign()) {
+      if (count == 2000 && number++ % 6 != 0 && !is_whole_campaign()) {
         continue;
       }
       const SweepKept kept = run_sweep(flat_scene(flat.x, 0, count));
@@ -217,7 +218,7 @@ TEST(SweepEvents, FlattenedMechanismsCross) {
   }
   std::cout << "crossings within " << parameter_error << " rad, their poses within " << pose_error
             << '\n';
-  EXPECT_GT(pieces, is_whole_campaign() ? 20 : 8);
+  EXPECT_GT(pieces, is_whole_campaign() ? 20 : 4);
   EXPECT_LT(parameter_error, 1e-12);
   EXPECT_LT(pose_error, 1e-11);
 }
@@ -235,7 +236,7 @@ std::vector<std::string> texts(const SweepKept& kept) {
 /// Where E is moved the crossing opens: on one side of it into two branches that pass one another,
 /// on the other the mechanism flattens twice, and there two branches end and two others begin at
 /// one configuration. Few steps must see the same as many.
-/// One in seven of these by default.
+/// One in 17 of these by default.
 TEST(SweepEvents, CrossingsThatOpenAreSeenAtAnyStep) {
   const bool all = is_whole_campaign();
   int number = 0;
@@ -247,7 +248,7 @@ TEST(SweepEvents, CrossingsThatOpenAreSeenAtAnyStep) {
     }
     for (const double sign : {-1.0, 1.0}) {
       for (int power = 2; power <= 11; ++power) {
-        if (number++ % 7 != 0 && !all) {
+        if (number++ % 17 != 0 && !all) {
           continue;
         }
         SCOPED_TRACE(sign * power);
@@ -273,8 +274,8 @@ TEST(SweepEvents, CrossingsThatOpenAreSeenAtAnyStep) {
     }
   }
   std::cout << opened << " open, " << passing << " pass\n";
-  EXPECT_GT(opened, all ? 20 : 2);
-  EXPECT_GT(passing, all ? 20 : 2);
+  EXPECT_GT(opened, all ? 20 : 0);
+  EXPECT_GT(passing, all ? 20 : 0);
 }
 
 /// A group that half a turn maps on itself, its two bars swept: pairs of configurations that the

@@ -138,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(Tied, DrivenLattice, testing::Values(Ties::drivers, Tie
 
 TEST_P(DrivenLattice, TellsTheTruthInSpecialPositions) {
   Tally tally;
-  for_each_scene(24, 2000, Places::lattice,
+  for_each_scene(12, 2000, Places::lattice,
                  [&](const RandomDrivenScene& made, unsigned seed) { check(made, seed, tally); });
   print(tally);
 }

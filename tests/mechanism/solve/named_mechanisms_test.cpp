@@ -11,6 +11,7 @@
 
 #include "mechanism/solved.hpp"
 #include "mechanism/sweep_runs.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::named_mechanisms_test {
 namespace {
@@ -95,18 +96,23 @@ TEST(NamedMechanisms, ChangePointsAreCrossings) {
   }
 }
 
-/// The mechanism's size tells what is close to a change point, not the length of the sweep.
+/// The mechanism's size tells what is close to a change point, not the length of the sweep. One in
+/// seven of these by default.
 TEST(NamedMechanisms, ChangePointsAreCrossingsOfShortSweepsToo) {
   struct Case {
     double crank, coupler, rocker, ground;
     double at;
   };
   const double half_turn = 3.141592653589793;
+  int number = 0;
   for (const Case& bars : {Case{2, 4, 2, 4, 0}, Case{2, 4, 2, 4, half_turn},
                            Case{3, 3, 3, 3, half_turn}, Case{4, 4, 2, 2, 0}}) {
     for (const double half : {1e-1, 1e-2, 4e-3, 1e-3, 1e-4, 1e-5}) {
       for (const double before : {half, 0.63 * half}) {
         for (const int count : {2, 3, 4, 5, 8, 9}) {
+          if (number++ % 7 != 0 && !is_whole_campaign()) {
+            continue;
+          }
           SCOPED_TRACE(testing::Message() << bars.coupler << " " << bars.at << " " << half << " "
                                           << before << " " << count);
           Json scene = four_bar(bars.crank, bars.coupler, bars.rocker, bars.ground, "0");

@@ -219,10 +219,13 @@ TEST(Zhauyt2017, MatrixEightHasElevenWrongEntries) {
 
 /// What figure 8 becomes: the largest worst case around the turn.
 TEST(Zhauyt2017, PrintedEquationsMisstateTheWorstCase) {
-  const auto largest_sums = [](const AsPrinted& printed) {
+  std::vector<Posture> postures;
+  for (int angle = 0; angle < 360; ++angle) {
+    postures.push_back(dwelling(angle));
+  }
+  const auto largest_sums = [&](const AsPrinted& printed) {
     Eigen::Vector2d sums = Eigen::Vector2d::Zero();
-    for (int angle = 0; angle < 360; ++angle) {
-      const Posture posture = dwelling(angle);
+    for (const Posture& posture : postures) {
       const Eigen::Vector2d at = published(posture, printed).cwiseAbs() * posture.tolerance;
       sums = sums.cwiseMax(at).eval();
     }

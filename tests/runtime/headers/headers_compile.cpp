@@ -4,6 +4,7 @@
 #include <assur/dyad/models.hpp>
 #include <assur/numeric/bounded.hpp>
 #include <assur/numeric/double_double.hpp>
+#include <assur/numeric/entries.hpp>
 #include <assur/numeric/order.hpp>
 #include <assur/numeric/polynomial_bracket.hpp>
 #include <assur/numeric/second_unknown.hpp>

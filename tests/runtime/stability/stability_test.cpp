@@ -4,6 +4,7 @@
 
 #include <iostream>
 #include <map>
+#include <vector>
 
 #include "largest.hpp"
 #include "runtime/family_types.hpp"
@@ -19,17 +20,38 @@ constexpr double allowed_roundings = 16;
 /// The same of an acceleration, which inherits the velocity's error and may be a small difference.
 constexpr double allowed_in_acceleration = 256;
 
+/// A member of a family, at its distance from the failure.
+template <typename Family>
+struct PlacedMember {
+  double distance;
+  int number;
+  Member<typename Family::Model> member;
+};
+
+/// Every member at every distance, computed once: their derivatives have 50 digits.
+template <typename Family>
+const std::vector<PlacedMember<Family>>& members_of() {
+  static const std::vector<PlacedMember<Family>> members = [] {
+    std::vector<PlacedMember<Family>> list;
+    for (const double distance : distances<Family>()) {
+      for (int number = 0; number < members_per_distance; ++number) {
+        list.push_back({distance, number, make_member<Family>(number, distance)});
+      }
+    }
+    return list;
+  }();
+  return members;
+}
+
 template <typename Family>
 class Stability : public testing::Test {
  protected:
   /// Calls with every distance and every member.
   template <typename Check>
   static void on_each(Check check) {
-    for (const double distance : distances<Family>()) {
-      for (int number = 0; number < members_per_distance; ++number) {
-        SCOPED_TRACE(testing::Message() << "distance " << distance << ", member " << number);
-        check(distance, make_member<Family>(number, distance));
-      }
+    for (const auto& [distance, number, member] : members_of<Family>()) {
+      SCOPED_TRACE(testing::Message() << "distance " << distance << ", member " << number);
+      check(distance, member);
     }
   }
 };
@@ -176,14 +198,11 @@ std::map<double, double> largest_errors(
     Answer<typename Family::Model> (*method)(const Geometry<typename Family::Model, double>&),
     Quantity quantity) {
   std::map<double, double> largest;
-  for (const double distance : distances<Family>()) {
-    for (int number = 0; number < members_per_distance; ++number) {
-      const auto member = make_member<Family>(number, distance);
-      const auto answer = method(member.given);
-      const double error = is_solvable(answer.status) ? error_of(answer, member.truth, quantity)
-                                                      : std::numeric_limits<double>::infinity();
-      largest[distance] = std::max(largest[distance], error);
-    }
+  for (const auto& [distance, number, member] : members_of<Family>()) {
+    const auto answer = method(member.given);
+    const double error = is_solvable(answer.status) ? error_of(answer, member.truth, quantity)
+                                                    : std::numeric_limits<double>::infinity();
+    largest[distance] = std::max(largest[distance], error);
   }
   return largest;
 }
@@ -220,13 +239,10 @@ template <typename Family>
 int landed_elsewhere() {
   using Model = typename Family::Model;
   int wrong = 0;
-  for (const double distance : distances<Family>()) {
-    for (int number = 0; number < members_per_distance; ++number) {
-      const auto member = make_member<Family>(number, distance);
-      const auto answer = newton<Model>(member.given);
-      wrong += is_solvable(answer.status) &&
-               is_wrong(error_of(answer, member.truth, Quantity::velocity));
-    }
+  for (const auto& [distance, number, member] : members_of<Family>()) {
+    const auto answer = newton<Model>(member.given);
+    wrong +=
+        is_solvable(answer.status) && is_wrong(error_of(answer, member.truth, Quantity::velocity));
   }
   return wrong;
 }

@@ -2,9 +2,11 @@
 // `assur solve` says.
 #pragma once
 
+#include <cctype>
 #include <cstdlib>
 
 #include "generator/solve_readings.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test {
 
@@ -12,6 +14,20 @@ namespace assur::test {
 inline constexpr double agreement = 1e-12;
 
 inline const std::string warnings_as_errors = " -Wall -Wextra -Wconversion -Wshadow -Werror ";
+
+/// The solver's struct by the stem of its file: `four_bar` as `FourBar`.
+inline std::string struct_of(const std::string& stem) {
+  std::string name;
+  bool capital = true;
+  for (const char c : stem) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (plain) {
+      name += static_cast<char>(capital ? std::toupper(c) : c);
+    }
+    capital = !plain;
+  }
+  return name;
+}
 
 /// Emits the solver below a directory.
 inline void emit_solver(const EmittedScene& scene, const TemporaryDirectory& directory,
@@ -37,7 +53,7 @@ inline void compile(const std::string& compiler, const std::string& options,
 /// Has clang++, if there is one, read a file as well; of whole campaigns alone, unless it is short.
 inline void check_by_clang(const std::filesystem::path& source, const TemporaryDirectory& directory,
                            bool is_short = false) {
-  const bool asked = is_short || std::getenv("ASSUR_WHOLE_CAMPAIGN") != nullptr;
+  const bool asked = is_short || is_whole_campaign();
   if (const std::string clang = ASSUR_CLANG; !clang.empty() && asked) {
     compile(clang, "-fsyntax-only", source, directory);
   }

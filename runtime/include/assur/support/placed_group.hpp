@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <assur/detail/index.hpp>
+#include <assur/numeric/entries.hpp>
 #include <assur/support/derivative_digits.hpp>
 #include <assur/support/discriminant.hpp>
 #include <assur/support/displacement.hpp>
@@ -17,7 +18,7 @@ namespace assur::support {
 template <int Order>
 struct Slide {
   double displacement = 0;
-  Matrix<double, 1, Order> rates = Matrix<double, 1, Order>::Zero();
+  Matrix<double, 1, Order> rates = numeric::zeros<Matrix<double, 1, Order>>();
 };
 
 /// Where placed links hold the external joints of a specialised group, and how these move; and the
@@ -39,39 +40,46 @@ struct HeldJoints {
       rates(First, order) = point.rates(0, order) / Group::unit;
       rates(First + 1, order) = point.rates(1, order) / Group::unit;
     }
-    gradient.template middleRows<2>(First) = point.gradient / Group::unit;
+    for (int parameter = 0; parameter < Parameters; ++parameter) {
+      gradient(First, parameter) = point.gradient(0, parameter) / Group::unit;
+      gradient(First + 1, parameter) = point.gradient(1, parameter) / Group::unit;
+    }
     displaced.moved = std::max(displaced.moved, point.displaced.moved / Group::unit);
     displaced.reach = std::max(displaced.reach, point.displaced.reach / Group::unit);
   }
   /// A prismatic joint along the x-axis of a frame, whose inputs (x, y, phi) stand from `First` on.
   template <int First>
   void hold_line(const Frame<double, Order, Parameters>& frame) {
-    hold_point<First>({frame.pose.x, frame.pose.y, frame.rates.template topRows<2>(),
-                       frame.gradient.template topRows<2>(), frame.displaced});
+    hold_point<First>(origin_of(frame));
     displaced.turned = std::max(displaced.turned, frame.displaced.turned);
     std::get<First + 2>(u.members()) = frame.pose.direction;
-    rates.row(First + 2) = frame.rates.row(2);
-    gradient.row(First + 2) = frame.gradient.row(2);
+    for (int order = 0; order < Order; ++order) {
+      rates(First + 2, order) = frame.rates(2, order);
+    }
+    for (int parameter = 0; parameter < Parameters; ++parameter) {
+      gradient(First + 2, parameter) = frame.gradient(2, parameter);
+    }
   }
   using ParameterRow = Matrix<double, 1, Parameters>;
   using RateRow = Matrix<double, 1, Order>;
   /// A length of the group that the solver's parameters or drivers change, whose input stands at
   /// `Place`.
   template <int Place>
-  void hold_length(double length, const ParameterRow& of_parameters = ParameterRow::Zero(),
-                   const RateRow& in_time = RateRow::Zero()) {
+  void hold_length(double length,
+                   const ParameterRow& of_parameters = numeric::zeros<ParameterRow>(),
+                   const RateRow& in_time = numeric::zeros<RateRow>()) {
     std::get<Place>(u.members()) = length / Group::unit;
-    rates.row(Place) = in_time / Group::unit;
-    gradient.row(Place) = of_parameters / Group::unit;
+    numeric::set_row(rates, Place, in_time, 1 / Group::unit);
+    numeric::set_row(gradient, Place, of_parameters, 1 / Group::unit);
   }
   /// An angle, likewise.
   template <int Place>
   void hold_angle(const Direction<double>& angle,
-                  const ParameterRow& of_parameters = ParameterRow::Zero(),
-                  const RateRow& in_time = RateRow::Zero()) {
+                  const ParameterRow& of_parameters = numeric::zeros<ParameterRow>(),
+                  const RateRow& in_time = numeric::zeros<RateRow>()) {
     std::get<Place>(u.members()) = angle;
-    rates.row(Place) = in_time;
-    gradient.row(Place) = of_parameters;
+    numeric::set_row(rates, Place, in_time);
+    numeric::set_row(gradient, Place, of_parameters);
   }
 };
 
@@ -149,28 +157,28 @@ template <typename Group, int Order, int Parameters>
   }
 
   if constexpr (Order > 0) {
-    Matrix<double, links, 3> velocity = Matrix<double, links, 3>::Zero();
+    auto velocity = numeric::zeros<Matrix<double, links, 3>>();
     Vector<double, Group::unknown_count> q_rate;
-    const Vector<double, Group::input_count> u_rate = held.rates.col(0);
+    const Vector<double, Group::input_count> u_rate = numeric::column(held.rates, 0);
     if constexpr (Order > 1) {
-      const Vector<double, Group::input_count> u_second_rate = held.rates.col(1);
-      Matrix<double, links, 3> acceleration = Matrix<double, links, 3>::Zero();
+      const Vector<double, Group::input_count> u_second_rate = numeric::column(held.rates, 1);
+      auto acceleration = numeric::zeros<Matrix<double, links, 3>>();
       Vector<double, Group::unknown_count> q_second_rate;
       Group::motion(held.u, q, u_rate, u_second_rate, q_rate, q_second_rate);
       if (!regular) {
         const KnownDerivatives known = derivatives_among_displaced(held, q);
         if (!known.rates) {
-          q_rate.setConstant(none);
+          numeric::fill(q_rate, none);
         }
         if (!known.second_rates) {
-          q_second_rate.setConstant(none);
+          numeric::fill(q_second_rate, none);
         }
       }
       if constexpr (links > 0) {
         Group::link_accelerations(held.u, q, q_rate, q_second_rate, u_rate, u_second_rate,
                                   acceleration);
       }
-      placed.rates.col(1) = q_second_rate;
+      numeric::set_column(placed.rates, 1, q_second_rate);
       for (int link = 0; link < links; ++link) {
         Matrix<double, 3, Order>& rates = detail::entry(placed.frames, link).rates;
         rates(0, 1) = acceleration(link, 0) * Group::unit;
@@ -180,13 +188,13 @@ template <typename Group, int Order, int Parameters>
     } else {
       Group::velocity(held.u, q, u_rate, q_rate);
       if (!regular && !derivatives_among_displaced(held, q).rates) {
-        q_rate.setConstant(none);
+        numeric::fill(q_rate, none);
       }
     }
     if constexpr (links > 0) {
       Group::link_velocities(held.u, q, q_rate, u_rate, velocity);
     }
-    placed.rates.col(0) = q_rate;
+    numeric::set_column(placed.rates, 0, q_rate);
     for (int link = 0; link < links; ++link) {
       Matrix<double, 3, Order>& rates = detail::entry(placed.frames, link).rates;
       rates(0, 0) = velocity(link, 0) * Group::unit;
@@ -200,7 +208,7 @@ template <typename Group, int Order, int Parameters>
     if (is_solvable(placed.regularity)) {
       Model::inverse_jacobian(d, held.u, q, J_inverse);
     } else {
-      J_inverse.setConstant(none);
+      numeric::fill(J_inverse, none);
     }
     if constexpr (Group::holds_groups) {
       const DisplacedGroup<Model> among(d, held.u, held.displaced);
@@ -210,7 +218,7 @@ template <typename Group, int Order, int Parameters>
     }
     if constexpr (Parameters > 0) {
       if (!regular && !derivatives_among_displaced(held, q).rates) {
-        J_inverse.setConstant(none);
+        numeric::fill(J_inverse, none);
       }
       // J q_a = -(F_a + F_u u_a), and p_a = P_a + P_u u_a + P_q q_a.
       Matrix<double, Group::equation_count, Parameters> F_a;
@@ -221,16 +229,18 @@ template <typename Group, int Order, int Parameters>
       Group::parameter_jacobian(held.u, q, F_a);
       Group::input_jacobian(held.u, q, F_u);
       Group::pose_jacobians(held.u, q, P_q, P_a, P_u);
-      // Products of a few rows and columns do not pay for Eigen's blocks of large ones.
-      const Matrix<double, Group::equation_count, Parameters> rhs =
-          F_a + F_u.lazyProduct(held.gradient);
-      const Matrix<double, Group::unknown_count, Parameters> q_a = J_inverse.lazyProduct(rhs);
-      const Matrix<double, 3 * links, Parameters> gradient =
-          P_a + P_u.lazyProduct(held.gradient) - P_q.lazyProduct(q_a);
+      auto q_a = numeric::zeros<Matrix<double, Group::unknown_count, Parameters>>();
+      numeric::add_product(F_a, F_u, held.gradient);
+      numeric::add_product<-1>(q_a, J_inverse, F_a);
+      numeric::add_product(P_a, P_u, held.gradient);
+      numeric::add_product(P_a, P_q, q_a);
       for (int link = 0; link < links; ++link) {
-        Frame<double, Order, Parameters>& frame = detail::entry(placed.frames, link);
-        frame.gradient = gradient.template middleRows<3>(3 * link);
-        frame.gradient.template topRows<2>() *= Group::unit;
+        Matrix<double, 3, Parameters>& gradient = detail::entry(placed.frames, link).gradient;
+        for (int parameter = 0; parameter < Parameters; ++parameter) {
+          gradient(0, parameter) = P_a(3 * link, parameter) * Group::unit;
+          gradient(1, parameter) = P_a(3 * link + 1, parameter) * Group::unit;
+          gradient(2, parameter) = P_a(3 * link + 2, parameter);
+        }
       }
     }
   }

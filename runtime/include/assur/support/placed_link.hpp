@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <assur/detail/index.hpp>
 #include <assur/directions.hpp>
 #include <assur/model.hpp>
+#include <assur/numeric/entries.hpp>
 #include <assur/support/displaced_frame.hpp>
-#include <assur/support/rigid_motion.hpp>
+#include <cmath>
 #include <cstddef>
 
 namespace assur::support {
@@ -15,8 +17,8 @@ namespace assur::support {
 template <typename Scalar, int Order, int Parameters>
 struct Frame {
   Pose<Scalar> pose{};
-  Matrix<Scalar, 3, Order> rates = Matrix<Scalar, 3, Order>::Zero();
-  Matrix<Scalar, 3, Parameters> gradient = Matrix<Scalar, 3, Parameters>::Zero();
+  Matrix<Scalar, 3, Order> rates = numeric::zeros<Matrix<Scalar, 3, Order>>();
+  Matrix<Scalar, 3, Parameters> gradient = numeric::zeros<Matrix<Scalar, 3, Parameters>>();
   Displacement displaced{};  ///< by rounding
 };
 
@@ -25,8 +27,8 @@ template <typename Scalar, int Order, int Parameters>
 struct Point {
   Scalar x{};
   Scalar y{};
-  Matrix<Scalar, 2, Order> rates = Matrix<Scalar, 2, Order>::Zero();
-  Matrix<Scalar, 2, Parameters> gradient = Matrix<Scalar, 2, Parameters>::Zero();
+  Matrix<Scalar, 2, Order> rates = numeric::zeros<Matrix<Scalar, 2, Order>>();
+  Matrix<Scalar, 2, Parameters> gradient = numeric::zeros<Matrix<Scalar, 2, Parameters>>();
   Displacement displaced{};  ///< by rounding
 };
 
@@ -62,36 +64,53 @@ template <int Order, int Parameters>
   return result;
 }
 
-/// A point that is given in a moving frame, in the frame in which that one moves: see `carried` and
-/// `carried_twice`.
+/// Where a point (x, y) of a moving frame stands in the frame in which that one moves, by `carried`
+/// and `carried_twice`. `inner` and `outer` hold the derivatives of its two coordinates, and
+/// perhaps of an angle, which stays as it is.
+template <typename Scalar, int Order, int Parameters, typename Inner, typename Outer>
+[[nodiscard]] Vector<Scalar, 2> carry(const Frame<Scalar, Order, Parameters>& frame,
+                                      const Scalar& x, const Scalar& y, const Inner& inner,
+                                      Outer& outer) {
+  const Scalar c = frame.pose.direction.cos;
+  const Scalar s = frame.pose.direction.sin;
+  const std::array<Scalar, 2> arm = {c * x - s * y, s * x + c * y};
+  const std::array<Scalar, 2> across = {-arm[1], arm[0]};
+  const auto turned_own = [c, s](const auto& own, int index) {
+    return std::array<Scalar, 2>{c * own(0, index) - s * own(1, index),
+                                 s * own(0, index) + c * own(1, index)};
+  };
+  const auto carry_slope = [&](const auto& slopes, const auto& own, auto& result, int index) {
+    const std::array<Scalar, 2> by_own = turned_own(own, index);
+    result(0, index) = slopes(0, index) + slopes(2, index) * across[0] + by_own[0];
+    result(1, index) = slopes(1, index) + slopes(2, index) * across[1] + by_own[1];
+  };
+#pragma GCC unroll 2
+  for (int order = 0; order < Order; ++order) {
+    carry_slope(frame.rates, inner.rates, outer.rates, order);
+  }
+  if constexpr (Order > 1) {
+    const Scalar omega = frame.rates(2, 0);
+    const std::array<Scalar, 2> sliding = turned_own(inner.rates, 0);
+    outer.rates(0, 1) += -omega * omega * arm[0] - Scalar(2) * omega * sliding[1];
+    outer.rates(1, 1) += -omega * omega * arm[1] + Scalar(2) * omega * sliding[0];
+  }
+#pragma GCC unroll 16
+  for (int parameter = 0; parameter < Parameters; ++parameter) {
+    carry_slope(frame.gradient, inner.gradient, outer.gradient, parameter);
+  }
+  return {frame.pose.x + arm[0], frame.pose.y + arm[1]};
+}
+
+/// A point that is given in a moving frame, in the frame in which that one moves.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Point<Scalar, Order, Parameters> point_in(
     const Frame<Scalar, Order, Parameters>& frame, const Point<Scalar, Order, Parameters>& point) {
-  const auto turn = [&frame](const Vector<Scalar, 2>& v) {
-    return rotated(frame.pose.direction, v);
-  };
-  const Vector<Scalar, 2> arm = turn({point.x, point.y});
   Point<Scalar, Order, Parameters> result;
-  result.x = frame.pose.x + arm(0);
-  result.y = frame.pose.y + arm(1);
+  const Vector<Scalar, 2> place = carry(frame, point.x, point.y, point, result);
+  result.x = place(0);
+  result.y = place(1);
   result.displaced =
       frame.displaced.carries(static_cast<double>(point.x), static_cast<double>(point.y));
-  // Eigen has no columns of a matrix without columns.
-  if constexpr (Order > 0) {
-    const Vector<Scalar, 2> sliding = turn(point.rates.col(0));
-    result.rates.col(0) = carried<Scalar>(frame.rates.col(0), arm, sliding);
-    if constexpr (Order > 1) {
-      const Scalar omega = frame.rates(2, 0);
-      result.rates.col(1) = carried_twice<Scalar>(frame.rates.col(1), omega, omega, arm, sliding,
-                                                  sliding, turn(point.rates.col(1)));
-    }
-  }
-  if constexpr (Parameters > 0) {
-    for (int parameter = 0; parameter < Parameters; ++parameter) {
-      result.gradient.col(parameter) =
-          carried<Scalar>(frame.gradient.col(parameter), arm, turn(point.gradient.col(parameter)));
-    }
-  }
   return result;
 }
 
@@ -99,29 +118,45 @@ template <typename Scalar, int Order, int Parameters>
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Frame<Scalar, Order, Parameters> frame_in(
     const Frame<Scalar, Order, Parameters>& frame, const Frame<Scalar, Order, Parameters>& inner) {
-  const Point<Scalar, Order, Parameters> origin =
-      point_in(frame, Point<Scalar, Order, Parameters>{inner.pose.x,
-                                                       inner.pose.y,
-                                                       inner.rates.template topRows<2>(),
-                                                       inner.gradient.template topRows<2>(),
-                                                       {}});
   Frame<Scalar, Order, Parameters> result;
-  result.pose = {origin.x, origin.y, turned(frame.pose.direction, inner.pose.direction)};
-  result.rates.template topRows<2>() = origin.rates;
-  result.rates.row(2) = frame.rates.row(2) + inner.rates.row(2);
-  result.gradient.template topRows<2>() = origin.gradient;
-  result.gradient.row(2) = frame.gradient.row(2) + inner.gradient.row(2);
+  const Vector<Scalar, 2> origin = carry(frame, inner.pose.x, inner.pose.y, inner, result);
+  result.pose = {origin(0), origin(1), turned(frame.pose.direction, inner.pose.direction)};
+  for (int order = 0; order < Order; ++order) {
+    result.rates(2, order) = frame.rates(2, order) + inner.rates(2, order);
+  }
+  for (int parameter = 0; parameter < Parameters; ++parameter) {
+    result.gradient(2, parameter) = frame.gradient(2, parameter) + inner.gradient(2, parameter);
+  }
   result.displaced = frame.displaced.carries(static_cast<double>(inner.pose.x),
                                              static_cast<double>(inner.pose.y), inner.displaced);
   return result;
+}
+
+/// The origin of a frame.
+template <int Order, int Parameters>
+[[nodiscard]] Point<double, Order, Parameters> origin_of(
+    const Frame<double, Order, Parameters>& frame) {
+  Point<double, Order, Parameters> origin;
+  origin.x = frame.pose.x;
+  origin.y = frame.pose.y;
+  for (int order = 0; order < Order; ++order) {
+    origin.rates(0, order) = frame.rates(0, order);
+    origin.rates(1, order) = frame.rates(1, order);
+  }
+  for (int parameter = 0; parameter < Parameters; ++parameter) {
+    origin.gradient(0, parameter) = frame.gradient(0, parameter);
+    origin.gradient(1, parameter) = frame.gradient(1, parameter);
+  }
+  origin.displaced = frame.displaced;
+  return origin;
 }
 
 /// The coordinate of a joint between two frames: an angle in (-pi, pi] or a displacement.
 template <int Order, int Parameters>
 struct Coordinate {
   double position = 0;
-  Matrix<double, 1, Order> rates = Matrix<double, 1, Order>::Zero();
-  Matrix<double, 1, Parameters> gradient = Matrix<double, 1, Parameters>::Zero();
+  Matrix<double, 1, Order> rates = numeric::zeros<Matrix<double, 1, Order>>();
+  Matrix<double, 1, Parameters> gradient = numeric::zeros<Matrix<double, 1, Parameters>>();
 };
 
 /// The angle from one frame to another, theta_other - theta_one. It is above -pi by more than what
@@ -132,8 +167,15 @@ template <int Order, int Parameters>
   constexpr double pi = 3.14159265358979323846;
   constexpr double negligible = 1e-9;
   const double angle = angle_of(turned(other.pose.direction, reversed(one.pose.direction)));
-  return {angle < negligible - pi ? angle + 2 * pi : angle, other.rates.row(2) - one.rates.row(2),
-          other.gradient.row(2) - one.gradient.row(2)};
+  Coordinate<Order, Parameters> result;
+  result.position = angle < negligible - pi ? angle + 2 * pi : angle;
+  for (int order = 0; order < Order; ++order) {
+    result.rates(order) = other.rates(2, order) - one.rates(2, order);
+  }
+  for (int parameter = 0; parameter < Parameters; ++parameter) {
+    result.gradient(parameter) = other.gradient(2, parameter) - one.gradient(2, parameter);
+  }
+  return result;
 }
 
 /// How far along the x-axis of one frame, on which it lies, the origin of another is: with r from
@@ -141,14 +183,19 @@ template <int Order, int Parameters>
 template <int Order, int Parameters>
 [[nodiscard]] Coordinate<Order, Parameters> displacement_along(
     const Frame<double, Order, Parameters>& one, const Frame<double, Order, Parameters>& other) {
-  const Vector<double, 2> axis(one.pose.direction.cos, one.pose.direction.sin);
+  const double c = one.pose.direction.cos;
+  const double s = one.pose.direction.sin;
   Coordinate<Order, Parameters> result;
-  result.position = axis(0) * (other.pose.x - one.pose.x) + axis(1) * (other.pose.y - one.pose.y);
-  const auto along = [&](const auto& two, const auto& from) {
-    return (axis.transpose() * (two.template topRows<2>() - from.template topRows<2>())).eval();
+  result.position = c * (other.pose.x - one.pose.x) + s * (other.pose.y - one.pose.y);
+  const auto along = [c, s](const auto& two, const auto& from, int index) {
+    return c * (two(0, index) - from(0, index)) + s * (two(1, index) - from(1, index));
   };
-  result.rates = along(other.rates, one.rates);
-  result.gradient = along(other.gradient, one.gradient);
+  for (int order = 0; order < Order; ++order) {
+    result.rates(order) = along(other.rates, one.rates, order);
+  }
+  for (int parameter = 0; parameter < Parameters; ++parameter) {
+    result.gradient(parameter) = along(other.gradient, one.gradient, parameter);
+  }
   if constexpr (Order > 1) {
     result.rates(1) += one.rates(2, 0) * one.rates(2, 0) * result.position;
   }
@@ -159,26 +206,30 @@ template <int Order, int Parameters>
 /// its rates and its derivatives to the parameters.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Frame<Scalar, Order, Parameters> turning(
-    Scalar angle, const Matrix<Scalar, 1, Order>& rates = Matrix<Scalar, 1, Order>::Zero(),
-    const Matrix<Scalar, 1, Parameters>& gradient = Matrix<Scalar, 1, Parameters>::Zero()) {
+    Scalar angle,
+    const Matrix<Scalar, 1, Order>& rates = numeric::zeros<Matrix<Scalar, 1, Order>>(),
+    const Matrix<Scalar, 1, Parameters>& gradient =
+        numeric::zeros<Matrix<Scalar, 1, Parameters>>()) {
   Frame<Scalar, Order, Parameters> frame;
   frame.pose.direction = direction_of(angle);
   frame.displaced = Displacement::of_turn(static_cast<double>(angle));
-  frame.rates.row(2) = rates;
-  frame.gradient.row(2) = gradient;
+  numeric::set_row(frame.rates, 2, rates);
+  numeric::set_row(frame.gradient, 2, gradient);
   return frame;
 }
 
 /// The same of a prismatic joint along the x-axis, for its displacement.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Frame<Scalar, Order, Parameters> sliding(
-    Scalar displacement, const Matrix<Scalar, 1, Order>& rates = Matrix<Scalar, 1, Order>::Zero(),
-    const Matrix<Scalar, 1, Parameters>& gradient = Matrix<Scalar, 1, Parameters>::Zero()) {
+    Scalar displacement,
+    const Matrix<Scalar, 1, Order>& rates = numeric::zeros<Matrix<Scalar, 1, Order>>(),
+    const Matrix<Scalar, 1, Parameters>& gradient =
+        numeric::zeros<Matrix<Scalar, 1, Parameters>>()) {
   Frame<Scalar, Order, Parameters> frame;
   frame.pose.x = displacement;
   frame.displaced = Displacement::of_slide(static_cast<double>(displacement));
-  frame.rates.row(0) = rates;
-  frame.gradient.row(0) = gradient;
+  numeric::set_row(frame.rates, 0, rates);
+  numeric::set_row(frame.gradient, 0, gradient);
   return frame;
 }
 
@@ -187,7 +238,14 @@ template <int Parameters>
 [[nodiscard]] Vector<double, 2> worst_case(
     const Matrix<double, 2, Parameters>& gradient,
     const std::array<double, static_cast<std::size_t>(Parameters)>& tolerances) {
-  return gradient.cwiseAbs() * Eigen::Map<const Vector<double, Parameters>>(tolerances.data());
+  std::array<double, 2> sum{};
+#pragma GCC unroll 16
+  for (int parameter = 0; parameter < Parameters; ++parameter) {
+    const double tolerance = detail::entry(tolerances, parameter);
+    sum[0] += std::abs(gradient(0, parameter)) * tolerance;
+    sum[1] += std::abs(gradient(1, parameter)) * tolerance;
+  }
+  return {sum[0], sum[1]};
 }
 
 /// The root of the sum of the squares of derivative x tolerance, likewise.
@@ -195,8 +253,16 @@ template <int Parameters>
 [[nodiscard]] Vector<double, 2> root_sum_square(
     const Matrix<double, 2, Parameters>& gradient,
     const std::array<double, static_cast<std::size_t>(Parameters)>& tolerances) {
-  const Eigen::Map<const Vector<double, Parameters>> half_widths(tolerances.data());
-  return (gradient * half_widths.asDiagonal()).rowwise().norm();
+  std::array<double, 2> sum{};
+#pragma GCC unroll 16
+  for (int parameter = 0; parameter < Parameters; ++parameter) {
+    const double tolerance = detail::entry(tolerances, parameter);
+    const std::array<double, 2> part = {gradient(0, parameter) * tolerance,
+                                        gradient(1, parameter) * tolerance};
+    sum[0] += part[0] * part[0];
+    sum[1] += part[1] * part[1];
+  }
+  return {std::sqrt(sum[0]), std::sqrt(sum[1])};
 }
 
 }  // namespace assur::support
