@@ -1,6 +1,6 @@
 // Law: what an emitted solver gives of rates and sensitivities has two digits at least, beside a
-// change point too, and six where it is `ok`; what has not two, or does not exist, is NaN. What `assur solve` calls regular where
-// a group is much smaller than its surroundings is `ok`.
+// change point too, and six where it is `ok`; what has not two, or does not exist, is NaN. What
+// `assur solve` calls regular where a group is much smaller than its surroundings is `ok`.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -27,8 +27,8 @@ struct Theorem {
   std::function<Jet(const Points&)> vanishes;
 };
 
-/// Places that lie no further from a singular one are in doubt.
-constexpr double close = 2e-3;
+/// Whether a place lies so close to a singular one at zero that its accelerations are in doubt.
+inline bool is_close(double place) { return std::abs(place) < 2e-3; }
 
 /// A mechanism at one place.
 struct NamedPlace {
@@ -37,7 +37,7 @@ struct NamedPlace {
   Known known;
   std::vector<Theorem> theorems;
   double tolerance = 1e-9;  ///< of values, relative to lengths; 1e2 and 1e5 times this of rates
-  /// So close to a singular place that rounding may leave fewer than six digits of accelerations.
+  /// Rounding may leave fewer than six digits of accelerations.
   bool in_doubt = false;
 
   friend std::ostream& operator<<(std::ostream& out, const NamedPlace& place) {

@@ -214,7 +214,8 @@ class Regular : public testing::Test {
     const auto largest_of = [size](const auto& of) {
       double result = 0;
       for (int row = 0; row < Model::unknown_count; ++row) {
-        const double unit = assur::detail::is_angle<Model>(row) ? size : 1;
+        const bool is_angle = Model::unknowns[static_cast<std::size_t>(row)].is_angle;
+        const double unit = is_angle ? size : 1;
         result = largest(result, unit * static_cast<double>(std::abs(of(row))));
       }
       return result;
