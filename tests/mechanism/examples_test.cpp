@@ -204,8 +204,10 @@ TEST_P(Example, SensitivitiesAreDifferencesOfRigidBodies) {
           }
           return result;
         };
+        // Near folds longer steps leave more than rounding: 1.7e-9 where the solver is right to
+        // 2.2e-13 against 50 digits, the platform at 0.37 of its sweep.
         const auto difference =
-            best_richardson<Eigen::VectorXd>(outputs, 1e-3 * std::max(1.0, std::abs(value)), 2);
+            best_richardson<Eigen::VectorXd>(outputs, 2.5e-4 * std::max(1.0, std::abs(value)), 2);
         Eigen::VectorXd listed(difference.derivative.size());
         for (const mechanism::OutputIndex output : configuration.outputs.keys()) {
           listed.segment<2>(2 * output.row()) =

@@ -150,7 +150,7 @@ void GroupSolver::place(std::size_t configuration, std::size_t first_slide, Plac
   }
   place_links(placed);
   place_slides(q, first_slide, placed);
-  const Precision precision = precision_of(model_, numbers().d, u_, q, motion_);
+  const Precision precision = precision_of(model_, numbers().d, u_, q, query_, motion_);
   const Precision of_shape = precision_of_shape(numbers().firmness);
   if (precision.regularity != Status::ok || of_shape.regularity != Status::ok) {
     placed.regularity = Status::near_singular;

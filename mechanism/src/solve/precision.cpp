@@ -1,6 +1,7 @@
 #include "precision.hpp"
 
 #include <algorithm>
+#include <assur/support/derivative_digits.hpp>
 #include <cmath>
 #include <limits>
 
@@ -9,7 +10,7 @@ namespace assur::mechanism::solve {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double six_digits = 5e-7;
+using support::six_digits;
 constexpr double second_look_constant = 4;
 
 class SecondLook {
@@ -21,8 +22,8 @@ class SecondLook {
 
   /// The relative error of the derivatives where rounding leaves closures open by `held`.
   [[nodiscard]] double error(double held) const {
-    const double reach = std::max(size_, longest_of_q());
-    const double unclosed = 2 * held + epsilon * reach;
+    const double reach = this->reach();
+    const double unclosed = open(held);
     double result = 0;
     for (const bool angles : {false, true}) {
       const models::SmallVector moved = unclosed * loosest(angles);
@@ -32,7 +33,7 @@ class SecondLook {
                                     (angles ? unclosed : unclosed * size_));
       models::SmallMatrix change(inverse_.rows(), inverse_.cols());
       for (Eigen::Index column = 0; column < inverse_.cols(); ++column) {
-        change.col(column) = inverse_ * bent(inverse_.col(column), moved);
+        change.col(column) = inverse_ * bent(inverse_.col(column), moved, none(model_.input_count));
       }
       for (const bool of_angles : {false, true}) {
         const double size = largest(inverse_, of_angles);
@@ -42,18 +43,34 @@ class SecondLook {
     return second_look_constant * result;
   }
 
-  /// The factor by which the error of second rates exceeds that of rates. In J q'' = -H(q', q') -
-  /// ... an error of q' counts 1 / s times, where s is how firmly J holds. Near a fold q'' is as
-  /// large; at a crossing it is not.
-  [[nodiscard]] double second_rate_error(const models::SmallVector& rate,
-                                         const models::SmallVector& second_rate) const {
+  /// Likewise that of second rates, where J q'' = -H(q', q') - ...: what rounding moves by dq, and
+  /// rates by dq' = J^-1 H(q', dq) and by the rounding of their solving, moves second rates by
+  /// J^-1 (2 H(q', dq') + H(q'', dq)), the inputs' rates with those of q. Of second rates that
+  /// cancel the squares of rates count.
+  [[nodiscard]] double second_rate_error(double held, const models::SmallVector& rate,
+                                         const models::SmallVector& second_rate,
+                                         const models::MotionQuery& query) const {
     const double speed = norm(rate) * norm(rate) / size_;
-    const double firm = std::max(norm(loosest(false)), norm(loosest(true)));
     const double size = std::max(norm(second_rate), speed);
-    return size > 0 ? std::max(1.0, firm * speed / size) : 1.0;
+    double result = 0;
+    for (const bool angles : {false, true}) {
+      const models::SmallVector firmly = loosest(angles);
+      const models::SmallVector moved = open(held) * firmly;
+      const models::SmallVector change = inverse_ * bent(rate, moved, query.input_rate);
+      const models::SmallVector solved = epsilon * norm(rate) * firmly;
+      const double most = norm(inverse_ * (2 * bent(rate, change, query.input_rate) +
+                                           bent(second_rate, moved, query.input_second_rate))) +
+                          norm(inverse_ * (2 * bent(rate, solved, query.input_rate))) +
+                          epsilon * norm(firmly) * size;
+      result = std::max(result, size > 0 ? most / size : 0);
+    }
+    return second_look_constant * result;
   }
 
  private:
+  /// By how much rounding may leave closures open.
+  [[nodiscard]] double open(double held) const { return 2 * held + epsilon * reach(); }
+  [[nodiscard]] double reach() const { return std::max(size_, longest_of_q()); }
   [[nodiscard]] bool is_angle(Eigen::Index row) const {
     return model_.unknowns[static_cast<std::size_t>(row)].is_angle;
   }
@@ -99,25 +116,27 @@ class SecondLook {
     }
     return sum;
   }
-  /// H(x, y), up to its sign, from the quadratic form: both are brought to one length.
-  [[nodiscard]] models::SmallVector bent(const models::SmallVector& x,
-                                         const models::SmallVector& y) const {
-    const double length_x = norm(x);
+  /// H((x, u), (y, 0)), up to its sign, from the quadratic form: x and y are brought to one length.
+  [[nodiscard]] models::SmallVector bent(const models::SmallVector& x, const models::SmallVector& y,
+                                         const models::SmallVector& u) const {
+    const double length_x = std::max(norm(x), u.cwiseAbs().maxCoeff());
     const double length_y = norm(y);
     if (!(length_x > 0 && length_y > 0)) {
-      return models::SmallVector::Zero(inverse_.rows());
+      return none(model_.unknowns.size());
     }
-    return (curvature(x / length_x + y / length_y) - curvature(x / length_x - y / length_y)) *
+    const models::SmallVector along_u = u / length_x;
+    return (curvature(x / length_x + y / length_y, along_u) -
+            curvature(x / length_x - y / length_y, along_u)) *
            (length_x * length_y / 4);
   }
-  [[nodiscard]] models::SmallVector curvature(const models::SmallVector& along) const {
-    const auto none = [](std::size_t count) {
-      return models::SmallVector(models::SmallVector::Zero(static_cast<Eigen::Index>(count)));
-    };
+  [[nodiscard]] models::SmallVector curvature(const models::SmallVector& along_q,
+                                              const models::SmallVector& along_u) const {
     models::Curvature result;
-    model_.kernel->bend(d_, u_, q_, along, none(model_.dimension_count), none(model_.input_count),
-                        result);
+    model_.kernel->bend(d_, u_, q_, along_q, none(model_.dimension_count), along_u, result);
     return result.closures;
+  }
+  [[nodiscard]] static models::SmallVector none(std::size_t count) {
+    return models::SmallVector::Zero(static_cast<Eigen::Index>(count));
   }
 
   const GroupModel& model_;
@@ -132,26 +151,29 @@ class SecondLook {
 
 Precision precision_of(const GroupModel& model, const models::FlatVariables& d,
                        const models::FlatVariables& u, const models::FlatVariables& q,
-                       const models::GroupMotion& motion) {
+                       const models::MotionQuery& query, const models::GroupMotion& motion) {
   Precision result;
-  const bool moves = motion.rate.allFinite();
-  if (motion.standing.status == Status::ok) {
-    result.regularity = moves ? Status::ok : Status::near_singular;
-    result.derivatives_known = result.second_rates_known = true;
+  const Regularity<double>& standing = motion.standing;
+  if (!is_solvable(standing.status)) {
     return result;
   }
-  if (motion.standing.status != Status::near_singular) {
+  const bool moves = motion.rate.allFinite();
+  const bool is_firm = standing.error() < six_digits * standing.firmness;
+  if (is_firm || !motion.inverse.allFinite()) {
+    result.regularity = moves && is_firm ? Status::ok : Status::near_singular;
+    result.derivatives_known = standing.error() < two_digits;
+    result.second_rates_known = is_firm;
     return result;
   }
   const SecondLook look(model, d, u, q, motion);
-  const double error =
-      motion.inverse.allFinite() ? look.error(motion.held) : motion.standing.error();
-  const bool is_regular = error < six_digits;
-  result.regularity = moves && is_regular ? Status::ok : Status::near_singular;
+  const double error = std::min(standing.error(), look.error(motion.held));
+  const double of_second_rates =
+      moves ? std::max(error,
+                       look.second_rate_error(motion.held, motion.rate, motion.second_rate, query))
+            : error;
+  result.regularity = moves && of_second_rates < six_digits ? Status::ok : Status::near_singular;
   result.derivatives_known = error < two_digits;
-  result.second_rates_known =
-      result.derivatives_known &&
-      (is_regular || look.second_rate_error(motion.rate, motion.second_rate) * error < two_digits);
+  result.second_rates_known = of_second_rates < two_digits;
   return result;
 }
 

@@ -22,6 +22,7 @@ struct Precision {
 /// their own derivatives. `motion` is that of the configuration `q` of `model`.
 [[nodiscard]] Precision precision_of(const GroupModel& model, const models::FlatVariables& d,
                                      const models::FlatVariables& u, const models::FlatVariables& q,
+                                     const models::MotionQuery& query,
                                      const models::GroupMotion& motion);
 
 /// Of the frames of links that drivers change, by how firmly features define them: their first

@@ -56,6 +56,8 @@ struct Regularity {
   /// determinant keeps of its terms and of how firmly the closures hold the unknowns. One at best,
   /// zero where J has no inverse. It does not depend on the unit of length.
   Scalar margin = Scalar(0);
+  /// How firmly the closures hold the unknowns alone: one at best, and no less than the margin.
+  Scalar firmness = Scalar(0);
   /// The relative error of what the margin is computed from, with all constants.
   Scalar rounding = Scalar(1);
   int weakest = 0;  ///< index in Model::pivots of the pivot nearest to zero

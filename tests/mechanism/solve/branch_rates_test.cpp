@@ -325,5 +325,38 @@ TEST(Meetings, BesideThemNothingIsToldThatIsNotKnown) {
   }
 }
 
+/// In both motions of a parallelogram tan(rocker / 2) is a multiple of tan(crank / 2). Six digits
+/// of accelerations are left from 1e-3 rad on, and where they are the configuration is regular.
+TEST(Meetings, BesideThemWhatIsRegularHasSixDigits) {
+  constexpr double crank = 2, ground = 3, rate = -1.3, second_rate = 0.4;
+  int regular = 0;
+  for (double beside = 1e-5; beside < 0.1; beside *= 1.1) {
+    SceneMaker scene = four_bar(crank, ground, crank, ground, "0", rate, second_rate);
+    scene.parameter("phi", beside);
+    const Solved solved(mechanism::parse_scene(scene.scene().dump(), "scene"));
+    ASSERT_EQ(solved.configurations().size(), 2U) << beside;
+    for (const Configuration& configuration : solved.configurations()) {
+      if (configuration.regularity != Status::ok) {
+        EXPECT_LT(beside, 5e-3);
+        continue;
+      }
+      ++regular;
+      const double t = std::tan(beside / 2);
+      const mechanism::Frame& rocker = configuration.link("rocker");
+      const bool is_parallel = rocker.pose.direction.sin > 0;
+      const double times = is_parallel ? 1 : -(ground + crank) / (ground - crank);
+      const double reduced = 1 + times * times * t * t;
+      const double slope = times * (1 + t * t) / reduced;
+      const double bend = times * t * (1 - times * times) * (1 + t * t) / (reduced * reduced);
+      const double alpha = bend * rate * rate + slope * second_rate;
+      EXPECT_NEAR(rocker.velocity(2), slope * rate, 5e-7 * std::abs(slope * rate)) << beside;
+      EXPECT_NEAR(rocker.acceleration(2), alpha,
+                  5e-7 * std::max(std::abs(alpha), slope * slope * rate * rate))
+          << beside;
+    }
+  }
+  EXPECT_GT(regular, 80);
+}
+
 }  // namespace
 }  // namespace assur::test::branch_rates_test

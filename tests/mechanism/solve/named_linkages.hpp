@@ -27,6 +27,9 @@ struct Theorem {
   std::function<Jet(const Points&)> vanishes;
 };
 
+/// Whether a place lies so close to a singular one at zero that its accelerations are in doubt.
+inline bool is_close(double place) { return std::abs(place) < 2e-3; }
+
 /// A mechanism at one place.
 struct NamedPlace {
   std::string name;
@@ -34,6 +37,8 @@ struct NamedPlace {
   Known known;
   std::vector<Theorem> theorems;
   double tolerance = 1e-9;  ///< of values, relative to lengths; 1e2 and 1e5 times this of rates
+  /// Rounding may leave fewer than six digits of accelerations.
+  bool in_doubt = false;
 
   friend std::ostream& operator<<(std::ostream& out, const NamedPlace& place) {
     return out << place.name;
@@ -134,7 +139,8 @@ inline void expect_assemblies(const Answer& answer, const NamedPlace& place) {
     }
     taken[found] = true;
     const Configuration& configuration = configurations[found];
-    EXPECT_EQ(configuration.regularity, known.regular ? Status::ok : Status::near_singular);
+    const bool is_ok = configuration.regularity == Status::ok;
+    EXPECT_TRUE(is_ok == known.regular || (known.regular && place.in_doubt));
     if (known.regular) {
       EXPECT_TRUE(configuration.derivatives_known);
       EXPECT_LT(apart(answer.points[found], known.points, true), tolerance);

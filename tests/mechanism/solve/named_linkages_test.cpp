@@ -82,7 +82,8 @@ NamedPlace five_bar(double phi, double x, double y) {
           known,
           {{"C is on the line x = 0", regular ? 2 : 0,
             [](const Points& points) { return points.at("C").x; }}},
-          1e-9};
+          1e-9,
+          is_close(phi)};
 }
 
 // The kite: a crank as long as its pivots are apart, and two other bars. C is on the line of
@@ -125,7 +126,8 @@ NamedPlace kite(double phi, double a, double b) {
       known.assemblies.push_back({{{"C", along * at_angle(half, 1)}}, {}});
     }
   }
-  return {"the kite of " + std::to_string(a) + at(phi), kite_scene(phi, a, b), known, {}, 1e-9};
+  const std::string name = "the kite of " + std::to_string(a) + at(phi);
+  return {name, kite_scene(phi, a, b), known, {}, 1e-9, is_close(phi)};
 }
 
 // A parallelogram ABCD of 2 and 3, and another of 2 and 3 on its coupler BC, whose crank is driven

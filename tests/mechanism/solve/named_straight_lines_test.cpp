@@ -143,7 +143,7 @@ Theorem passes(double x, double y) {
 
 NamedPlace four_bar(const std::string& name, const FourBar& bars, double phi,
                     const std::vector<Theorem>& theorems) {
-  return {name + at(phi), bars.scene(phi), bars.known(phi), theorems, 1e-9};
+  return {name + at(phi), bars.scene(phi), bars.known(phi), theorems, 1e-9, is_close(phi)};
 }
 
 // Watt: the coupler of 4 stands across cranks of 3 that are parallel. Its middle passes the centre
@@ -200,7 +200,8 @@ NamedPlace scott_russell(double phi, double x, double y) {
           scott_russell_scene(phi, x, y),
           at_change ? Known{{both}, {}} : Known{{straight, folded}, {}},
           {is_straight},
-          1e-9};
+          1e-9,
+          is_close(phi)};
 }
 
 class NamedStraightLine : public testing::TestWithParam<NamedPlace> {};

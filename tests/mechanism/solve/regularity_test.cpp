@@ -1,7 +1,9 @@
-// Law: the sensitivities of an assembled configuration are as good as its margin says, against the
-// same configuration assembled in long double; six digits hold where the status is ok.
+// Law: the derivatives of an assembled configuration are as good as its margin says, against the
+// same configuration assembled in long double; six digits hold where the status is ok, of
+// accelerations too.
 #include <assur/kinematics.hpp>
 #include <assur/mechanism/group_model.hpp>
+#include <assur/support/second_rates.hpp>
 #include <iostream>
 
 #include "kind_in_space.hpp"
@@ -51,15 +53,24 @@ struct Promises {
   double worst_margin = 0;       ///< error in units of eps / margin
   double worst_regular = 0;      ///< error where `regularity` says ok
   double worst_second_look = 0;  ///< where the second look says ok
+  /// Of accelerations, where the second look says ok, and where the pivots do.
+  double worst_acceleration = 0, worst_acceleration_by_pivots = 0;
+  int regular_in_motion = 0, regular_in_motion_by_pivots = 0;
 
   void expect(const char* which, int least) const {
     std::cout << "seed " << seed << ", " << which << ": " << compared << " configurations, at most "
               << worst_margin << " eps/margin; " << regular << " regular, at most " << worst_regular
               << "; at a second look " << regular_at_second_look << ", at most "
-              << worst_second_look << "\n";
+              << worst_second_look << "; in motion " << regular_in_motion << " regular, "
+              << regular_in_motion_by_pivots << " by the pivots, accelerations at most "
+              << worst_acceleration << " and " << worst_acceleration_by_pivots << "\n";
     EXPECT_GT(compared, least);
     EXPECT_LE(worst_regular, 5e-7);
     EXPECT_LE(worst_second_look, 5e-7);
+    EXPECT_LE(worst_acceleration, 5e-7);
+    EXPECT_LE(worst_acceleration_by_pivots, 5e-7);
+    EXPECT_GT(regular_in_motion_by_pivots, least / 4);
+    EXPECT_GE(regular_in_motion, regular_in_motion_by_pivots);
     EXPECT_GE(regular_at_second_look, regular);
   }
 };
@@ -67,14 +78,15 @@ struct Promises {
 /// A configuration of a group and its derivatives, as mechanisms see them.
 struct Standing {
   Standing(const mechanism::GroupModel& row, const mechanism::models::FlatVariables& d,
-           const mechanism::models::FlatVariables& u, const mechanism::models::FlatVariables& q)
+           const mechanism::models::FlatVariables& u, const mechanism::models::FlatVariables& q,
+           const Eigen::VectorXd& input_rate, const Eigen::VectorXd& input_second_rate)
       : model(row) {
     mechanism::models::MotionQuery query;
     query.derivatives = true;
-    query.input_rate.setZero(static_cast<Eigen::Index>(row.input_count));
-    query.input_second_rate = query.input_rate;
+    query.input_rate = input_rate;
+    query.input_second_rate = input_second_rate;
     row.kernel->move(d, u, q, query, motion);
-    regularity = mechanism::solve::precision_of(row, d, u, q, motion).regularity;
+    regularity = mechanism::solve::precision_of(row, d, u, q, query, motion).regularity;
   }
   const mechanism::GroupModel& model;
   mechanism::models::GroupMotion motion;
@@ -140,14 +152,97 @@ class Regular : public testing::Test {
       support::flatten(variables, result);
       return result;
     };
-    const Standing found(row_of<Model>(), flat(group.d), flat(group.u), flat(group.q));
+    const Rates still = Rates::Zero();
+    const Standing found(row_of<Model>(), flat(group.d), flat(group.u), flat(group.q), still,
+                         still);
     if (is_solvable(found.motion.standing.status) &&
         sensitivities<Model, Long>(d, u, q, truth) == Status::ok) {
       regularity_test::compare(found, truth.to_dimensions, truth.to_inputs, kept);
+      for (const auto& [rate, second_rate] : {random_rates(), crossing_rates(d, u, q)}) {
+        Motion<Model, Long> moving;
+        if (motion<Model, Long>(d, u, q, rate.template cast<Long>(),
+                                second_rate.template cast<Long>(), moving) == Status::ok) {
+          compare_motion(
+              {row_of<Model>(), flat(group.d), flat(group.u), flat(group.q), rate, second_rate},
+              moving, kept);
+        }
+      }
     }
   }
 
+ private:
+  using Rates = Vector<double, Model::input_count>;
+  using LongUnknowns = Vector<Long, Model::unknown_count>;
+
+  std::pair<Rates, Rates> random_rates() {
+    std::uniform_real_distribution<double> any(-1, 1);
+    const auto drawn = [&] { return Rates(Rates::NullaryExpr([&] { return any(engine_); })); };
+    const Rates rate = drawn();
+    return {rate, drawn()};
+  }
+  /// Inputs that move so that the unknowns have rates of no great size, as they have where
+  /// configurations cross.
+  template <typename Dimensions, typename Inputs, typename Configuration>
+  std::pair<Rates, Rates> crossing_rates(const Dimensions& d, const Inputs& u,
+                                         const Configuration& q) {
+    std::uniform_real_distribution<double> any(-1, 1);
+    const auto wanted = [&] {
+      return LongUnknowns(LongUnknowns::NullaryExpr([&] { return Long(any(engine_)); }));
+    };
+    Matrix<Long, Model::equation_count, Model::unknown_count> J;
+    Matrix<Long, Model::equation_count, Model::input_count> f_u;
+    Model::jacobian(d, u, q, J);
+    Model::input_jacobian(d, u, q, f_u);
+    const auto inputs_for = [&](const LongUnknowns& rates) {
+      const Vector<Long, Model::equation_count> closures = -J * rates;
+      return Rates(least_change(f_u.template cast<double>(), closures.template cast<double>()));
+    };
+    const Rates rate = inputs_for(wanted());
+    Motion<Model, Long> moving;
+    if (motion<Model, Long>(d, u, q, rate.template cast<Long>(),
+                            Vector<Long, Model::input_count>::Zero(), moving) != Status::ok) {
+      return {rate, Rates::Zero()};
+    }
+    // Inputs that accelerate more by far leave rounding of their own.
+    const Rates second_rate = inputs_for(wanted() - moving.acceleration);
+    return {rate, second_rate.cwiseAbs().maxCoeff() < 100 ? second_rate : Rates(Rates::Zero())};
+  }
+
+  static void compare_motion(const Standing& found, const Motion<Model, Long>& truth,
+                             Promises& kept) {
+    const double size = found.motion.size;
+    const auto largest_of = [size](const auto& of) {
+      double result = 0;
+      for (int row = 0; row < Model::unknown_count; ++row) {
+        const bool is_angle = Model::unknowns[static_cast<std::size_t>(row)].is_angle;
+        const double unit = is_angle ? size : 1;
+        result = largest(result, unit * static_cast<double>(std::abs(of(row))));
+      }
+      return result;
+    };
+    const double rate = largest_of(truth.velocity);
+    const Vector<double, Model::unknown_count> q_rate = found.motion.rate;
+    const Vector<double, Model::unknown_count> q_second_rate = found.motion.second_rate;
+    const double error =
+        largest_of(LongUnknowns(q_second_rate.template cast<Long>() - truth.acceleration)) /
+        std::max(largest_of(truth.acceleration), rate * rate / size);
+    if (found.regularity == Status::ok) {
+      ++kept.regular_in_motion;
+      kept.worst_acceleration = largest(kept.worst_acceleration, error);
+    }
+    const double by_pivots =
+        support::second_rate_error<Model>(found.motion.standing, q_rate, q_second_rate, size);
+    if (by_pivots < support::six_digits) {
+      ++kept.regular_in_motion_by_pivots;
+      kept.worst_acceleration_by_pivots = largest(kept.worst_acceleration_by_pivots, error);
+    }
+  }
+
+ protected:
   Groups groups_{seed + static_cast<unsigned>(Model::number)};
+
+ private:
+  std::mt19937 engine_{seed};
 };
 
 TYPED_TEST_SUITE(Regular, AllModels, ModelNames);

@@ -45,10 +45,14 @@ inline std::string name_of_ties(const testing::TestParamInfo<Ties>& ties) {
   return ties.param == Ties::drivers ? "ByDrivers" : "ByGroups";
 }
 
-/// The least singular value of the constraints' Jacobian, as a part of the largest.
+/// How near the constraints' Jacobian is to a singular one: the least pivot of orthogonal
+/// elimination as a part of the largest. Singular values tell it by a factor more closely, in a
+/// hundred times the time.
 inline Real condition_of(const RigidScene& rigid, const RealVector& q) {
-  const auto values = Eigen::JacobiSVD<RealMatrix>(rigid.jacobian(q)).singularValues();
-  return values(values.size() - 1) / values(0);
+  const RealMatrix jacobian = rigid.jacobian(q);
+  const RealVector pivots =
+      Eigen::ColPivHouseholderQR<RealMatrix>(jacobian).matrixQR().diagonal().cwiseAbs();
+  return pivots.minCoeff() / pivots.maxCoeff();
 }
 
 /// The poses in which the bodies of a scene were thrown.
@@ -76,9 +80,9 @@ inline RealVector rates_of(const RigidScene& rigid, const Configuration& configu
   return result;
 }
 
-/// Difference of two vectors as a part of the larger of them.
-inline double relative(const RealVector& one, const RealVector& other) {
-  const Real size = std::max({one.cwiseAbs().maxCoeff(), other.cwiseAbs().maxCoeff(), Real(1e-9)});
+/// Difference of two vectors as a part of the larger of them, or of `least` if both are less.
+inline double relative(const RealVector& one, const RealVector& other, Real least = 1e-9L) {
+  const Real size = std::max({one.cwiseAbs().maxCoeff(), other.cwiseAbs().maxCoeff(), least});
   return static_cast<double>((one - other).cwiseAbs().maxCoeff() / size);
 }
 
@@ -105,7 +109,10 @@ inline void expect_same_configurations(const Solved& one, const Solved& other,
     }
     EXPECT_LT(worst / (1 + rigid.reach()), is_regular ? 1e-7 : within_singular)
         << "configuration " << place + 1;
-    EXPECT_EQ(is_regular, other.configurations()[place].regularity == Status::ok)
+    // Of a chain the bounds that decide depend on the frames of its links, and so on the listing.
+    const Configuration& there = other.configurations()[place];
+    EXPECT_TRUE(is_regular == (there.regularity == Status::ok) ||
+                (configuration.rates_known && there.rates_known))
         << "configuration " << place + 1;
   }
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <assur/mechanism/values.hpp>
 #include <cmath>
+#include <map>
 #include <random>
 #include <vector>
 
@@ -237,12 +238,15 @@ class RigidScene {
                  : coordinate_read;
     };
     Real speed = 1;
+    std::map<mechanism::JointIndex, Jet> moving;  // each once, as laws read laws
     for (const mechanism::JointIndex joint :
          mechanism_.numbers()[driver.position].formula.joints()) {
-      const Jet moving = read(joint);
-      speed += std::abs(moving.c1) + std::sqrt(std::abs(moving.c2));
+      const Jet& jet = moving.emplace(joint, read(joint)).first->second;
+      speed += std::abs(jet.c1) + std::sqrt(std::abs(jet.c2));
     }
-    Jet law = differentiated([&](Real t) { return at_time(driver.position, t, read); }, speed);
+    const auto read_before = [&](mechanism::JointIndex joint) { return moving.at(joint); };
+    Jet law =
+        differentiated([&](Real t) { return at_time(driver.position, t, read_before); }, speed);
     if (laws == Laws::with_given_rates && driver.velocity.exists()) {
       law.c1 = at_time(driver.velocity, 0);
     }

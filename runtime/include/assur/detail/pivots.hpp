@@ -63,6 +63,7 @@ template <typename Model, typename Scalar>
     return result;
   }
   result.margin = kept * firmness;
+  result.firmness = firmness;
   result.rounding = rounding;
   const bool keeps = rounding < Scalar(six_digits) * result.margin;
   result.status = keeps ? Status::ok : Status::near_singular;
@@ -84,6 +85,27 @@ template <typename Model, typename Scalar>
                          core * (pivots.values(index) * pivots.values(index)));
   }
   return static_cast<bool>(regular);
+}
+
+/// Whether second rates keep six digits too, whatever moves: they divide by the firmness once more
+/// (see `second_rate_error`). Without a division, as above.
+template <typename Model>
+[[nodiscard]] bool is_firm(const Pivots<Model, double>& pivots, double rounding) {
+  double core = 1;
+  double sizes = 1;
+  for (int index = 0; index < Model::core_pivot_count; ++index) {
+    core *= std::abs(pivots.values(index));
+    sizes *= pivots.sizes(index);
+  }
+  core *= six_digits * core * core;
+  const double lost = rounding * pivots.terms * sizes * sizes;
+  bool firm = lost < core;
+  for (int index = Model::core_pivot_count; index < Model::pivot_count; ++index) {
+    const double value = pivots.values(index) * pivots.values(index);
+    const double size = pivots.sizes(index) * pivots.sizes(index);
+    firm = firm && lost * (size * size) < core * (value * value);
+  }
+  return firm;
 }
 
 /// The sign of det J; zero only where a pivot vanishes.

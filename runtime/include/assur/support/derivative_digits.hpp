@@ -15,17 +15,4 @@ template <typename Scalar>
 /// What a regular configuration promises of its derivatives.
 inline constexpr double six_digits = 5e-7;
 
-/// Which time derivatives of a configuration keep two digits. Sensitivities are as the first ones.
-struct KnownDerivatives {
-  bool rates = true;
-  bool second_rates = true;
-};
-
-/// A second rate divides once more by how firmly the closures hold: at most by the margin.
-template <typename Scalar>
-[[nodiscard]] KnownDerivatives known_derivatives(const Regularity<Scalar>& regularity) {
-  const Scalar error = regularity.error();
-  return {error < two_digits, error < two_digits * regularity.margin};
-}
-
 }  // namespace assur::support

@@ -9,6 +9,7 @@
 #include <assur/support/discriminant.hpp>
 #include <assur/support/displacement.hpp>
 #include <assur/support/placed_link.hpp>
+#include <assur/support/second_rates.hpp>
 #include <assur/support/specialised.hpp>
 #include <limits>
 
@@ -106,15 +107,51 @@ template <typename Group, int Order, int Parameters>
   return among == Status::ok ? regularity : among;
 }
 
-/// The derivatives of a configuration that is not regular, counting what rounding has displaced.
+/// Whether the first derivatives of a configuration that is not regular keep two digits, counting
+/// what rounding has displaced.
 template <typename Group, int Order, int Parameters>
-[[nodiscard, gnu::noinline, gnu::cold]] KnownDerivatives derivatives_among_displaced(
+[[nodiscard, gnu::noinline, gnu::cold]] bool are_derivatives_known(
     const HeldJoints<Group, Order, Parameters>& held,
     const typename Group::template Configuration<double>& q) {
   using Model = Specialised<Group>;
   const typename Model::template Dimensions<double> d;
-  return known_derivatives(
-      DisplacedGroup<Model>(d, held.u, held.displaced).regularity(d, held.u, q));
+  return DisplacedGroup<Model>(d, held.u, held.displaced).regularity(d, held.u, q).error() <
+         two_digits;
+}
+
+/// Whether accelerations of a regular configuration keep six digits whatever moves.
+template <typename Group, int Order, int Parameters>
+[[nodiscard]] bool is_firm(const HeldJoints<Group, Order, Parameters>& held,
+                           const typename Group::template Configuration<double>& q) {
+  using Model = Specialised<Group>;
+  const typename Model::template Dimensions<double> d;
+  const double displaced =
+      std::max(held.displaced.moved / Group::own_length, held.displaced.turned);
+  return detail::is_firm(detail::pivots_at<Model, double>(d, held.u, q),
+                         derivative_rounding<double>() + displaced);
+}
+
+/// The regularity of a configuration in motion, which counts its second rates. Rates that keep no
+/// two digits become NaN.
+template <typename Group, int Order, int Parameters>
+[[nodiscard, gnu::noinline, gnu::cold]] Status regularity_in_motion(
+    const HeldJoints<Group, Order, Parameters>& held,
+    const typename Group::template Configuration<double>& q, Status regularity,
+    Vector<double, Group::unknown_count>& q_rate,
+    Vector<double, Group::unknown_count>& q_second_rate) {
+  using Model = Specialised<Group>;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const typename Model::template Dimensions<double> d;
+  const auto standing = DisplacedGroup<Model>(d, held.u, held.displaced).regularity(d, held.u, q);
+  const double second_error =
+      second_rate_error<Model>(standing, q_rate, q_second_rate, Group::own_length);
+  if (!(standing.error() < two_digits)) {
+    numeric::fill(q_rate, none);
+  }
+  if (!(second_error < two_digits)) {
+    numeric::fill(q_second_rate, none);
+  }
+  return second_error < six_digits ? regularity : Status::near_singular;
 }
 
 /// Whether places are so long beside a group that a rounding of theirs is more than a few of its.
@@ -165,14 +202,8 @@ template <typename Group, int Order, int Parameters>
       auto acceleration = numeric::zeros<Matrix<double, links, 3>>();
       Vector<double, Group::unknown_count> q_second_rate;
       Group::motion(held.u, q, u_rate, u_second_rate, q_rate, q_second_rate);
-      if (!regular) {
-        const KnownDerivatives known = derivatives_among_displaced(held, q);
-        if (!known.rates) {
-          numeric::fill(q_rate, none);
-        }
-        if (!known.second_rates) {
-          numeric::fill(q_second_rate, none);
-        }
+      if (!regular || !is_firm(held, q)) {
+        placed.regularity = regularity_in_motion(held, q, placed.regularity, q_rate, q_second_rate);
       }
       if constexpr (links > 0) {
         Group::link_accelerations(held.u, q, q_rate, q_second_rate, u_rate, u_second_rate,
@@ -187,7 +218,7 @@ template <typename Group, int Order, int Parameters>
       }
     } else {
       Group::velocity(held.u, q, u_rate, q_rate);
-      if (!regular && !derivatives_among_displaced(held, q).rates) {
+      if (!regular && !are_derivatives_known(held, q)) {
         numeric::fill(q_rate, none);
       }
     }
@@ -217,7 +248,7 @@ template <typename Group, int Order, int Parameters>
       }
     }
     if constexpr (Parameters > 0) {
-      if (!regular && !derivatives_among_displaced(held, q).rates) {
+      if (!regular && !are_derivatives_known(held, q)) {
         numeric::fill(J_inverse, none);
       }
       // J q_a = -(F_a + F_u u_a), and p_a = P_a + P_u u_a + P_q q_a.
