@@ -112,6 +112,45 @@ TEST(Degenerate, IsToldOnceAStretchOfASweep) {
       << result.messages;
 }
 
+/// A lever that turns all the way, and a rack on its pinion that is too far away as the crank
+/// passes the ground's line.
+Json press() {
+  Json scene = Json::parse(read_file(std::filesystem::path(ASSUR_EXAMPLES) / "rack_press.json"));
+  scene["parameters"]["crank"] = 100;
+  scene["parameters"]["rod"] = 90;
+  scene["parameters"]["lever"] = 110;
+  scene["parameters"]["pinion"] = 60;
+  scene["links"]["ground"]["D"] = {40, 0};
+  scene["parameters"]["phi"] = 0;
+  return scene;
+}
+
+TEST(NoAssembly, TellsHowFarALawHasMovedWhatHoldsTheGroup) {
+  const CommandResult result = solved(press(), "json");
+  EXPECT_NE(result.output.find("in 2 of 2 configurations of group 1 (by so little with rack moved "
+                               "by -36.8)"),
+            std::string::npos)
+      << result.output.substr(0, 600);
+}
+
+/// The names of a message do not depend on how the scene is listed.
+TEST(NoAssembly, NamesJointsInOneOrder) {
+  Json scene = four_bar(9);
+  const Json joints = scene["joints"];
+  Json backwards = Json::object();
+  for (const std::string name : {"D", "C", "B", "A"}) {
+    backwards[name] = joints[name];
+    std::swap(backwards[name]["between"][0], backwards[name]["between"][1]);
+  }
+  const auto names_of = [](const Json& of) {
+    const std::string reason = Json::parse(solved(of, "json").output)["reason"];
+    return reason.substr(0, reason.find("fail to close"));
+  };
+  const std::string names = names_of(scene);
+  scene["joints"] = backwards;
+  EXPECT_EQ(names_of(scene), names);
+}
+
 TEST(Limits, AreToldOnceAStretchOfASweep) {
   Json scene = four_bar(3);
   scene["joints"]["A"]["limits"] = {0.45, 3};
