@@ -167,6 +167,13 @@ class StretchTeller {
     const mechanism::Values& values = values_.at(first_ + count / 2);
     const double place = values.parameter(plan_.request().sweep->parameter);
     const std::string reason = plan_.obstacle(values);
+    if (reason.empty()) {  // there, it can be assembled alone
+      return plan_.structure().reading.empty()
+                 ? ": at " + short_number(place) + ", the links reach but for rounding"
+                 : ": angles that laws read are counted on from the first step; alone, with angles "
+                   "in (-pi, pi], it can be assembled at " +
+                       short_number(place);
+    }
     return count == 1 ? ": " + reason : ": at " + short_number(place) + ", " + reason;
   }
 

@@ -46,7 +46,7 @@ TEST_P(BadScene, GetsOneLine) {
   expect_one_line(run_assur("solve " + file.string()), fault.message);
 }
 
-constexpr std::array<Fault, 65> faults = {{
+constexpr std::array<Fault, 66> faults = {{
     {"UnknownTopLevelKey", "/drivrs", "{}",
      "scene.json: unknown key 'drivrs' (did you mean 'drivers'?)"},
     {"LinksMissing", "/links", "", "the key 'links' is missing"},
@@ -93,6 +93,8 @@ constexpr std::array<Fault, 65> faults = {{
     {"ParameterReserved", "/parameters/pi", "3", "'pi' is the name of a function or constant"},
     {"ParameterName", "/parameters/1st", "3", "'1st' is not a name"},
     {"NegativeTolerance", "/parameters/AB/tolerance", "-1", "cannot be negative"},
+    {"NegativeMiss", "/redundancy", R"({"tolerance": -1})",
+     "redundancy.tolerance: a tolerance is a distance and cannot be negative"},
     {"UnknownParameterKey", "/parameters/AB/tol", "1", "parameters.AB: unknown key 'tol'"},
     {"UnknownDriver", "/drivers/AA", "{\"position\": 0}", "no joint named 'AA'"},
     {"DriverWithoutPosition", "/drivers/A/position", "", "the key 'position' is missing"},

@@ -92,6 +92,9 @@ class SceneEmitter {
     std::vector<std::string> turning;
     std::vector<std::string> sliding;
     for (const mechanism::DrivenLink& link : solver_.plan.structure().driven) {
+      if (!link.driver.exists()) {
+        continue;
+      }
       const mechanism::ElementaryJoint& at = solver_.joint(link.joint);
       const mechanism::JointMotion& motion = solver_.values.motion(link.driver);
       std::vector<double> law = {motion.position.value(), motion.velocity, motion.acceleration};
@@ -171,8 +174,15 @@ class SceneEmitter {
     structs_.push_back(solver_.group_struct(group));
     max_configurations_ *= special.max_configurations;
     steps_.push_back(text::listed(solver_.plan.structure().names_of(solver_.group(group).links)) +
-                     ": " + model.group->name() + " " + solver_.group(group).kind + ", at most " +
+                     relative_to(group) + ": " + model.group->name() + " " +
+                     solver_.group(group).kind + ", at most " +
                      std::to_string(special.max_configurations) + " configurations");
+  }
+
+  /// As it follows on the links of a group.
+  [[nodiscard]] std::string relative_to(mechanism::GroupIndex group) const {
+    const mechanism::LinkIndex base = solver_.group(group).base;
+    return base.exists() ? ", relative to " + solver_.link_name(base) : "";
   }
 
   /// What a state holds, and what the search places.
@@ -190,6 +200,9 @@ class SceneEmitter {
       if (!solver_.is_ground(link) && solver_.needs[link] != FrameNeed::nothing) {
         const bool whole = solver_.needs[link] == FrameNeed::everything;
         placed.push_back((whole ? "LinkFrame " : "Direction<double> ") + member + ";");
+      }
+      if (const std::string& relative = solver_.members.relative[link]; !relative.empty()) {
+        placed.push_back("LinkFrame " + relative + ";");
       }
     }
     std::vector<std::string> reported;

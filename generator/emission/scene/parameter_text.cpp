@@ -178,7 +178,13 @@ class FormulaText {
 
 }  // namespace
 
-bool is_constant(const GiNaC::ex& formula) { return GiNaC::is_a<GiNaC::numeric>(formula.evalf()); }
+bool is_constant(const GiNaC::ex& formula) {
+  // Rounding alone may cancel what depends on a symbol.
+  const bool has_symbol =
+      std::any_of(formula.preorder_begin(), formula.preorder_end(),
+                  [](const GiNaC::ex& part) { return GiNaC::is_a<GiNaC::symbol>(part); });
+  return !has_symbol && GiNaC::is_a<GiNaC::numeric>(formula.evalf());
+}
 
 std::string cpp_formula(const GiNaC::ex& formula) { return FormulaText::whole(formula); }
 

@@ -5,6 +5,7 @@
 
 #include "emission/cpp/cpp_text.hpp"
 #include "emission/scene/parameter_text.hpp"
+#include "emission/scene/sample_poses.hpp"
 
 namespace assur::generator::emission::scene {
 
@@ -27,6 +28,16 @@ bool have_rates_of_parameters(const mechanism::Plan& plan) {
   return (want.velocity || want.acceleration) && (places_move || laws_move);
 }
 
+/// What moves, by the names of its members.
+Mover named_mover(const std::string& name, const std::string& position, const std::string& velocity,
+                  const std::string& acceleration) {
+  return {GiNaC::symbol(name + position),
+          GiNaC::symbol(name + velocity),
+          GiNaC::symbol(name + acceleration),
+          {},
+          {}};
+}
+
 }  // namespace
 
 SceneNumbers::SceneNumbers(
@@ -34,8 +45,9 @@ SceneNumbers::SceneNumbers(
     const std::vector<std::pair<mechanism::ParameterIndex, std::string>>& variable,
     const std::vector<Eigen::Index>& modelled,
     const mechanism::Table<mechanism::DriverIndex, std::string>& drivers,
-    const mechanism::Table<mechanism::JointIndex, std::string>& joints)
-    : plan_(plan), values_(values) {
+    const mechanism::Table<mechanism::JointIndex, std::string>& joints,
+    const mechanism::Table<mechanism::LinkIndex, std::string>& relative)
+    : plan_(plan), values_(values), movers_(symbols_) {
   const auto& parameters = plan.mechanism().parameters();
   symbol_of_.assign(parameters.size(), 0);
   is_variable_.assign(parameters.size(), false);
@@ -80,13 +92,14 @@ SceneNumbers::SceneNumbers(
   for (const mechanism::ParameterIndex parameter : parameters.keys()) {
     if (has_own_rates(parameter)) {
       const auto symbol = GiNaC::ex_to<GiNaC::symbol>(symbol_of_[parameter]);
-      movers_.push_back({symbol, {}, {}, {}, parameter, {}});
+      movers_.add({symbol, {}, {}, parameter, {}});
     }
   }
-  for (const Mover& mover : movers_) {
+  for (const Mover& mover : movers_.list()) {
     set_rates(mover);
   }
   add_positions(drivers, joints);
+  add_relative_frames(relative);
   const mechanism::Structure& structure = plan.structure();
   for (const mechanism::FoundGroup& group : structure.groups) {
     groups_.add(mechanism::group_geometry(
@@ -155,8 +168,8 @@ void SceneNumbers::set_rates(const Mover& mover) {
   const auto own = [this](mechanism::NumberIndex given, const GiNaC::ex& follows) -> GiNaC::ex {
     return given.exists() ? number(given).formula() - follows : GiNaC::ex(0);
   };
-  parameter_rates_[mover.velocity] = own(parameter.velocity, rate(formula));
-  parameter_rates_[mover.acceleration] = own(parameter.acceleration, second_rate(formula));
+  parameter_rates_[mover.velocity] = own(parameter.velocity, movers_.rate(formula));
+  parameter_rates_[mover.acceleration] = own(parameter.acceleration, movers_.second_rate(formula));
 }
 
 LinkFeature<SceneNumber> SceneNumbers::feature(mechanism::FeatureIndex index, bool is_line) const {
@@ -179,8 +192,10 @@ LinkFeature<SceneNumber> SceneNumbers::feature(const mechanism::ElementaryJoint&
   return mechanism::carried_feature<SceneNumber>(
       plan_.structure(), at, link, feature_of,
       [&](const LinkFeature<SceneNumber>& carried, const mechanism::DrivenLink& driven) {
-        return mechanism::moved_feature(carried, plan_.structure(), driven, feature_of,
-                                        positions_[driven.driver]);
+        return driven.group.exists()
+                   ? mechanism::placed_feature(carried, relative_[driven.to])
+                   : mechanism::moved_feature(carried, plan_.structure(), driven, feature_of,
+                                              positions_[driven.driver]);
       });
 }
 
@@ -189,20 +204,6 @@ void SceneNumbers::add_positions(
     const mechanism::Table<mechanism::DriverIndex, std::string>& drivers,
     const mechanism::Table<mechanism::JointIndex, std::string>& joints) {
   const mechanism::Mechanism& mechanism = plan_.mechanism();
-  const auto add = [this](const std::string& position, const std::string& velocity,
-                          const std::string& acceleration, mechanism::DriverIndex driver,
-                          const mechanism::Dual& value) {
-    movers_.push_back({GiNaC::symbol(position),
-                       GiNaC::symbol(velocity),
-                       GiNaC::symbol(acceleration),
-                       driver,
-                       {},
-                       {}});
-    const GiNaC::symbol& symbol = movers_.back().position;
-    symbols_.add(symbol, cpp::exact(value.value()));
-    variables_.push_back(symbol);
-    return SceneNumber(value, symbol, symbols_);
-  };
   positions_.resize(drivers.size());
   mechanism::Table<mechanism::JointIndex, std::optional<SceneNumber>> read(joints.size());
   for (const mechanism::DriverIndex driver : plan_.structure().laws) {
@@ -210,13 +211,13 @@ void SceneNumbers::add_positions(
         mechanism.numbers()[mechanism.drivers()[driver].position].formula;
     if (law.joints().empty()) {
       const std::string member = "drivers." + drivers[driver];
-      positions_[driver] = add(member + ".position", member + ".velocity", member + ".acceleration",
-                               driver, values_.motion(driver).position);
+      Mover mover = named_mover(member, ".position", ".velocity", ".acceleration");
       const SceneNumber given = this->law(driver);
       for (const GiNaC::ex& symbol : modelled_) {
-        movers_.back().gradient.push_back(
+        mover.gradient.push_back(
             symbols_.derivative(given.formula(), GiNaC::ex_to<GiNaC::symbol>(symbol)));
       }
+      positions_[driver] = add_mover(mover, values_.motion(driver).position);
       continue;
     }
     for (const mechanism::JointIndex joint : law.joints()) {
@@ -225,12 +226,12 @@ void SceneNumbers::add_positions(
       } else if (!read[joint]) {
         // Where the joint is depends on the configuration: any number will do.
         const std::string member = "joint_" + joints[joint];
-        read[joint] = add(member + ".position", member + ".rates(0)", member + ".rates(1)", {},
-                          mechanism::Dual(1.0));
+        Mover mover = named_mover(member, ".position", ".rates(0)", ".rates(1)");
         for (std::size_t column = 0; column < modelled_.size(); ++column) {
-          movers_.back().gradient.push_back(
+          mover.gradient.emplace_back(
               GiNaC::symbol(member + ".gradient(" + std::to_string(column) + ")"));
         }
+        read[joint] = add_mover(mover, mechanism::Dual(1.0));
       }
     }
     positions_[driver] = law.evaluate<SceneNumber>(
@@ -245,36 +246,60 @@ SceneNumber SceneNumbers::law(mechanism::DriverIndex driver) const {
   return number(plan_.mechanism().drivers()[driver].position);
 }
 
+/// Which roles the links of the groups play, and how long these are, is decided where the scene's
+/// first configuration has the frames.
+void SceneNumbers::add_relative_frames(
+    const mechanism::Table<mechanism::LinkIndex, std::string>& relative) {
+  const mechanism::Structure& structure = plan_.structure();
+  relative_.resize(structure.linkage.links.size());
+  if (!structure.has_relative_groups()) {
+    return;
+  }
+  const mechanism::Table<mechanism::LinkIndex, Pose<double>> poses = poses_of_links(plan_, values_);
+  for (const mechanism::DrivenLink& link : structure.driven) {
+    if (!link.group.exists()) {
+      continue;
+    }
+    const Pose<double> there = seen_from(poses[link.from], poses[link.to]);
+    const std::string frame = "placed." + relative[link.to];
+    const auto coordinate = [&](const std::string& member, int row, double value) {
+      const std::string entry = "(" + std::to_string(row) + ", ";
+      Mover mover = named_mover(frame, member, ".rates" + entry + "0)", ".rates" + entry + "1)");
+      for (std::size_t column = 0; column < modelled_.size(); ++column) {
+        mover.gradient.emplace_back(
+            GiNaC::symbol(frame + ".gradient" + entry + std::to_string(column) + ")"));
+      }
+      return add_mover(mover, mechanism::Dual(value));
+    };
+    const SceneNumber theta = coordinate(".theta", 2, angle_of(there.direction));
+    relative_[link.to] = {coordinate(".pose.x", 0, there.x),
+                          coordinate(".pose.y", 1, there.y),
+                          {cos(theta), sin(theta)}};
+    spellings_[GiNaC::cos(theta.formula())] = GiNaC::symbol(frame + ".pose.direction.cos");
+    spellings_[GiNaC::sin(theta.formula())] = GiNaC::symbol(frame + ".pose.direction.sin");
+  }
+}
+
+SceneNumber SceneNumbers::add_mover(const Mover& mover, const mechanism::Dual& value) {
+  movers_.add(mover);
+  symbols_.add(mover.position, cpp::exact(value.value()));
+  variables_.push_back(mover.position);
+  return {value, mover.position, symbols_};
+}
+
 bool SceneNumbers::moves(const SceneNumber& number) const {
-  if (!number.has_formula()) {
-    return false;
-  }
-  const GiNaC::ex whole = symbols_.written_out(number.formula());
-  return std::ranges::any_of(movers_,
-                             [&](const Mover& mover) { return whole.has(mover.position); });
+  return number.has_formula() && movers_.move(number.formula());
 }
 
-GiNaC::ex SceneNumbers::rate(const GiNaC::ex& formula) const {
-  GiNaC::ex sum;
-  for (const Mover& mover : movers_) {
-    sum += symbols_.derivative(formula, mover.position) * mover.velocity;
-  }
-  return sum;
-}
-
-GiNaC::ex SceneNumbers::second_rate(const GiNaC::ex& formula) const {
-  GiNaC::ex sum = rate(rate(formula));
-  for (const Mover& mover : movers_) {
-    sum += symbols_.derivative(formula, mover.position) * mover.acceleration;
-  }
-  return sum;
+std::string SceneNumbers::spelled(const GiNaC::ex& formula) const {
+  return cpp_formula(formula.subs(spellings_));
 }
 
 std::vector<std::string> SceneNumbers::rates(const SceneNumber& number, int order) const {
   const GiNaC::ex formula = number.formula();
   std::vector<std::string> texts;
-  for (const GiNaC::ex& one : {rate(formula), second_rate(formula)}) {
-    texts.push_back(cpp_formula(shortened(at_run_time(one))));
+  for (const GiNaC::ex& one : {movers_.rate(formula), movers_.second_rate(formula)}) {
+    texts.push_back(spelled(shortened(at_run_time(one))));
   }
   texts.resize(static_cast<std::size_t>(order));
   return texts;
@@ -285,9 +310,9 @@ std::vector<std::string> SceneNumbers::rates(const Direction<SceneNumber>& direc
   const GiNaC::ex c = direction.cos.formula();
   const GiNaC::ex s = direction.sin.formula();
   std::vector<std::string> texts;
-  for (const GiNaC::ex& one :
-       {c * rate(s) - s * rate(c), c * second_rate(s) - s * second_rate(c)}) {
-    texts.push_back(cpp_formula(shortened(at_run_time(one.expand()))));
+  for (const GiNaC::ex& one : {c * movers_.rate(s) - s * movers_.rate(c),
+                               c * movers_.second_rate(s) - s * movers_.second_rate(c)}) {
+    texts.push_back(spelled(shortened(at_run_time(one.expand()))));
   }
   texts.resize(static_cast<std::size_t>(order));
   return texts;
@@ -314,14 +339,14 @@ std::vector<SceneNumbers::NamedRoot> SceneNumbers::roots() const {
   std::vector<NamedRoot> named;
   for (const Root& root : symbols_.roots()) {
     if (varies(root.radicand)) {
-      named.push_back({root.symbol.get_name(), cpp_formula(at_run_time(root.radicand))});
+      named.push_back({root.symbol.get_name(), spelled(at_run_time(root.radicand))});
     }
   }
   return named;
 }
 
 std::string SceneNumbers::text(const SceneNumber& number) const {
-  return cpp_formula(at_run_time(number.formula()));
+  return spelled(at_run_time(number.formula()));
 }
 
 GiNaC::ex SceneNumbers::at_run_time(const GiNaC::ex& formula) const {
@@ -344,13 +369,7 @@ GiNaC::ex SceneNumbers::derivative(const GiNaC::ex& formula, const GiNaC::ex& sy
   GiNaC::ex slope = symbols_.derivative(formula, to);
   const auto column = std::ranges::find_if(
       modelled_, [&](const GiNaC::ex& modelled) { return modelled.is_equal(symbol); });
-  for (const Mover& mover : movers_) {
-    if (mover.gradient.empty()) {
-      continue;
-    }
-    slope += symbols_.derivative(formula, mover.position) *
-             mover.gradient[static_cast<std::size_t>(column - modelled_.begin())];
-  }
+  slope += movers_.slope(formula, static_cast<std::size_t>(column - modelled_.begin()));
   return at_run_time(slope);
 }
 
@@ -358,7 +377,7 @@ std::vector<std::string> SceneNumbers::gradient(const SceneNumber& number) const
   std::vector<std::string> texts;
   for (const GiNaC::ex& symbol : modelled_) {
     const GiNaC::ex slope = derivative(number.formula(), symbol);
-    texts.push_back(slope.is_zero() ? "" : cpp_formula(slope));
+    texts.push_back(slope.is_zero() ? "" : spelled(slope));
   }
   return texts;
 }
@@ -382,7 +401,7 @@ std::vector<std::string> SceneNumbers::gradient(const Direction<SceneNumber>& di
   for (const GiNaC::ex& symbol : modelled_) {
     const GiNaC::ex slope =
         shortened(at_run_time((x * derivative(y, symbol) - y * derivative(x, symbol)) / divisor));
-    texts.push_back(slope.is_zero() ? "" : cpp_formula(slope));
+    texts.push_back(slope.is_zero() ? "" : spelled(slope));
   }
   return texts;
 }

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "emission/scene/scene_number.hpp"
+#include "emission/scene/scene_movers.hpp"
 
 namespace assur::generator::emission::scene {
 
@@ -19,13 +19,16 @@ class SceneNumbers {
  public:
   /// `variable`: the parameters that vary, each with what C++ calls it; `modelled`: the columns of
   /// the parameters to which derivatives are modelled. Throws MechanismError for a length that
-  /// these parameters change and that is zero at the scene's own numbers. `drivers` and
-  /// `joints`: the members that stand for them.
+  /// these parameters change and that is zero at the scene's own numbers, and where groups are
+  /// solved relative to moving links and none of the scene's configurations at its own numbers
+  /// shows how. `drivers` and `joints`: the members that stand for them; `relative`: those of the
+  /// frames of such groups' links, by the links.
   SceneNumbers(const mechanism::Plan& plan, const mechanism::Values& values,
                const std::vector<std::pair<mechanism::ParameterIndex, std::string>>& variable,
                const std::vector<Eigen::Index>& modelled,
                const mechanism::Table<mechanism::DriverIndex, std::string>& drivers,
-               const mechanism::Table<mechanism::JointIndex, std::string>& joints);
+               const mechanism::Table<mechanism::JointIndex, std::string>& joints,
+               const mechanism::Table<mechanism::LinkIndex, std::string>& relative);
   SceneNumbers(const SceneNumbers&) = delete;
   SceneNumbers& operator=(const SceneNumbers&) = delete;
 
@@ -79,21 +82,15 @@ class SceneNumbers {
   void evaluate(mechanism::ParameterIndex parameter);
   [[nodiscard]] mechanism::Dual deviation(mechanism::ParameterIndex parameter) const;
   [[nodiscard]] bool varies(const GiNaC::ex& formula) const;
-  /// What moves a solver's links: a driver whose position is an argument, a joint that a law reads
-  /// where groups place it, or a parameter with rates.
-  struct Mover {
-    GiNaC::symbol position, velocity, acceleration;
-    mechanism::DriverIndex driver;  ///< none of a joint that is read, and of a parameter
-    mechanism::ParameterIndex parameter;
-    std::vector<GiNaC::ex> gradient;  ///< to the modelled parameters; empty of a parameter
-  };
   void set_rates(const Mover& mover);
   void add_positions(const mechanism::Table<mechanism::DriverIndex, std::string>& drivers,
                      const mechanism::Table<mechanism::JointIndex, std::string>& joints);
-  [[nodiscard]] GiNaC::ex rate(const GiNaC::ex& formula) const;
-  [[nodiscard]] GiNaC::ex second_rate(const GiNaC::ex& formula) const;
+  void add_relative_frames(const mechanism::Table<mechanism::LinkIndex, std::string>& relative);
+  SceneNumber add_mover(const Mover& mover, const mechanism::Dual& value);
   /// The formula in what varies: deviations are zero, and so roots of nothing else are numbers.
   [[nodiscard]] GiNaC::ex at_run_time(const GiNaC::ex& formula) const;
+  /// As C++ reads it, where everything is as it is at run time.
+  [[nodiscard]] std::string spelled(const GiNaC::ex& formula) const;
   /// To a modelled parameter, on which laws of drivers may depend as well.
   [[nodiscard]] GiNaC::ex derivative(const GiNaC::ex& formula, const GiNaC::ex& symbol) const;
 
@@ -108,8 +105,11 @@ class SceneNumbers {
   GiNaC::exmap parameter_rates_;  ///< symbols of parameters' rates to what these are
   std::vector<GiNaC::ex> modelled_;
   mechanism::Table<mechanism::ParameterIndex, std::optional<SceneNumber>> parameters_;
-  std::vector<Mover> movers_;
+  SceneMovers movers_;
   mechanism::Table<mechanism::DriverIndex, SceneNumber> positions_;
+  /// Of links of groups that are solved relative to others, in the frames of these.
+  mechanism::Table<mechanism::LinkIndex, Pose<SceneNumber>> relative_;
+  GiNaC::exmap spellings_;  ///< of the cosines and sines of these frames' angles
   mechanism::Table<mechanism::GroupIndex, mechanism::GroupGeometry<SceneNumber>> groups_;
 };
 

@@ -24,7 +24,7 @@ std::string on(const SolverScene& solver, const std::string& feature, mechanism:
 /// A joint's feature as a frame of the link: a line along its x-axis, a point in the link's axes.
 Pose<SceneNumber> feature_frame(const SolverScene& solver, const mechanism::ElementaryJoint& at,
                                 mechanism::LinkIndex link) {
-  const LinkFeature<SceneNumber> feature = solver.numbers.feature(at.on(link), at.prismatic);
+  const LinkFeature<SceneNumber> feature = solver.numbers.feature(at, link);
   return {feature.x, feature.y, feature.along};
 }
 
@@ -169,11 +169,16 @@ void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, S
   }
 }
 
-/// Places the links that drivers move once so many groups are placed.
+/// Places the links that others carry once so many groups are placed.
 void add_driven_links(const SolverScene& solver, std::size_t groups_before, SceneLines& lines,
                       std::vector<std::string>& slides) {
   for (const mechanism::DrivenLink& link : solver.plan.structure().driven) {
     if (link.groups_before != groups_before) {
+      continue;
+    }
+    if (link.group.exists()) {
+      lines.add(solver.placed(link.to) + " = " +
+                nested_frames({solver.placed(link.from), solver.placed_by_group(link.to)}) + ";");
       continue;
     }
     const mechanism::ElementaryJoint& at = solver.joint(link.joint);
@@ -247,10 +252,10 @@ void add_holding(const SolverScene& solver, mechanism::GroupIndex group, SceneLi
     if (at.prismatic) {
       const std::string line =
           held.frame(on(solver, at.name, base), feature_frame(solver, at, base));
-      held.add("held.hold_line" + place + nested_frames({solver.placed(base), line}) + ");");
+      held.add("held.hold_line" + place + nested_frames({external.frame(solver), line}) + ");");
     } else {
       held.add("held.hold_point" + place +
-               held.point(on(solver, at.name, base), solver.placed(base), feature.x, feature.y) +
+               held.point(on(solver, at.name, base), external.frame(solver), feature.x, feature.y) +
                ");");
     }
     first += at.prismatic ? 3 : 2;
@@ -270,11 +275,12 @@ void add_placing(const SolverScene& solver, mechanism::GroupIndex group, SceneLi
     const mechanism::LinkIndex played = geometry.roles->links[link];
     const bool whole = needs[link] == FrameNeed::everything;
     const std::string place = "[" + std::to_string(whole ? frames++ : directions++) + "]";
-    if (!solver.lists(played)) {
+    const bool is_relative = solver.group(group).base.exists();
+    if (!solver.lists(played) && !is_relative) {
       continue;
     }
     const Pose<SceneNumber> own = mechanism::inverse(geometry.links[link].frame);
-    const std::string& member = "placed." + solver.members.links[played];
+    const std::string member = solver.placed_by_group(played);
     if (whole) {
       lines.add(
           member + " = " +

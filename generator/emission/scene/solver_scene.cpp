@@ -75,9 +75,31 @@ mechanism::Table<Key, std::string> members_of(const std::vector<std::string>& na
   return members;
 }
 
+/// `rod_on_crank`, for the links that a group places relative to another one.
+mechanism::Table<mechanism::LinkIndex, std::string> relative_members(
+    const mechanism::Structure& structure, const std::vector<std::string>& taken) {
+  std::vector<std::string> names;
+  for (const mechanism::DrivenLink& link : structure.driven) {
+    if (link.group.exists()) {
+      names.push_back(structure.linkage.links[link.to] + "_on_" +
+                      structure.linkage.links[link.from]);
+    }
+  }
+  const std::vector<std::string> spelled = text::member_names(names, taken);
+  auto member = spelled.begin();
+  mechanism::Table<mechanism::LinkIndex, std::string> members(structure.linkage.links.size());
+  for (const mechanism::DrivenLink& link : structure.driven) {
+    if (link.group.exists()) {
+      members[link.to] = *member++;
+    }
+  }
+  return members;
+}
+
 /// A block, which a driver may move, has a member beside the mechanism's own links.
 SceneMembers scene_members(const mechanism::Mechanism& described,
-                           const mechanism::Linkage& linkage) {
+                           const mechanism::Structure& structure) {
+  const mechanism::Linkage& linkage = structure.linkage;
   SceneMembers members;
   members.joints = members_of<mechanism::JointIndex>(names_of(described.joints()), {});
   // In what is placed so far, slides and other things stand among the links.
@@ -87,6 +109,8 @@ SceneMembers scene_members(const mechanism::Mechanism& described,
   }
   members.links =
       members_of<mechanism::LinkIndex>({linkage.links.begin(), linkage.links.end()}, taken);
+  taken.insert(taken.end(), members.links.begin(), members.links.end());
+  members.relative = relative_members(structure, taken);
   std::vector<std::string> driven;
   for (const mechanism::Driver& driver : described.drivers()) {
     driven.push_back(described.joints()[driver.joint].name);
@@ -96,14 +120,15 @@ SceneMembers scene_members(const mechanism::Mechanism& described,
   return members;
 }
 
-/// The links that hold a group's external joints.
+/// The placed links that hold a group's external joints.
 std::vector<mechanism::LinkIndex> bases_of(const mechanism::Structure& structure,
                                            const mechanism::FoundGroup& group) {
   std::vector<mechanism::LinkIndex> bases;
   for (const mechanism::ElementaryJointIndex index : group.assignments.front().joints) {
     const mechanism::ElementaryJoint& joint = structure.linkage.joints[index];
     for (const mechanism::LinkIndex link : {joint.first, joint.second}) {
-      if (std::find(group.links.begin(), group.links.end(), link) == group.links.end()) {
+      if (link != group.base &&
+          std::find(group.links.begin(), group.links.end(), link) == group.links.end()) {
         bases.push_back(link);
       }
     }
@@ -152,15 +177,6 @@ mechanism::Plan expect_modelled(mechanism::Plan plan) {
         "the joint has constraints that are too many, which a solver does not check; take them "
         "away: where the others hold, this one does");
   }
-  for (const mechanism::FoundGroup& group : plan.structure().groups) {
-    if (group.base.exists()) {
-      throw mechanism::MechanismError(
-          "links", "the links " + text::listed(plan.structure().names_of(group.links)) +
-                       " are solved relative to the moving link " +
-                       plan.structure().linkage.links[group.base] +
-                       ", which a solver does not model; 'assur solve' does");
-    }
-  }
   return plan;
 }
 
@@ -173,9 +189,9 @@ SolverScene::SolverScene(const mechanism::Scene& described)
       values(plan.values()),
       variable(variable_parameters(plan)),
       parameters(modelled_parameters(plan, values, variable)),
-      members(scene_members(plan.mechanism(), plan.structure().linkage)),
+      members(scene_members(plan.mechanism(), plan.structure())),
       numbers(plan, values, spelled(variable), parameters.columns(), members.drivers,
-              members.joints),
+              members.joints, members.relative),
       needs(needs_of_links(*this)),
       derivative_order(order_of(described.request.want)),
       file(std::filesystem::path(described.file).filename().string()),
@@ -188,14 +204,13 @@ const mechanism::ElementaryJoint& SolverScene::played_joint(mechanism::GroupInde
 }
 
 bool SolverScene::holds_groups(mechanism::GroupIndex group) const {
-  const std::vector<mechanism::LinkIndex>& links = this->group(group).links;
-  const auto& groups = plan.structure().groups;
-  return std::any_of(groups.begin(), groups.end(), [&](const mechanism::FoundGroup& other) {
-    const std::vector<mechanism::LinkIndex> bases = bases_of(plan.structure(), other);
-    return std::any_of(bases.begin(), bases.end(), [&](mechanism::LinkIndex base) {
-      return std::find(links.begin(), links.end(), base) != links.end();
-    });
-  });
+  for (const mechanism::GroupIndex other : plan.structure().groups.keys()) {
+    const std::vector<mechanism::GroupIndex> holders = plan.structure().holders_of(other);
+    if (std::ranges::find(holders, group) != holders.end()) {
+      return true;
+    }
+  }
+  return false;
 }
 
 const structure::Model& derived_model(const mechanism::FoundGroup& group) {

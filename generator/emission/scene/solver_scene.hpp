@@ -19,6 +19,8 @@ struct SceneMembers {
   mechanism::Table<mechanism::JointIndex, std::string> joints;
   mechanism::Table<mechanism::DriverIndex, std::string> drivers;
   mechanism::Table<mechanism::OutputIndex, std::string> outputs;
+  /// The frames of links in those relative to which their groups are solved; empty for others.
+  mechanism::Table<mechanism::LinkIndex, std::string> relative;
 };
 
 /// A parameter that is an argument of the solver, and the member that stands for it.
@@ -70,7 +72,7 @@ struct SolverScene {
     const mechanism::NumberIndex law = mechanism().drivers()[driver].position;
     return mechanism().numbers()[law].formula.joints().empty();
   }
-  /// Whether other groups are held by a group's links.
+  /// Whether other groups are held or shaped by a group's links.
   [[nodiscard]] bool holds_groups(mechanism::GroupIndex group) const;
   /// The struct of a group.
   [[nodiscard]] std::string group_struct(mechanism::GroupIndex group) const {
@@ -94,6 +96,10 @@ struct SolverScene {
   /// `placed.crank`, or nothing for the ground, which is the frame of all.
   [[nodiscard]] std::string placed(mechanism::LinkIndex link) const {
     return is_ground(link) ? "" : "placed." + members.links[link];
+  }
+  /// Where a group places one of its links: `placed.crank`, or `placed.rod_on_crank`.
+  [[nodiscard]] std::string placed_by_group(mechanism::LinkIndex link) const {
+    return "placed." + (members.relative[link].empty() ? members.links : members.relative)[link];
   }
   [[nodiscard]] const std::string& slide_member(const mechanism::ElementaryJoint& at) const {
     return members.joints[at.joint];

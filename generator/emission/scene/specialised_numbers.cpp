@@ -13,7 +13,7 @@ namespace {
 
 /// The longest lengths of a group.
 struct Longest {
-  double own = 0;   ///< of its dimensions, and between the joints that the ground holds
+  double own = 0;   ///< of its dimensions, and between the joints that stand in its frame
   double arms = 0;  ///< of the moving links that hold it
 
   /// The power of two below both.
@@ -31,7 +31,7 @@ Longest longest_of(const SolverScene& solver, mechanism::GroupIndex group) {
   std::optional<LinkFeature<SceneNumber>> first;
   for (const ExternalJoint& held : external_joints(solver, group)) {
     const LinkFeature<SceneNumber> feature = held.feature(solver);
-    const bool fixed = solver.is_ground(held.base);
+    const bool fixed = held.is_in_frame;
     if (fixed && !first) {
       first = feature;
     }
@@ -96,7 +96,7 @@ bool varies(const SolverScene& solver, const DimensionValue<SceneNumber>& value)
 bool ExternalJoint::moves(const SolverScene& solver) const {
   const LinkFeature<SceneNumber> place = feature(solver);
   const SceneNumbers& numbers = solver.numbers;
-  return !solver.is_ground(base) || numbers.moves(place.x) || numbers.moves(place.y) ||
+  return !is_in_frame || numbers.moves(place.x) || numbers.moves(place.y) ||
          (place.line && (numbers.moves(place.along.cos) || numbers.moves(place.along.sin)));
 }
 
@@ -129,7 +129,9 @@ std::vector<ExternalJoint> external_joints(const SolverScene& solver, mechanism:
   for (const ModelJoint& wanted : solver.group(group).model->group->joints) {
     if (wanted.first == base_link) {
       const mechanism::ElementaryJoint& at = solver.played_joint(group, joint);
-      list.push_back({&at, at.other(roles.links[static_cast<std::size_t>(wanted.second)])});
+      const mechanism::LinkIndex base =
+          at.other(roles.links[static_cast<std::size_t>(wanted.second)]);
+      list.push_back({&at, base, solver.is_ground(base) || base == solver.group(group).base});
     }
     ++joint;
   }

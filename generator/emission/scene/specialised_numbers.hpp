@@ -12,12 +12,16 @@ namespace assur::generator::emission::scene {
 struct ExternalJoint {
   const mechanism::ElementaryJoint* joint;
   mechanism::LinkIndex base;
+  bool is_in_frame;  ///< whether that is the link in whose frame the group is solved, or the ground
 
   [[nodiscard]] LinkFeature<SceneNumber> feature(const SolverScene& solver) const {
-    return solver.numbers.feature(joint->on(base), joint->prismatic);
+    return solver.numbers.feature(*joint, base);
   }
-  /// Whether the group is held where the ground has the joint at every time and with any
-  /// parameters.
+  /// The frame of that link, nothing where it is the frame of the group.
+  [[nodiscard]] std::string frame(const SolverScene& solver) const {
+    return is_in_frame ? "" : solver.placed(base);
+  }
+  /// Whether the group is held at one place of its frame at every time and with any parameters.
   [[nodiscard]] bool is_fixed(const SolverScene& solver) const;
   /// Whether the place where the group is held moves with time.
   [[nodiscard]] bool moves(const SolverScene& solver) const;

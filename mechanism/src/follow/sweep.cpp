@@ -244,7 +244,6 @@ class Sweeper {
 
   void report_row(int step, const Snapshot& set, PointIndex point, int branch,
                   const Configuration& state) {
-    const int number = shown(branch);
     const auto is_told = [](const Configuration& one) {
       return one.is_consistent && one.within_limits;
     };
@@ -254,9 +253,11 @@ class Sweeper {
     const auto first = set.solution.configurations.begin();
     const auto within =
         std::count_if(first, first + static_cast<std::ptrdiff_t>(point.place()) + 1, is_told);
-    told_.insert(number);
+    if (branch > 0) {
+      told_.insert(branch);
+    }
     observer_.record(
-        {step, static_cast<int>(within), number, "", set.parameter, &set.spread, &state});
+        {step, static_cast<int>(within), shown(branch), "", set.parameter, &set.spread, &state});
   }
 
   /// What happens at a step to within rounding happens there, and nothing is told of what happens
@@ -294,7 +295,8 @@ class Sweeper {
       branch = std::ranges::find(outside_, branch) == outside_.end() ? branch : 0;
     }
   }
-  /// Numbers are given as branches appear: others may have ended before the sweep's first value.
+  /// Numbers are given as branches appear in rows and events: others may have ended before the
+  /// sweep's first value, or be beyond the limits of joints throughout.
   [[nodiscard]] int shown(int branch) {
     const auto place = static_cast<std::size_t>(branch);
     numbers_.resize(std::max(numbers_.size(), place + 1), 0);
@@ -322,13 +324,14 @@ class Sweeper {
   void report_events(int step, std::optional<double> until) {
     while (!later_.empty() && (!until || sense() * (later_.front().parameter - *until) < 0)) {
       BranchEvent& event = later_.front();
-      const Spread spread = complete(event);
-      event.through = shown(event.through);
-      for (std::vector<int>* list : {&event.ended, &event.begun}) {
-        std::ranges::transform(*list, list->begin(), [this](int branch) { return shown(branch); });
-        std::ranges::sort(*list);
-      }
       if (is_told(event)) {
+        const Spread spread = complete(event);
+        event.through = shown(event.through);
+        for (std::vector<int>* list : {&event.ended, &event.begun}) {
+          std::ranges::transform(*list, list->begin(),
+                                 [this](int branch) { return shown(branch); });
+          std::ranges::sort(*list);
+        }
         observer_.record(
             {step, 0, 0, event_text(event), event.parameter, &spread, &event.configuration});
       }
@@ -337,7 +340,7 @@ class Sweeper {
   }
 
   /// Where a mechanism has too many constraints, some branches do not hold them and are none of its
-  /// own: nothing is told of them.
+  /// own. An event is told if it befalls a branch that has had a row.
   [[nodiscard]] bool is_told(const BranchEvent& event) const {
     const auto is_own = [this](int branch) { return told_.contains(branch); };
     return solver_.plan().redundant().empty() || is_own(event.through) ||
@@ -349,7 +352,7 @@ class Sweeper {
   BranchTracker tracker_;
   std::vector<BranchEvent> later_;  ///< not yet reported
   std::vector<int> outside_;        ///< numbers of branches that are not within the sweep
-  std::set<int> told_;              ///< numbers of branches that have rows
+  std::set<int> told_;              ///< branches that have had rows, by the tracker's numbers
   std::vector<int> numbers_;        ///< as shown, by the tracker's; 0 if not yet
   int last_shown_ = 0;
   std::optional<EventKind> gap_;    ///< why no branch is followed at present

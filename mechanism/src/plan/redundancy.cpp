@@ -1,6 +1,7 @@
 #include "redundancy.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 
 namespace assur::mechanism::plan {
@@ -9,6 +10,8 @@ namespace {
 
 /// A search through more would take longer than what is found is worth.
 constexpr int most_surplus = 8;
+/// Of ways to leave out the last constraint: each is solved to see whether it holds.
+constexpr std::size_t most_ways = 32;
 
 /// What a mechanism with a constraint or two less is: solved for, or with fewer too many.
 struct Step {
@@ -16,6 +19,7 @@ struct Step {
   RedundantJoint redundant;
   std::optional<Structure> structure;
   std::optional<OverConstrained> fault;
+  std::string link = {};  ///< that has the feature at which something is left out
 
   [[nodiscard]] int surplus() const { return fault ? fault->surplus : 0; }
   [[nodiscard]] std::size_t largest_group() const {
@@ -26,13 +30,17 @@ struct Step {
     }
     return largest;
   }
+  [[nodiscard]] std::tuple<int, std::size_t, std::string, std::string> rank() const {
+    return {surplus(), largest_group(), redundant.name, link};
+  }
 };
 
 class Balancer {
  public:
   Balancer(const Mechanism& mechanism, LeftOut most) : mechanism_(mechanism), most_(most) {}
 
-  [[nodiscard]] std::optional<Step> best(const OverConstrained& fault) {
+  /// The first is the best.
+  [[nodiscard]] std::vector<Step> steps(const OverConstrained& fault) {
     surplus_ = fault.surplus;
     for (const JointIndex joint : mechanism_.joints().keys()) {
       const Joint& at = mechanism_.joints()[joint];
@@ -44,7 +52,9 @@ class Balancer {
         relax(joint, feature);
       }
     }
-    return std::move(best_);
+    std::ranges::stable_sort(
+        steps_, [](const Step& one, const Step& other) { return one.rank() < other.rank(); });
+    return std::move(steps_);
   }
 
  private:
@@ -98,42 +108,42 @@ class Balancer {
     if (step.surplus() >= surplus_) {
       return;
     }
-    const auto rank = [&](const Step& of, const std::string& link) {
-      return std::make_tuple(of.surplus(), of.largest_group(), of.redundant.name, link);
-    };
-    if (!best_ || rank(step, link_name(feature)) < rank(*best_, best_link_)) {
-      best_link_ = link_name(feature);
-      best_ = std::move(step);
-    }
+    step.link = link_name(feature);
+    steps_.push_back(std::move(step));
   }
 
   const Mechanism& mechanism_;
   LeftOut most_;
   int surplus_ = 0;
-  std::optional<Step> best_;
-  std::string best_link_;
+  std::vector<Step> steps_;
 };
 
 }  // namespace
 
-std::optional<BalancedMechanism> balanced(const Mechanism& mechanism, const OverConstrained& fault,
-                                          LeftOut most) {
+std::vector<BalancedMechanism> balanced(const Mechanism& mechanism, const OverConstrained& fault,
+                                        LeftOut most) {
+  std::vector<BalancedMechanism> result;
   if (fault.surplus > most_surplus) {
-    return std::nullopt;
+    return result;
   }
-  std::optional<Step> step = Balancer(mechanism, most).best(fault);
-  if (!step) {
-    return std::nullopt;
+  std::vector<Step> steps = Balancer(mechanism, most).steps(fault);
+  if (steps.empty()) {
+    return result;
   }
-  if (step->structure) {
-    return BalancedMechanism{
-        std::move(step->mechanism), std::move(*step->structure), {step->redundant}};
+  if (!steps.front().structure) {
+    const Step& step = steps.front();
+    result = balanced(step.mechanism, *step.fault, most);
+    for (BalancedMechanism& rest : result) {
+      rest.redundant.insert(rest.redundant.begin(), step.redundant);
+    }
+    return result;
   }
-  std::optional<BalancedMechanism> rest = balanced(step->mechanism, *step->fault, most);
-  if (rest) {
-    rest->redundant.insert(rest->redundant.begin(), step->redundant);
+  for (Step& step : steps) {
+    if (step.structure && result.size() < most_ways) {
+      result.push_back({std::move(step.mechanism), std::move(*step.structure), {step.redundant}});
+    }
   }
-  return rest;
+  return result;
 }
 
 }  // namespace assur::mechanism::plan

@@ -3,7 +3,6 @@
 
 #include <assur/mechanism/error.hpp>
 #include <assur/mechanism/structure.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,10 +26,11 @@ enum class LeftOut : unsigned char {
   constraints  ///< the former alone
 };
 
-/// The mechanism with as many constraints less as it has too many. Of the ways to leave them out,
-/// the one with the smallest groups, and then the first by the names of joints and links. Nothing
-/// where no way leaves a mechanism whose groups are known.
-[[nodiscard]] std::optional<BalancedMechanism> balanced(const Mechanism& mechanism,
-                                                        const OverConstrained& fault, LeftOut most);
+/// The mechanism with as many constraints less as it has too many. The ways to leave the last one
+/// out come in order, those with the smallest groups first, and then by the names of joints and
+/// links: a group may move freely where it is small. Nothing where no way leaves a mechanism whose
+/// groups are known.
+[[nodiscard]] std::vector<BalancedMechanism> balanced(const Mechanism& mechanism,
+                                                      const OverConstrained& fault, LeftOut most);
 
 }  // namespace assur::mechanism::plan

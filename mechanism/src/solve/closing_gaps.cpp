@@ -62,20 +62,24 @@ std::vector<std::size_t> ClosingGaps::choices_of(const std::vector<GroupIndex>& 
 
 std::vector<std::string> ClosingGaps::stance_of_holders(GroupIndex group) const {
   std::vector<std::string> holders;
+  const Table<LinkIndex, bool> stands = structure_.placed_by_drivers();
   for (const LinkIndex link : placement_.plan().mechanism.links().keys()) {
     const bool holds =
         link != structure_.groups[group].base &&
         std::ranges::any_of(placement_.values().numbers_of(group).held,
                             [link](const values::HeldJoint& joint) { return joint.base == link; });
-    const bool is_of_group =
-        std::ranges::any_of(structure_.groups, [link](const FoundGroup& other) {
-          return std::ranges::find(other.links, link) != other.links.end();
-        });
-    if (holds && is_of_group) {
-      const double degrees =
-          angle_of(placement_.placed().links[link].pose.direction) * 180 / std::numbers::pi;
-      holders.push_back(structure_.linkage.links[link] + " at " + short_number(degrees) + " deg");
+    if (!holds || stands[link]) {
+      continue;
     }
+    const DrivenLink* driven = structure_.driven_link(link);
+    const bool slides = driven != nullptr && driven->joint.exists() &&
+                        structure_.linkage.joints[driven->joint].prismatic;
+    const double degrees =
+        angle_of(placement_.placed().links[link].pose.direction) * 180 / std::numbers::pi;
+    holders.push_back(
+        slides ? structure_.linkage.links[link] + " moved by " +
+                     short_number(placement_.values().motion(driven->driver).position.value())
+               : structure_.linkage.links[link] + " at " + short_number(degrees) + " deg");
   }
   return holders;
 }
@@ -98,10 +102,11 @@ std::string ClosingGaps::reason() const {
     holders.push_back(std::to_string(holder.place() + 1));
   }
   if (!holders.empty()) {
-    reason += ", in " + std::to_string(least->failed.size()) + " of " +
-              std::to_string(least->met.size()) + " configurations of " +
-              (holders.size() == 1 ? "group " : "the groups ") + text::listed(holders) +
-              " (by so little with " + text::listed(least->holders) + ")";
+    reason +=
+        ", in " + std::to_string(least->failed.size()) + " of " +
+        std::to_string(least->met.size()) + " configurations of " +
+        (holders.size() == 1 ? "group " : "the groups ") + text::listed(holders) +
+        (least->holders.empty() ? "" : " (by so little with " + text::listed(least->holders) + ")");
   }
   if (const std::string& flaw = placement_.values().group(group).flaw; !flaw.empty()) {
     reason += "; " + flaw;

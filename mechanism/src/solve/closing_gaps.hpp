@@ -37,7 +37,8 @@ class ClosingGaps {
   };
 
   [[nodiscard]] std::vector<std::size_t> choices_of(const std::vector<GroupIndex>& groups) const;
-  /// The links of groups that hold a group themselves, each with its angle.
+  /// The links that hold a group and stand as closures say, each with its angle, or by how much a
+  /// law that reads a group has moved it.
   [[nodiscard]] std::vector<std::string> stance_of_holders(GroupIndex group) const;
 
   const Placement& placement_;

@@ -1,5 +1,6 @@
 #include "group_words.hpp"
 
+#include <algorithm>
 #include <assur/text/names.hpp>
 
 #include "plan/plan_data.hpp"
@@ -15,6 +16,7 @@ std::vector<std::string> joint_names(const Values& values, GroupIndex group, boo
       names.push_back(at.name);
     }
   }
+  std::ranges::sort(names);  // roles follow the listing, names do not
   return names;
 }
 

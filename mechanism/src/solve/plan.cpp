@@ -182,8 +182,8 @@ std::shared_ptr<const PlanData> planned_with_redundancy(const Mechanism& mechani
                                                         const Request& request,
                                                         const OverConstrained& excess) {
   for (const plan::LeftOut most : {plan::LeftOut::joints, plan::LeftOut::constraints}) {
-    if (const auto part = plan::balanced(mechanism, excess, most)) {
-      if (auto plan = planned_without(*part, request, excess)) {
+    for (const plan::BalancedMechanism& part : plan::balanced(mechanism, excess, most)) {
+      if (auto plan = planned_without(part, request, excess)) {
         return plan;
       }
     }

@@ -347,7 +347,7 @@ SlideMeasure<Dual> Values::slide_measure(GroupIndex group, int model_joint) cons
                                   model_joint, constant(0.0));
 }
 
-/// Half-widths and the covariance.
+/// Half-widths, the covariance and how far constraints that are too many may miss.
 void Values::evaluate_requests() {
   const auto& parameters = plan_->mechanism.parameters();
   spread_.tolerances = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(parameters.size()));
@@ -361,6 +361,11 @@ void Values::evaluate_requests() {
       }
       spread_.tolerances(index.row()) = half_width;
     }
+  }
+  const NumberIndex miss = plan_->request.redundancy_tolerance;
+  if (miss.exists() && numbers_[miss].value() < 0) {
+    throw MechanismError(plan_->mechanism.numbers()[miss].part,
+                         "a tolerance is a distance and cannot be negative");
   }
   if (plan_->request.covariance) {
     spread_.covariance =

@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "emission/scene/emit_scene.hpp"
-#include "generator/emittable_scenes.hpp"
+#include "generator/scene_files.hpp"
 #include "generator/emitted_code.hpp"
 #include "generator/solver_comparison.hpp"
 #include "whole_campaign.hpp"
@@ -76,7 +76,7 @@ std::vector<Emitted> emitted_solvers(bool all_of_them) {
   std::size_t number = 0;
   const std::vector<std::string> results = {"position", "velocity", "acceleration", "sensitivity"};
   std::vector<Emitted> all;
-  for (const fs::path& example : emittable_scenes({ASSUR_EXAMPLES})) {
+  for (const fs::path& example : scene_files({ASSUR_EXAMPLES})) {
     for (Json& scene : with_subsets_of_outputs(scene_json(example))) {
       for (std::size_t bits = 1; bits < std::size_t{1} << results.size(); ++bits) {
         if (number++ % stride != 0) {

@@ -5,7 +5,7 @@
 #include <regex>
 
 #include "counting.hpp"
-#include "generator/emittable_scenes.hpp"
+#include "generator/scene_files.hpp"
 #include "generator/solver_comparison.hpp"
 
 namespace assur::test::emit_scene_counts_test {
@@ -65,7 +65,7 @@ TEST(EmitSceneCounts, AreWhatTheFunctionsOfAllExamplesDo) {
   const TemporaryDirectory directory;
   std::map<std::string, Count> stated;
   std::string structs;
-  for (const fs::path& scene : emittable_scenes({ASSUR_EXAMPLES, ASSUR_SCENES})) {
+  for (const fs::path& scene : scene_files({ASSUR_EXAMPLES, ASSUR_SCENES})) {
     const std::string stem = scene.stem().string();
     emit_solver({scene, stem, "", {}}, directory);
     const std::string header = read_file(directory.path() / "assur/scenes" / (stem + ".hpp"));

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "generator/awkward_scene.hpp"
-#include "generator/emittable_scenes.hpp"
+#include "generator/scene_files.hpp"
 #include "generator/solver_comparison.hpp"
 #include "whole_campaign.hpp"
 
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 std::vector<EmittedScene> examples(std::size_t stride) {
   std::vector<EmittedScene> scenes;
   std::size_t number = 0;
-  for (const fs::path& file : emittable_scenes({ASSUR_EXAMPLES, ASSUR_SCENES})) {
+  for (const fs::path& file : scene_files({ASSUR_EXAMPLES, ASSUR_SCENES})) {
     if (number++ % stride != 0) {
       continue;
     }

@@ -2,6 +2,7 @@
 // of sweeps; a part that is reported keeps what its laws read.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <numbers>
 
 #include "mechanism/bars.hpp"
@@ -84,9 +85,12 @@ TEST(Limits, LeaveOutRowsOfASweepWhoseBranchGoesOnBehindThem) {
   ASSERT_EQ(within.rows.size(), expected.size());
   ASSERT_LT(expected.size(), all.rows.size());
   bool is_interrupted = false;
+  std::map<int, int> numbers;  // in order of appearance within the limits
   for (std::size_t row = 0; row < expected.size(); ++row) {
     EXPECT_EQ(within.rows[row].step, expected[row].step);
-    EXPECT_EQ(within.rows[row].branch, expected[row].branch);
+    const int next = static_cast<int>(numbers.size()) + 1;
+    EXPECT_EQ(within.rows[row].branch,
+              numbers.try_emplace(expected[row].branch, next).first->second);
     EXPECT_EQ(within.rows[row].configuration, 1);
     EXPECT_EQ((within.rows[row].pose - expected[row].pose).norm(), 0);
     is_interrupted = is_interrupted || (row > 0 && expected[row].step > expected[row - 1].step + 1);

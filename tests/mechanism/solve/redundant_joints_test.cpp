@@ -44,6 +44,35 @@ TEST(RedundantJoints, OfAParallelogramOfFiveBarsHold) {
   }
 }
 
+/// Three equal cranks, and a cylinder from the ground or from a crank to their coupler: without two
+/// constraints of a crank that hold, the cranks and the coupler alone would be a group that moves.
+TEST(RedundantJoints, OfParallelCranksOnACylinderHold) {
+  for (const std::string base : {"ground", "crank"}) {
+    Bars bars = five_bars(2, 1.5);
+    const Json axis = {{"through", {0, 0}}, {"along", {1, 0}}};
+    bars.json()["links"]["tube"]["axis"] = axis;
+    bars.json()["links"]["rod"]["axis"] = axis;
+    bars.point("tube", "Q", 0, 0).point("rod", "P", 0, 0).point("coupler", "P", 1.5, 0.2);
+    bars.point(base, "Q", 0.3, 0.4);
+    bars.join("Q", {base + ".Q", "tube.Q"}).join("P", {"rod.P", "coupler.P"});
+    bars.json()["joints"]["S"] = {{"type", "prismatic"}, {"between", {"tube.axis", "rod.axis"}}};
+    bars.json()["drivers"] = {{"S", {{"position", 1.6}, {"velocity", 0.2}}}};
+    bars.json()["outputs"] = {{"P", "coupler.P"}, {"Q", base + ".Q"}};
+    const Solved found = solved(bars.json());
+    EXPECT_EQ(found.plan.redundant().size(), 1U);
+    ASSERT_EQ(found.configurations().size(), 2U) << base;
+    for (const Configuration& configuration : found.configurations()) {
+      const mechanism::Point& end = configuration.output("P");
+      const mechanism::Point& foot = configuration.output("Q");
+      const Eigen::Vector2d along = end.position - foot.position;
+      EXPECT_NEAR(along.norm(), 1.6, 1e-13);
+      EXPECT_NEAR(along.dot(end.velocity - foot.velocity) / 1.6, 0.2, 1e-13);
+      EXPECT_NEAR(configuration.link("coupler").pose.direction.cos, 1, 1e-13);
+      EXPECT_NEAR(std::hypot(end.position.x() - 1.5, end.position.y() - 0.2), 1.5, 1e-13);
+    }
+  }
+}
+
 /// Equal cranks of which any is driven: pins on the ground are at rest, and at its origin.
 TEST(RedundantJoints, OfManyParallelCranksHold) {
   for (const int cranks : {3, 4, 5}) {

@@ -61,7 +61,7 @@ TEST(RelativeGroups, HaveDeadCentres) {
   EXPECT_EQ(beyond.solution.status, SolutionStatus::no_assembly);
   EXPECT_EQ(
       beyond.plan.obstacle(beyond.values),
-      "group 1 (dyad RRR: lower_right, tube, rod, relative to lower_left): the joints M, H, C "
+      "group 1 (dyad RRR: lower_right, tube, rod, relative to lower_left): the joints C, H, M "
       "fail to close by 0.05 at least");
 }
 

@@ -37,9 +37,9 @@ inline constexpr std::size_t most_followed = 1000;
 /// `unresolved` event. Records are reported as they are computed, and none is kept. Every step's
 /// values are evaluated before the first record, so that one that cannot be used throws
 /// MechanismError before anything is reported; where a formula has no value between two steps, no
-/// branch is followed through. Returns how many branches there are, with those that have no record:
-/// they are beyond the limits of joints throughout. Throws MechanismError where the plan's request
-/// has no sweep.
+/// branch is followed through. Branches are numbered as they appear in records: what is beyond the
+/// limits of joints throughout has no number, unless an event befalls it. Returns how many there
+/// are. Throws MechanismError where the plan's request has no sweep.
 int sweep(const Plan& plan, const SweepObserver& observer);
 /// The same with all parameters but the swept one as in `values`.
 int sweep(const Plan& plan, const Values& values, const SweepObserver& observer);

@@ -143,9 +143,12 @@ template <typename Unknown, typename Scalar>
   if constexpr (std::is_same_v<Unknown, Direction<Scalar>>) {
     const Scalar inverse = Scalar(1) / determinant;
     return {(e(0, 1) * e(1, 2) - e(0, 2) * e(1, 1)) * inverse, second * inverse};
-  } else if (static_cast<bool>((e(0, 0) == Scalar(0)) & (e(1, 0) == Scalar(0)))) {
-    return -(e(0, 1) * e(0, 2) + e(1, 1) * e(1, 2)) / (e(0, 1) * e(0, 1) + e(1, 1) * e(1, 1));
   } else {
+    const auto first_has_no_square = e(0, 0) == Scalar(0);
+    const auto second_has_no_square = e(1, 0) == Scalar(0);
+    if (static_cast<bool>(first_has_no_square & second_has_no_square)) {
+      return -(e(0, 1) * e(0, 2) + e(1, 1) * e(1, 2)) / (e(0, 1) * e(0, 1) + e(1, 1) * e(1, 1));
+    }
     return second / determinant;
   }
 }
