@@ -7,6 +7,7 @@
 #include <assur/detail/limit_turns.hpp>
 #include <assur/detail/pivots.hpp>
 #include <assur/model.hpp>
+#include <assur/numeric/arithmetic.hpp>
 #include <assur/status.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
@@ -29,6 +30,9 @@ template <typename Model, typename Scalar>
                                             const typename Model::template Configuration<Scalar>& q,
                                             const Scalar& displaced = Scalar(0)) {
   static_assert(Model::rigid, "a degenerate model has no inverse Jacobian");
+  if (!numeric::tells_nan) {
+    return {Status::unsound_arithmetic};
+  }
   if (!is_finite(d) || !is_finite(u) || !is_finite(q)) {
     return {Status::not_finite};
   }

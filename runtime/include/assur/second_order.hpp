@@ -53,7 +53,7 @@ class SecondOrder {
     }
   }
 
-  /// ok, near_singular, singular or not_finite, as for the first derivatives.
+  /// That of the first derivatives.
   [[nodiscard]] Status status() const { return jacobian_.status(); }
 
   /// q_x and p_x along a direction (d_x, u_x):

@@ -25,11 +25,6 @@
 #include <cmath>
 #include <limits>
 
-#ifdef __FAST_MATH__
-#error \
-    "trigonometric_roots.hpp certifies signs by rounding error bounds; do not compile it with -ffast-math"
-#endif
-
 namespace assur::numeric {
 
 enum class RootStatus {

@@ -58,10 +58,12 @@ template <typename To, typename From>
   return result;
 }
 
-/// 2^-e of a length of 2^e m, 1 <= m < 2, by the bits of a number that has them all.
+/// 2^-e of a length of 2^e m, 1 <= m < 2, by the bits of a number that has them all; where it has
+/// not, at most the largest power that there is.
 [[nodiscard]] inline double inverse_power_of_two(double length) {
   if (!(length >= std::numeric_limits<double>::min() && length < 0x1p1023)) {
-    return std::ldexp(1.0, -std::ilogb(length));
+    constexpr int most = std::numeric_limits<double>::max_exponent - 1;
+    return std::ldexp(1.0, std::min(-std::ilogb(length), most));
   }
   std::uint64_t bits = 0;
   std::memcpy(&bits, &length, sizeof(bits));
@@ -157,11 +159,11 @@ template <typename Model>
   }
 }
 
-/// The power of two that brings the longest length of a group near one. A length that is no
-/// longer than the rounding of the external joints' places, or than these are `displaced`, does not
-/// count: then the group is measured by the length of which that is a rounding.
+/// The longest length of a group that counts. A length that is no longer than the rounding of the
+/// external joints' places, or than these are `displaced`, does not: then the group is measured by
+/// the length of which that is a rounding.
 template <typename Model>
-[[nodiscard]] double unit_scale(const typename Model::template Dimensions<double>& d,
+[[nodiscard]] double size_among(const typename Model::template Dimensions<double>& d,
                                 const typename Model::template Inputs<double>& u,
                                 const Displacement& displaced = {}) {
   if constexpr (Model::dimension_count == 0) {  // folded, and in units of the longest already
@@ -174,8 +176,23 @@ template <typename Model>
       counted_displacement(displaced.moved, std::max({own, places, displaced.reach}));
   const bool tells = own > rounding * places + moved;
   const double untold = std::max(places, moved / std::numeric_limits<double>::epsilon());
-  const double size = std::max(own, tells ? 0x1p-44 * places : untold);
+  return std::max(own, tells ? 0x1p-44 * places : untold);
+}
+
+/// In a group of a smaller size, lengths that are too small to have all their digits count.
+inline constexpr double least_size = 0x1p-960;
+
+/// The power of two that brings a size near one.
+[[nodiscard]] inline double scale_of(double size) {
   return size > 0 && std::isfinite(size) ? inverse_power_of_two(size) : 1.0;
+}
+
+/// The power of two that brings the longest length of a group near one.
+template <typename Model>
+[[nodiscard]] double unit_scale(const typename Model::template Dimensions<double>& d,
+                                const typename Model::template Inputs<double>& u,
+                                const Displacement& displaced = {}) {
+  return scale_of(size_among<Model>(d, u, displaced));
 }
 
 }  // namespace assur::support

@@ -19,7 +19,7 @@ namespace assur::support {
 /// What an emitted solver says beside the configurations.
 struct Solution {
   /// ok, also where the links cannot reach; degenerate where there is no configuration, but a group
-  /// that moves freely or is inconsistent; not_finite.
+  /// that moves freely or is inconsistent; not_finite; unsound_arithmetic.
   AssemblyStatus status = AssemblyStatus::ok;
   int count = 0;  ///< of the configurations
   /// Choices of the groups that hold a group, directly or through others, for which it moves freely
@@ -236,7 +236,7 @@ class Search {
     HeldJoints<Group, Solver::order, Solver::parameter_count> held;
     Own::hold(placed, held);
     const auto found = assemblies<Specialised<Group>>({}, held.u, held.displaced);
-    if (found.status == AssemblyStatus::not_finite) {
+    if (found.status != AssemblyStatus::ok && found.status != AssemblyStatus::degenerate) {
       solution_.status = found.status;
       return;
     }

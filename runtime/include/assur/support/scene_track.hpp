@@ -75,6 +75,8 @@ class Tracker {
     const auto solution = search.run(given);
     if (solution.status == AssemblyStatus::not_finite) {
       branch.status = Status::not_finite;
+    } else if (solution.status == AssemblyStatus::unsound_arithmetic) {
+      branch.status = Status::unsound_arithmetic;
     } else if (configuration < 0 || configuration >= solution.count) {
       branch.status = Status::no_convergence;
     } else {
