@@ -50,8 +50,9 @@ template <typename Model>
   const auto d = support::scaled_to<Dimensions>(dimensions, scale);
   const auto u = support::scaled_to<Inputs>(inputs, scale);
   // Lengths are near one: a turn moves their ends by as much.
-  const double held = support::counted_displacement(
-      std::max(displaced.moved * scale, displaced.turned), std::max(1.0, displaced.reach * scale));
+  const double held =
+      support::counted_displacement((std::max)(displaced.moved * scale, displaced.turned),
+                                    (std::max)(1.0, displaced.reach * scale));
   bool found = false;
   if constexpr (!has_closed_form<Model>) {
     found = GeneralSearch<Model>(d, u, held, result).run();

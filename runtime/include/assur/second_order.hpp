@@ -124,8 +124,9 @@ class SecondOrder {
 
   [[nodiscard]] static Scalar length(const First& x) {
     using std::max;
-    return max(x.q.cwiseAbs().maxCoeff(),
-               max(x.d.cwiseAbs().maxCoeff(), x.u.cwiseAbs().maxCoeff()));
+    return max EIGEN_NOT_A_MACRO(
+        x.q.cwiseAbs().maxCoeff(),
+        max EIGEN_NOT_A_MACRO(x.d.cwiseAbs().maxCoeff(), x.u.cwiseAbs().maxCoeff()));
   }
 
   /// Along a x + b y.

@@ -34,8 +34,8 @@ const char* word(assur::AssemblyStatus status) {
   return words[static_cast<int>(status)];
 }
 
-/// A number that rounding does not print as another, nor as a negative zero.
-double printed(double value) { return value + 1e-4; }
+/// In thousandths: whole numbers are printed alike however the processor rounds.
+long printed(double value) { return std::lround(value * 1000 + 0.1); }
 
 /// The list as far as it does not depend on the order of rounding errors.
 template <typename Model>
@@ -50,7 +50,7 @@ void print(const char* name, int number, const assur::Assemblies<Model>& found) 
     const auto place = static_cast<std::size_t>(index);
     const auto& q = found.configurations[place];
     const auto& angle = std::get<0>(q.members());
-    std::printf(", %s %.3f %.3f", assur::to_string(found.regularity[place]), printed(angle.cos),
+    std::printf(", %s %ld %ld", assur::to_string(found.regularity[place]), printed(angle.cos),
                 printed(angle.sin));
   }
   std::printf("\n");
@@ -114,7 +114,7 @@ void print_solver() {
     std::printf("four-bar %d: %s, %d", number, word(found.status), found.count);
     for (int index = 0; index < found.count; ++index) {
       const auto& state = states[static_cast<std::size_t>(index)];
-      std::printf(", %s %.3f %.3f", assur::to_string(state.regularity),
+      std::printf(", %s %ld %ld", assur::to_string(state.regularity),
                   printed(state.outputs.C.position(0)), printed(state.outputs.C.position(1)));
     }
     std::printf("\n");
@@ -125,7 +125,8 @@ void print_solver() {
     if (way.status == assur::Status::unsound_arithmetic) {
       std::printf("branch %d: unsound\n", number);
     } else {
-      std::printf("branch %d: %s, %.3f\n", number, assur::to_string(way.status), way.reached);
+      std::printf("branch %d: %s, %ld\n", number, assur::to_string(way.status),
+                  printed(way.reached));
     }
   };
   for (int number = 0; number < 24; ++number) {
@@ -155,7 +156,7 @@ void print_closures() {
     } else {
       std::printf("closures %d: %s", number, assur::to_string(status));
       if (assur::is_solvable(status)) {
-        std::printf(", %.3f %.3f", printed(moving.velocity(0)), printed(moving.velocity(1)));
+        std::printf(", %ld %ld", printed(moving.velocity(0)), printed(moving.velocity(1)));
       }
       std::printf("\n");
     }

@@ -102,7 +102,6 @@ endforeach()
 # What GCC tells is refused when a program is compiled.
 if(first MATCHES "g\\+\\+")
   compare(${first} TRUE "" -O2 -freciprocal-math)
-  compare(${first} TRUE "" -O2 -fsingle-precision-constant)
   compare(${first} TRUE "" -O2 ${associative})
   compare(${first} TRUE "" -O2 -mfpmath=sse+387)
 endif()

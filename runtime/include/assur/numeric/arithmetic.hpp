@@ -3,7 +3,6 @@
 
 #include <assur/numeric/double_double.hpp>
 #include <limits>
-#include <type_traits>
 
 namespace assur::numeric {
 
@@ -21,8 +20,7 @@ inline constexpr bool tells_nan = true;
 inline constexpr bool rounds_as_written = false;
 #else
 inline constexpr bool rounds_as_written = tells_nan && std::numeric_limits<double>::is_iec559 &&
-                                          std::numeric_limits<double>::digits == 53 &&
-                                          std::is_same_v<decltype(0.5), double>;
+                                          std::numeric_limits<double>::digits == 53;
 #endif
 
 /// Whether error-free sums and products are so. Not every compiler tells what it rearranges, and
@@ -42,7 +40,7 @@ inline constexpr bool rounds_as_written = tells_nan && std::numeric_limits<doubl
 
 /// Whether numbers are told from zero that are too small to have all their digits.
 [[nodiscard]] inline bool keeps_subnormals() {
-  const volatile double least = std::numeric_limits<double>::min();
+  const volatile double least = (std::numeric_limits<double>::min)();
   return least / 2 > 0;
 }
 

@@ -50,16 +50,17 @@ constexpr DoubleDouble halves_of(double a) {
 // Exact: a * b = high + low (unless the low part underflows). Where the processor has no fused
 // product, a library's may be slow, or round twice: then by Dekker's, in which every product of
 // halves is exact. Compilers that may fuse products do have the processor's.
-inline DoubleDouble two_prod(double a, double b) {
+constexpr DoubleDouble two_prod(double a, double b) {
   const double product = a * b;
 #if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__)
-  return {product, std::fma(a, b, -product)};
-#else
+  if (!__builtin_is_constant_evaluated()) {
+    return {product, std::fma(a, b, -product)};
+  }
+#endif
   const DoubleDouble x = halves_of(a);
   const DoubleDouble y = halves_of(b);
   const double rest = ((x.high * y.high - product) + x.high * y.low) + x.low * y.high;
   return {product, rest + x.low * y.low};
-#endif
 }
 
 constexpr DoubleDouble operator-(DoubleDouble a) { return {-a.high, -a.low}; }
@@ -73,12 +74,12 @@ constexpr DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
 
 constexpr DoubleDouble operator-(DoubleDouble a, DoubleDouble b) { return a + (-b); }
 
-inline DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
+constexpr DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
   const DoubleDouble product = two_prod(a.high, b.high);
   return fast_two_sum(product.high, product.low + (a.high * b.low + a.low * b.high));
 }
 
-inline DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
+constexpr DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
   const double quotient = a.high / b.high;
   const DoubleDouble product = two_prod(b.high, quotient);
   const DoubleDouble rounded = fast_two_sum(product.high, b.low * quotient);
@@ -97,10 +98,10 @@ inline DoubleDouble sqrt(DoubleDouble a) {
   return fast_two_sum(root, (rest + a.low) / (2.0 * root));
 }
 
-inline DoubleDouble& operator+=(DoubleDouble& a, DoubleDouble b) { return a = a + b; }
-inline DoubleDouble& operator-=(DoubleDouble& a, DoubleDouble b) { return a = a - b; }
-inline DoubleDouble& operator*=(DoubleDouble& a, DoubleDouble b) { return a = a * b; }
-inline DoubleDouble& operator/=(DoubleDouble& a, DoubleDouble b) { return a = a / b; }
+constexpr DoubleDouble& operator+=(DoubleDouble& a, DoubleDouble b) { return a = a + b; }
+constexpr DoubleDouble& operator-=(DoubleDouble& a, DoubleDouble b) { return a = a - b; }
+constexpr DoubleDouble& operator*=(DoubleDouble& a, DoubleDouble b) { return a = a * b; }
+constexpr DoubleDouble& operator/=(DoubleDouble& a, DoubleDouble b) { return a = a / b; }
 
 constexpr bool operator==(DoubleDouble a, DoubleDouble b) {
   return a.high == b.high && a.low == b.low;

@@ -309,9 +309,9 @@ class TrigonometricRootSearch {
 template <class Scalar, std::size_t N>
 [[nodiscard]] TrigonometricRoots<Scalar, N> trigonometric_roots(
     const TrigonometricPolynomial<Scalar, N>& polynomial, Scalar coefficient_error) {
-  static const ChartTables<Scalar, N> tables;
   TrigonometricRoots<Scalar, N> result;
-  TrigonometricRootSearch<Scalar, N>(tables, result).run(polynomial, coefficient_error);
+  TrigonometricRootSearch<Scalar, N>(chart_tables<Scalar, N>, result)
+      .run(polynomial, coefficient_error);
   return result;
 }
 

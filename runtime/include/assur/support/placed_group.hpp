@@ -40,15 +40,15 @@ struct HeldJoints {
       rates(First + 1, order) = point.rates(1, order) / Group::unit;
     }
     gradient.template middleRows<2>(First) = point.gradient / Group::unit;
-    displaced.moved = std::max(displaced.moved, point.displaced.moved / Group::unit);
-    displaced.reach = std::max(displaced.reach, point.displaced.reach / Group::unit);
+    displaced.moved = (std::max)(displaced.moved, point.displaced.moved / Group::unit);
+    displaced.reach = (std::max)(displaced.reach, point.displaced.reach / Group::unit);
   }
   /// A prismatic joint along the x-axis of a frame, whose inputs (x, y, phi) stand from `First` on.
   template <int First>
   void hold_line(const Frame<double, Order, Parameters>& frame) {
     hold_point<First>({frame.pose.x, frame.pose.y, frame.rates.template topRows<2>(),
                        frame.gradient.template topRows<2>(), frame.displaced});
-    displaced.turned = std::max(displaced.turned, frame.displaced.turned);
+    displaced.turned = (std::max)(displaced.turned, frame.displaced.turned);
     std::get<First + 2>(u.members()) = frame.pose.direction;
     rates.row(First + 2) = frame.rates.row(2);
     gradient.row(First + 2) = frame.gradient.row(2);

@@ -61,9 +61,9 @@ template <typename To, typename From>
 /// 2^-e of a length of 2^e m, 1 <= m < 2, by the bits of a number that has them all; where it has
 /// not, at most the largest power that there is.
 [[nodiscard]] inline double inverse_power_of_two(double length) {
-  if (!(length >= std::numeric_limits<double>::min() && length < 0x1p1023)) {
+  if (!(length >= (std::numeric_limits<double>::min)() && length < 0x1p1023)) {
     constexpr int most = std::numeric_limits<double>::max_exponent - 1;
-    return std::ldexp(1.0, std::min(-std::ilogb(length), most));
+    return std::ldexp(1.0, (std::min)(-std::ilogb(length), most));
   }
   std::uint64_t bits = 0;
   std::memcpy(&bits, &length, sizeof(bits));
@@ -81,14 +81,14 @@ inline constexpr double rounding_of_one = 2 * std::numeric_limits<double>::epsil
 /// A bound beyond some part of the longest length would make one of two configurations that are
 /// close together, so it counts as this much.
 [[nodiscard]] inline double counted_displacement(double displaced, double longest) {
-  return std::min(displaced, 0x1p-46 * longest);
+  return (std::min)(displaced, 0x1p-46 * longest);
 }
 
 /// How far rounding may have moved the inputs of a group whose neighbours it has `displaced`. The
 /// rounding of a coordinate grows with the coordinate.
 template <typename Inputs>
 [[nodiscard]] double rounding_of_inputs(const Inputs& u, double displaced) {
-  return rounding_of_one * std::max(1.0, longest_length(u)) + displaced;
+  return rounding_of_one * (std::max)(1.0, longest_length(u)) + displaced;
 }
 
 /// Numbers with bounds, lengths known to `within` and directions to a `turn`.
@@ -128,7 +128,7 @@ template <typename Model>
   typename Model::template Configuration<double> q;
   Vector<double, Model::equation_count> f;
   Model::residual(typename Model::template Dimensions<double>{}, u, q, f);
-  return std::max(longest_length(d), f.cwiseAbs().maxCoeff());
+  return (std::max)(longest_length(d), f.cwiseAbs().maxCoeff());
 }
 
 /// The longest length of a group in the unit of its inputs; a specialised one tells it, as it has
@@ -152,10 +152,11 @@ template <typename Model>
                                      const Displacement& displaced) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   if constexpr (detail::has_angles<Model>) {
-    const double moved = std::max(displaced.moved, epsilon * longest_length(u));
-    return moved > 0 ? std::max(moved / own_size<Model>(d, u), displaced.turned) : displaced.turned;
+    const double moved = (std::max)(displaced.moved, epsilon * longest_length(u));
+    return moved > 0 ? (std::max)(moved / own_size<Model>(d, u), displaced.turned)
+                     : displaced.turned;
   } else {
-    return std::max(epsilon, displaced.turned);
+    return (std::max)(epsilon, displaced.turned);
   }
 }
 
@@ -173,10 +174,10 @@ template <typename Model>
   const double own = size_of<Model>(d, u);
   const double places = longest_length(u);
   const double moved =
-      counted_displacement(displaced.moved, std::max({own, places, displaced.reach}));
+      counted_displacement(displaced.moved, (std::max)({own, places, displaced.reach}));
   const bool tells = own > rounding * places + moved;
-  const double untold = std::max(places, moved / std::numeric_limits<double>::epsilon());
-  return std::max(own, tells ? 0x1p-44 * places : untold);
+  const double untold = (std::max)(places, moved / std::numeric_limits<double>::epsilon());
+  return (std::max)(own, tells ? 0x1p-44 * places : untold);
 }
 
 /// In a group of a smaller size, lengths that are too small to have all their digits count.

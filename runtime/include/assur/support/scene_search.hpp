@@ -164,6 +164,19 @@ class Search {
     } else if (solution_.count == 0 && solution_.families > 0) {
       solution_.status = AssemblyStatus::degenerate;
     }
+    if constexpr (capacity > 1) {
+      put_found_in_order();
+    }
+    return solution_;
+  }
+
+  /// Of the groups in a configuration of the mechanism, by its number from 0.
+  [[nodiscard]] const Configurations& kept(int configuration) const {
+    return detail::entry(kept_, configuration);
+  }
+
+ private:
+  void put_found_in_order() {
     if (solution_.count > 1) {
       put_in_order(
           keys_, solution_.count, Own::lengths_from,
@@ -175,15 +188,8 @@ class Search {
           },
           Own::first_key);
     }
-    return solution_;
   }
 
-  /// Of the groups in a configuration of the mechanism, by its number from 0.
-  [[nodiscard]] const Configurations& kept(int configuration) const {
-    return detail::entry(kept_, configuration);
-  }
-
- private:
   /// Groups that have no configuration on the way through the search.
   struct Loose {
     Set moving = 0;  ///< freely, or inconsistent
@@ -274,7 +280,7 @@ class Search {
       if ((counted & bit) == 0) {
         counted |= bit;
         ++solution_.families;
-        solution_.mobility = std::max(solution_.mobility, mobilities_[group]);
+        solution_.mobility = (std::max)(solution_.mobility, mobilities_[group]);
       }
     }
   }
