@@ -14,7 +14,8 @@ struct EmittedFile {
 };
 
 /// Writes the files. Each is written beside its place and then moved there, so that none is ever
-/// half-written. Throws InputError if the directory cannot be written.
+/// half-written. Throws InputError if the directory cannot be written, or holds the solver of
+/// another scene in the place of one.
 void write_files(const std::vector<EmittedFile>& files, const std::filesystem::path& directory);
 /// The files that are missing or differ in `directory`.
 [[nodiscard]] std::vector<std::filesystem::path> differing_files(

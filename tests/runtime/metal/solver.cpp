@@ -21,12 +21,16 @@ void use(const State& state) {
 int main() {
   using Solver = assur::scenes::ASSUR_SOLVER;
   Solver::Drivers<double> drivers;
-  *drivers.positions()[0] = given;
+  for (double* position : drivers.positions()) {
+    *position = given;
+  }
   std::array<Solver::State<double>, Solver::max_configurations> states;
   word = Solver::solve(drivers, states).count;
   use(states);
   auto branch = Solver::branch(drivers, 0);
-  *drivers.positions()[0] = given;
+  for (double* position : drivers.positions()) {
+    *position = given;
+  }
   word = static_cast<int>(Solver::track(drivers, branch, states[0]).status);
   use(states[0]);
 }
