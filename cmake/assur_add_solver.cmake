@@ -1,20 +1,28 @@
 # Turns a scene file into a library target that holds the scene's solver, generated at build time.
 #
-#   assur_add_solver(<target> SCENE <file.json> [VARIABLE <parameter>...])
+#   assur_add_solver(<target> SCENE <file.json> [VARIABLE <parameter>...] [WANT <result>...])
 #
 # makes <target>, to link and then include <assur/scenes/NAME.hpp>; NAME is the scene's file name
 # without extension, with `_` for all but letters and digits. The parameters after VARIABLE stay
-# arguments of the solver, beside those that the scene makes so; `all` stands for all. The header is written anew when the
-# scene or the generator changes. The generator is the target assur::assur or, where that runs on
-# another machine than the one that builds, the program ASSUR_GENERATOR_EXECUTABLE.
+# arguments of the solver, beside those that the scene makes so; `all` stands for all. The results
+# after WANT (position, velocity, acceleration, sensitivity) are given instead of those that the
+# scene wants. The header is written anew when the scene or the generator changes. The generator is
+# the target assur::assur or, where that runs on another machine than the one that builds, the
+# program ASSUR_GENERATOR_EXECUTABLE. For a machine without an operating system Eigen's checks at run
+# time are left out (EIGEN_NO_DEBUG), for they link what ends a program.
 set(ASSUR_GENERATOR_EXECUTABLE "" CACHE FILEPATH
   "The command assur for the machine that builds; empty: the target assur::assur")
 
 function(assur_add_solver target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SCENE" "VARIABLE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SCENE" "VARIABLE;WANT")
   if(NOT arg_SCENE OR arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "assur_add_solver: expected assur_add_solver(<target> SCENE <file.json> "
-      "[VARIABLE <parameter>...])")
+      "[VARIABLE <parameter>...] [WANT <result>...])")
+  endif()
+  get_filename_component(scene ${arg_SCENE} ABSOLUTE)
+  get_source_file_property(is_generated ${scene} GENERATED)
+  if(NOT EXISTS ${scene} AND NOT is_generated)
+    message(FATAL_ERROR "assur_add_solver: ${target}: no file ${scene}")
   endif()
   if(ASSUR_GENERATOR_EXECUTABLE)
     set(generator ${ASSUR_GENERATOR_EXECUTABLE})
@@ -26,19 +34,29 @@ function(assur_add_solver target)
     message(FATAL_ERROR "assur_add_solver: no generator that runs here; build assur with "
       "ASSUR_BUILD_GENERATOR, or set ASSUR_GENERATOR_EXECUTABLE to the command assur")
   endif()
-  get_filename_component(scene ${arg_SCENE} ABSOLUTE)
   get_filename_component(stem ${scene} NAME)
   string(REGEX REPLACE "\\.[^.]*$" "" stem ${stem})
   string(MAKE_C_IDENTIFIER ${stem} name)
-  set(variable "")
+  # A program that links both would read one of the headers twice.
+  get_property(other GLOBAL PROPERTY assur_scene_of_${name})
+  if(other AND NOT other STREQUAL stem)
+    message(FATAL_ERROR "assur_add_solver: ${target}: the names of the scenes ${other} and ${stem} "
+      "differ in punctuation alone, and both headers are assur/scenes/${name}.hpp; rename one")
+  endif()
+  set_property(GLOBAL PROPERTY assur_scene_of_${name} ${stem})
+  set(options "")
   if(arg_VARIABLE)
     list(JOIN arg_VARIABLE "," names)
-    set(variable --variable ${names})
+    list(APPEND options --variable ${names})
+  endif()
+  if(arg_WANT)
+    list(JOIN arg_WANT "," names)
+    list(APPEND options --want ${names})
   endif()
   set(directory ${CMAKE_CURRENT_BINARY_DIR}/${target}_solver)
   set(header ${directory}/assur/scenes/${name}.hpp)
   add_custom_command(OUTPUT ${header}
-    COMMAND ${generator} emit --scene ${scene} --output ${directory} ${variable}
+    COMMAND ${generator} emit --scene ${scene} --output ${directory} ${options}
     DEPENDS ${scene} ${generator_dependency} VERBATIM
     COMMENT "Generating the solver of ${stem}")
   add_custom_target(${target}_header DEPENDS ${header})
@@ -46,4 +64,7 @@ function(assur_add_solver target)
   add_dependencies(${target} ${target}_header)
   target_include_directories(${target} INTERFACE ${directory})
   target_link_libraries(${target} INTERFACE assur::runtime)
+  if(CMAKE_SYSTEM_NAME STREQUAL "Generic")
+    target_compile_definitions(${target} INTERFACE EIGEN_NO_DEBUG)
+  endif()
 endfunction()

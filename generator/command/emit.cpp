@@ -1,9 +1,12 @@
 #include "command/emit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <assur/mechanism/error.hpp>
+#include <assur/text/names.hpp>
 #include <iostream>
 #include <iterator>
+#include <utility>
 
 #include "emission/closures/emit_closures.hpp"
 #include "emission/model/emit.hpp"
@@ -37,11 +40,36 @@ void add_variables(const std::vector<std::string>& names, assur::mechanism::Scen
   }
 }
 
-EmittedFile emitted_scene(const std::string& file, const std::vector<std::string>& variables) {
+/// What is wanted, by the words of a scene's `want`.
+assur::mechanism::Want wanted(const std::vector<std::string>& words) {
+  assur::mechanism::Want want = {false, false, false, false};
+  const std::array<std::pair<std::string, bool*>, 4> flags = {{{"position", &want.position},
+                                                               {"velocity", &want.velocity},
+                                                               {"acceleration", &want.acceleration},
+                                                               {"sensitivity", &want.sensitivity}}};
+  for (const std::string& word : words) {
+    const auto* flag = std::find_if(flags.begin(), flags.end(),
+                                    [&word](const auto& known) { return known.first == word; });
+    if (flag == flags.end()) {
+      throw InputError("--want: no result named '" + word +
+                       "'; they are position, velocity, acceleration and sensitivity");
+    }
+    *flag->second = true;
+  }
+  return want;
+}
+
+EmittedFile emitted_scene(const std::string& file, const std::vector<std::string>& variables,
+                          const std::vector<std::string>& wants) {
   assur::mechanism::Scene scene = assur::mechanism::read_scene(file);
+  std::string options;
+  if (!wants.empty()) {
+    scene.request.want = wanted(wants);
+    options = " --want " + text::joined(wants, ",");
+  }
   try {
     add_variables(variables, scene);
-    EmittedFile emitted = emission::scene::emit_scene(scene);
+    EmittedFile emitted = emission::scene::emit_scene(scene, options);
     for (const std::string& warning : emission::scene::scene_warnings(scene)) {
       std::cerr << "warning: " << file << ": " << warning << '\n';
     }
@@ -57,11 +85,14 @@ bool run_emit(const EmitOptions& options) {
   if (!options.variables.empty() && options.scene.empty()) {
     throw InputError("--variable: parameters are a scene's; give it with --scene");
   }
+  if (!options.wants.empty() && options.scene.empty()) {
+    throw InputError("--want: results are a scene's; give it with --scene");
+  }
   std::vector<EmittedFile> files;
   if (options.all) {
     files = emission::model::emit_all();
   } else if (!options.scene.empty()) {
-    files.push_back(emitted_scene(options.scene, options.variables));
+    files.push_back(emitted_scene(options.scene, options.variables, options.wants));
   } else if (!options.closures.empty()) {
     files.push_back(
         emission::closures::emit_closures(closures::read_typed_closures(options.closures)));

@@ -150,6 +150,11 @@ int run(int argc, char** argv) {
       ->add_option("--variable", emit.variables,
                    "with --scene: parameters X,Y that stay arguments of the solver, or all")
       ->delimiter(',');
+  command
+      ->add_option("--want", emit.wants,
+                   "with --scene: of position, velocity, acceleration, sensitivity those that the "
+                   "solver gives, instead of the scene's")
+      ->delimiter(',');
   command->add_option("--group", emit.group, "the group that --model means")
       ->check(one_of(group_names()))
       ->capture_default_str();

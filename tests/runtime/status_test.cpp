@@ -49,6 +49,31 @@ TEST(BranchPoint, HasTheMotionAndTheSignOfTheDeterminant) {
   EXPECT_EQ(point.orientation, J.determinant() > 0 ? 1 : -1);
 }
 
+TEST(Assemblies, OfLengthsBelowTheSmallestWithAllDigitsAreThoseOfLongerOnes) {
+  const Group group;
+  const auto whole = assemblies<Model>(group.d, group.u);
+  // Lengths of few digits are those of both groups.
+  const auto shortened = [](auto variables, double scale) {
+    for_each_member(variables, [scale](double& length, std::size_t) { length *= scale; });
+    return variables;
+  };
+  const auto d = shortened(group.d, 0x1p-1040);
+  const auto u = shortened(group.u, 0x1p-1040);
+  const auto longer = assemblies<Model>(shortened(d, 0x1p1000), shortened(u, 0x1p1000));
+  const auto found = assemblies<Model>(d, u);
+  EXPECT_EQ(found.status, AssemblyStatus::ok);
+  ASSERT_EQ(found.count, longer.count);
+  ASSERT_EQ(found.count, whole.count);
+  for (int index = 0; index < found.count; ++index) {
+    const auto place = static_cast<std::size_t>(index);
+    for_each_pair(found.configurations[place], longer.configurations[place],
+                  [](const auto& one, const auto& other) {
+                    EXPECT_NEAR(one.cos, other.cos, 1e-9);
+                    EXPECT_NEAR(one.sin, other.sin, 1e-9);
+                  });
+  }
+}
+
 TEST(BranchPoint, IsRefusedWhereTheJacobianHasNoInverse) {
   Group group;
   group.d.CD = 0;  // a bar of no length turns freely

@@ -14,6 +14,29 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// The scene of which emitted text says that it is the solver; empty where it says of none.
+std::string scene_of(const std::string& text) {
+  const std::string before = "// Reproduce: assur emit --scene ";
+  const std::size_t place = text.find(before);
+  if (place == std::string::npos) {
+    return "";
+  }
+  const std::size_t begin = place + before.size();
+  return text.substr(begin, text.find(" --", begin) - begin);
+}
+
+/// Refuses to replace the solver of one scene by that of another.
+void expect_same_scene(const EmittedFile& file, const fs::path& target) {
+  std::ifstream in(target, std::ios::binary);
+  const std::string there = scene_of({std::istreambuf_iterator<char>(in), {}});
+  const std::string scene = scene_of(file.text);
+  if (!there.empty() && !scene.empty() && there != scene) {
+    throw text::InputError("--output: " + target.string() + " is the solver of '" + there +
+                           "', whose name differs from '" + scene +
+                           "' in punctuation alone; rename one of them, or remove that file");
+  }
+}
+
 /// Files that stand beside those that they will replace; removed unless they do.
 class PendingFiles {
  public:
@@ -29,6 +52,7 @@ class PendingFiles {
 
   void write(const EmittedFile& file) {
     const fs::path target = directory_ / file.path;
+    expect_same_scene(file, target);
     fs::path beside = target;
     // Two runs at once do not write the same one.
     beside += ".part" + std::to_string(getpid());

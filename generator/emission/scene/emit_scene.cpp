@@ -61,7 +61,8 @@ class SceneEmitter {
  public:
   explicit SceneEmitter(const mechanism::Scene& scene) : solver_(scene) {}
 
-  cpp::EmittedFile run() {
+  cpp::EmittedFile run(const std::string& options) {
+    view_.set("options", options);
     expect_listable(solver_.plan);
     show_drivers();
     show_variables();
@@ -125,6 +126,14 @@ class SceneEmitter {
     view_.set("driver_positions", text::joined(turning, ", ", [](const std::string& name) {
                 return "&" + name + ".position";
               }));
+    std::vector<std::string> rates;
+    for (const std::string& name : turning) {
+      for (int order = 0; order < solver_.derivative_order; ++order) {
+        rates.push_back("&" + name + (order == 0 ? ".velocity" : ".acceleration"));
+      }
+    }
+    view_.set("rate_count", std::to_string(rates.size()));
+    view_.set("driver_rates", text::joined(rates, ", "));
     view_.set("has_drivers", !names.empty());
     view_.set("drivers_name", names.empty() ? "" : " drivers");
     view_.set("driven_name", names.empty() && solver_.variable.empty() ? "" : " placed");
@@ -381,6 +390,8 @@ class SceneEmitter {
 
 }  // namespace
 
-cpp::EmittedFile emit_scene(const mechanism::Scene& scene) { return SceneEmitter(scene).run(); }
+cpp::EmittedFile emit_scene(const mechanism::Scene& scene, const std::string& options) {
+  return SceneEmitter(scene).run(options);
+}
 
 }  // namespace assur::generator::emission::scene

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <assur/mechanism/scene_file.hpp>
+#include <string>
 
 #include "emission/cpp/files.hpp"
 
@@ -10,7 +11,9 @@ namespace assur::generator::emission::scene {
 /// The header `assur/scenes/<file>.hpp` of a scene: its groups with all dimensions as numbers, and
 /// only the derivatives, points and parameters that the scene wants. Derivatives are to the
 /// parameters that have a tolerance, to all if none has. Throws MechanismError for a scene that has
-/// no solver: it is over- or under-constrained, or a group is degenerate or not known.
-[[nodiscard]] cpp::EmittedFile emit_scene(const mechanism::Scene& scene);
+/// no solver: it is over- or under-constrained, or a group is degenerate or not known. `options`:
+/// of the command, beside those for variable parameters, for the line that tells how to reproduce.
+[[nodiscard]] cpp::EmittedFile emit_scene(const mechanism::Scene& scene,
+                                          const std::string& options = "");
 
 }  // namespace assur::generator::emission::scene

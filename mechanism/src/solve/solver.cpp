@@ -189,6 +189,12 @@ class ConfigurationWalk {
       throw MechanismError(
           "links", "the lengths differ by more powers of ten than double precision can hold");
     }
+    if (found.status == AssemblyStatus::unsound_arithmetic) {
+      throw MechanismError(
+          "links",
+          "the arithmetic of this build or of its process does not round as double precision "
+          "does; compile without -ffast-math and its parts, and with -mfpmath=sse");
+    }
     if (found.mobility > 0) {
       families_.add(group, found.mobility, reason_of_freedom(values_, group));
     } else if (found.count == 0 && listed_ == 0) {

@@ -11,7 +11,10 @@ namespace assur {
 enum class AssemblyStatus : unsigned char {
   ok,          ///< configurations are listed; none if the links cannot reach
   degenerate,  ///< none stands alone, but the group moves
-  not_finite   ///< an input is NaN or infinite, or the lengths differ by too many powers of ten
+  not_finite,  ///< an input is NaN or infinite, or the lengths differ by too many powers of ten
+  /// The program was compiled, or the processor is set, so that rounding has no bound (-ffast-math
+  /// and its parts, x87; lengths that it flushes to zero): nothing is listed.
+  unsound_arithmetic
 };
 
 /// The assembly configurations of a model, in an order that rigid motion, reflection and change of

@@ -9,6 +9,7 @@
 #include <assur/detail/general_search.hpp>
 #include <assur/detail/index.hpp>
 #include <assur/detail/special_group.hpp>
+#include <assur/numeric/arithmetic.hpp>
 #include <assur/support/displaced_frame.hpp>
 #include <assur/support/scale.hpp>
 #include <assur/variables.hpp>
@@ -19,7 +20,7 @@ namespace assur {
 
 namespace detail {
 
-/// Every configuration, where no formula vouches for the list.
+/// Every configuration, where the formula alone does not vouch for the list.
 template <typename Model>
 [[gnu::noinline, gnu::cold]] void search(
     const typename Model::template Dimensions<double>& dimensions,
@@ -27,16 +28,31 @@ template <typename Model>
     Assemblies<Model>& result) {
   using Dimensions = typename Model::template Dimensions<double>;
   using Inputs = typename Model::template Inputs<double>;
+  if (!numeric::sums_are_exact()) {
+    result.status = AssemblyStatus::unsound_arithmetic;
+    return;
+  }
+  if constexpr (has_closed_form<Model>) {
+    if (ClosedSearch<Model>::list_polished(dimensions, inputs, displaced, result)) {
+      return;
+    }
+  }
   if (!is_finite(dimensions) || !is_finite(inputs)) {
     result.status = AssemblyStatus::not_finite;
     return;
   }
-  const double scale = support::unit_scale<Model>(dimensions, inputs, displaced);
+  const double size = support::size_among<Model>(dimensions, inputs, displaced);
+  if (size < support::least_size && !numeric::keeps_subnormals()) {
+    result.status = AssemblyStatus::unsound_arithmetic;
+    return;
+  }
+  const double scale = support::scale_of(size);
   const auto d = support::scaled_to<Dimensions>(dimensions, scale);
   const auto u = support::scaled_to<Inputs>(inputs, scale);
   // Lengths are near one: a turn moves their ends by as much.
-  const double held = support::counted_displacement(
-      std::max(displaced.moved * scale, displaced.turned), std::max(1.0, displaced.reach * scale));
+  const double held =
+      support::counted_displacement((std::max)(displaced.moved * scale, displaced.turned),
+                                    (std::max)(1.0, displaced.reach * scale));
   bool found = false;
   if constexpr (!has_closed_form<Model>) {
     found = GeneralSearch<Model>(d, u, held, result).run();
@@ -63,7 +79,7 @@ template <typename Model>
 /// marked near_singular. Coordinates count as known to a rounding of
 /// their own, and verdicts on the derivatives with them: far from the origin, as on what rounding
 /// has displaced, fewer configurations are ok. Status: ok, also where the links cannot reach, with
-/// no configuration; degenerate; not_finite.
+/// no configuration; degenerate; not_finite; unsound_arithmetic.
 template <typename Model>
 [[nodiscard]] Assemblies<Model> assemblies(
     const typename Model::template Dimensions<double>& dimensions,
@@ -71,26 +87,31 @@ template <typename Model>
     const support::Displacement& displaced = {}) {
   static_assert(Model::rigid, "a degenerate model has no closed form");
   Assemblies<Model> result;
-  bool found = false;
-  if constexpr (detail::has_closed_form<Model>) {
-    using Search = detail::ClosedSearch<Model>;
-    found = Search::list(dimensions, inputs, displaced, result) ||
-            Search::list_polished(dimensions, inputs, displaced, result);
-  }
-  if (!found) {
-    detail::search<Model>(dimensions, inputs, displaced, result);
+  if constexpr (!numeric::rounds_as_written) {
+    result.status = AssemblyStatus::unsound_arithmetic;
+  } else {
+    bool found = false;
+    if constexpr (detail::has_closed_form<Model>) {
+      found = detail::ClosedSearch<Model>::list(dimensions, inputs, displaced, result);
+    }
+    if (!found) {
+      detail::search<Model>(dimensions, inputs, displaced, result);
+    }
   }
   return result;
 }
 
 /// By how much the loop closures fail at least, in the unit of the lengths, where the links cannot
 /// reach: the largest of |F(d, u, q)| at the best q that a search from some places finds. Set where
-/// the status is ok; not_finite.
+/// the status is ok; not_finite; unsound_arithmetic.
 template <typename Model>
 [[nodiscard]] Status closure_gap(const typename Model::template Dimensions<double>& dimensions,
                                  const typename Model::template Inputs<double>& inputs,
                                  double& gap) {
   static_assert(Model::rigid, "a degenerate model has no closed form");
+  if (!numeric::rounds_as_written || !numeric::sums_are_exact()) {
+    return Status::unsound_arithmetic;
+  }
   if (!is_finite(dimensions) || !is_finite(inputs)) {
     return Status::not_finite;
   }

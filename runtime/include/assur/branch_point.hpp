@@ -3,6 +3,7 @@
 
 #include <assur/detail/pivots.hpp>
 #include <assur/kinematics.hpp>
+#include <assur/numeric/arithmetic.hpp>
 #include <assur/status.hpp>
 
 namespace assur {
@@ -18,8 +19,8 @@ struct InputMotion {
 /// A point of a branch: a configuration and its derivatives to the parameter.
 template <typename Model>
 struct BranchPoint {
-  /// ok, or near_singular where the derivatives may keep fewer than six digits; with singular and
-  /// not_finite there are none, and nothing can be tracked from here.
+  /// ok, or near_singular where the derivatives may keep fewer than six digits; with any other
+  /// there are none, and nothing can be tracked from here.
   Status status = Status::singular;
   typename Model::template Configuration<double> q;
   Motion<Model, double> motion;  ///< set where the status is ok or near_singular
@@ -35,6 +36,10 @@ template <typename Model>
   static_assert(Model::rigid, "a degenerate model has no inverse Jacobian");
   BranchPoint<Model> point;
   point.q = q;
+  if (!numeric::tells_nan) {
+    point.status = Status::unsound_arithmetic;
+    return point;
+  }
   if (!is_finite(d) || !is_finite(inputs.u) || !is_finite(q) || !is_finite(inputs.rate) ||
       !is_finite(inputs.second_rate)) {
     point.status = Status::not_finite;

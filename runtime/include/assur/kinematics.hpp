@@ -6,7 +6,9 @@
 #include <assur/detail/index.hpp>
 #include <assur/detail/limit_turns.hpp>
 #include <assur/detail/pivots.hpp>
+#include <assur/detail/products.hpp>
 #include <assur/model.hpp>
+#include <assur/numeric/arithmetic.hpp>
 #include <assur/status.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
@@ -29,6 +31,9 @@ template <typename Model, typename Scalar>
                                             const typename Model::template Configuration<Scalar>& q,
                                             const Scalar& displaced = Scalar(0)) {
   static_assert(Model::rigid, "a degenerate model has no inverse Jacobian");
+  if (!numeric::tells_nan) {
+    return {Status::unsound_arithmetic};
+  }
   if (!is_finite(d) || !is_finite(u) || !is_finite(q)) {
     return {Status::not_finite};
   }
@@ -65,7 +70,7 @@ class InverseJacobian {
   template <int Columns>
   [[nodiscard]] Matrix<Scalar, size, Columns> solve(
       const Matrix<Scalar, size, Columns>& rhs) const {
-    return inverse_ * rhs;
+    return detail::product(inverse_, rhs);
   }
 
  private:
@@ -197,7 +202,7 @@ template <typename Model, typename Scalar>
       if (detail::is_angle<Model>(index)) {
         using std::abs;
         using std::max;
-        largest_turn = max(largest_turn, abs(step(index)));
+        largest_turn = max EIGEN_NOT_A_MACRO(largest_turn, abs(step(index)));
       }
     }
     const Scalar longest = step.cwiseAbs().maxCoeff();

@@ -6,6 +6,7 @@
 #include <assur/detail/members.hpp>
 #include <assur/directions.hpp>
 #include <assur/model.hpp>
+#include <assur/numeric/arithmetic.hpp>
 #include <assur/status.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
@@ -101,7 +102,7 @@ template <typename Scalar>
 /// given in one frame, and the form is in theirs. Set where the status is ok. singular: the first
 /// two of lines alone are parallel, so that the group is degenerate or a relabelling is needed; or
 /// there are not two or three features. not_finite, also where the square of the distance between
-/// the first two of points alone leaves the range of the scalar.
+/// the first two of points alone leaves the range of the scalar; unsound_arithmetic.
 template <typename Scalar>
 [[nodiscard]] Status normal_form(const std::array<LinkFeature<Scalar>, 3>& features, int count,
                                  NormalForm<Scalar>& result) {
@@ -109,6 +110,9 @@ template <typename Scalar>
   result.dimension_count = 0;
   if (count < 2 || count > 3) {
     return Status::singular;
+  }
+  if (!numeric::tells_nan) {
+    return Status::unsound_arithmetic;
   }
   const auto joints = static_cast<std::size_t>(count);
   std::array<const LinkFeature<Scalar>*, 3> points{};

@@ -53,7 +53,7 @@ class SecondOrder {
     }
   }
 
-  /// ok, near_singular, singular or not_finite, as for the first derivatives.
+  /// That of the first derivatives.
   [[nodiscard]] Status status() const { return jacobian_.status(); }
 
   /// q_x and p_x along a direction (d_x, u_x):
@@ -124,8 +124,9 @@ class SecondOrder {
 
   [[nodiscard]] static Scalar length(const First& x) {
     using std::max;
-    return max(x.q.cwiseAbs().maxCoeff(),
-               max(x.d.cwiseAbs().maxCoeff(), x.u.cwiseAbs().maxCoeff()));
+    return max EIGEN_NOT_A_MACRO(
+        x.q.cwiseAbs().maxCoeff(),
+        max EIGEN_NOT_A_MACRO(x.d.cwiseAbs().maxCoeff(), x.u.cwiseAbs().maxCoeff()));
   }
 
   /// Along a x + b y.

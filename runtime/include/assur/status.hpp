@@ -14,6 +14,9 @@ enum class Status : unsigned char {
   not_finite,         ///< an input is NaN or infinite; nothing was computed
   no_convergence,     ///< Newton's iteration did not settle; the last iterate is returned
   point_at_infinity,  ///< a special point's lines are parallel or nearly; nothing was computed
+  /// The program was compiled, or the processor is set, so that NaN is not told from numbers or
+  /// rounding has no bound (-ffast-math and its parts, x87); nothing was computed.
+  unsound_arithmetic,
 };
 
 /// Whether a status comes with a result that was computed.
@@ -35,6 +38,8 @@ enum class Status : unsigned char {
       return "no convergence";
     case Status::point_at_infinity:
       return "point at infinity";
+    case Status::unsound_arithmetic:
+      return "unsound arithmetic";
   }
   return "unknown";
 }
@@ -50,7 +55,7 @@ inline constexpr double two_digits = 5e-3;
 template <typename Scalar>
 struct Regularity {
   /// ok; near_singular where derivatives may keep fewer than six digits; singular where there are
-  /// none; not_finite.
+  /// none; not_finite; unsound_arithmetic.
   Status status = Status::singular;
   /// The derivatives' relative error is about rounding/margin: the product of what the core's
   /// determinant keeps of its terms and of how firmly the closures hold the unknowns. One at best,

@@ -43,7 +43,7 @@ template <typename Model, typename Path>
     return way;
   }
   const double longest = longest_length(d);
-  const double inverse_size = longest > 0 ? 1 / longest : std::numeric_limits<double>::max();
+  const double inverse_size = longest > 0 ? 1 / longest : (std::numeric_limits<double>::max)();
   const double shortest = std::abs(to - from) * detail::StepLimits().shortest;
   double width = to - from;
   // Where a step was refused the branch may end. It does so like a square root of what is left of
@@ -52,8 +52,8 @@ template <typename Model, typename Path>
     const auto& motion = way.point.motion;
     const double left = detail::turn_of<Model>(motion.velocity, inverse_size) /
                         (2 * detail::turn_of<Model>(motion.acceleration, inverse_size));
-    const double most = std::max(0.75 * left, 1.5 * shortest);
-    return std::copysign(std::min(std::abs(step), most), step);
+    const double most = (std::max)(0.75 * left, 1.5 * shortest);
+    return std::copysign((std::min)(std::abs(step), most), step);
   };
   bool halved = false;
   while (way.reached != to) {

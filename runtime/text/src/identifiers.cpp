@@ -41,10 +41,11 @@ constexpr std::array<std::string_view, 92> keywords = {
     "volatile",      "wchar_t",     "while",
     "xor",           "xor_eq"};
 
-/// What the headers that a solver includes, or compilers before them, may define.
-constexpr std::array<std::string_view, 15> macros = {
-    "BUFSIZ",   "EOF",   "HUGE_VAL", "INFINITY", "M_E",   "M_PI",   "NAN", "NULL",
-    "RAND_MAX", "errno", "linux",    "stderr",   "stdin", "stdout", "unix"};
+/// What the headers that a solver includes, others in front of them, or compilers, may define.
+constexpr std::array<std::string_view, 21> macros = {
+    "BUFSIZ", "EOF",  "HUGE_VAL", "I",       "INFINITY", "M_E",    "M_PI",
+    "NAN",    "NULL", "RAND_MAX", "complex", "errno",    "far",    "linux",
+    "max",    "min",  "near",     "stderr",  "stdin",    "stdout", "unix"};
 
 /// Types that the templates name: a member or a scene of that name would hide them.
 constexpr std::array<std::string_view, 39> template_words = {"Assemblies",

@@ -204,7 +204,7 @@ template <typename Model>
 void list_in(const typename Model::template Dimensions<double>& d,
              const typename Model::template Inputs<double>& u, double unit,
              Assemblies<Model>& result) {
-  if constexpr (!comes_in_any_order<Model>) {
+  if constexpr (!comes_in_any_order<Model> && Model::max_configurations > 1) {
     put_in_order<Model>(d, u, result);
   }
   for (int index = 0; index < result.count; ++index) {

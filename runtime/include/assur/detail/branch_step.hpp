@@ -5,6 +5,7 @@
 #include <assur/branch_point.hpp>
 #include <assur/detail/index.hpp>
 #include <assur/detail/pivots.hpp>
+#include <assur/detail/products.hpp>
 #include <assur/kinematics.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
@@ -80,9 +81,9 @@ template <typename Model>
   for (double limit = limits.correction;;) {
     Model::residual(d, u, q, f);
     Model::inverse_jacobian(d, u, q, inverse);
-    const Unknowns step = -(inverse * f);
+    const Unknowns step = -product(inverse, f);
     const double turn = turn_of<Model>(step, inverse_size);
-    if (!(turn <= std::max(limit, limits.settled))) {
+    if (!(turn <= (std::max)(limit, limits.settled))) {
       return false;
     }
     move_slightly<Model>(q, step);
@@ -94,7 +95,7 @@ template <typename Model>
     if (turn <= limits.nearly_settled) {
       // The same inverse once more leaves of what it finds as much as it has found of this step.
       Model::residual(d, u, q, f);
-      const Unknowns rest = -(inverse * f);
+      const Unknowns rest = -product(inverse, f);
       const double found = turn_of<Model>(rest, inverse_size);
       move_slightly<Model>(q, rest);
       way += rest;

@@ -101,7 +101,7 @@ struct Certainty {
   [[nodiscard]] double error(double square, const support::Displacement& displaced) const {
     const double error = power(square);
     if (displaced.moved > 0 || displaced.turned > 0) {
-      const double part = std::max(displaced.moved / std::sqrt(square), displaced.turned);
+      const double part = (std::max)(displaced.moved / std::sqrt(square), displaced.turned);
       return error * (1 + part / numeric::Magnitude::given_rounding());
     }
     return error;
@@ -118,7 +118,7 @@ struct ClosedForm {
   static constexpr bool vouches = Model::regular_discriminant > 0;
   /// One over a discriminant that has a certain sign and, if any does, vouches.
   static constexpr double firmness =
-      1 / std::max(Model::discriminant_error, Model::regular_discriminant);
+      1 / (std::max)(Model::discriminant_error, Model::regular_discriminant);
 };
 
 /// Whether there is a formula for a model's configurations of which that is said.

@@ -83,7 +83,7 @@ class ClosedSearch {
   [[nodiscard, gnu::noinline, gnu::cold]] static bool list_polished(
       const Dimensions& dimensions, const Inputs& inputs, const support::Displacement& displaced,
       Assemblies<Model>& result) {
-    const double longest = std::max(longest_length(inputs), longest_length(dimensions));
+    const double longest = (std::max)(longest_length(inputs), longest_length(dimensions));
     // What is scaled may have any unit of which the scale is a number.
     if (!is_in_range(longest, 0x1p500, most_length<Model>) || !is_finite(dimensions) ||
         !is_finite(inputs)) {
@@ -165,7 +165,7 @@ class ClosedSearch {
             d, support::rounding_of_one, support::rounding_of_one),
         support::rounded<typename Model::template Inputs<Certified>>(
             u, support::rounding_of_inputs(u, displaced.moved),
-            support::rounding_of_inputs(u, std::max(displaced.moved, displaced.turned))),
+            support::rounding_of_inputs(u, (std::max)(displaced.moved, displaced.turned))),
         T);
     widen(T, Certified(0, support::rounding_of_numbers<Model>()));
     const Discriminants<Certified> found = discriminants_of(T);

@@ -57,7 +57,7 @@ struct Closures {
   }
   /// A displacement far beyond the longest length is measured in itself.
   [[nodiscard]] double unit_of(double displacement) const {
-    return std::max(longest, std::abs(displacement));
+    return (std::max)(longest, std::abs(displacement));
   }
   /// The unknowns moved by a step: displacements shift, angles turn, without trigonometric
   /// functions.
@@ -96,7 +96,7 @@ struct Closures {
     if (closures.unknowns[unknown].is_angle) {
       place += 2;
     } else {
-      longest = std::max(longest, std::abs(q[place++]));
+      longest = (std::max)(longest, std::abs(q[place++]));
     }
   }
   return longest / closures.longest;
@@ -119,8 +119,8 @@ struct Closures {
     const bool is_angle = closures.unknowns[unknown].is_angle;
     const double unit = is_angle ? 1 : closures.longest;
     for (int part = is_angle ? 2 : 1; part > 0; --part, ++place) {
-      const double size = std::max({unit, std::abs(one[place]), std::abs(other[place])});
-      largest = std::max(largest, std::abs(one[place] - other[place]) / size);
+      const double size = (std::max)({unit, std::abs(one[place]), std::abs(other[place])});
+      largest = (std::max)(largest, std::abs(one[place] - other[place]) / size);
     }
   }
   return largest;
@@ -142,7 +142,7 @@ inline constexpr double pivot_rounding = 4 * std::numeric_limits<double>::epsilo
   Matrix4 normal;
   for (int unknown = 0; unknown < 4; ++unknown) {
     normal.column(unknown) = transposed_product(jacobian, jacobian.column(unknown));
-    normal(unknown, unknown) += std::max(damping * damping, 1e-30);
+    normal(unknown, unknown) += (std::max)(damping * damping, 1e-30);
   }
   return -1 * Elimination(normal, pivot_rounding).solve(transposed_product(jacobian, f));
 }
@@ -174,7 +174,7 @@ class Closing {
     if (norm(newton) < 100 * miss_ && take(newton, 0.1)) {
       return true;
     }
-    const Vector4 damped = damped_step(jacobian, f_, std::max(miss_, 1e-15));
+    const Vector4 damped = damped_step(jacobian, f_, (std::max)(miss_, 1e-15));
     for (const double part : {1.0, 4.0, 16.0, 64.0, 256.0}) {
       if (take(1 / part * damped, 0.99)) {
         return true;
@@ -237,10 +237,10 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
 /// closures hold between them, too.
 [[nodiscard]] inline bool are_one(const Closures& closures, const FlatVariables<double>& one,
                                   const FlatVariables<double>& other) {
-  constexpr double near = 1e-2;   // a quadruple assembly is known to 1e-3
-  constexpr double equal = 1e-7;  // a double one is known to 1e-8
+  constexpr double close_by = 1e-2;  // a quadruple assembly is known to 1e-3
+  constexpr double equal = 1e-7;     // a double one is known to 1e-8
   const double apart = distance(closures, one, other);
-  if (!(apart < near) || apart < equal) {
+  if (!(apart < close_by) || apart < equal) {
     return apart < equal;
   }
   const auto between = [&](double part) {

@@ -71,7 +71,7 @@ template <typename Model, typename Scalar>
   for_each_member(q, [&miss](auto& member, std::size_t index) {
     if constexpr (!std::is_same_v<std::decay_t<decltype(member)>, Scalar>) {
       if (index != size(Model::first_unknown)) {
-        miss = max(miss, abs(put_on_circle(member)));
+        miss = max EIGEN_NOT_A_MACRO(miss, abs(put_on_circle(member)));
       }
     }
   });

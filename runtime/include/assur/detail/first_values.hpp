@@ -83,7 +83,8 @@ template <std::size_t Degree>
     for (std::size_t k = 0; k <= Degree; ++k) {
       polynomial.cosine[k] = bounded.cosine[k].value;
       polynomial.sine[k] = bounded.sine[k].value;
-      error = std::max({error, bounded.cosine[k].certain_bound(), bounded.sine[k].certain_bound()});
+      error =
+          (std::max)({error, bounded.cosine[k].certain_bound(), bounded.sine[k].certain_bound()});
     }
     const auto roots =
         numeric::trigonometric_roots<DoubleDouble, Degree>(polynomial, DoubleDouble(error));

@@ -48,9 +48,9 @@ class GeneralSearch {
     if (roots.status != numeric::RootStatus::certified) {
       return false;
     }
-    const double longest = std::max(1.0, longest_length(u_));
+    const double longest = (std::max)(1.0, longest_length(u_));
     // The Jacobian is as unsure as the places are; a length of one is among those of the group.
-    const double unsure = std::max(displaced_, std::numeric_limits<double>::epsilon() * longest);
+    const double unsure = (std::max)(displaced_, std::numeric_limits<double>::epsilon() * longest);
     for (std::size_t root = 0; root < roots.root_count; ++root) {
       if (!accept({roots.roots[root].cosine, roots.roots[root].sine}, longest, unsure)) {
         return false;

@@ -28,18 +28,20 @@ void limit_turns(const Matrix<Scalar, Model::equation_count, Model::unknown_coun
     return Scalar(jacobian.col(index).cwiseAbs().maxCoeff());
   };
   Scalar longest(0);
-  for_each_angle([&](int index) { longest = max(longest, lever(index)); });
+  for_each_angle([&](int index) { longest = max EIGEN_NOT_A_MACRO(longest, lever(index)); });
   Scalar largest(0);
   for_each_angle([&](int index) {
     // From a quarter of the longest on a lever counts in full.
-    const Scalar weight = min(Scalar(1), Scalar(4) * lever(index) / longest);
-    largest = max(largest, weight * abs(step(index)));
+    const Scalar weight = min EIGEN_NOT_A_MACRO(Scalar(1), Scalar(4) * lever(index) / longest);
+    largest = max EIGEN_NOT_A_MACRO(largest, weight * abs(step(index)));
   });
   const Scalar limit = Scalar(0.5);
   if (largest > limit) {
     step *= limit / largest;
   }
-  for_each_angle([&](int index) { step(index) = max(-limit, min(limit, step(index))); });
+  for_each_angle([&](int index) {
+    step(index) = max EIGEN_NOT_A_MACRO(-limit, min EIGEN_NOT_A_MACRO(limit, step(index)));
+  });
 }
 
 }  // namespace assur::detail

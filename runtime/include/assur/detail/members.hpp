@@ -59,7 +59,7 @@ template <typename Scalar>
 /// The largest difference of two variables, of a direction's cosine or sine.
 [[nodiscard]] inline double apart(double one, double other) { return std::abs(one - other); }
 [[nodiscard]] inline double apart(const Direction<double>& one, const Direction<double>& other) {
-  return std::max(std::abs(one.cos - other.cos), std::abs(one.sin - other.sin));
+  return (std::max)(std::abs(one.cos - other.cos), std::abs(one.sin - other.sin));
 }
 
 }  // namespace assur::detail

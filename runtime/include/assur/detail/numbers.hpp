@@ -66,7 +66,7 @@ template <std::size_t Count>
   double largest = 0;
   for (std::size_t place = 0; place < Count; ++place) {
     if (is_length[place]) {
-      largest = std::max(largest, std::abs(number_at<double>(variables, place)));
+      largest = (std::max)(largest, std::abs(number_at<double>(variables, place)));
     }
   }
   return largest;
@@ -76,8 +76,8 @@ template <std::size_t Count>
 [[nodiscard]] inline double farthest_apart(const void* one, const void* other, std::size_t count) {
   double largest = 0;
   for (std::size_t place = 0; place < count; ++place) {
-    largest = std::max(largest,
-                       std::abs(number_at<double>(one, place) - number_at<double>(other, place)));
+    largest = (std::max)(largest,
+                         std::abs(number_at<double>(one, place) - number_at<double>(other, place)));
   }
   return largest;
 }

@@ -104,7 +104,7 @@ template <typename Model>
   const double longest = longest_length(q);
   if (!(longest < farthest_configuration) ||
       (miss > polished_rounding(1) &&
-       !(miss <= polished_rounding(std::max(longest, longest_length(u)))))) {
+       !(miss <= polished_rounding((std::max)(longest, longest_length(u)))))) {
     return Status::no_convergence;
   }
   if (!(jacobian.margin() >= least_margin)) {

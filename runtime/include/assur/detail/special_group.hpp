@@ -85,7 +85,7 @@ class SpecialGroupOf {
   /// A specialised group is in a unit that may be much longer than it is.
   [[nodiscard]] static constexpr double longest() {
     if constexpr (Model::dimension_count == 0) {
-      return std::min(1.0, Model::own_length);
+      return (std::min)(1.0, Model::own_length);
     } else {
       return 1;
     }
@@ -135,7 +135,7 @@ class SpecialGroupOf {
   }
 
   static FirstValues values(const PreciseVariables& d, const PreciseVariables& u, double within) {
-    const double own = std::min(within, support::rounding_of_one);
+    const double own = (std::min)(within, support::rounding_of_one);
     constexpr auto degree = Model::polynomial_degree;
     if constexpr (is_angle<Model>(Model::first_unknown)) {
       TrigonometricPolynomial<Certified, degree> polynomial;

@@ -210,7 +210,7 @@ class SpecialSearch {
     }
     if (singular) {
       const int mobility = mobility_at(closures, q);
-      result_.mobility = std::max(result_.mobility, mobility);
+      result_.mobility = (std::max)(result_.mobility, mobility);
       if (mobility > 0) {
         return;
       }
@@ -270,7 +270,7 @@ double SpecialSearch<Group>::least_miss() const {
     FlatVariables<double> q = start;
     if (longest_displacement(group_.closures, q) < farthest_configuration) {
       group_.closures.straighten(q);
-      least = std::min(least, close(group_.closures, q));
+      least = (std::min)(least, close(group_.closures, q));
     }
   });
   return least * group_.closures.longest;

@@ -22,7 +22,7 @@ struct Bounded {
       typename Number,
       std::enable_if_t<std::is_same_v<Number, double> && !std::is_same_v<Scalar, double>, int> = 0>
   Bounded(Number exact) : value(exact) {}
-  Bounded(Scalar near, double within) : value(near), bound(within) {}
+  Bounded(Scalar middle, double within) : value(middle), bound(within) {}
 
   /// Half of epsilon: the largest relative error of one operation.
   static constexpr double unit() {

@@ -7,15 +7,12 @@
 // 2017; square root: Lefevre et al., ACM TOMS 49(1), 2023), with u = 2^-53:
 //   sum 3u^2,  product 5u^2,  quotient 15u^2,  square root 25/8 u^2   -- all below 16u^2 = 2^-102.
 // The bounds need round-to-nearest, no overflow, and no underflow of the low parts: keep magnitudes
-// above ~1e-270.
+// between ~1e-270 and ~1e290. Nothing depends on whether the processor has a fused product, and
+// `sums_are_exact` of arithmetic.hpp tells whether sums are.
 #pragma once
 
 #include <cmath>
 #include <limits>
-
-#ifdef __FAST_MATH__
-#error "double_double.hpp relies on exact rounding errors; do not compile it with -ffast-math"
-#endif
 
 namespace assur::numeric {
 
@@ -43,10 +40,27 @@ constexpr DoubleDouble fast_two_sum(double a, double b) {
   return {sum, b - (sum - a)};
 }
 
-// Exact: a * b = high + low (unless the low part underflows).
-inline DoubleDouble two_prod(double a, double b) {
+// Exact: a = high + low, both of at most 26 bits (Veltkamp).
+constexpr DoubleDouble halves_of(double a) {
+  const double shifted = (0x1p27 + 1) * a;
+  const double high = shifted - (shifted - a);
+  return {high, a - high};
+}
+
+// Exact: a * b = high + low (unless the low part underflows). Where the processor has no fused
+// product, a library's may be slow, or round twice: then by Dekker's, in which every product of
+// halves is exact. Compilers that may fuse products do have the processor's.
+constexpr DoubleDouble two_prod(double a, double b) {
   const double product = a * b;
-  return {product, std::fma(a, b, -product)};
+#if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__)
+  if (!__builtin_is_constant_evaluated()) {
+    return {product, std::fma(a, b, -product)};
+  }
+#endif
+  const DoubleDouble x = halves_of(a);
+  const DoubleDouble y = halves_of(b);
+  const double rest = ((x.high * y.high - product) + x.high * y.low) + x.low * y.high;
+  return {product, rest + x.low * y.low};
 }
 
 constexpr DoubleDouble operator-(DoubleDouble a) { return {-a.high, -a.low}; }
@@ -60,15 +74,16 @@ constexpr DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
 
 constexpr DoubleDouble operator-(DoubleDouble a, DoubleDouble b) { return a + (-b); }
 
-inline DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
+constexpr DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
   const DoubleDouble product = two_prod(a.high, b.high);
   return fast_two_sum(product.high, product.low + (a.high * b.low + a.low * b.high));
 }
 
-inline DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
+constexpr DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
   const double quotient = a.high / b.high;
   const DoubleDouble product = two_prod(b.high, quotient);
-  const DoubleDouble scaled = fast_two_sum(product.high, std::fma(b.low, quotient, product.low));
+  const DoubleDouble rounded = fast_two_sum(product.high, b.low * quotient);
+  const DoubleDouble scaled = fast_two_sum(rounded.high, rounded.low + product.low);
   const double rest =
       (a.high - scaled.high) + (a.low - scaled.low);  // the first difference is exact
   return fast_two_sum(quotient, rest / b.high);
@@ -78,13 +93,15 @@ inline DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
 inline DoubleDouble sqrt(DoubleDouble a) {
   const double root = std::sqrt(a.high);
   if (root == 0.0) return {root, 0.0};  // the correction below would divide by zero
-  return fast_two_sum(root, (std::fma(-root, root, a.high) + a.low) / (2.0 * root));
+  const DoubleDouble square = two_prod(root, root);
+  const double rest = (a.high - square.high) - square.low;  // exact, both of it
+  return fast_two_sum(root, (rest + a.low) / (2.0 * root));
 }
 
-inline DoubleDouble& operator+=(DoubleDouble& a, DoubleDouble b) { return a = a + b; }
-inline DoubleDouble& operator-=(DoubleDouble& a, DoubleDouble b) { return a = a - b; }
-inline DoubleDouble& operator*=(DoubleDouble& a, DoubleDouble b) { return a = a * b; }
-inline DoubleDouble& operator/=(DoubleDouble& a, DoubleDouble b) { return a = a / b; }
+constexpr DoubleDouble& operator+=(DoubleDouble& a, DoubleDouble b) { return a = a + b; }
+constexpr DoubleDouble& operator-=(DoubleDouble& a, DoubleDouble b) { return a = a - b; }
+constexpr DoubleDouble& operator*=(DoubleDouble& a, DoubleDouble b) { return a = a * b; }
+constexpr DoubleDouble& operator/=(DoubleDouble& a, DoubleDouble b) { return a = a / b; }
 
 constexpr bool operator==(DoubleDouble a, DoubleDouble b) {
   return a.high == b.high && a.low == b.low;

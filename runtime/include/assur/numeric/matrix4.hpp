@@ -81,7 +81,7 @@ class Elimination {
       if (!(pivot > 0)) {
         return;
       }
-      largest = std::max(largest, pivot);
+      largest = (std::max)(largest, pivot);
       if (pivot > threshold * largest) {
         ++rank_;
       }

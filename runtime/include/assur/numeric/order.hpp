@@ -36,9 +36,9 @@ template <typename Key>
   }
   double farthest = 0;
   for (std::size_t place = from; place < left.size(); ++place) {
-    farthest = std::max(farthest, std::abs(difference(place)));
+    farthest = (std::max)(farthest, std::abs(difference(place)));
   }
-  const double least = std::max(equal, key_rounding * std::min(1.0, farthest / close));
+  const double least = (std::max)(equal, key_rounding * (std::min)(1.0, farthest / close));
   for (std::size_t place = from; place < left.size(); ++place) {
     if (std::abs(difference(place)) > least) {
       return difference(place) < 0;

@@ -39,10 +39,10 @@ class Pair {
   friend Pair operator/(const Pair& a, const Pair& b) { return Pair(a.both_ / b.both_); }
 
   // Without a branch: what is larger is as good as random.
-  friend Pair max(const Pair& a, const Pair& b) {
+  friend Pair max EIGEN_NOT_A_MACRO(const Pair& a, const Pair& b) {
     return Pair(a.both_ < b.both_ ? b.both_ : a.both_);
   }
-  friend Pair abs(const Pair& a) { return max(a, -a); }
+  friend Pair abs(const Pair& a) { return max EIGEN_NOT_A_MACRO(a, -a); }
 
   friend PairTruth operator==(const Pair& a, const Pair& b) {
     return {PairTruth::Both(a.both_ == b.both_)};

@@ -33,18 +33,19 @@ struct SecondCandidates {
 template <typename Scalar>
 [[nodiscard]] double relative_miss(const Matrix<Scalar, 2, 3>& e, int row,
                                    const Direction<Scalar>& z) {
-  const Scalar value = e(row, 0) * z.cos + e(row, 1) * z.sin + e(row, 2);
-  const double scale = size_of(e(row, 0)) + size_of(e(row, 1)) + size_of(e(row, 2));
+  const Scalar value = e.coeff(row, 0) * z.cos + e.coeff(row, 1) * z.sin + e.coeff(row, 2);
+  const double scale =
+      size_of(e.coeff(row, 0)) + size_of(e.coeff(row, 1)) + size_of(e.coeff(row, 2));
   return scale > 0 ? size_of(value) / scale : 0;
 }
 
 /// a z^2 + b z + c, relative to the size of its terms.
 template <typename Scalar>
 [[nodiscard]] double relative_miss(const Matrix<Scalar, 2, 3>& e, int row, const Scalar& z) {
-  const Scalar square = e(row, 0) * z * z;
-  const Scalar linear = e(row, 1) * z;
-  const double scale = size_of(square) + size_of(linear) + size_of(e(row, 2));
-  return scale > 0 ? size_of(square + linear + e(row, 2)) / scale : 0;
+  const Scalar square = e.coeff(row, 0) * z * z;
+  const Scalar linear = e.coeff(row, 1) * z;
+  const double scale = size_of(square) + size_of(linear) + size_of(e.coeff(row, 2));
+  return scale > 0 ? size_of(square + linear + e.coeff(row, 2)) / scale : 0;
 }
 
 template <typename Scalar, typename Unknown>
@@ -62,9 +63,9 @@ template <typename Scalar>
 void solve_row(const Matrix<Scalar, 2, 3>& e, int row,
                SecondCandidates<Direction<Scalar>>& candidates) {
   using std::sqrt;
-  const Scalar a = e(row, 0);
-  const Scalar b = e(row, 1);
-  const Scalar c = e(row, 2);
+  const Scalar a = e.coeff(row, 0);
+  const Scalar b = e.coeff(row, 1);
+  const Scalar c = e.coeff(row, 2);
   const Scalar square = a * a + b * b;
   if (!(square > Scalar(0))) {
     return;
@@ -86,9 +87,9 @@ void solve_row(const Matrix<Scalar, 2, 3>& e, int row,
 template <typename Scalar>
 void solve_row(const Matrix<Scalar, 2, 3>& e, int row, SecondCandidates<Scalar>& candidates) {
   using std::sqrt;
-  const Scalar a = e(row, 0);
-  const Scalar b = e(row, 1);
-  const Scalar c = e(row, 2);
+  const Scalar a = e.coeff(row, 0);
+  const Scalar b = e.coeff(row, 1);
+  const Scalar c = e.coeff(row, 2);
   const Scalar inside = b * b - Scalar(4) * a * c;
   const Scalar root = inside > Scalar(0) ? Scalar(sqrt(inside)) : Scalar(0);
   const Scalar q = b > Scalar(0) ? -(b + root) / Scalar(2) : -(b - root) / Scalar(2);
@@ -103,9 +104,9 @@ void solve_row(const Matrix<Scalar, 2, 3>& e, int row, SecondCandidates<Scalar>&
 /// How well a row determines an angle: the sine squared at which its line cuts the circle.
 template <typename Scalar>
 [[nodiscard]] double sharpness(const Matrix<Scalar, 2, 3>& e, int row) {
-  const auto a = static_cast<double>(e(row, 0));
-  const auto b = static_cast<double>(e(row, 1));
-  const auto c = static_cast<double>(e(row, 2));
+  const auto a = static_cast<double>(e.coeff(row, 0));
+  const auto b = static_cast<double>(e.coeff(row, 1));
+  const auto c = static_cast<double>(e.coeff(row, 2));
   const double square = a * a + b * b;
   return square > 0 ? (square - c * c) / square : -1;
 }
@@ -119,7 +120,7 @@ template <typename Unknown, typename Scalar>
     const double first = sharpness(e, 0);
     const double second = sharpness(e, 1);
     solve_row(e, first > second ? 0 : 1, candidates);
-    if (std::max(first, second) < 1e-3) {
+    if ((std::max)(first, second) < 1e-3) {
       solve_row(e, first > second ? 1 : 0, candidates);
     }
   } else {

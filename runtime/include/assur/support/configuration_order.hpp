@@ -60,7 +60,7 @@ void put_in_order(Keys& keys, int count, std::size_t lengths_from, const Exchang
   double longest = 0;
   for (std::size_t index = 0; index < size; ++index) {
     for (std::size_t place = lengths_from; place < keys[index].size(); ++place) {
-      longest = std::max(longest, std::abs(keys[index][place]));
+      longest = (std::max)(longest, std::abs(keys[index][place]));
     }
   }
   numeric::insertion_sort(

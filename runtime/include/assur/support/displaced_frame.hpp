@@ -31,8 +31,8 @@ struct Displacement {
   }
   /// The larger of each, of two that may not add up.
   [[nodiscard]] Displacement worst_of(const Displacement& other) const {
-    return {std::max(moved, other.moved), std::max(turned, other.turned),
-            std::max(reach, other.reach)};
+    return {(std::max)(moved, other.moved), (std::max)(turned, other.turned),
+            (std::max)(reach, other.reach)};
   }
   /// Lengths in another unit.
   [[nodiscard]] Displacement scaled(double scale) const {
@@ -41,12 +41,13 @@ struct Displacement {
   /// Of what stands at (x, y) in this frame.
   [[nodiscard]] Displacement carries(double x, double y) const {
     const double arm = std::abs(x) + std::abs(y);
-    return {moved + turned * std::max(0.0, arm - extent), turned, std::max(reach, arm)};
+    return {moved + turned * (std::max)(0.0, arm - extent), turned, (std::max)(reach, arm)};
   }
   /// Of a frame that stands there and is displaced against this one.
   [[nodiscard]] Displacement carries(double x, double y, const Displacement& inner) const {
     const Displacement origin = carries(x, y);
-    return {origin.moved + inner.moved, turned + inner.turned, std::max(origin.reach, inner.reach)};
+    return {origin.moved + inner.moved, turned + inner.turned,
+            (std::max)(origin.reach, inner.reach)};
   }
 };
 

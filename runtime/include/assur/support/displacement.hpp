@@ -23,7 +23,7 @@ class DisplacedGroup {
   /// known to a rounding of its coordinates at best.
   DisplacedGroup(const Dimensions& d, const Inputs& u, const Displacement& displaced)
       : size_(1 / unit_scale<Model>(d, u, displaced)),
-        held_(std::max(displaced.moved, epsilon * longest_length(u))),
+        held_((std::max)(displaced.moved, epsilon * longest_length(u))),
         moved_(displaced.moved + epsilon * longest_length(u)),
         turned_(displaced.turned),
         unsure_(unsure_jacobian<Model>(d, u, displaced)),
@@ -39,7 +39,7 @@ class DisplacedGroup {
   /// rounding is added, J^-1 makes of it turns and slides, and a turn moves points by the group's
   /// size.
   [[nodiscard]] Displacement displaced(const Configuration& q, const Inverse& J_inverse) const {
-    const double reach = std::max(reach_, size_);
+    const double reach = (std::max)(reach_, size_);
     constexpr double half_turn = 3.14159265358979;  // and no direction is off by more
     if (!J_inverse.allFinite()) {
       return {std::numeric_limits<double>::infinity(), half_turn, reach, size_};
@@ -49,19 +49,19 @@ class DisplacedGroup {
     for (int row = 0; row < Model::unknown_count; ++row) {
       const bool is_angle = detail::is_angle<Model>(row);
       const double sum = J_inverse.row(row).cwiseAbs().sum();
-      largest = std::max(largest, (is_angle ? size_ : 1) * sum);
-      turn = std::max(turn, is_angle ? sum : 0);
+      largest = (std::max)(largest, (is_angle ? size_ : 1) * sum);
+      turn = (std::max)(turn, is_angle ? sum : 0);
     }
     const double open =
-        2 * (moved_ + turned_ * std::max(size_, longest_length(q))) + epsilon * size_;
-    return {moved_ + largest * open, std::min(turned_ + epsilon + turn * open, half_turn), reach,
+        2 * (moved_ + turned_ * (std::max)(size_, longest_length(q))) + epsilon * size_;
+    return {moved_ + largest * open, (std::min)(turned_ + epsilon + turn * open, half_turn), reach,
             size_};
   }
 
   /// What one radian moves points by.
   [[nodiscard]] double size() const { return size_; }
   /// How far what holds the group may be from where exact arithmetic has it.
-  [[nodiscard]] double held() const { return std::max(held_, turned_ * size_); }
+  [[nodiscard]] double held() const { return (std::max)(held_, turned_ * size_); }
 
  private:
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();

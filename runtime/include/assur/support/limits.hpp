@@ -9,7 +9,7 @@ namespace assur::support {
 /// How far rounding may have moved a coordinate beyond limits that it keeps.
 [[nodiscard]] inline double limit_slack(double lowest, double highest) {
   constexpr double rounding = 1e-12;
-  return rounding * std::max({1.0, std::abs(lowest), std::abs(highest)});
+  return rounding * (std::max)({1.0, std::abs(lowest), std::abs(highest)});
 }
 
 /// Whether a displacement lies between two others, to rounding; the ends count as between.

@@ -45,14 +45,14 @@ struct HeldJoints {
       gradient(First, parameter) = point.gradient(0, parameter) / Group::unit;
       gradient(First + 1, parameter) = point.gradient(1, parameter) / Group::unit;
     }
-    displaced.moved = std::max(displaced.moved, point.displaced.moved / Group::unit);
-    displaced.reach = std::max(displaced.reach, point.displaced.reach / Group::unit);
+    displaced.moved = (std::max)(displaced.moved, point.displaced.moved / Group::unit);
+    displaced.reach = (std::max)(displaced.reach, point.displaced.reach / Group::unit);
   }
   /// A prismatic joint along the x-axis of a frame, whose inputs (x, y, phi) stand from `First` on.
   template <int First>
   void hold_line(const Frame<double, Order, Parameters>& frame) {
     hold_point<First>(origin_of(frame));
-    displaced.turned = std::max(displaced.turned, frame.displaced.turned);
+    displaced.turned = (std::max)(displaced.turned, frame.displaced.turned);
     std::get<First + 2>(u.members()) = frame.pose.direction;
     for (int order = 0; order < Order; ++order) {
       rates(First + 2, order) = frame.rates(2, order);
@@ -126,7 +126,7 @@ template <typename Group, int Order, int Parameters>
   using Model = Specialised<Group>;
   const typename Model::template Dimensions<double> d;
   const double displaced =
-      std::max(held.displaced.moved / Group::own_length, held.displaced.turned);
+      (std::max)(held.displaced.moved / Group::own_length, held.displaced.turned);
   return detail::is_firm(detail::pivots_at<Model, double>(d, held.u, q),
                          derivative_rounding<double>() + displaced);
 }

@@ -41,7 +41,7 @@ template <typename Model, typename Work>
   for (std::size_t k = 0; k <= degree; ++k) {
     result.value.cosine[k] = bounded.cosine[k].value;
     result.value.sine[k] = bounded.sine[k].value;
-    result.error = std::max(
+    result.error = (std::max)(
         {result.error, bounded.cosine[k].certain_bound(), bounded.sine[k].certain_bound()});
   }
   if constexpr (std::is_same_v<Work, double>) {

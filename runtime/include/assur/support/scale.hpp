@@ -58,10 +58,12 @@ template <typename To, typename From>
   return result;
 }
 
-/// 2^-e of a length of 2^e m, 1 <= m < 2, by the bits of a number that has them all.
+/// 2^-e of a length of 2^e m, 1 <= m < 2, by the bits of a number that has them all; where it has
+/// not, at most the largest power that there is.
 [[nodiscard]] inline double inverse_power_of_two(double length) {
-  if (!(length >= std::numeric_limits<double>::min() && length < 0x1p1023)) {
-    return std::ldexp(1.0, -std::ilogb(length));
+  if (!(length >= (std::numeric_limits<double>::min)() && length < 0x1p1023)) {
+    constexpr int most = std::numeric_limits<double>::max_exponent - 1;
+    return std::ldexp(1.0, (std::min)(-std::ilogb(length), most));
   }
   std::uint64_t bits = 0;
   std::memcpy(&bits, &length, sizeof(bits));
@@ -79,14 +81,14 @@ inline constexpr double rounding_of_one = 2 * std::numeric_limits<double>::epsil
 /// A bound beyond some part of the longest length would make one of two configurations that are
 /// close together, so it counts as this much.
 [[nodiscard]] inline double counted_displacement(double displaced, double longest) {
-  return std::min(displaced, 0x1p-46 * longest);
+  return (std::min)(displaced, 0x1p-46 * longest);
 }
 
 /// How far rounding may have moved the inputs of a group whose neighbours it has `displaced`. The
 /// rounding of a coordinate grows with the coordinate.
 template <typename Inputs>
 [[nodiscard]] double rounding_of_inputs(const Inputs& u, double displaced) {
-  return rounding_of_one * std::max(1.0, longest_length(u)) + displaced;
+  return rounding_of_one * (std::max)(1.0, longest_length(u)) + displaced;
 }
 
 /// Numbers with bounds, lengths known to `within` and directions to a `turn`.
@@ -126,7 +128,7 @@ template <typename Model>
   typename Model::template Configuration<double> q;
   Vector<double, Model::equation_count> f;
   Model::residual(typename Model::template Dimensions<double>{}, u, q, f);
-  return std::max(longest_length(d), f.cwiseAbs().maxCoeff());
+  return (std::max)(longest_length(d), f.cwiseAbs().maxCoeff());
 }
 
 /// The longest length of a group in the unit of its inputs; a specialised one tells it, as it has
@@ -150,18 +152,19 @@ template <typename Model>
                                      const Displacement& displaced) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   if constexpr (detail::has_angles<Model>) {
-    const double moved = std::max(displaced.moved, epsilon * longest_length(u));
-    return moved > 0 ? std::max(moved / own_size<Model>(d, u), displaced.turned) : displaced.turned;
+    const double moved = (std::max)(displaced.moved, epsilon * longest_length(u));
+    return moved > 0 ? (std::max)(moved / own_size<Model>(d, u), displaced.turned)
+                     : displaced.turned;
   } else {
-    return std::max(epsilon, displaced.turned);
+    return (std::max)(epsilon, displaced.turned);
   }
 }
 
-/// The power of two that brings the longest length of a group near one. A length that is no
-/// longer than the rounding of the external joints' places, or than these are `displaced`, does not
-/// count: then the group is measured by the length of which that is a rounding.
+/// The longest length of a group that counts. A length that is no longer than the rounding of the
+/// external joints' places, or than these are `displaced`, does not: then the group is measured by
+/// the length of which that is a rounding.
 template <typename Model>
-[[nodiscard]] double unit_scale(const typename Model::template Dimensions<double>& d,
+[[nodiscard]] double size_among(const typename Model::template Dimensions<double>& d,
                                 const typename Model::template Inputs<double>& u,
                                 const Displacement& displaced = {}) {
   if constexpr (Model::dimension_count == 0) {  // folded, and in units of the longest already
@@ -171,11 +174,26 @@ template <typename Model>
   const double own = size_of<Model>(d, u);
   const double places = longest_length(u);
   const double moved =
-      counted_displacement(displaced.moved, std::max({own, places, displaced.reach}));
+      counted_displacement(displaced.moved, (std::max)({own, places, displaced.reach}));
   const bool tells = own > rounding * places + moved;
-  const double untold = std::max(places, moved / std::numeric_limits<double>::epsilon());
-  const double size = std::max(own, tells ? 0x1p-44 * places : untold);
+  const double untold = (std::max)(places, moved / std::numeric_limits<double>::epsilon());
+  return (std::max)(own, tells ? 0x1p-44 * places : untold);
+}
+
+/// In a group of a smaller size, lengths that are too small to have all their digits count.
+inline constexpr double least_size = 0x1p-960;
+
+/// The power of two that brings a size near one.
+[[nodiscard]] inline double scale_of(double size) {
   return size > 0 && std::isfinite(size) ? inverse_power_of_two(size) : 1.0;
+}
+
+/// The power of two that brings the longest length of a group near one.
+template <typename Model>
+[[nodiscard]] double unit_scale(const typename Model::template Dimensions<double>& d,
+                                const typename Model::template Inputs<double>& u,
+                                const Displacement& displaced = {}) {
+  return scale_of(size_among<Model>(d, u, displaced));
 }
 
 }  // namespace assur::support

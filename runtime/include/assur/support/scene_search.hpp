@@ -19,7 +19,7 @@ namespace assur::support {
 /// What an emitted solver says beside the configurations.
 struct Solution {
   /// ok, also where the links cannot reach; degenerate where there is no configuration, but a group
-  /// that moves freely or is inconsistent; not_finite.
+  /// that moves freely or is inconsistent; not_finite; unsound_arithmetic.
   AssemblyStatus status = AssemblyStatus::ok;
   int count = 0;  ///< of the configurations
   /// Choices of the groups that hold a group, directly or through others, for which it moves freely
@@ -74,6 +74,9 @@ struct Access {
   static constexpr std::size_t turning_drivers = Solver::turning_drivers;  ///< the first ones
   static constexpr std::size_t first_key = Solver::first_key;  ///< the first that may differ
   using Key = std::array<double, lengths_from + Solver::keyed_slides>;
+  /// Whether it is for the search to tell that something given is no number; groups tell it of
+  /// positions.
+  static constexpr bool is_looked_at = has_parameters<Solver> || Solver::order > 0;
   static constexpr bool has_limits = std::is_same_v<typename Solver::Solution, LimitedSolution>;
   /// Of each group the set of the groups that hold it, directly or through others.
   static constexpr auto holders = [] {
@@ -85,6 +88,13 @@ struct Access {
     }
   }();
 
+  [[nodiscard]] static auto& drivers_of(Given& given) {
+    if constexpr (has_parameters<Solver>) {
+      return given.drivers;
+    } else {
+      return given;
+    }
+  }
   /// Places what drivers move.
   static void drive(const Given& given, Placed& placed) {
     if constexpr (has_parameters<Solver>) {
@@ -93,10 +103,18 @@ struct Access {
       Solver::drive(given, placed);
     }
   }
+  /// Whether no position, and no rate, is NaN or infinite.
   [[nodiscard]] static bool is_finite(Given given) {
-    const auto positions = given.positions();
-    return std::all_of(positions.begin(), positions.end(),
-                       [](const double* position) { return std::isfinite(*position); });
+    bool finite = true;
+    for (const double* position : given.positions()) {
+      finite = finite && std::isfinite(*position);
+    }
+    if constexpr (Solver::order > 0) {
+      for (const double* rate : drivers_of(given).rates()) {
+        finite = finite && std::isfinite(*rate);
+      }
+    }
+    return finite;
   }
   /// Where a group's external joints are held.
   template <typename Held>
@@ -152,7 +170,7 @@ class Search {
 
   /// Every configuration within the limits of joints, in the order of `assur solve`.
   [[nodiscard, gnu::flatten]] Solution run(const typename Own::Given& given) {
-    if (has_parameters<Solver> && !Own::is_finite(given)) {
+    if (Own::is_looked_at && !Own::is_finite(given)) {
       solution_.status = AssemblyStatus::not_finite;
       return solution_;
     }
@@ -164,6 +182,19 @@ class Search {
     } else if (solution_.count == 0 && solution_.families > 0) {
       solution_.status = AssemblyStatus::degenerate;
     }
+    if constexpr (capacity > 1) {
+      put_found_in_order();
+    }
+    return solution_;
+  }
+
+  /// Of the groups in a configuration of the mechanism, by its number from 0.
+  [[nodiscard]] const Configurations& kept(int configuration) const {
+    return detail::entry(kept_, configuration);
+  }
+
+ private:
+  void put_found_in_order() {
     if (solution_.count > 1) {
       put_in_order(
           keys_, solution_.count, Own::lengths_from,
@@ -175,15 +206,8 @@ class Search {
           },
           Own::first_key);
     }
-    return solution_;
   }
 
-  /// Of the groups in a configuration of the mechanism, by its number from 0.
-  [[nodiscard]] const Configurations& kept(int configuration) const {
-    return detail::entry(kept_, configuration);
-  }
-
- private:
   /// Groups that have no configuration on the way through the search.
   struct Loose {
     Set moving = 0;  ///< freely, or inconsistent
@@ -236,7 +260,7 @@ class Search {
     HeldJoints<Group, Solver::order, Solver::parameter_count> held;
     Own::hold(placed, held);
     const auto found = assemblies<Specialised<Group>>({}, held.u, held.displaced);
-    if (found.status == AssemblyStatus::not_finite) {
+    if (found.status != AssemblyStatus::ok && found.status != AssemblyStatus::degenerate) {
       solution_.status = found.status;
       return;
     }
@@ -274,7 +298,7 @@ class Search {
       if ((counted & bit) == 0) {
         counted |= bit;
         ++solution_.families;
-        solution_.mobility = std::max(solution_.mobility, mobilities_[group]);
+        solution_.mobility = (std::max)(solution_.mobility, mobilities_[group]);
       }
     }
   }

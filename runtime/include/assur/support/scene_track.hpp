@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <assur/detail/branch_step.hpp>
+#include <assur/detail/products.hpp>
 #include <assur/support/scene_search.hpp>
 #include <cmath>
 #include <cstddef>
@@ -75,6 +76,8 @@ class Tracker {
     const auto solution = search.run(given);
     if (solution.status == AssemblyStatus::not_finite) {
       branch.status = Status::not_finite;
+    } else if (solution.status == AssemblyStatus::unsound_arithmetic) {
+      branch.status = Status::unsound_arithmetic;
     } else if (configuration < 0 || configuration >= solution.count) {
       branch.status = Status::no_convergence;
     } else {
@@ -106,7 +109,7 @@ class Tracker {
         way.status = Status::no_convergence;
         return way;
       }
-      const double next = std::min(way.reached + width, 1.0);
+      const double next = (std::min)(way.reached + width, 1.0);
       Branch& end = start == &ends[0] ? ends[1] : ends[0];
       end.given = next < 1 ? between(branch.given, to, next) : to;
       Placed placed;
@@ -117,7 +120,7 @@ class Tracker {
         continue;
       }
       start = &end;
-      width = std::min(2 * (next - way.reached), widest);
+      width = (std::min)(2 * (next - way.reached), widest);
       way.reached = next;
       if (next == 1) {
         placed.regularity = end.status;
@@ -149,7 +152,7 @@ class Tracker {
     const auto ends = to.positions();
     double turn = 1;
     for (std::size_t index = 0; index < Own::turning_drivers; ++index) {
-      turn = std::max(turn, std::abs(*ends[index] - *starts[index]));
+      turn = (std::max)(turn, std::abs(*ends[index] - *starts[index]));
     }
     return 1 / turn;
   }
@@ -232,7 +235,7 @@ class Tracker {
     const typename Model::template Dimensions<double> d;
     Vector<double, Group::equation_count> f;
     Group::residual(end.u, start.q, f);
-    const Unknowns predicted = -(start.inverse * f);
+    const Unknowns predicted = -detail::product(start.inverse, f);
     Unknowns way;
     end.q = start.q;
     if (!detail::predict_and_correct<Model>(d, end.u, inverse_size, predicted, end.q, way,
@@ -240,7 +243,7 @@ class Tracker {
       return false;
     }
     Group::residual(start.u, end.q, f);
-    const Unknowns back = -(end.inverse * f);
+    const Unknowns back = -detail::product(end.inverse, f);
     const Unknowns defect = way - (predicted - back) / 2;
     return detail::turn_of<Model>(defect, inverse_size) <= detail::StepLimits().defect;
   }

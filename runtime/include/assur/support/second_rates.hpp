@@ -16,8 +16,8 @@ namespace assur::support {
 [[nodiscard]] inline double second_rate_loss(double loose, double rate, double second_rate,
                                              double size) {
   const double speed = rate * rate / size;
-  const double largest = std::max(second_rate, speed);
-  return largest > 0 ? std::max(1.0, loose * speed / largest) : 1.0;
+  const double largest = (std::max)(second_rate, speed);
+  return largest > 0 ? (std::max)(1.0, loose * speed / largest) : 1.0;
 }
 
 /// The relative error of second rates, as far as the pivots tell.
@@ -29,7 +29,7 @@ template <typename Model>
   const auto largest = [size](const Vector<double, Model::unknown_count>& of) {
     double result = 0;
     for (int row = 0; row < Model::unknown_count; ++row) {
-      result = std::max(result, std::abs(of(row)) * (detail::is_angle<Model>(row) ? size : 1));
+      result = (std::max)(result, std::abs(of(row)) * (detail::is_angle<Model>(row) ? size : 1));
     }
     return result;
   };

@@ -1,8 +1,8 @@
 // Turns a group that an emitted solver holds, whose dimensions are numbers, into a model.
 #pragma once
 
-#include <Eigen/LU>
 #include <array>
+#include <assur/detail/products.hpp>
 #include <assur/model.hpp>
 #include <assur/numeric/slope.hpp>
 #include <assur/support/scale.hpp>
@@ -129,7 +129,7 @@ struct Specialised : Group {
     } else {
       Matrix<Scalar, Group::equation_count, Group::unknown_count> J;
       jacobian(d, u, q, J);
-      J_inverse = J.inverse();
+      detail::invert(J, J_inverse);
     }
   }
 };

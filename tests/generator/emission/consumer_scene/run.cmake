@@ -56,6 +56,49 @@ if(status EQUAL 0 OR NOT messages MATCHES "ASSUR_GENERATOR_EXECUTABLE")
   message(FATAL_ERROR "cross-compiling without a named generator: ${status}\n${messages}")
 endif()
 
+# For a machine without an operating system, where there is a compiler for one.
+find_program(arm_compiler arm-none-eabi-g++)
+if(arm_compiler)
+  file(WRITE ${WORK}/cortex_m7.cmake "set(CMAKE_SYSTEM_NAME Generic)\n"
+    "set(CMAKE_SYSTEM_PROCESSOR arm)\nset(CMAKE_CXX_COMPILER ${arm_compiler})\n"
+    "set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)\nset(CMAKE_CXX_FLAGS_INIT \"-mcpu=cortex-m7\")\n")
+  file(REMOVE_RECURSE ${WORK}/build)
+  run(${CMAKE_COMMAND} -S ${WORK}/source -B ${WORK}/build --toolchain ${WORK}/cortex_m7.cmake
+    -DCMAKE_PREFIX_PATH=${WORK}/install -DASSUR_GENERATOR_EXECUTABLE=${WORK}/install/bin/assur)
+  run(${CMAKE_COMMAND} --build ${WORK}/build ${generation})
+endif()
+
+# What cannot be generated is told when the project is configured.
+function(expect_refusal text message)
+  file(REMOVE_RECURSE ${WORK}/refused ${WORK}/refused_build)
+  file(WRITE ${WORK}/refused/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)\n"
+    "project(refused LANGUAGES CXX)\nfind_package(assur REQUIRED)\n${text}\n")
+  file(COPY ${SOURCE}/four-bar.json DESTINATION ${WORK}/refused)
+  file(COPY_FILE ${SOURCE}/four-bar.json ${WORK}/refused/four_bar.json)
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/refused -B ${WORK}/refused_build
+      -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${WORK}/install
+    RESULT_VARIABLE status ERROR_VARIABLE messages OUTPUT_QUIET)
+  string(REGEX REPLACE "[ \n]+" " " messages "${messages}")
+  if(status EQUAL 0 OR NOT messages MATCHES "${message}")
+    message(FATAL_ERROR "expected to be refused: ${text}\n${status}\n${messages}")
+  endif()
+endfunction()
+expect_refusal("assur_add_solver(one SCENE five_bar.json)" "one: no file [^ ]*/five_bar.json")
+expect_refusal("assur_add_solver(one SCENE four-bar.json)\nassur_add_solver(two SCENE four_bar.json)"
+  "four-bar and four_bar differ in punctuation alone")
+set(emit ${WORK}/install/bin/assur emit --output ${WORK}/punctuation --scene)
+run(${emit} ${WORK}/refused/four-bar.json)
+execute_process(COMMAND ${emit} ${WORK}/refused/four_bar.json
+  RESULT_VARIABLE status ERROR_VARIABLE messages)
+if(NOT status EQUAL 2 OR NOT messages MATCHES "is the solver of 'four-bar.json'")
+  message(FATAL_ERROR "one solver may not replace another: ${status}\n${messages}")
+endif()
+execute_process(COMMAND ${emit} ${WORK}/refused/four-bar.json --want speed
+  RESULT_VARIABLE status ERROR_VARIABLE messages)
+if(NOT status EQUAL 2 OR NOT messages MATCHES "--want: no result named 'speed'")
+  message(FATAL_ERROR "an unknown result: ${status}\n${messages}")
+endif()
+
 # As a subdirectory of another project, from the sources.
 file(REMOVE_RECURSE ${WORK}/build)
 run(${configure} -DASSUR_SOURCE=${SOURCE}/../../../.. -DASSUR_GENERATOR_EXECUTABLE=${WORK}/install/bin/assur)

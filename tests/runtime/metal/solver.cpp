@@ -1,0 +1,36 @@
+// Turns numbers that no compiler knows into the answers of an emitted solver, ASSUR_SOLVER, for the
+// linker to hold all of it.
+#include ASSUR_HEADER
+#include <array>
+#include <cstddef>
+
+namespace {
+volatile double given;
+volatile unsigned char result;
+volatile int word;
+
+template <typename State>
+void use(const State& state) {
+  const auto* bytes = reinterpret_cast<const unsigned char*>(&state);
+  for (std::size_t place = 0; place < sizeof(State); ++place) {
+    result = bytes[place];
+  }
+}
+}  // namespace
+
+int main() {
+  using Solver = assur::scenes::ASSUR_SOLVER;
+  Solver::Drivers<double> drivers;
+  for (double* position : drivers.positions()) {
+    *position = given;
+  }
+  std::array<Solver::State<double>, Solver::max_configurations> states;
+  word = Solver::solve(drivers, states).count;
+  use(states);
+  auto branch = Solver::branch(drivers, 0);
+  for (double* position : drivers.positions()) {
+    *position = given;
+  }
+  word = static_cast<int>(Solver::track(drivers, branch, states[0]).status);
+  use(states[0]);
+}
