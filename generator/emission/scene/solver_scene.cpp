@@ -115,7 +115,7 @@ SceneMembers scene_members(const mechanism::Mechanism& described,
   for (const mechanism::Driver& driver : described.drivers()) {
     driven.push_back(described.joints()[driver.joint].name);
   }
-  members.drivers = members_of<mechanism::DriverIndex>(driven, {"positions"});
+  members.drivers = members_of<mechanism::DriverIndex>(driven, {"positions", "rates"});
   members.outputs = members_of<mechanism::OutputIndex>(names_of(described.outputs()), {});
   return members;
 }

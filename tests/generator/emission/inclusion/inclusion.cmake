@@ -1,6 +1,6 @@
 # Turns compilers and levels of optimisation into a verdict on what the runtime's headers and emitted
 # solvers warn of, which is nothing.
-#   cmake -DCOMPILERS="g++;clang++" -DFLAGS="-I..." -DASSUR=... -DSCENES=... -DWORK=...
+#   cmake -DCOMPILERS="g++;clang++" -DFLAGS="-I..." -DASSUR=... -DWORK=...
 #     [-DWHOLE="scene.json;..." -DHEADERS=headers_compile.cpp -DSOLVER=solver.cpp] -P inclusion.cmake
 # By default one solver, which has one configuration, is compiled and run.
 cmake_minimum_required(VERSION 3.25)
@@ -29,7 +29,7 @@ function(emit scene)
   endif()
 endfunction()
 
-emit(${SCENES}/scotch_yoke.json)
+emit(${CMAKE_CURRENT_LIST_DIR}/scotch_yoke.json)
 foreach(compiler IN LISTS COMPILERS)
   compile("${compiler}, inclusion.cpp" ${compiler} ${flags} -O1
     ${CMAKE_CURRENT_LIST_DIR}/inclusion.cpp -o ${WORK}/inclusion)
@@ -53,7 +53,7 @@ if(compiled LESS 15)
   message(SEND_ERROR "only ${compiled} scenes have a solver")
 endif()
 # With positions alone, so little is left that compilers see all of it.
-emit(${SCENES}/scotch_yoke.json --want position)
+emit(${CMAKE_CURRENT_LIST_DIR}/scotch_yoke.json --want position)
 set(yoke ${solver})
 list(GET WHOLE 0 first)
 emit(${first})
