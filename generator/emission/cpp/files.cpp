@@ -52,7 +52,6 @@ class PendingFiles {
 
   void write(const EmittedFile& file) {
     const fs::path target = directory_ / file.path;
-    expect_same_scene(file, target);
     fs::path beside = target;
     // Two runs at once do not write the same one.
     beside += ".part" + std::to_string(getpid());
@@ -64,6 +63,7 @@ class PendingFiles {
     if (fs::is_directory(target, error)) {
       throw text::InputError("--output: cannot replace " + target.string() + ": it is a directory");
     }
+    expect_same_scene(file, target);
     errno = 0;
     std::ofstream out(beside, std::ios::binary);
     if (out) {
