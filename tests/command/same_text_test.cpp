@@ -18,12 +18,7 @@ using Json = nlohmann::ordered_json;
 constexpr int processes = 3;
 
 /// One in three of the examples by default.
-std::vector<std::string> example_names() {
-  std::vector<std::string> names = scenes_of(ASSUR_EXAMPLES);
-  std::size_t number = 0;
-  std::erase_if(names, [&](const auto&) { return number++ % 3 != 0 && !is_whole_campaign(); });
-  return names;
-}
+std::vector<std::string> example_names() { return share_of(scenes_of(ASSUR_EXAMPLES), 3); }
 
 class SameText : public testing::TestWithParam<std::string> {
  protected:

@@ -166,7 +166,7 @@ TEST_P(AuditOfModel, OnePlantedSlipIsFoundAndNoOther) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(AllModels, AuditOfModel, testing::ValuesIn(all_models()),
+INSTANTIATE_TEST_SUITE_P(AllModels, AuditOfModel, testing::ValuesIn(share_of(all_models(), 3)),
                          [](const testing::TestParamInfo<const Model*>& tested) {
                            return tested.param->group->name() + "_" +
                                   std::to_string(tested.param->number);

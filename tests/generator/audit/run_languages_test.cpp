@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "run_program.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::run_languages_test {
 namespace {
@@ -12,99 +13,103 @@ TEST_P(RunLanguage, IsJudgedByWhatItComputes) { expect_judged(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(
     OtherLanguages, RunLanguage,
-    testing::Values(
-        Program{"C", "a.c",
-                "#include <math.h>\nstatic double J[2][2];\nvoid f(double l, double t) { J[0][0] = "
-                "-l*sin(t); J[0][1] = -1; J[1][0] = l*cos(t); }",
-                FRAME "  before f(l, theta)\n  result J", 0, "all 4 agree"},
-        Program{"CFlat", "a.c",
-                "#include <math.h>\nvoid f(double l, double t, double* J) { J[0] = l*sin(t); "
-                "J[1] = -1; J[2] = l*cos(t); J[3] = 0; }",
-                FRAME "  before double J[4]; f(l, theta, J)\n  result J\n  entry result[2*i + j]",
-                1, "the sign is wrong"},
-        Program{"Python", "a.py", PYTHON("return [[-l*sin(theta), -1], (l*cos(theta), 0)]"), CALL,
-                0, "all 4 agree"},
-        Program{"PythonWrong", "a.py", PYTHON("return [[-l*sin(theta), 1], [l*cos(theta), 0]]"),
-                CALL, 1, "(1,2) d f1/d s: differs by sign"},
-        Program{"PythonPrints", "a.py",
-                PYTHON("print('nan'); return [[-l*sin(theta), -1], [l*cos(theta), 0]]"), CALL, 0,
-                "all 4 agree"},
-        Program{"PythonBefore", "a.py",
-                "from math import *\nclass C:\n  def __init__(self, l): self.l = l\n"
-                "def f(c, J, t):\n  J += [-c.l*sin(t), -1, c.l*cos(t), 0]\n",
-                FRAME "  before J = []; c = C(l)\n  before f(c, J, theta)\n  result J\n"
-                      "  entry result[2*i + j]",
-                0, "all 4 agree"},
-        Program{"PythonFlat", "a.py", PYTHON("return [1, 2, 3, 4]"), CALL, 2,
-                "say, for instance, 'entry result[i*2 + j]'"},
-        Program{"PythonRaises", "a.py", PYTHON("return math.sqrt(-5 - l)"), CALL, 2,
-                "a.py cannot be audited: ended with ValueError: "},
-        Program{"PythonExits", "a.py", PYTHON("raise SystemExit(0)"), CALL, 2, "SystemExit: 0"},
-        Program{"PythonHangs", "a.py", PYTHON("while True: pass"), CALL, 2,
-                "did not end within 1 s"},
-        Program{"PythonText", "a.py", PYTHON("return [['a', 1], [2, 3]]"), CALL, 2,
-                "ended with TypeError: the result has text in place of numbers"},
-        Program{"PythonNumbersAsText", "a.py",
-                PYTHON("return [[str(-l*sin(theta)), -1], [l*cos(theta), 0]]"), CALL, 2,
-                "ended with TypeError: the result has text in place of numbers"},
-        Program{"PythonNoNumber", "a.py", PYTHON("return [[math.nan, 1], [2, 3]]"), CALL, 2,
-                "entry (1,1) is not a number"},
-        Program{"PythonWrongSize", "a.py", PYTHON("return [[1, 2]]"), CALL, 2,
-                "the result is 1 by 2, not 2 by 2"},
-        Program{"PythonSyntax", "a.py", "def f(l:\n", CALL, 2, "ended with SyntaxError"},
-        Program{"Octave", "f.m",
-                "function J = f(l, theta)\nJ = [-l*sin(theta), -1; l*cos(theta), 0];\nend\n", CALL,
-                0, "all 4 agree"},
-        Program{"PythonRowsAreOne", "a.py",
-                PYTHON("J = [[0]*2]*2; J[0][0] = -l*sin(theta); J[0][1] = -1; J[1][0] = "
-                       "l*cos(theta); J[1][1] = 0; return J"),
-                CALL, 1, "2 of 4 agree"},
-        Program{"PythonListOfTheFirstCall", "a.py",
-                "from math import *\ndef f(l, t, c=[]):\n    c.append(cos(t)); return [[-l*sin(t), "
-                "-1], [l*c[0], 0]]\n",
-                CALL, 1, "3 of 4 agree"},
-        Program{"PythonComplex", "a.py", PYTHON("return [[-l*sin(theta), -1], [l*cos(theta), 0j]]"),
-                CALL, 2, "ended with TypeError"},
-        Program{"OctaveEnd", "f.m",
-                "function J = f(l, theta)\nJ = zeros(2); J(end, 1) = -l*sin(theta); J(1, 2) = -1; "
-                "J(1, 1) = l*cos(theta);\nend\n",
-                CALL, 1, "2 of 4 agree"},
-        Program{"OctaveDeal", "f.m",
-                "function J = f(l, theta)\nJ = zeros(2); [J(1, 1), J(2, 1)] = deal(l*cos(theta), "
-                "-l*sin(theta)); J(1, 2) = -1;\nend\n",
-                CALL, 1, "it is exchanged with (2,1)"},
-        Program{
-            "OctaveLogical", "f.m",
-            "function J = f(l, theta)\nJ = [-l*sin(theta), -1; l*cos(theta), 0]; J(J < 0) = 0;\n"
-            "end\n",
-            CALL, 1, "1 of 4 agree"},
-        Program{"OctaveComplex", "f.m",
-                "function J = f(l, theta)\nJ = [-l*sin(theta), -1; l*cos(theta), "
-                "sqrt(-theta^2)];\nend\n",
-                CALL, 2, "ended with a complex number"},
-        Program{"OctaveGlobal", "f.m",
-                "function J = f(l, theta)\nglobal c; if isempty(c), c = cos(theta); end\nJ = "
-                "[-l*sin(theta), -1; l*c, 0];\nend\n",
-                CALL, 1, "3 of 4 agree"},
-        Program{"OctaveError", "f.m", "function J = f(l, theta)\nerror('no way');\nend\n", CALL, 2,
-                "ended with no way"},
-        Program{"OctaveExits", "f.m", "function J = f(l, theta)\nexit(0);\nend\n", CALL, 2,
-                "ended with status 0 after 0 of 41 points"},
-        Program{"OctaveHangs", "f.m", "function J = f(l, theta)\nwhile true\nend\nend\n", CALL, 2,
-                "did not end within 2 s"},
-        Program{"OctaveCell", "f.m", "function J = f(l, theta)\nJ = {1, 2; 3, 4};\nend\n", CALL, 2,
-                "f.m cannot be audited: ended with "},
-        Program{"OctaveText", "f.m", "function J = f(l, theta)\nJ = ['ab'; 'cd'];\nend\n", CALL, 2,
-                "ended with a result that is no matrix of numbers"},
-        Program{"OctaveThirdDimension", "f.m",
-                "function J = f(l, theta)\nJ = [-l*sin(theta), -1; l*cos(theta), 0];\n"
-                "J(:, :, 2) = 1;\nend\n",
-                CALL, 2, "the result is 2 by 2 by 2, not 2 by 2"},
-        Program{"OctaveWrongSize", "f.m", "function J = f(l, theta)\nJ = [1 2 3];\nend\n", CALL, 2,
-                "the result is 1 by 3, not 2 by 2"},
-        Program{"OctaveWrong", "f.m",
-                "function J = f(l, theta)\nJ = [-l*sin(theta), -1; l*cos(theta), 0]';\nend\n", CALL,
-                1, "the matrix is transposed"}),
+    testing::ValuesIn(share_of<Program>(
+        {Program{
+             "C", "a.c",
+             "#include <math.h>\nstatic double J[2][2];\nvoid f(double l, double t) { J[0][0] = "
+             "-l*sin(t); J[0][1] = -1; J[1][0] = l*cos(t); }",
+             FRAME "  before f(l, theta)\n  result J", 0, "all 4 agree"},
+         Program{"CFlat", "a.c",
+                 "#include <math.h>\nvoid f(double l, double t, double* J) { J[0] = l*sin(t); "
+                 "J[1] = -1; J[2] = l*cos(t); J[3] = 0; }",
+                 FRAME "  before double J[4]; f(l, theta, J)\n  result J\n  entry result[2*i + j]",
+                 1, "the sign is wrong"},
+         Program{"Python", "a.py", PYTHON("return [[-l*sin(theta), -1], (l*cos(theta), 0)]"), CALL,
+                 0, "all 4 agree"},
+         Program{"PythonWrong", "a.py", PYTHON("return [[-l*sin(theta), 1], [l*cos(theta), 0]]"),
+                 CALL, 1, "(1,2) d f1/d s: differs by sign"},
+         Program{"PythonPrints", "a.py",
+                 PYTHON("print('nan'); return [[-l*sin(theta), -1], [l*cos(theta), 0]]"), CALL, 0,
+                 "all 4 agree"},
+         Program{"PythonBefore", "a.py",
+                 "from math import *\nclass C:\n  def __init__(self, l): self.l = l\n"
+                 "def f(c, J, t):\n  J += [-c.l*sin(t), -1, c.l*cos(t), 0]\n",
+                 FRAME "  before J = []; c = C(l)\n  before f(c, J, theta)\n  result J\n"
+                       "  entry result[2*i + j]",
+                 0, "all 4 agree"},
+         Program{"PythonFlat", "a.py", PYTHON("return [1, 2, 3, 4]"), CALL, 2,
+                 "say, for instance, 'entry result[i*2 + j]'"},
+         Program{"PythonRaises", "a.py", PYTHON("return math.sqrt(-5 - l)"), CALL, 2,
+                 "a.py cannot be audited: ended with ValueError: "},
+         Program{"PythonExits", "a.py", PYTHON("raise SystemExit(0)"), CALL, 2, "SystemExit: 0"},
+         Program{"PythonHangs", "a.py", PYTHON("while True: pass"), CALL, 2,
+                 "did not end within 1 s"},
+         Program{"PythonText", "a.py", PYTHON("return [['a', 1], [2, 3]]"), CALL, 2,
+                 "ended with TypeError: the result has text in place of numbers"},
+         Program{"PythonNumbersAsText", "a.py",
+                 PYTHON("return [[str(-l*sin(theta)), -1], [l*cos(theta), 0]]"), CALL, 2,
+                 "ended with TypeError: the result has text in place of numbers"},
+         Program{"PythonNoNumber", "a.py", PYTHON("return [[math.nan, 1], [2, 3]]"), CALL, 2,
+                 "entry (1,1) is not a number"},
+         Program{"PythonWrongSize", "a.py", PYTHON("return [[1, 2]]"), CALL, 2,
+                 "the result is 1 by 2, not 2 by 2"},
+         Program{"PythonSyntax", "a.py", "def f(l:\n", CALL, 2, "ended with SyntaxError"},
+         Program{"Octave", "f.m",
+                 "function J = f(l, theta)\nJ = [-l*sin(theta), -1; l*cos(theta), 0];\nend\n", CALL,
+                 0, "all 4 agree"},
+         Program{"PythonRowsAreOne", "a.py",
+                 PYTHON("J = [[0]*2]*2; J[0][0] = -l*sin(theta); J[0][1] = -1; J[1][0] = "
+                        "l*cos(theta); J[1][1] = 0; return J"),
+                 CALL, 1, "2 of 4 agree"},
+         Program{
+             "PythonListOfTheFirstCall", "a.py",
+             "from math import *\ndef f(l, t, c=[]):\n    c.append(cos(t)); return [[-l*sin(t), "
+             "-1], [l*c[0], 0]]\n",
+             CALL, 1, "3 of 4 agree"},
+         Program{"PythonComplex", "a.py",
+                 PYTHON("return [[-l*sin(theta), -1], [l*cos(theta), 0j]]"), CALL, 2,
+                 "ended with TypeError"},
+         Program{"OctaveEnd", "f.m",
+                 "function J = f(l, theta)\nJ = zeros(2); J(end, 1) = -l*sin(theta); J(1, 2) = -1; "
+                 "J(1, 1) = l*cos(theta);\nend\n",
+                 CALL, 1, "2 of 4 agree"},
+         Program{"OctaveDeal", "f.m",
+                 "function J = f(l, theta)\nJ = zeros(2); [J(1, 1), J(2, 1)] = deal(l*cos(theta), "
+                 "-l*sin(theta)); J(1, 2) = -1;\nend\n",
+                 CALL, 1, "it is exchanged with (2,1)"},
+         Program{
+             "OctaveLogical", "f.m",
+             "function J = f(l, theta)\nJ = [-l*sin(theta), -1; l*cos(theta), 0]; J(J < 0) = 0;\n"
+             "end\n",
+             CALL, 1, "1 of 4 agree"},
+         Program{"OctaveComplex", "f.m",
+                 "function J = f(l, theta)\nJ = [-l*sin(theta), -1; l*cos(theta), "
+                 "sqrt(-theta^2)];\nend\n",
+                 CALL, 2, "ended with a complex number"},
+         Program{"OctaveGlobal", "f.m",
+                 "function J = f(l, theta)\nglobal c; if isempty(c), c = cos(theta); end\nJ = "
+                 "[-l*sin(theta), -1; l*c, 0];\nend\n",
+                 CALL, 1, "3 of 4 agree"},
+         Program{"OctaveError", "f.m", "function J = f(l, theta)\nerror('no way');\nend\n", CALL, 2,
+                 "ended with no way"},
+         Program{"OctaveExits", "f.m", "function J = f(l, theta)\nexit(0);\nend\n", CALL, 2,
+                 "ended with status 0 after 0 of 41 points"},
+         Program{"OctaveHangs", "f.m", "function J = f(l, theta)\nwhile true\nend\nend\n", CALL, 2,
+                 "did not end within 2 s"},
+         Program{"OctaveCell", "f.m", "function J = f(l, theta)\nJ = {1, 2; 3, 4};\nend\n", CALL, 2,
+                 "f.m cannot be audited: ended with "},
+         Program{"OctaveText", "f.m", "function J = f(l, theta)\nJ = ['ab'; 'cd'];\nend\n", CALL, 2,
+                 "ended with a result that is no matrix of numbers"},
+         Program{"OctaveThirdDimension", "f.m",
+                 "function J = f(l, theta)\nJ = [-l*sin(theta), -1; l*cos(theta), 0];\n"
+                 "J(:, :, 2) = 1;\nend\n",
+                 CALL, 2, "the result is 2 by 2 by 2, not 2 by 2"},
+         Program{"OctaveWrongSize", "f.m", "function J = f(l, theta)\nJ = [1 2 3];\nend\n", CALL, 2,
+                 "the result is 1 by 3, not 2 by 2"},
+         Program{"OctaveWrong", "f.m",
+                 "function J = f(l, theta)\nJ = [-l*sin(theta), -1; l*cos(theta), 0]';\nend\n",
+                 CALL, 1, "the matrix is transposed"}},
+        2)),
     [](const testing::TestParamInfo<Program>& at) { return std::string(at.param.name); });
 
 }  // namespace

@@ -70,9 +70,9 @@ std::string sort_of(const EmittedStruct& group, const EmittedStruct& solver) {
   return sort;
 }
 
-/// Every solver, or every seventh, which are of all wants.
+/// Every solver, or every thirteenth, which are of all wants.
 std::vector<Emitted> emitted_solvers(bool all_of_them) {
-  const std::size_t stride = all_of_them ? 1 : 7;
+  const std::size_t stride = all_of_them ? 1 : 13;
   std::size_t number = 0;
   const std::vector<std::string> results = {"position", "velocity", "acceleration", "sensitivity"};
   std::vector<Emitted> all;

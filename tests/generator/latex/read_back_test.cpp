@@ -5,6 +5,7 @@
 
 #include "audit/latex/paper_audit.hpp"
 #include "generator/derived_latex.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::read_back_test {
 namespace {
@@ -41,7 +42,7 @@ TEST_P(DerivedLatex, IsReadBackAndAgrees) {
   EXPECT_EQ(count["equation"], is_square(derivation_) ? 2 * rows : 0U);
 }
 
-INSTANTIATE_TEST_SUITE_P(AllModels, DerivedLatex, testing::ValuesIn(all_models()),
+INSTANTIATE_TEST_SUITE_P(AllModels, DerivedLatex, testing::ValuesIn(share_of(all_models(), 3)),
                          [](const testing::TestParamInfo<const Model*>& tested) {
                            return tested.param->group->name() + "_" +
                                   std::to_string(tested.param->number);
