@@ -15,8 +15,8 @@ struct EmittedFile {
 
 /// Writes the files. Each is written beside its place, and all are moved there when the last one is
 /// written, so that none is ever half-written and a full disk leaves what was there. Throws
-/// InputError if the directory cannot be written, a directory has the place of a file, or the solver
-/// of another scene has.
+/// InputError if the directory cannot be written, a directory has the place of a file, or the
+/// solver of another scene has.
 void write_files(const std::vector<EmittedFile>& files, const std::filesystem::path& directory);
 /// The files that are missing or differ in `directory`.
 [[nodiscard]] std::vector<std::filesystem::path> differing_files(
