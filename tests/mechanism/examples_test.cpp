@@ -224,10 +224,10 @@ TEST_P(Example, SensitivitiesAreDifferencesOfRigidBodies) {
 }
 
 /// Newton's method from many places finds nothing that is not listed, and all that is, each once.
-/// From 120 starts by `ctest -L long`, from 40 by default, and more where Newton's method seldom
+/// From 120 starts by `ctest -L long`, from 20 by default, and more where Newton's method seldom
 /// arrives.
 TEST_P(Example, ListsWhateverNewtonFinds) {
-  const int starts = is_whole_campaign() ? 120 : 40;
+  const int starts = is_whole_campaign() ? 120 : 20;
   constexpr int most_starts = 960;
   constexpr unsigned seed = 20;
   for (const auto& settings : few_places()) {

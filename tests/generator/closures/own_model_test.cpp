@@ -23,7 +23,7 @@ std::string output_of(const TemporaryDirectory& directory, const std::string& pr
   const fs::path source = directory.write("driver.cpp", program);
   const std::string compile =
       std::string(ASSUR_COMPILER) +
-      " -std=c++17 -O1 -fno-exceptions -Wall -Wextra -Wconversion -Wshadow"
+      " -std=c++17 -O0 -fno-exceptions -Wall -Wextra -Wconversion -Wshadow"
       " -Werror -I" +
       root + " -I" ASSUR_RUNTIME " -isystem " ASSUR_TESTS " -isystem " ASSUR_EIGEN " " +
       source.string() + " -o " + root + "/driver 2> " + root + "/errors";

@@ -125,7 +125,7 @@ bool is_far_from_singular(const Json& scene) {
 /// Scenes put together at random, of few drivers: the formulas of many, one upon another, are long.
 TEST(EmitRelativeGroups, AgreeWithSolveInRandomScenes) {
   std::vector<NamedScene> scenes;
-  const std::size_t wanted = is_whole_campaign() ? 12 : 2;
+  const std::size_t wanted = is_whole_campaign() ? 12 : 1;
   for (unsigned seed = 1; scenes.size() < wanted; ++seed) {
     const RandomDrivenScene made(seed, Places::anywhere, 1, Ties::groups);
     const mechanism::Plan plan(mechanism::parse_scene(made.scene().dump(), "scene.json"));
