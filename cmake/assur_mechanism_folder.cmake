@@ -1,7 +1,8 @@
 # assur_mechanism_folder(SOURCES FILE... [LINKS FOLDER...] [PUBLIC TARGET...] [PRIVATE TARGET...]
 # [OPTIMISE LEVEL]): the library <library>_<folder> of this folder of mechanism/src, for each
 # <library> of ASSUR_MECHANISM_LIBRARIES, compiled with what <library>_OPTIONS says too. What runs
-# once, or where branches meet, is not worth more than the level g. With the tests comes a program
+# once, or where branches meet, is not worth more than the level g; what runs for every position has
+# the level 1, or 2 where <library>_FAST says so. With the tests comes a program
 # that holds all of the folder and what it says that it links, so that the linker finds an arrow that
 # points upwards.
 function(assur_mechanism_folder)
@@ -12,16 +13,20 @@ function(assur_mechanism_folder)
   get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
   foreach(whole IN LISTS ASSUR_MECHANISM_LIBRARIES)
     set(library ${whole}_${folder})
+    set(level ${arg_OPTIMISE})
+    if(${whole}_FAST AND level EQUAL 1)
+      set(level 2)
+    endif()
     add_library(${library} STATIC EXCLUDE_FROM_ALL ${arg_SOURCES})
     target_compile_features(${library} PUBLIC cxx_std_20)
-    target_compile_options(${library} PRIVATE -O${arg_OPTIMISE} ${${whole}_OPTIONS})
+    target_compile_options(${library} PRIVATE -O${level} ${${whole}_OPTIONS})
     target_include_directories(${library} PUBLIC ${PROJECT_SOURCE_DIR}/mechanism/include
       PRIVATE ${PROJECT_SOURCE_DIR}/mechanism/src)
     set(below ${arg_LINKS})
     list(TRANSFORM below PREPEND ${whole}_)
     target_link_libraries(${library} PUBLIC ${below} ${arg_PUBLIC} assur::text
       PRIVATE ${arg_PRIVATE} assur_build_flags)
-    set_target_properties(${library} PROPERTIES ASSUR_COMPILER_HEAP 600000
+    set_target_properties(${library} PROPERTIES ASSUR_COMPILER_HEAP 600000 ASSUR_FAST "${${whole}_FAST}"
       POSITION_INDEPENDENT_CODE $<TARGET_PROPERTY:${whole},POSITION_INDEPENDENT_CODE>)
     target_sources(${whole} PRIVATE $<TARGET_OBJECTS:${library}>)
   endforeach()
