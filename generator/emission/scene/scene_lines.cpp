@@ -14,15 +14,15 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// Whether a line reads a root: `root_1`, not `root_12`, a member or a parameter in a comment that
+/// Whether a line reads a step: `root_1`, not `root_12`, a member or a parameter in a comment that
 /// is called like it.
-bool reads(const std::string& line, const std::string& root) {
+bool reads(const std::string& line, const std::string& step) {
   const std::string code = line.substr(0, line.find("//"));
   const auto belongs = [](char c) {
     return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0;
   };
-  for (std::size_t at = code.find(root); at != std::string::npos; at = code.find(root, at + 1)) {
-    const std::size_t end = at + root.size();
+  for (std::size_t at = code.find(step); at != std::string::npos; at = code.find(step, at + 1)) {
+    const std::size_t end = at + step.size();
     const bool begins = at == 0 || (code[at - 1] != '.' && !belongs(code[at - 1]));
     if (begins && (end == code.size() || !belongs(code[end]))) {
       return true;
@@ -49,21 +49,20 @@ std::string SceneLines::row_of(const std::vector<std::string>& rates) {
 }
 
 std::vector<std::string> SceneLines::lines(bool has_drivers) const {
-  const std::vector<SceneNumbers::NamedRoot> named = numbers_.roots();
+  const std::vector<SceneNumbers::NamedStep>& named = numbers_.steps(order_);
   std::vector<bool> is_declared(named.size(), false);
   std::vector<std::string> readers;
-  // A root may read what lines before its first reader declare, and roots that are older.
-  const std::function<void(const std::string&)> add_with_roots = [&](const std::string& line) {
-    for (std::size_t root = 0; root < named.size(); ++root) {
-      if (!is_declared[root] && reads(line, named[root].name)) {
-        is_declared[root] = true;
-        add_with_roots("const double " + named[root].name + " = std::sqrt(" + named[root].radicand +
-                       ");");
+  // A step may read what lines before its first reader declare, and steps that are older.
+  const std::function<void(const std::string&)> add_with_steps = [&](const std::string& line) {
+    for (std::size_t step = 0; step < named.size(); ++step) {
+      if (!is_declared[step] && reads(line, named[step].name)) {
+        is_declared[step] = true;
+        add_with_steps("const double " + named[step].name + " = " + named[step].formula + ";");
       }
     }
     readers.push_back(line);
   };
-  std::ranges::for_each(lines_, add_with_roots);
+  std::ranges::for_each(lines_, add_with_steps);
   const auto any_reads = [&](const std::string& name) {
     return std::any_of(readers.begin(), readers.end(),
                        [&](const std::string& line) { return reads(line, name); });

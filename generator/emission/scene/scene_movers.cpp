@@ -10,19 +10,48 @@ bool SceneMovers::move(const GiNaC::ex& formula) const {
                              [&](const Mover& mover) { return whole.has(mover.position); });
 }
 
+bool SceneMovers::names_rates(const Root& root) const {
+  const GiNaC::ex whole = symbols_.written_out(root.radicand);
+  return std::ranges::any_of(movers_, [&](const Mover& mover) {
+    return !mover.parameter.exists() && whole.has(mover.position);
+  });
+}
+
+/// Of other roots than those that names_rates tells the derivatives are those of their radicands.
+template <typename Visit>
+void SceneMovers::visit(const GiNaC::ex& formula, const Visit& visit) const {
+  GiNaC::exmap standing;  // named roots to symbols that nothing moves
+  for (const Root& root : symbols_.roots()) {
+    if (formula.has(root.symbol) && names_rates(root)) {
+      visit(formula.diff(root.symbol), root.velocity, root.acceleration);
+      standing[root.symbol] = GiNaC::symbol();
+    }
+  }
+  GiNaC::exmap back;
+  for (const auto& [root, stand_in] : standing) {
+    back[stand_in] = root;
+  }
+  const GiNaC::ex rest = formula.subs(standing);
+  const GiNaC::ex whole = symbols_.written_out(rest);
+  for (const Mover& mover : movers_) {
+    if (whole.has(mover.position)) {
+      visit(symbols_.derivative(rest, mover.position).subs(back), mover.velocity,
+            mover.acceleration);
+    }
+  }
+}
+
 GiNaC::ex SceneMovers::rate(const GiNaC::ex& formula) const {
   GiNaC::ex sum;
-  for (const Mover& mover : movers_) {
-    sum += symbols_.derivative(formula, mover.position) * mover.velocity;
-  }
+  visit(formula, [&sum](const GiNaC::ex& slope, const GiNaC::symbol& velocity,
+                        const GiNaC::symbol&) { sum += slope * velocity; });
   return sum;
 }
 
 GiNaC::ex SceneMovers::second_rate(const GiNaC::ex& formula) const {
   GiNaC::ex sum = rate(rate(formula));
-  for (const Mover& mover : movers_) {
-    sum += symbols_.derivative(formula, mover.position) * mover.acceleration;
-  }
+  visit(formula, [&sum](const GiNaC::ex& slope, const GiNaC::symbol&,
+                        const GiNaC::symbol& acceleration) { sum += slope * acceleration; });
   return sum;
 }
 

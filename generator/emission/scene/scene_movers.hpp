@@ -29,6 +29,9 @@ class SceneMovers {
 
   /// Whether they move what a formula stands for.
   [[nodiscard]] bool move(const GiNaC::ex& formula) const;
+  /// Whether a root moves with more than parameters, so that its rates are no numbers: they have
+  /// names of their own, or formulas of nested roots would grow with the square of their number.
+  [[nodiscard]] bool names_rates(const Root& root) const;
   /// The derivatives in time.
   [[nodiscard]] GiNaC::ex rate(const GiNaC::ex& formula) const;
   [[nodiscard]] GiNaC::ex second_rate(const GiNaC::ex& formula) const;
@@ -36,6 +39,10 @@ class SceneMovers {
   [[nodiscard]] GiNaC::ex slope(const GiNaC::ex& formula, std::size_t column) const;
 
  private:
+  /// Every mover, and root with names for its rates, as position, velocity, acceleration.
+  template <typename Visit>
+  void visit(const GiNaC::ex& formula, const Visit& visit) const;
+
   const SceneSymbols& symbols_;
   std::vector<Mover> movers_;
 };

@@ -57,9 +57,11 @@ GiNaC::ex SceneSymbols::root_of(const GiNaC::ex& radicand) {
       return root.symbol;
     }
   }
-  const GiNaC::symbol symbol("root_" + std::to_string(roots_.size() + 1));
+  const std::string name = "root_" + std::to_string(roots_.size() + 1);
+  const GiNaC::symbol symbol(name);
   values_[symbol] = GiNaC::sqrt(value_of(radicand)).evalf();
-  roots_.push_back({symbol, radicand});
+  roots_.push_back(
+      {symbol, radicand, GiNaC::symbol(name + "_rate"), GiNaC::symbol(name + "_second_rate")});
   return symbol;
 }
 

@@ -11,7 +11,8 @@ namespace assur::generator::emission::scene {
 /// A square root in formulas, which has a symbol of its own so that they stay short.
 struct Root {
   GiNaC::symbol symbol;
-  GiNaC::ex radicand;  ///< in symbols that are older
+  GiNaC::ex radicand;                    ///< in symbols that are older
+  GiNaC::symbol velocity, acceleration;  ///< in time, where it has names of its own for these
 };
 
 /// The symbols of a scene's formulas, and what they are at the scene's own numbers.

@@ -307,11 +307,12 @@ std::vector<std::string> SceneNumbers::rates(const SceneNumber& number, int orde
 
 std::vector<std::string> SceneNumbers::rates(const Direction<SceneNumber>& direction,
                                              int order) const {
-  const GiNaC::ex c = direction.cos.formula();
-  const GiNaC::ex s = direction.sin.formula();
+  const auto [x, y, square] = lengthened(direction);
+  const GiNaC::ex first = (x * movers_.rate(y) - y * movers_.rate(x)) / square;
+  const GiNaC::ex second = (x * movers_.second_rate(y) - y * movers_.second_rate(x)) / square -
+                           movers_.rate(square) / square * first;
   std::vector<std::string> texts;
-  for (const GiNaC::ex& one : {c * movers_.rate(s) - s * movers_.rate(c),
-                               c * movers_.second_rate(s) - s * movers_.second_rate(c)}) {
+  for (const GiNaC::ex& one : {first, second}) {
     texts.push_back(spelled(shortened(at_run_time(one.expand()))));
   }
   texts.resize(static_cast<std::size_t>(order));
@@ -335,14 +336,30 @@ bool SceneNumbers::varies(const SceneNumber& number) const {
   return number.has_formula() && varies(number.formula());
 }
 
-std::vector<SceneNumbers::NamedRoot> SceneNumbers::roots() const {
-  std::vector<NamedRoot> named;
-  for (const Root& root : symbols_.roots()) {
-    if (varies(root.radicand)) {
-      named.push_back({root.symbol.get_name(), spelled(at_run_time(root.radicand))});
+/// With r^2 = R: r' = R' / (2 r) and r'' = (R'' / 2 - r'^2) / r.
+const std::vector<SceneNumbers::NamedStep>& SceneNumbers::steps(int order) const {
+  const auto add = [&](const GiNaC::symbol& symbol, const GiNaC::ex& formula) {
+    steps_.push_back({symbol.get_name(), spelled(shortened(at_run_time(formula)))});
+  };
+  while (roots_in_steps_ < symbols_.roots().size()) {
+    const Root& root = symbols_.roots()[roots_in_steps_++];
+    if (!varies(root.radicand)) {
+      continue;
+    }
+    steps_.push_back(
+        {root.symbol.get_name(), "std::sqrt(" + spelled(at_run_time(root.radicand)) + ")"});
+    if (!movers_.names_rates(root)) {
+      continue;
+    }
+    if (order > 0) {
+      add(root.velocity, movers_.rate(root.radicand) / (2 * root.symbol));
+    }
+    if (order > 1) {
+      add(root.acceleration,
+          (movers_.second_rate(root.radicand) / 2 - GiNaC::pow(root.velocity, 2)) / root.symbol);
     }
   }
-  return named;
+  return steps_;
 }
 
 std::string SceneNumbers::text(const SceneNumber& number) const {
@@ -382,25 +399,27 @@ std::vector<std::string> SceneNumbers::gradient(const SceneNumber& number) const
   return texts;
 }
 
-std::vector<std::string> SceneNumbers::gradient(const Direction<SceneNumber>& direction) const {
-  // Of (x, y) / r the angle has the slope (x dy - y dx) / r^2, whatever r is.
-  GiNaC::ex x = direction.cos.formula();
-  GiNaC::ex y = direction.sin.formula();
-  GiNaC::ex divisor = 1;
+SceneNumbers::LongDirection SceneNumbers::lengthened(
+    const Direction<SceneNumber>& direction) const {
+  LongDirection result{direction.cos.formula(), direction.sin.formula(), 1};
   for (const Root& root : symbols_.roots()) {
-    const bool occurs = x.has(root.symbol) || y.has(root.symbol);
-    const GiNaC::ex longer_x = x * root.symbol;
-    const GiNaC::ex longer_y = y * root.symbol;
+    const bool occurs = result.x.has(root.symbol) || result.y.has(root.symbol);
+    const GiNaC::ex longer_x = result.x * root.symbol;
+    const GiNaC::ex longer_y = result.y * root.symbol;
     if (occurs && !longer_x.has(root.symbol) && !longer_y.has(root.symbol)) {
-      x = longer_x;
-      y = longer_y;
-      divisor *= GiNaC::pow(root.symbol, 2);
+      result = {longer_x, longer_y, result.square * GiNaC::pow(root.symbol, 2)};
     }
   }
+  return result;
+}
+
+/// Of (x, y) / r the angle has the slope (x dy - y dx) / r^2, whatever r is.
+std::vector<std::string> SceneNumbers::gradient(const Direction<SceneNumber>& direction) const {
+  const auto [x, y, square] = lengthened(direction);
   std::vector<std::string> texts;
   for (const GiNaC::ex& symbol : modelled_) {
     const GiNaC::ex slope =
-        shortened(at_run_time((x * derivative(y, symbol) - y * derivative(x, symbol)) / divisor));
+        shortened(at_run_time((x * derivative(y, symbol) - y * derivative(x, symbol)) / square));
     texts.push_back(slope.is_zero() ? "" : spelled(slope));
   }
   return texts;

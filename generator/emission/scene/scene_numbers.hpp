@@ -65,11 +65,12 @@ class SceneNumbers {
   [[nodiscard]] bool varies(const Direction<SceneNumber>& direction) const {
     return varies(direction.cos) || varies(direction.sin);
   }
-  /// The square roots in formulas that vary, in the order in which they depend on one another.
-  struct NamedRoot {
-    std::string name, radicand;
+  /// A square root in formulas that vary, or one of its rates: a number of the function's own.
+  struct NamedStep {
+    std::string name, formula;
   };
-  [[nodiscard]] std::vector<NamedRoot> roots() const;
+  /// In the order in which they depend on one another, with as many rates as `order`.
+  [[nodiscard]] const std::vector<NamedStep>& steps(int order) const;
   /// The formula of a number that varies.
   [[nodiscard]] std::string text(const SceneNumber& number) const;
   /// The formulas of its derivatives to the modelled parameters; empty where one is zero.
@@ -91,6 +92,12 @@ class SceneNumbers {
   [[nodiscard]] GiNaC::ex at_run_time(const GiNaC::ex& formula) const;
   /// As C++ reads it, where everything is as it is at run time.
   [[nodiscard]] std::string spelled(const GiNaC::ex& formula) const;
+  /// A direction (x, y) / r of any length r, and r^2: without the roots that both parts are divided
+  /// by, its angle has shorter derivatives.
+  struct LongDirection {
+    GiNaC::ex x, y, square;
+  };
+  [[nodiscard]] LongDirection lengthened(const Direction<SceneNumber>& direction) const;
   /// To a modelled parameter, on which laws of drivers may depend as well.
   [[nodiscard]] GiNaC::ex derivative(const GiNaC::ex& formula, const GiNaC::ex& symbol) const;
 
@@ -100,6 +107,9 @@ class SceneNumbers {
   mechanism::Table<mechanism::ParameterIndex, GiNaC::ex> symbol_of_;
   mechanism::Table<mechanism::ParameterIndex, bool> is_variable_;
   mutable SceneSymbols symbols_;  ///< formulas that are made later may have new roots
+  /// Of the first of the roots, as many as have been asked for.
+  mutable std::vector<NamedStep> steps_;
+  mutable std::size_t roots_in_steps_ = 0;
   std::vector<GiNaC::symbol> variables_;
   GiNaC::exmap deviations_;       ///< to zero
   GiNaC::exmap parameter_rates_;  ///< symbols of parameters' rates to what these are

@@ -122,7 +122,7 @@ bool is_far_from_singular(const Json& scene) {
   });
 }
 
-/// Scenes put together at random, of few drivers: the formulas of many, one upon another, are long.
+/// Scenes put together at random, of few drivers: compilers take long over many, one upon another.
 TEST(EmitRelativeGroups, AgreeWithSolveInRandomScenes) {
   std::vector<NamedScene> scenes;
   const std::size_t wanted = is_whole_campaign() ? 12 : 1;
@@ -137,6 +137,19 @@ TEST(EmitRelativeGroups, AgreeWithSolveInRandomScenes) {
     }
   }
   EXPECT_GT(compare(scenes), 500);
+}
+
+/// Groups relative to links of groups that are relative, too: lengths are roots of formulas in what
+/// other roots turn. Written out, their second rates took four times the text.
+TEST(EmitRelativeGroups, NameTheRatesOfRoots) {
+  const TemporaryDirectory directory;
+  const RandomDrivenScene made(27188, Places::anywhere, 1, Ties::groups);
+  const auto file = directory.write("nested.json", made.scene().dump());
+  const CommandResult emitted =
+      run_assur("emit --scene '" + file.string() + "' --output " + directory.path().string());
+  EXPECT_EQ(emitted.status, 0) << emitted.messages;
+  constexpr std::uintmax_t most_bytes = 350000;
+  EXPECT_LT(std::filesystem::file_size(directory.path() / "assur/scenes/nested.hpp"), most_bytes);
 }
 
 /// How such links stand is not known without a configuration.

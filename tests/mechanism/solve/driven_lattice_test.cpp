@@ -115,9 +115,7 @@ void check(const RandomDrivenScene& made, unsigned seed, Tally& tally) {
     const Configuration& configuration = scene.configurations()[place];
     ++tally.configurations;
     const RealVector q = poses_of(rigid, configuration);
-    // Rounding of the largest coordinate; the least that a double can promise.
-    const Real size = std::max(1 + rigid.reach(), q.cwiseAbs().maxCoeff());
-    EXPECT_LT(rigid.values_of(q).cwiseAbs().maxCoeff() / size, 4e-15);
+    EXPECT_LT(closure_of(rigid, q), 4e-15);
     tally.without_rates += configuration.rates_known ? 0 : 1;
     if (condition_of(rigid, q) < singular) {
       ++tally.singular;

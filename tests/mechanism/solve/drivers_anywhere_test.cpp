@@ -18,12 +18,13 @@ namespace assur::test::drivers_anywhere_test {
 namespace {
 
 struct Errors {
-  double closure = 0, pose = 0, velocity = 0, acceleration = 0, joints = 0;
+  double pose = 0, velocity = 0, acceleration = 0, joints = 0;
 };
 
 struct Tally {
   int scenes = 0, driven_in_groups = 0, relative_groups = 0, couplings = 0, configurations = 0,
-      singular = 0, without_rates = 0, largest_listing = 0;
+      compared = 0, without_rates = 0, largest_listing = 0;
+  double closure = 0;
   Errors regular, other;
 };
 
@@ -31,11 +32,8 @@ void compare(const Solved& scene, const RigidScene& rigid, const Configuration& 
              Tally& tally) {
   const bool is_regular = configuration.regularity == Status::ok;
   Errors& errors = is_regular ? tally.regular : tally.other;
-  ++(is_regular ? tally.configurations : tally.singular);
+  ++tally.compared;
   const RealVector listed = poses_of(rigid, configuration);
-  errors.closure =
-      largest(errors.closure,
-              static_cast<double>(rigid.values_of(listed).cwiseAbs().maxCoeff() / rigid.reach()));
   RealVector q = listed;
   if (!rigid.assemble(q)) {
     // Where the constraints hold so loosely, rounding does not let Newton's method come to rest.
@@ -82,9 +80,18 @@ void check(const RandomDrivenScene& made, unsigned seed, Tally& tally) {
   const RealVector thrown = thrown_poses(rigid, scene.plan.mechanism(), made);
   ASSERT_LT(rigid.values_of(thrown).cwiseAbs().maxCoeff(), 1e-13) << "the scene is made wrong";
   EXPECT_TRUE(is_listed(rigid, thrown, scene.solution, 1e-7)) << "the thrown pose is not listed";
+  // One scene has 3200 configurations: all must close, and an even share is compared.
+  constexpr std::size_t most_compared = 50;
+  const std::size_t stride = 1 + scene.configurations().size() / most_compared;
   for (std::size_t place = 0; place < scene.configurations().size(); ++place) {
     SCOPED_TRACE("configuration " + std::to_string(place + 1));
-    compare(scene, rigid, scene.configurations()[place], tally);
+    ++tally.configurations;
+    const double closure = closure_of(rigid, poses_of(rigid, scene.configurations()[place]));
+    EXPECT_LT(closure, 1e-15);
+    tally.closure = largest(tally.closure, closure);
+    if (place % stride == 0) {
+      compare(scene, rigid, scene.configurations()[place], tally);
+    }
   }
   for (unsigned listing = 1; listing <= 2; ++listing) {
     SCOPED_TRACE("listing " + std::to_string(listing));
@@ -106,9 +113,8 @@ void check(const RandomDrivenScene& made, unsigned seed, Tally& tally) {
 }
 
 std::ostream& operator<<(std::ostream& out, const Errors& errors) {
-  return out << "closure " << errors.closure << ", pose " << errors.pose << ", velocity "
-             << errors.velocity << ", acceleration " << errors.acceleration << ", joints "
-             << errors.joints;
+  return out << "pose " << errors.pose << ", velocity " << errors.velocity << ", acceleration "
+             << errors.acceleration << ", joints " << errors.joints;
 }
 
 using DriversAnywhere = DrivenScenes;
@@ -122,13 +128,11 @@ TEST_P(DriversAnywhere, AgreeWithRigidBodiesInMotion) {
   EXPECT_EQ(tally.relative_groups > 0, GetParam() == Ties::groups);
   std::cout << tally.driven_in_groups << " driven links in or behind groups, "
             << tally.relative_groups << " groups relative to moving links, " << tally.couplings
-            << " laws that read joints, " << tally.configurations << " regular configurations and "
-            << tally.singular << " others (" << tally.without_rates << " without rates), at most "
-            << tally.largest_listing
-            << " of a scene; relative errors of regular ones: " << tally.regular
+            << " laws that read joints; " << tally.configurations << " configurations, at most "
+            << tally.largest_listing << " of a scene, close to " << tally.closure << "; of "
+            << tally.compared << " (" << tally.without_rates
+            << " without rates) relative errors of regular ones: " << tally.regular
             << "; of others: " << tally.other << '\n';
-  EXPECT_LT(tally.regular.closure, 1e-15);
-  EXPECT_LT(tally.other.closure, 1e-15);
 }
 
 /// Newton's method from many places finds nothing that is not listed.
