@@ -24,7 +24,7 @@ namespace detail {
 template <typename Model>
 [[gnu::noinline, gnu::cold]] void search(
     const typename Model::template Dimensions<double>& dimensions,
-    const typename Model::template Inputs<double>& inputs, const support::Displacement& displaced,
+    const typename Model::template Inputs<double>& inputs, const support::Displacement& given,
     Assemblies<Model>& result) {
   using Dimensions = typename Model::template Dimensions<double>;
   using Inputs = typename Model::template Inputs<double>;
@@ -32,6 +32,7 @@ template <typename Model>
     result.status = AssemblyStatus::unsound_arithmetic;
     return;
   }
+  const support::Displacement displaced = given.bounded();
   if constexpr (has_closed_form<Model>) {
     if (ClosedSearch<Model>::list_polished(dimensions, inputs, displaced, result)) {
       return;
@@ -50,12 +51,12 @@ template <typename Model>
   const auto d = support::scaled_to<Dimensions>(dimensions, scale);
   const auto u = support::scaled_to<Inputs>(inputs, scale);
   // Lengths are near one: a turn moves their ends by as much.
+  const double off = (std::max)(displaced.moved * scale, displaced.turned);
   const double held =
-      support::counted_displacement((std::max)(displaced.moved * scale, displaced.turned),
-                                    (std::max)(1.0, displaced.reach * scale));
+      support::counted_displacement(off, (std::max)(1.0, displaced.reach * scale));
   bool found = false;
   if constexpr (!has_closed_form<Model>) {
-    found = GeneralSearch<Model>(d, u, held, result).run();
+    found = GeneralSearch<Model>(d, u, held, off, result).run();
   }
   if (!found) {
     const double unsure = support::unsure_jacobian<Model>(dimensions, inputs, displaced);

@@ -143,6 +143,47 @@ TYPED_TEST(Verdicts, HoldFarFromTheOrigin) {
   }
 }
 
+/// Nothing is known of a group of which nothing bounds how far it is displaced, and no derivative
+/// of one that is turned by a thousandth: what is listed, once where it may meet, is not ok.
+TYPED_TEST(Verdicts, AreNotOkWithoutABound) {
+  using Model = TypeParam;
+  if constexpr (Model::rigid) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    int listed = 0;
+    this->for_each_group([&](const auto& group) {
+      const Assemblies<Model> known = compiled::assemblies<Model>(group.d, group.u);
+      if (known.count == 0) {
+        return;
+      }
+      for (const support::Displacement& displaced :
+           std::vector<support::Displacement>{{infinite, 0, 0},
+                                              {0, infinite, 0},
+
+                                              {none, 0, 0},
+                                              {0, none, 0},
+
+                                              {none, 1, 0},
+                                              {1, none, 0},
+                                              {none, none, none},
+                                              {infinite, infinite, infinite},
+                                              {0, 1e-3, 0}}) {
+        SCOPED_TRACE(testing::Message()
+                     << displaced.moved << " " << displaced.turned << " " << displaced.reach);
+        const Assemblies<Model> found = compiled::assemblies<Model>(group.d, group.u, displaced);
+        ASSERT_EQ(found.status, AssemblyStatus::ok);
+        ASSERT_GT(found.count, 0);
+        ASSERT_LE(found.count, known.count);
+        for (int index = 0; index < found.count; ++index) {
+          ++listed;
+          ASSERT_EQ(found.regularity[static_cast<std::size_t>(index)], Status::near_singular);
+        }
+      }
+    });
+    EXPECT_GT(listed, 0);
+  }
+}
+
 /// A power of two as a unit changes no digit, so that it must change no verdict.
 TYPED_TEST(Verdicts, DoNotDependOnTheUnit) {
   using Model = TypeParam;

@@ -24,14 +24,15 @@ const mechanism::ModelKernel& kernel_of(const char* group, int number) {
 
 template <typename Model>
 Assemblies<Model> assemblies(const typename Model::template Dimensions<double>& d,
-                             const typename Model::template Inputs<double>& u) {
+                             const typename Model::template Inputs<double>& u,
+                             const support::Displacement& displaced) {
   static const mechanism::ModelKernel& kernel = kernel_of(Model::group, Model::number);
   mechanism::models::FlatVariables dimensions{};
   mechanism::models::FlatVariables inputs{};
   support::flatten(d, dimensions);
   support::flatten(u, inputs);
   mechanism::models::GroupAssemblies found;
-  kernel.assemble(dimensions, inputs, {}, found);
+  kernel.assemble(dimensions, inputs, displaced, found);
   Assemblies<Model> result;
   result.status = found.status;
   result.count = static_cast<int>(found.count);

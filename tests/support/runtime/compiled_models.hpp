@@ -5,13 +5,15 @@
 #pragma once
 
 #include <assur/assemblies.hpp>
+#include <assur/support/displaced_frame.hpp>
 
 namespace assur::test::compiled {
 
 /// assur::assemblies.
 template <typename Model>
 [[nodiscard]] Assemblies<Model> assemblies(const typename Model::template Dimensions<double>& d,
-                                           const typename Model::template Inputs<double>& u);
+                                           const typename Model::template Inputs<double>& u,
+                                           const support::Displacement& displaced = {});
 
 /// As many configurations as Sturm's theorem counts over rational numbers; exact_assembly_count of
 /// sturm.hpp.

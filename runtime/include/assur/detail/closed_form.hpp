@@ -100,8 +100,9 @@ struct Certainty {
   /// granted.
   [[nodiscard]] double error(double square, const support::Displacement& displaced) const {
     const double error = power(square);
-    if (displaced.moved > 0 || displaced.turned > 0) {
-      const double part = (std::max)(displaced.moved / std::sqrt(square), displaced.turned);
+    if (!(displaced.moved <= 0) || !(displaced.turned <= 0)) {
+      const support::Displacement by = displaced.bounded();
+      const double part = (std::max)(by.moved / std::sqrt(square), by.turned);
       return error * (1 + part / numeric::Magnitude::given_rounding());
     }
     return error;

@@ -31,8 +31,11 @@ class GeneralSearch {
   using Configuration = typename Model::template Configuration<double>;
 
  public:
-  GeneralSearch(const Dimensions& d, const Inputs& u, double displaced, Assemblies<Model>& result)
-      : d_(d), u_(u), displaced_(displaced), result_(result) {}
+  /// Rounding has `displaced` the inputs by so much as counts for the list, and by so much that they
+  /// are `off` as counts for verdicts.
+  GeneralSearch(const Dimensions& d, const Inputs& u, double displaced, double off,
+                Assemblies<Model>& result)
+      : d_(d), u_(u), displaced_(displaced), off_(off), result_(result) {}
 
   /// False if it cannot vouch for its list.
   [[nodiscard]] bool run() {
@@ -50,7 +53,7 @@ class GeneralSearch {
     }
     const double longest = (std::max)(1.0, longest_length(u_));
     // The Jacobian is as unsure as the places are; a length of one is among those of the group.
-    const double unsure = (std::max)(displaced_, std::numeric_limits<double>::epsilon() * longest);
+    const double unsure = (std::max)(off_, std::numeric_limits<double>::epsilon() * longest);
     for (std::size_t root = 0; root < roots.root_count; ++root) {
       if (!accept({roots.roots[root].cosine, roots.roots[root].sine}, longest, unsure)) {
         return false;
@@ -88,6 +91,7 @@ class GeneralSearch {
   const Dimensions& d_;
   const Inputs& u_;
   double displaced_;
+  double off_;
   Assemblies<Model>& result_;
 };
 

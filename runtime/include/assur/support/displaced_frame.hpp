@@ -16,6 +16,13 @@ struct Displacement {
   double reach = 0;
   double extent = 0;
 
+  /// The same where it is finite. What is not bounds nothing: all may be off by any amount.
+  [[nodiscard]] Displacement bounded() const {
+    constexpr double any = std::numeric_limits<double>::infinity();
+    const bool is_bound = std::isfinite(moved) && std::isfinite(turned);
+    return {is_bound ? moved : any, is_bound ? turned : any, std::isfinite(reach) ? reach : 0,
+            extent};
+  }
   /// A frame that turns about its origin by an angle, which is rounded as its cosine and sine are.
   [[nodiscard]] static Displacement of_turn(double angle) {
     return {0, std::numeric_limits<double>::epsilon() * (1 + std::abs(angle)), 0};

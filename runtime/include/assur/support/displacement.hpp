@@ -54,7 +54,8 @@ class DisplacedGroup {
     }
     const double open =
         2 * (moved_ + turned_ * (std::max)(size_, longest_length(q))) + epsilon * size_;
-    return {moved_ + largest * open, (std::min)(turned_ + epsilon + turn * open, half_turn), reach,
+    const double turned = turn > 0 ? turn * open : 0;  // open may be infinite
+    return {moved_ + largest * open, (std::min)(turned_ + epsilon + turned, half_turn), reach,
             size_};
   }
 

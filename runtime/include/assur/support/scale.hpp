@@ -151,12 +151,12 @@ template <typename Model>
                                      const typename Model::template Inputs<double>& u,
                                      const Displacement& displaced) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  const Displacement by = displaced.bounded();
   if constexpr (detail::has_angles<Model>) {
-    const double moved = (std::max)(displaced.moved, epsilon * longest_length(u));
-    return moved > 0 ? (std::max)(moved / own_size<Model>(d, u), displaced.turned)
-                     : displaced.turned;
+    const double moved = (std::max)(by.moved, epsilon * longest_length(u));
+    return moved > 0 ? (std::max)(moved / own_size<Model>(d, u), by.turned) : by.turned;
   } else {
-    return (std::max)(epsilon, displaced.turned);
+    return (std::max)(epsilon, by.turned);
   }
 }
 
