@@ -14,6 +14,8 @@
 #include <array>
 #include <assur/detail/closure_geometry.hpp>
 #include <assur/detail/first_values.hpp>
+#include <assur/detail/multiple_assembly.hpp>
+#include <assur/detail/neighbourhood.hpp>
 #include <assur/model.hpp>
 #include <assur/numeric/double_double.hpp>
 #include <cmath>
