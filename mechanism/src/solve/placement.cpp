@@ -245,17 +245,26 @@ void Placement::set_slide(const JointMotion& motion, JointIndex joint, SlideStat
 }
 
 bool Placement::can_be_solved(GroupIndex group, const Table<LinkIndex, bool>& unplaced) const {
-  const auto shapes_it = [&](const ReadingDriver& reading) {
-    return std::ranges::any_of(reading.reads, [&](LinkIndex link) { return unplaced[link]; }) &&
-           std::ranges::any_of(structure_.driven, [&](const DrivenLink& link) {
-             return link.driver == reading.driver && is_of(structure_.groups[group], link.to);
-           });
+  const auto is_any_unplaced = [&](const std::vector<LinkIndex>& links) {
+    return std::ranges::any_of(links, [&](LinkIndex link) { return unplaced[link]; });
   };
-  return std::ranges::none_of(structure_.reading, shapes_it) &&
-         std::ranges::none_of(structure_.groups[group].links,
-                              [&](LinkIndex link) { return unplaced[link]; }) &&
-         solvers_[group].has_normal_form() && structure_.groups[group].model->rigid &&
-         !values_.numbers_of(group).is_held_by(unplaced);
+  // It has a place only where its law reads what has one, or the group does that places it.
+  const auto is_loose = [&](const DrivenLink& link) {
+    return link.group.exists()
+               ? is_any_unplaced(structure_.groups[link.group].links)
+               : std::ranges::any_of(structure_.reading, [&](const ReadingDriver& reading) {
+                   return link.driver == reading.driver && is_any_unplaced(reading.reads);
+                 });
+  };
+  const auto shapes_it = [&](const DrivenLink& link) {
+    return link.group != group && is_of(structure_.groups[group], link.to) && is_loose(link);
+  };
+  return std::ranges::none_of(structure_.driven, shapes_it) &&
+         std::ranges::none_of(
+             carried_by_base_[group],
+             [&](std::size_t place) { return is_loose(structure_.driven[place]); }) &&
+         !is_any_unplaced(structure_.groups[group].links) && solvers_[group].has_normal_form() &&
+         structure_.groups[group].model->rigid && !values_.numbers_of(group).is_held_by(unplaced);
 }
 
 const models::GroupAssemblies& Placement::assemble(GroupIndex group) {
