@@ -74,6 +74,21 @@ const Values& SnapshotSolver::values_at(double parameter) {
   return values_;
 }
 
+double SnapshotSolver::speed_of_features(double parameter) {
+  const Values& values = values_at(parameter);
+  double fastest = 0;
+  for (const Link& link : plan_.mechanism().links()) {
+    for (const FeatureIndex feature : link.features) {
+      const auto& follows = values.frame(feature).follows.first;
+      if (follows.cols() > 0) {
+        const Eigen::Vector3d speed = follows.col(column_);
+        fastest = std::max({fastest, speed.head<2>().norm() / sought_.length, std::abs(speed(2))});
+      }
+    }
+  }
+  return fastest;
+}
+
 std::unique_ptr<Snapshot> SnapshotSolver::spare() const {
   if (spares_->empty()) {
     return std::make_unique<Snapshot>();

@@ -69,6 +69,8 @@ class SnapshotSolver {
   [[nodiscard]] double to() const { return to_; }
   /// A length of the mechanism, the unit of the points.
   [[nodiscard]] double length() const { return sought_.length; }
+  /// How fast the parameter moves features on their own links, in that unit: of them the fastest.
+  [[nodiscard]] double speed_of_features(double parameter);
 
  private:
   using Spares = std::vector<std::unique_ptr<Snapshot>>;

@@ -206,11 +206,11 @@ class Sweeper {
     return nullptr;
   }
 
-  /// How far the parameter goes while its drivers move their links by a part of the mechanism's
-  /// size; the same part of a parameter that moves none.
-  [[nodiscard]] double reach(const Snapshot& set) const {
+  /// How far the parameter goes while it moves driven links, or features on their links, by a part
+  /// of the mechanism's size; the same part of a parameter that moves none.
+  [[nodiscard]] double reach(const Snapshot& set) {
     const Table<LinkIndex, bool> is_driven = solver_.plan().structure().placed_by_drivers();
-    double speed = 0;
+    double speed = solver_.speed_of_features(set.parameter);
     for (const LinkIndex link : is_driven.keys()) {
       if (is_driven[link] && set.count() > 0) {
         speed = std::max(speed, set.points[PointIndex(0)].slope.segment<4>(4 * link.row()).norm());

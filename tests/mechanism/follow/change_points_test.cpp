@@ -184,5 +184,47 @@ INSTANTIATE_TEST_SUITE_P(
                     Row{"two in a row", 6, {{11, 6, 11}, {9, 6, 9}}, true, true},
                     Row{"three in a row", 6, {{11, 6, 11}, {9, 6, 9}, {7, 6, 7}}, true, true}));
 
+/// Peaucellier's cell with arms of 5 and a rhombus of 3, whose pin B a length moves through the
+/// place between P and Q, where C meets it: there C = B and C on the other side exchange sides, for
+/// each of the two places of P and Q. No driver moves with the length.
+TEST(ChangePointsOfALength, AreCrossingsInSweepsOfAnyWidth) {
+  SceneMaker cell;
+  cell.parameter("p", 0.0)
+      .point("ground", "O", 0, 0)
+      .point("ground", "B", "4 + p", 0)
+      .bar("upper_arm", {{"O", 0}, {"P", 5}})
+      .bar("lower_arm", {{"O", 0}, {"Q", 5}})
+      .bar("BP", {{"B", 0}, {"P", 3}})
+      .bar("BQ", {{"B", 0}, {"Q", 3}})
+      .bar("CP", {{"C", 0}, {"P", 3}})
+      .bar("CQ", {{"C", 0}, {"Q", 3}});
+  for (const double width : {1e-1, 1e-4, 1e-6, 1e-8}) {
+    for (const int count : {3, 4}) {
+      for (int listing = 0; listing < 2; ++listing) {
+        SCOPED_TRACE(testing::Message() << width << " " << count << " listing " << listing);
+        SceneMaker::Json scene = scene_listed(cell.scene(), listing);
+        scene["sweep"] = {{"parameter", "p"}, {"from", -width}, {"to", width}, {"count", count}};
+        const mechanism::Plan plan(mechanism::parse_scene(scene.dump(), "scene"));
+        int crossings = 0;
+        std::map<int, int> rows;
+        const auto record = [&](const mechanism::SweepRecord& at) {
+          if (at.event.empty()) {
+            ++rows[at.branch];
+            return;
+          }
+          EXPECT_EQ(at.event.rfind("crossing", 0), 0U) << at.event;
+          EXPECT_EQ(std::count(at.event.begin(), at.event.end(), ' '), 2);
+          EXPECT_LT(std::abs(at.parameter), 1e-11);
+          EXPECT_LT(at.state->residual, 5e-11);
+          ++crossings;
+        };
+        mechanism::sweep(plan, {record, {}, {}});
+        EXPECT_EQ(crossings, 2);
+        EXPECT_EQ(rows, (std::map<int, int>{{1, count}, {2, count}, {3, count}, {4, count}}));
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace assur::test::change_points_test
