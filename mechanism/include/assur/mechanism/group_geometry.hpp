@@ -149,6 +149,8 @@ namespace values {
 
 /// Lines closer to parallel than this do not define a frame by where they cross.
 inline constexpr double parallel = 1e-3;
+/// Above this firmness the links' features define their frames well.
+inline constexpr double well = 0.05;
 
 template <typename Scalar>
 [[nodiscard]] Scalar sine_between(const LinkFeature<Scalar>& one,
@@ -233,7 +235,8 @@ class NormalForms {
   [[nodiscard]] std::vector<NormalForm<Scalar>>& forms() { return forms_; }
 
   /// How well the features that define the frames do so, from zero to one: the sine between the
-  /// first two of lines alone, the part of the first two points' distance in the link's size.
+  /// first two of lines alone, the part of the first two points' distance in the link's size. What
+  /// stands for other values too may bring these points together: not well.
   [[nodiscard]] double firmness() const {
     double least = 1;
     for (std::size_t link = 0; link < forms_.size(); ++link) {
@@ -248,6 +251,7 @@ class NormalForms {
         const double length = dimensions[0].length.value();
         const double other = std::hypot(dimensions[1].length.value(), dimensions[2].length.value());
         least = other > length ? std::min(least, length / other) : least;
+        least = may_change(dimensions[0].length) ? std::min(least, well) : least;
       }
     }
     return least;
@@ -355,7 +359,6 @@ template <typename Scalar, typename FeatureOf>
                                                    const Scalar& zero) {
   GroupGeometry<Scalar> geometry;
   // The first assignment that defines the frames well, or else the one that does so best.
-  constexpr double well = 0.05;
   double& firmest = geometry.firmness;
   firmest = -1;
   for (const RoleAssignment& roles : group.assignments) {
@@ -369,7 +372,7 @@ template <typename Scalar, typename FeatureOf>
         geometry.flaw = normal.flaw();
         geometry.links = std::move(normal.forms());
       }
-      if (firmest > well) {
+      if (firmest > values::well) {
         return geometry;
       }
     }
