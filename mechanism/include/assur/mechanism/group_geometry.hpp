@@ -149,8 +149,7 @@ namespace values {
 
 /// Lines closer to parallel than this do not define a frame by where they cross.
 inline constexpr double parallel = 1e-3;
-/// Above this firmness the links' features define their frames well.
-inline constexpr double well = 0.05;
+inline constexpr double well = 0.05;  ///< are frames defined above this firmness
 
 template <typename Scalar>
 [[nodiscard]] Scalar sine_between(const LinkFeature<Scalar>& one,
@@ -234,9 +233,8 @@ class NormalForms {
   }
   [[nodiscard]] std::vector<NormalForm<Scalar>>& forms() { return forms_; }
 
-  /// How well the features that define the frames do so, from zero to one: the sine between the
-  /// first two of lines alone, the part of the first two points' distance in the link's size. What
-  /// stands for other values too may bring these points together: not well.
+  /// How well features define the frames, from zero to one: the sine between the first two of lines
+  /// alone, the part of the first two points' distance in the link's size; not well if it may vary.
   [[nodiscard]] double firmness() const {
     double least = 1;
     for (std::size_t link = 0; link < forms_.size(); ++link) {
@@ -349,8 +347,8 @@ class NormalForms {
 
 }  // namespace values
 
-/// The group with its links in normal form under the first assignment of roles that has one.
-/// `feature_of(joint, link)` is a joint's feature in the frame of a link (`carried_feature`),
+/// The group in normal form under the first assignment of roles that defines its links' frames
+/// well, or else the one that does so best. `feature_of(joint, link)` is a joint's feature in the frame of a link (`carried_feature`),
 /// `zero` a number that depends on nothing. The value of a number is `value()`.
 template <typename Scalar, typename FeatureOf>
 [[nodiscard]] GroupGeometry<Scalar> group_geometry(const Structure& structure,
@@ -358,7 +356,6 @@ template <typename Scalar, typename FeatureOf>
                                                    const FeatureOf& feature_of,
                                                    const Scalar& zero) {
   GroupGeometry<Scalar> geometry;
-  // The first assignment that defines the frames well, or else the one that does so best.
   double& firmest = geometry.firmness;
   firmest = -1;
   for (const RoleAssignment& roles : group.assignments) {
