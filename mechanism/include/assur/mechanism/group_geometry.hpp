@@ -348,8 +348,8 @@ class NormalForms {
 }  // namespace values
 
 /// The group in normal form under the first assignment of roles that defines its links' frames
-/// well, or else the one that does so best. `feature_of(joint, link)` is a joint's feature in the frame of a link (`carried_feature`),
-/// `zero` a number that depends on nothing. The value of a number is `value()`.
+/// well, or else the best. `feature_of(joint, link)` is a joint's feature in the frame of a link
+/// (`carried_feature`), `zero` depends on nothing. The value of a number is `value()`.
 template <typename Scalar, typename FeatureOf>
 [[nodiscard]] GroupGeometry<Scalar> group_geometry(const Structure& structure,
                                                    const FoundGroup& group,
