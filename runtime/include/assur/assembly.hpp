@@ -52,8 +52,7 @@ template <typename Model>
   const auto u = support::scaled_to<Inputs>(inputs, scale);
   // Lengths are near one: a turn moves their ends by as much.
   const double off = (std::max)(displaced.moved * scale, displaced.turned);
-  const double held =
-      support::counted_displacement(off, (std::max)(1.0, displaced.reach * scale));
+  const double held = support::counted_displacement(off, (std::max)(1.0, displaced.reach * scale));
   bool found = false;
   if constexpr (!has_closed_form<Model>) {
     found = GeneralSearch<Model>(d, u, held, off, result).run();

@@ -90,5 +90,17 @@ TEST(EmitVariableOptions, TheKeyDoesTheSameAsTheOption) {
   EXPECT_EQ(emitted("--variable rocker"), by_option);
 }
 
+/// Where the frame of a link stands on two pivots that parameters may bring together, it may have
+/// no direction; so it stands on two others, if these are at rest in the link.
+TEST(EmitVariableOptions, AFrameStandsOnPivotsThatCannotMeet) {
+  const TemporaryDirectory directory;
+  const VariableScene scene = meeting_pivots();
+  const auto file = directory.write(scene.name + ".json", scene.json.dump());
+  emit_solver({file, "", "", {}}, directory, "--variable all");
+  const std::string text = read_file(directory.path() / "assur" / "scenes" / (scene.name + ".hpp"));
+  EXPECT_NE(text.find("p.a"), std::string::npos);
+  EXPECT_EQ(text.find("std::sqrt(p."), std::string::npos);
+}
+
 }  // namespace
 }  // namespace assur::test::emit_variable_options_test

@@ -37,7 +37,8 @@ VariableScene example(const std::filesystem::path& file, const std::string& solv
 std::vector<VariableScene> variable_scenes() {
   std::vector<VariableScene> scenes = {four_bar(), turning_slides()};
   if (is_whole_campaign()) {
-    scenes.insert(scenes.end(), {quick_return(), platform(), parallel_slides(), drawn_bars()});
+    scenes.insert(scenes.end(),
+                  {quick_return(), platform(), meeting_pivots(), parallel_slides(), drawn_bars()});
     const std::filesystem::path examples = ASSUR_EXAMPLES;
     for (const auto& [file, solver] :
          std::map<std::string, std::string>{{"jansen_leg", "JansenLeg"},

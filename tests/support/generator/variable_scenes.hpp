@@ -102,6 +102,25 @@ inline VariableScene platform() {
            {{"size", 0.5}, {"slant", 0.125}, {"leg", 3}, {"base", 4}}}};
 }
 
+/// The platform on three legs, one of whose pivots may come to any other one, or on any line.
+inline VariableScene meeting_pivots() {
+  SceneMaker scene;
+  scene.parameter("a", 1).parameter("b", 0.5);
+  scene.point("platform", "P0", 0, 0).point("platform", "P1", "a", "b");
+  scene.point("platform", "P2", 0.5, 1.25);
+  scene.point("ground", "G0", 0, 0).point("ground", "G1", 4, 0).point("ground", "G2", 2, 3.25);
+  for (const std::string number : {"0", "1", "2"}) {
+    scene.bar("leg" + number, {{"G" + number, 0}, {"P" + number, 2.5}});
+  }
+  return {"variable_meeting_pivots",
+          "VariableMeetingPivots",
+          scene.scene(),
+          {{{"a", 1}, {"b", 0.5}},
+           {{"a", 0}, {"b", 0}},
+           {{"a", 0.5}, {"b", 1.25}},
+           {{"a", -0.25}, {"b", 0}}}};
+}
+
 /// A link on three slides of which two are parallel, at a variable distance.
 inline VariableScene parallel_slides() {
   SceneMaker scene;

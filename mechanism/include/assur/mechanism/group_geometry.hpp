@@ -149,6 +149,7 @@ namespace values {
 
 /// Lines closer to parallel than this do not define a frame by where they cross.
 inline constexpr double parallel = 1e-3;
+inline constexpr double well = 0.05;  ///< are frames defined above this firmness
 
 template <typename Scalar>
 [[nodiscard]] Scalar sine_between(const LinkFeature<Scalar>& one,
@@ -232,8 +233,8 @@ class NormalForms {
   }
   [[nodiscard]] std::vector<NormalForm<Scalar>>& forms() { return forms_; }
 
-  /// How well the features that define the frames do so, from zero to one: the sine between the
-  /// first two of lines alone, the part of the first two points' distance in the link's size.
+  /// How well features define the frames, from zero to one: the sine between the first two of lines
+  /// alone, the part of the first two points' distance in the link's size; not well if it may vary.
   [[nodiscard]] double firmness() const {
     double least = 1;
     for (std::size_t link = 0; link < forms_.size(); ++link) {
@@ -248,6 +249,7 @@ class NormalForms {
         const double length = dimensions[0].length.value();
         const double other = std::hypot(dimensions[1].length.value(), dimensions[2].length.value());
         least = other > length ? std::min(least, length / other) : least;
+        least = may_change(dimensions[0].length) ? std::min(least, well) : least;
       }
     }
     return least;
@@ -345,17 +347,15 @@ class NormalForms {
 
 }  // namespace values
 
-/// The group with its links in normal form under the first assignment of roles that has one.
-/// `feature_of(joint, link)` is a joint's feature in the frame of a link (`carried_feature`),
-/// `zero` a number that depends on nothing. The value of a number is `value()`.
+/// The group in normal form under the first assignment of roles that defines its links' frames
+/// well, or else the best. `feature_of(joint, link)` is a joint's feature in the frame of a link
+/// (`carried_feature`), `zero` depends on nothing. The value of a number is `value()`.
 template <typename Scalar, typename FeatureOf>
 [[nodiscard]] GroupGeometry<Scalar> group_geometry(const Structure& structure,
                                                    const FoundGroup& group,
                                                    const FeatureOf& feature_of,
                                                    const Scalar& zero) {
   GroupGeometry<Scalar> geometry;
-  // The first assignment that defines the frames well, or else the one that does so best.
-  constexpr double well = 0.05;
   double& firmest = geometry.firmness;
   firmest = -1;
   for (const RoleAssignment& roles : group.assignments) {
@@ -369,7 +369,7 @@ template <typename Scalar, typename FeatureOf>
         geometry.flaw = normal.flaw();
         geometry.links = std::move(normal.forms());
       }
-      if (firmest > well) {
+      if (firmest > values::well) {
         return geometry;
       }
     }

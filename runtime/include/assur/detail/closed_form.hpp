@@ -97,12 +97,11 @@ struct Certainty {
 
   /// The largest error, times `firmness`, by the square of the longest length. Where rounding has
   /// displaced the inputs, errors grow as this has grown beyond the rounding that is taken for
-  /// granted.
+  /// granted; where that is not a number, neither is what is certain.
   [[nodiscard]] double error(double square, const support::Displacement& displaced) const {
     const double error = power(square);
     if (!(displaced.moved <= 0) || !(displaced.turned <= 0)) {
-      const support::Displacement by = displaced.bounded();
-      const double part = (std::max)(by.moved / std::sqrt(square), by.turned);
+      const double part = displaced.moved / std::sqrt(square) + displaced.turned;
       return error * (1 + part / numeric::Magnitude::given_rounding());
     }
     return error;

@@ -31,8 +31,8 @@ class GeneralSearch {
   using Configuration = typename Model::template Configuration<double>;
 
  public:
-  /// Rounding has `displaced` the inputs by so much as counts for the list, and by so much that they
-  /// are `off` as counts for verdicts.
+  /// Rounding has `displaced` the inputs by so much as counts for the list, and by so much that
+  /// they are `off` as counts for verdicts.
   GeneralSearch(const Dimensions& d, const Inputs& u, double displaced, double off,
                 Assemblies<Model>& result)
       : d_(d), u_(u), displaced_(displaced), off_(off), result_(result) {}
