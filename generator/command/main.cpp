@@ -15,6 +15,7 @@
 #include "command/audit.hpp"
 #include "command/catalogue.hpp"
 #include "command/derive.hpp"
+#include "command/draw.hpp"
 #include "command/emit.hpp"
 #include "command/output.hpp"
 #include "command/solve.hpp"
@@ -184,6 +185,29 @@ int run(int argc, char** argv) {
                  "the branch that begins there")
       ->excludes("--branch");
   command->callback([&] { chosen = [&] { return run_solve(solve); }; });
+
+  DrawOptions draw;
+  command = app.add_subcommand("draw", "a picture of a scene, by the extension of its file");
+  command->add_option("scene", draw.scene, "scene file (JSON)")->required()->check(not_empty);
+  command->add_option("--output", draw.output, "file to write: .svg or .dxf")
+      ->required()
+      ->check(not_empty);
+  command->add_option("--set", draw.settings, "NAME=EXPR, replaces a parameter's value")
+      ->expected(1)
+      ->take_all();
+  command->add_option("--configuration", draw.configuration, "draw configuration N alone")
+      ->type_name("N")
+      ->check(whole_number);
+  command
+      ->add_flag("--nearest", draw.nearest,
+                 "draw the configuration nearest to the scene's reference alone")
+      ->excludes("--configuration");
+  command->callback([&] {
+    chosen = [&] {
+      draw_scene(draw);
+      return exit_ok;
+    };
+  });
 
   command = app.add_subcommand("schema", "the JSON Schema of scene files");
   command->callback([&] {

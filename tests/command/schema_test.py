@@ -18,6 +18,7 @@ except ImportError:
 
 EVERY_KEY = {
     "name": "every key",
+    "unit": "mm",
     "parameters": {
         "AB": {"value": 2, "tolerance": 0.01, "velocity": 0, "acceleration": 0, "variable": True},
         "phi": "60*deg",

@@ -68,6 +68,7 @@ House house() {
               part("follow", {"description", "models", "plan", "values", "solve"}),
               part("report", {"description", "models", "plan", "values", "solve"},
                    {"Eigen", "nlohmann"}),
+              part("draw", {"description", "models", "plan", "values", "solve", "follow"}),
 
               {"generator", "assur::generator", {}, {}},
               stage("structure", {}, {}),

@@ -23,6 +23,9 @@ class SceneReader {
     if (root_.contains("name")) {
       mechanism_.set_name(text_of(root_["name"], "name"));
     }
+    if (root_.contains("unit")) {
+      mechanism_.set_unit(text_of(root_["unit"], "unit"));
+    }
     read_parameters();
     apply_settings();
     read_links();

@@ -15,6 +15,8 @@ struct SceneKey {
 
 inline constexpr std::array scene_keys = {
     SceneKey{"name", false, R"({"type": "string"})", "What messages and reports call the scene."},
+    SceneKey{"unit", false, R"({"type": "string"})",
+             "What the unit of length is called, as mm or in: drawings show it."},
     SceneKey{"parameters", false, R"({"$ref": "#/$defs/parameters"})",
              "Numbers with names, which expressions may use."},
     SceneKey{

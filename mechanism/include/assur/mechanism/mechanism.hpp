@@ -134,6 +134,9 @@ class Mechanism {
 
   [[nodiscard]] const std::string& name() const { return name_; }
   void set_name(const std::string& name) { name_ = name; }
+  /// What the unit of length is called; nothing where that was not said.
+  [[nodiscard]] const std::string& unit() const { return unit_; }
+  void set_unit(const std::string& unit) { unit_ = unit; }
   [[nodiscard]] const Table<ParameterIndex, Parameter>& parameters() const { return parameters_; }
   [[nodiscard]] const Table<NumberIndex, Number>& numbers() const { return numbers_; }
   [[nodiscard]] const Table<FeatureIndex, Feature>& features() const { return features_; }
@@ -188,6 +191,7 @@ class Mechanism {
   void expect_fitting(const Joint& joint, const std::string& part) const;
 
   std::string name_;
+  std::string unit_;
   Table<ParameterIndex, Parameter> parameters_;
   std::unordered_map<std::string, ParameterIndex> parameter_of_name_;
   Table<NumberIndex, Number> numbers_;

@@ -1,0 +1,62 @@
+#include "command/draw.hpp"
+
+#include <algorithm>
+#include <array>
+#include <assur/mechanism/drawing.hpp>
+#include <assur/mechanism/scene_file.hpp>
+#include <assur/text/names.hpp>
+#include <assur/text/suggestion.hpp>
+#include <filesystem>
+
+#include "emission/cpp/files.hpp"
+
+namespace assur::generator::command {
+
+namespace {
+
+using mechanism::Drawing;
+
+/// A form of drawings, by the extension of its files.
+struct Form {
+  const char* extension;
+  std::string (*text)(const Drawing&);
+};
+
+constexpr std::array forms = {Form{".svg", mechanism::drawing_svg},
+                              Form{".dxf", mechanism::drawing_dxf}};
+
+const Form& form_of(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  const auto* const found = std::find_if(
+      forms.begin(), forms.end(), [&](const Form& form) { return form.extension == extension; });
+  if (found == forms.end()) {
+    std::vector<std::string> known;
+    for (const Form& form : forms) {
+      known.emplace_back(form.extension);
+    }
+    throw text::InputError(
+        "--output: " + file.string() + ": " +
+        (extension.empty() ? "the name has no extension"
+                           : "no drawing has the extension '" + extension + "'") +
+        "; the extensions are " + text::listed(known) + text::suggestion(extension, known));
+  }
+  return *found;
+}
+
+}  // namespace
+
+void draw_scene(const DrawOptions& options) {
+  const std::filesystem::path file = options.output;
+  const Form& form = form_of(file);
+  const mechanism::Scene scene = mechanism::read_scene(options.scene, options.settings);
+  try {
+    const Drawing drawing = mechanism::drawing_of(scene.mechanism, scene.request,
+                                                  {options.configuration, options.nearest});
+    emission::cpp::write_files({{file.filename(), form.text(drawing)}},
+                               file.has_parent_path() ? file.parent_path() : ".");
+  } catch (const mechanism::MechanismError& error) {
+    throw text::InputError(scene.file + ": " + error.what());
+  }
+}
+
+}  // namespace assur::generator::command

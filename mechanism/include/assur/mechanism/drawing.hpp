@@ -1,0 +1,93 @@
+// Turns a mechanism and its configurations into a drawing, and a drawing into SVG or DXF.
+#pragma once
+
+#include <Eigen/Core>
+#include <assur/mechanism/mechanism.hpp>
+#include <assur/mechanism/request.hpp>
+#include <string>
+#include <vector>
+
+namespace assur::mechanism {
+
+/// What a shape stands for; its points are listed in this order.
+enum class Symbol : unsigned char {
+  bar,     ///< a link, from end to end
+  plate,   ///< a link, its corners counter-clockwise
+  slot,    ///< the line in which a pin slides, from end to end
+  guide,   ///< the line along which a block slides, from end to end
+  block,   ///< its centre, and a point ahead of it along the guide
+  tube,    ///< of a cylinder: its eye and its mouth
+  rod,     ///< of a cylinder: the tube's mouth and the rod's own eye
+  pin,     ///< a revolute joint
+  tracer,  ///< an output's point
+};
+
+/// A part of the drawing, the same in every stance.
+struct Shape {
+  Symbol symbol;
+  std::string link;    ///< that it is, or is on; empty for a pin, which several links share
+  std::string name;    ///< of the joint, or of the output; empty for a link itself
+  bool fixed = false;  ///< whether it is on the ground
+  std::vector<std::size_t> points;  ///< places in the points of a stance
+};
+
+/// One configuration: where the points of the shapes are, in the frame of the ground.
+struct Stance {
+  int configuration;  ///< its number among the solution's, from 1
+  std::vector<Eigen::Vector2d> points;
+};
+
+/// The way of an output along one branch of the sweep.
+struct Trace {
+  int configuration;  ///< that the branch goes through; 0 where that is not known
+  std::string output;
+  std::vector<Eigen::Vector2d> points;
+};
+
+/// A singular configuration on a branch of the sweep.
+struct Mark {
+  std::string event;                    ///< `fold`, `crossing`: see docs/sweeps.md
+  double parameter;                     ///< the swept parameter's value
+  std::vector<int> configurations;      ///< whose branches meet there
+  std::vector<Eigen::Vector2d> points;  ///< where the outputs are
+};
+
+/// A mechanism as plain data. Lengths are in the scene's unit.
+struct Drawing {
+  std::string title;      ///< the mechanism's name
+  std::string unit;       ///< of length, as the scene has it; may be empty
+  std::string parameter;  ///< that is swept; empty without a sweep
+  std::vector<Shape> shapes;
+  std::vector<Stance> stances;
+  std::size_t emphasised = 0;  ///< the stance that is drawn at full strength
+  std::size_t left_out = 0;    ///< configurations that are not drawn
+  std::vector<Trace> traces;
+  std::vector<Mark> marks;
+};
+
+/// Which configurations are drawn.
+struct DrawingChoice {
+  int configuration = 0;  ///< one alone, by its number; 0 for all
+  bool nearest = false;   ///< the one nearest to the request's reference alone
+};
+
+/// So many configurations are drawn at most.
+inline constexpr std::size_t most_drawn = 24;
+
+/// Solves the mechanism at its own values and draws its configurations, with the ways of the
+/// outputs over the request's sweep. Where all are drawn, the one nearest to the request's
+/// reference is emphasised, or else the first. Throws MechanismError where there is no
+/// configuration, or none of that number, and as `Plan` and `sweep` do.
+[[nodiscard]] Drawing drawing_of(const Mechanism& mechanism, const Request& request,
+                                 const DrawingChoice& choice = {});
+
+/// A picture 80 mm wide, in one file that needs no other. It shows itself light or dark as the
+/// reader prefers. The root's `data-x`, `data-y` and `data-scale` say how its coordinates (u, v)
+/// come from the scene's: u = data-scale (x - data-x), v = data-scale (data-y - y).
+[[nodiscard]] std::string drawing_svg(const Drawing& drawing);
+
+/// A drawing for CAD in the ASCII form of DXF R12, in the scene's unit: a layer for each link of
+/// each configuration, for its pins, for each output's way, and for dead centres.
+[[nodiscard]] std::string drawing_dxf(const Drawing& drawing);
+
+}  // namespace assur::mechanism

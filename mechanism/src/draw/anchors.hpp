@@ -1,0 +1,57 @@
+// Turns features of links into the points of a drawing.
+#pragma once
+
+#include <assur/mechanism/solution.hpp>
+#include <assur/mechanism/values.hpp>
+
+namespace assur::mechanism::draw {
+
+/// Where the coordinates of joints have been: the lowest and the highest displacement of each.
+struct Reach {
+  double lowest = 0, highest = 0;
+
+  void include(double displacement) {
+    lowest = std::min(lowest, displacement);
+    highest = std::max(highest, displacement);
+  }
+};
+using Reaches = Table<JointIndex, std::optional<Reach>>;
+
+/// How far along its line a point stands from the feature's `through`.
+enum class Offset : unsigned char {
+  none,
+  first_end,   ///< the lowest place of what slides along the line, and a margin before it
+  second_end,  ///< the highest, and a margin behind it
+  ahead,       ///< a short way, which tells a direction
+  mouth        ///< of a tube: short of its rod's eye at the shortest
+};
+
+struct Anchor {
+  FeatureIndex feature;
+  Offset offset = Offset::none;
+  JointIndex joint = {};  ///< whose displacements the offset is about
+  double sense = 1;       ///< -1 where they count against the line
+};
+
+/// The features of a mechanism in the frames of their links, at one set of values: a line along
+/// its x-axis.
+using FeatureFrames = Table<FeatureIndex, Pose<double>>;
+[[nodiscard]] FeatureFrames feature_frames(const Mechanism& mechanism, const Values& values);
+
+/// The poses of a mechanism's links in a configuration of the part of it that is planned; nothing
+/// for links that are not of that part.
+using LinkPoses = Table<LinkIndex, std::optional<Pose<double>>>;
+[[nodiscard]] LinkPoses link_poses(const Mechanism& mechanism, const Mechanism& planned,
+                                   const Configuration& configuration);
+
+/// The displacements of a configuration, likewise.
+void include_displacements(const Mechanism& mechanism, const Mechanism& planned,
+                           const Configuration& configuration, Reaches& reaches);
+
+/// Where an anchor is, in the frame of the ground; `size` is the mechanism's, which margins are
+/// parts of.
+[[nodiscard]] Eigen::Vector2d position(const Anchor& anchor, const Mechanism& mechanism,
+                                       const FeatureFrames& frames, const LinkPoses& poses,
+                                       const Reaches& reaches, double size);
+
+}  // namespace assur::mechanism::draw

@@ -1,0 +1,73 @@
+// Turns numbers and names into the text of a drawing.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <assur/text/utf8.hpp>
+#include <charconv>
+#include <string>
+
+namespace assur::mechanism::draw {
+
+/// A coordinate of the picture: two decimals are a four-hundredth of a millimetre.
+[[nodiscard]] inline std::string coordinate(double value) {
+  std::array<char, 64> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 2);
+  std::string number(text.data(), end.ptr);
+  number.erase(number.find_last_not_of('0') + 1);
+  if (number.back() == '.') {
+    number.pop_back();
+  }
+  return number == "-0" ? "0" : number;
+}
+
+[[nodiscard]] inline std::string pair(const Eigen::Vector2d& place) {
+  return coordinate(place.x()) + "," + coordinate(place.y());
+}
+
+/// `name="value"`, with a blank before it.
+[[nodiscard]] inline std::string attribute(const std::string& name, double value) {
+  return " " + name + "=\"" + coordinate(value) + "\"";
+}
+
+/// The shortest text that is read back as this number.
+[[nodiscard]] inline std::string exact(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), end.ptr};
+}
+
+/// A number for people.
+[[nodiscard]] inline std::string short_number(double value) {
+  std::array<char, 32> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6);
+  return {text.data(), end.ptr};
+}
+
+/// Text between elements or in an attribute: what XML does not allow becomes a question mark.
+[[nodiscard]] inline std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char letter : text.substr(0, text::first_byte_outside_utf8(text))) {
+    switch (letter) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += static_cast<unsigned char>(letter) < 0x20 ? '?' : letter;
+    }
+  }
+  return result;
+}
+
+}  // namespace assur::mechanism::draw

@@ -1,0 +1,50 @@
+// Turns points with names into texts beside them that do not overlap.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace assur::mechanism::draw {
+
+/// An upright rectangle of a picture.
+struct Box {
+  Eigen::Vector2d lowest, highest;
+};
+
+/// What labels keep away from.
+struct Obstacles {
+  Box inside;              ///< of which a label stays
+  std::vector<Box> boxes;  ///< no label touches one
+  struct Line {
+    Eigen::Vector2d from, to;
+    double weight;  ///< how bad it is to lie across it
+  };
+  std::vector<Line> lines;
+};
+
+struct Label {
+  std::string text;
+  Eigen::Vector2d at;  ///< the middle of its base line
+};
+
+constexpr double text_height = 10;
+/// About how wide a text is in a plain font of that height.
+[[nodiscard]] double text_width(const std::string& text);
+
+/// The text about a point where it is in the way least; what has no free place is left out.
+class LabelPlacer {
+ public:
+  explicit LabelPlacer(Obstacles obstacles) : obstacles_(std::move(obstacles)) {}
+  void place(const std::string& text, const Eigen::Vector2d& point);
+  [[nodiscard]] const std::vector<Label>& labels() const { return labels_; }
+
+ private:
+  /// Infinite where the place is not free.
+  [[nodiscard]] double cost(const Box& box) const;
+
+  Obstacles obstacles_;
+  std::vector<Label> labels_;
+};
+
+}  // namespace assur::mechanism::draw

@@ -1,0 +1,16 @@
+// Turns what a picture shows into the line below it: its scale, its colours, its marks.
+#pragma once
+
+#include "draw/picture.hpp"
+
+namespace assur::mechanism::draw {
+
+/// How high the legend is, in units of the picture.
+[[nodiscard]] double legend_height(const Drawing& drawing);
+[[nodiscard]] std::string legend_elements(const Drawing& drawing, const Picture& picture);
+
+/// The sign of a singular event, about a place of the picture.
+[[nodiscard]] std::string mark_element(const std::string& event, const Eigen::Vector2d& at,
+                                       const std::string& title);
+
+}  // namespace assur::mechanism::draw

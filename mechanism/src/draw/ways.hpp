@@ -1,0 +1,26 @@
+// Turns the sweep of a request into what a drawing shows of it.
+#pragma once
+
+#include <assur/mechanism/drawing.hpp>
+#include <assur/mechanism/plan.hpp>
+
+#include "draw/anchors.hpp"
+
+namespace assur::mechanism::draw {
+
+/// The ways of some configurations along the sweep.
+struct Ways {
+  std::vector<Trace> traces;
+  std::vector<Mark> marks;
+  /// How far joints go, for each of the configurations in the order in which they were given.
+  std::vector<Reaches> reaches;
+};
+
+/// Follows the branches that go through configurations of the mechanism at its own values, by their
+/// numbers. Where these values are not in the sweep, no branch is known to be a configuration's:
+/// traces of all branches are those of configuration 0. Without a sweep, and where there are more
+/// branches than can be followed, there are no traces.
+[[nodiscard]] Ways ways_of(const Mechanism& mechanism, const Request& request,
+                           const std::vector<int>& configurations);
+
+}  // namespace assur::mechanism::draw

@@ -1,0 +1,317 @@
+// Law: drawings show what is solved: pins and outputs stand where the configurations have them,
+// dead centres where sweeps find them, whatever the unit and the names.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <assur/mechanism/drawing.hpp>
+#include <assur/mechanism/plan.hpp>
+#include <assur/mechanism/sweep.hpp>
+#include <cmath>
+#include <iostream>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "largest.hpp"
+#include "mechanism/drawn_scene.hpp"
+#include "mechanism/xml.hpp"
+#include "scenes_of.hpp"
+
+namespace assur::test::drawing_test {
+namespace {
+
+using mechanism::Drawing;
+using mechanism::JointType;
+using mechanism::Mechanism;
+using mechanism::Plan;
+using mechanism::Shape;
+using mechanism::Symbol;
+
+/// Where a feature is in a configuration, from the poses of `solve` and the scene's own numbers.
+Eigen::Vector2d place_of(const mechanism::Values& values,
+                         const mechanism::Configuration& configuration, const std::string& link,
+                         const mechanism::Feature& feature) {
+  const assur::Pose<double>& pose = configuration.link(link).pose;
+  const double x = values.value_of(feature.x);
+  const double y = values.value_of(feature.y);
+  return {pose.x + pose.direction.cos * x - pose.direction.sin * y,
+          pose.y + pose.direction.sin * x + pose.direction.cos * y};
+}
+
+/// The places of all revolute joints and of all pins in slots, by their names.
+std::map<std::string, Eigen::Vector2d> pins_of(const Plan& plan, const mechanism::Values& values,
+                                               const mechanism::Configuration& configuration) {
+  std::map<std::string, Eigen::Vector2d> pins;
+  for (const mechanism::Joint& joint : plan.mechanism().joints()) {
+    for (const mechanism::FeatureIndex at : joint.between) {
+      const mechanism::Feature& feature = plan.mechanism().features()[at];
+      if (!feature.is_line) {
+        pins[joint.name] =
+            place_of(values, configuration, plan.mechanism().links()[feature.link].name, feature);
+      }
+    }
+  }
+  return pins;
+}
+
+/// A picture and its elements.
+struct Picture {
+  explicit Picture(const Drawing& drawing)
+      : text(drawing_svg(drawing)), root(XmlReader(text).document()) {
+    root.collect(elements);
+  }
+  [[nodiscard]] double number(const std::string& name) const {
+    return std::stod(root.attribute(name));
+  }
+  /// A place of the picture in the scene.
+  [[nodiscard]] Eigen::Vector2d in_scene(double u, double v) const {
+    return {number("data-x") + u / number("data-scale"),
+            number("data-y") - v / number("data-scale")};
+  }
+
+  std::string text;
+  XmlElement root;
+  std::vector<const XmlElement*> elements;
+};
+
+class ExampleDrawing : public testing::TestWithParam<std::string> {
+ protected:
+  ExampleDrawing() : drawn_(drawn_scene(GetParam())), drawing_(drawn_.drawing) {}
+
+  const DrawnScene& drawn_;
+  const Drawing& drawing_;
+};
+
+TEST_P(ExampleDrawing, HasEveryConfigurationOnce) {
+  ASSERT_EQ(drawing_.stances.size(), drawn_.solution.configurations.size());
+  for (std::size_t place = 0; place < drawing_.stances.size(); ++place) {
+    EXPECT_EQ(drawing_.stances[place].configuration, static_cast<int>(place) + 1);
+  }
+  EXPECT_FALSE(drawing_.traces.empty());
+}
+
+/// The picture's own coordinates have two decimals.
+TEST_P(ExampleDrawing, PinsOfThePictureStandWhereTheyAreSolved) {
+  const Picture picture(drawing_);
+  const auto pins =
+      pins_of(drawn_.plan, drawn_.values, drawn_.solution.configurations[drawing_.emphasised]);
+  std::set<std::string> seen;
+  double worst = 0;
+  for (const XmlElement* element : picture.elements) {
+    if (element->attribute("class") == "pin") {
+      ASSERT_EQ(element->children.size(), 1U);
+      const std::string name = element->children[0].text;
+      ASSERT_TRUE(pins.contains(name)) << name;
+      const Eigen::Vector2d at = picture.in_scene(std::stod(element->attribute("cx")),
+                                                  std::stod(element->attribute("cy")));
+      worst = largest(worst, (at - pins.at(name)).norm() * picture.number("data-scale"));
+      seen.insert(name);
+    }
+  }
+  EXPECT_EQ(seen.size(), pins.size());
+  EXPECT_LT(worst, 0.0072);
+}
+
+TEST_P(ExampleDrawing, NumbersOfThePictureAreFiniteAndInsideIt) {
+  const Picture picture(drawing_);
+  const double height =
+      picture.number("data-scale") > 0 ? std::stod(picture.root.attribute("viewBox").substr(8)) : 0;
+  const std::regex number(R"(-?[0-9]+(\.[0-9]+)?)");
+  int count = 0;
+  for (const XmlElement* element : picture.elements) {
+    for (const std::string key : {"d", "cx", "cy", "x", "y"}) {
+      const std::string value = element->attribute(key);
+      EXPECT_EQ(std::regex_replace(value, number, "").find_first_not_of("M ,Z"), std::string::npos)
+          << value;
+      for (std::sregex_iterator at(value.begin(), value.end(), number), end; at != end; ++at) {
+        EXPECT_GE(std::stod(at->str()), 0);
+        EXPECT_LE(std::stod(at->str()), std::max(height, 320.0));
+        ++count;
+      }
+    }
+  }
+  EXPECT_GT(count, 50);
+}
+
+/// By widths of letters that are no narrower than those of common plain fonts.
+TEST_P(ExampleDrawing, TextsDoNotOverlap) {
+  const Picture picture(drawing_);
+  struct Extent {
+    double left, right, top, bottom;
+  };
+  std::vector<Extent> extents;
+  for (const XmlElement* element : picture.elements) {
+    if (element->name == "text") {
+      const double width = 6.1 * static_cast<double>(element->text.size());
+      const double x = std::stod(element->attribute("x"));
+      const double y = std::stod(element->attribute("y"));
+      const bool centred = element->attribute("class") == "label";
+      const double left = centred ? x - width / 2 : x;
+      extents.push_back({left, left + width, y - 7.2, y});
+    }
+  }
+  for (std::size_t one = 0; one < extents.size(); ++one) {
+    for (std::size_t other = 0; other < one; ++other) {
+      const Extent& a = extents[one];
+      const Extent& b = extents[other];
+      EXPECT_FALSE(a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom)
+          << one << " and " << other;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, ExampleDrawing, testing::ValuesIn(scenes_of(ASSUR_EXAMPLES)),
+                         [](const auto& name) { return std::string(name.param); });
+
+/// The events that a sweep of the scene's own steps tells, of branches that are drawn.
+TEST(DrawingOfTheWorkedMechanism, HasTheDeadCentresOfItsSweep) {
+  const DrawnScene& drawn = drawn_scene("quintero_2011_rrp_rrr");
+  std::set<long> swept;
+  sweep(drawn.plan, {[&](const mechanism::SweepRecord& row) {
+                       if (row.event.starts_with("fold") || row.event.starts_with("birth")) {
+                         swept.insert(std::lround(row.parameter * 1e7));
+                       }
+                     },
+                     nullptr, nullptr});
+  int count = 0;
+  for (const mechanism::Mark& mark : drawn.drawing.marks) {
+    if (mark.event == "fold" || mark.event == "birth") {
+      EXPECT_TRUE(swept.contains(std::lround(mark.parameter * 1e7))) << mark.parameter;
+      ++count;
+    }
+  }
+  std::cout << count << " dead centres drawn of " << swept.size() << '\n';
+  EXPECT_GT(count, 0);
+}
+
+/// A slider-crank with a swept crank and odd names, its lengths in any unit.
+struct Made {
+  Mechanism mechanism;
+  mechanism::Request request;
+};
+Made slider_crank(double unit, const std::string& mark = "") {
+  Made made{Mechanism("one & <two> \"three\" \x01" + mark), {}};
+  Mechanism& m = made.mechanism;
+  m.set_unit(mark);
+  m.add_parameter("phi", "40*deg");
+  m.add_link("ground");
+  m.add_point("ground.A", 3 * unit, -2 * unit);
+  m.add_line("ground.bore", 0, 12 * unit, 1, 0.125);
+  m.add_link("crank" + mark);
+  m.add_point("crank" + mark + ".A", 0, 0);
+  m.add_point("crank" + mark + ".B", 50 * unit, 0);
+  m.add_link("rod");
+  m.add_point("rod.B", 0, 0);
+  m.add_point("rod.C", 160 * unit, 0);
+  m.add_link("piston");
+  m.add_point("piston.C", 0, 0);
+  m.add_line("piston.axis", 0, 0, 1, 0);
+  m.add_joint("A", JointType::revolute, {"ground.A", "crank" + mark + ".A"});
+  m.add_joint("B" + mark, JointType::revolute, {"crank" + mark + ".B", "rod.B"});
+  m.add_joint("C", JointType::revolute, {"rod.C", "piston.C"});
+  m.add_joint("S", JointType::prismatic, {"ground.bore", "piston.axis"});
+  m.add_driver("A", "phi");
+  m.add_output("P" + mark, "rod.C");
+  made.request.sweep = mechanism::Sweep{m.parameter_named("phi"), m.add_number(0, "sweep.from"),
+                                        m.add_number("2*pi", "sweep.to"), 61};
+  return made;
+}
+
+/// What a picture shows of the mechanism, without its scale.
+std::string shown(const Made& made) {
+  const std::string text = drawing_svg(drawing_of(made.mechanism, made.request));
+  const std::size_t legend = text.find("<g class=\"scale\">");
+  EXPECT_NE(legend, std::string::npos);
+  return std::regex_replace(text.substr(0, legend), std::regex(R"( data-[a-z]+="[^"]*")"), "");
+}
+
+/// A power of two changes no digit of a number.
+TEST(DrawingOfAnyUnit, IsTheSamePicture) {
+  EXPECT_EQ(shown(slider_crank(1)), shown(slider_crank(1024)));
+  EXPECT_EQ(shown(slider_crank(1)), shown(slider_crank(std::ldexp(1, -30))));
+}
+
+TEST(DrawingOfOddNames, IsWellFormed) {
+  const Made made = slider_crank(1, " <&\"'>\xc3\xa9\x02 ]]>");
+  const Drawing drawing = drawing_of(made.mechanism, made.request);
+  const Picture picture(drawing);
+  EXPECT_EQ(picture.root.children[0].text, "one & <two> \"three\" ? <&\"'>\xc3\xa9? ]]>");
+  const std::string dxf = drawing_dxf(drawing);
+  EXPECT_TRUE(std::all_of(dxf.begin(), dxf.end(),
+                          [](char byte) { return byte == '\n' || (byte >= 0x20 && byte < 0x7f); }));
+  EXPECT_NE(dxf.find("\\U+00E9"), std::string::npos);
+}
+
+/// A link named as the layer of pins is.
+TEST(DrawingOfOddNames, HasALayerForEachLink) {
+  Mechanism mechanism("a link called pins");
+  mechanism.add_link("ground");
+  mechanism.add_point("ground.A", 0, 0);
+  mechanism.add_link("pins");
+  mechanism.add_point("pins.A", 0, 0);
+  mechanism.add_point("pins.B", 1, 0);
+  mechanism.add_joint("A", JointType::revolute, {"ground.A", "pins.A"});
+  mechanism.add_driver("A", 1);
+  mechanism.add_link("free");
+  mechanism.add_point("free.B", 0, 0);
+  mechanism.add_joint("B", JointType::revolute, {"pins.B", "free.B"});
+  mechanism.add_driver("B", 1);
+  const std::string dxf = drawing_dxf(drawing_of(mechanism, {}));
+  EXPECT_NE(dxf.find("\n8\nC1_PINS\n"), std::string::npos);
+  EXPECT_NE(dxf.find("\n8\nC1_PINS_2\n"), std::string::npos);
+}
+
+std::map<Symbol, int> symbols_of(const std::string& scene) {
+  std::map<Symbol, int> counts;
+  for (const Shape& shape : drawn_scene(scene).drawing.shapes) {
+    ++counts[shape.symbol];
+  }
+  return counts;
+}
+
+TEST(DrawingSymbols, AreThoseOfTheJoints) {
+  auto excavator = symbols_of("excavator_arm");
+  EXPECT_EQ(excavator[Symbol::tube], 3);
+  EXPECT_EQ(excavator[Symbol::rod], 3);
+  EXPECT_EQ(excavator[Symbol::plate], 3);  // boom, stick, bucket
+  EXPECT_EQ(excavator[Symbol::bar], 2);    // rocker, link
+  auto shaper = symbols_of("shaper_quick_return");
+  EXPECT_EQ(shaper[Symbol::slot], 1);
+  EXPECT_EQ(shaper[Symbol::guide], 1);
+  EXPECT_EQ(shaper[Symbol::block], 1);
+  auto lift = symbols_of("scissor_lift");
+  EXPECT_EQ(lift[Symbol::slot], 2);
+  EXPECT_EQ(lift[Symbol::tube], 1);
+}
+
+TEST(DrawingChoices, AreOneConfigurationOrRefused) {
+  const Made made = slider_crank(1);
+  const Drawing second = drawing_of(made.mechanism, made.request, {2, false});
+  ASSERT_EQ(second.stances.size(), 1U);
+  EXPECT_EQ(second.stances[0].configuration, 2);
+  EXPECT_TRUE(std::all_of(second.traces.begin(), second.traces.end(),
+                          [](const mechanism::Trace& trace) { return trace.configuration == 2; }));
+  EXPECT_THROW((void)drawing_of(made.mechanism, made.request, {3, false}),
+               mechanism::MechanismError);
+  EXPECT_THROW((void)drawing_of(made.mechanism, made.request, {0, true}),
+               mechanism::MechanismError);
+  EXPECT_THROW((void)drawing_of(Mechanism("nothing"), {}), mechanism::MechanismError);
+  Mechanism ground("ground alone");
+  ground.add_link("ground");
+  EXPECT_THROW((void)drawing_of(ground, {}), mechanism::MechanismError);
+}
+
+/// Where the scene's own value is no value of the sweep, ways are those of no configuration.
+TEST(DrawingBesideItsSweep, HasWaysWithoutConfigurations) {
+  Made made = slider_crank(1);
+  made.request.sweep->from = made.mechanism.add_number(1, "sweep.from");
+  const Drawing drawing = drawing_of(made.mechanism, made.request);
+  ASSERT_EQ(drawing.traces.size(), 2U);
+  for (const mechanism::Trace& trace : drawing.traces) {
+    EXPECT_EQ(trace.configuration, 0);
+  }
+  EXPECT_NO_THROW(Picture{drawing});
+}
+
+}  // namespace
+}  // namespace assur::test::drawing_test
