@@ -189,7 +189,7 @@ int run(int argc, char** argv) {
   DrawOptions draw;
   command = app.add_subcommand("draw", "a picture of a scene, by the extension of its file");
   command->add_option("scene", draw.scene, "scene file (JSON)")->required()->check(not_empty);
-  command->add_option("--output", draw.output, "file to write: .svg or .dxf")
+  command->add_option("--output", draw.output, "file to write: .svg, .html or .dxf")
       ->required()
       ->check(not_empty);
   command->add_option("--set", draw.settings, "NAME=EXPR, replaces a parameter's value")

@@ -1,4 +1,4 @@
-// Turns a mechanism and its configurations into a drawing, and a drawing into SVG or DXF.
+// Turns a mechanism and its configurations into a drawing, in SVG, DXF or an animated page.
 #pragma once
 
 #include <Eigen/Core>
@@ -89,5 +89,10 @@ inline constexpr std::size_t most_drawn = 24;
 /// A drawing for CAD in the ASCII form of DXF R12, in the scene's unit: a layer for each link of
 /// each configuration, for its pins, for each output's way, and for dead centres.
 [[nodiscard]] std::string drawing_dxf(const Drawing& drawing);
+
+/// One HTML page below a megabyte that needs no other file and no network: it animates all branches
+/// of the request's sweep, or shows all configurations where it has none. Throws MechanismError as
+/// `drawing_of` does, and where no step of the sweep has a configuration.
+[[nodiscard]] std::string drawing_page(const Mechanism& mechanism, const Request& request);
 
 }  // namespace assur::mechanism
