@@ -14,23 +14,32 @@ namespace assur::generator::command {
 
 namespace {
 
-using mechanism::DrawingChoice;
 using mechanism::Scene;
 
-mechanism::Drawing drawing_of(const Scene& scene, const DrawingChoice& choice) {
-  return mechanism::drawing_of(scene.mechanism, scene.request, choice);
+mechanism::Drawing standing(const Scene& scene, const DrawOptions& options) {
+  return drawing_of(scene.mechanism, scene.request, {options.configuration, options.nearest});
 }
 
-std::string svg(const Scene& scene, const DrawingChoice& choice) {
-  return drawing_svg(drawing_of(scene, choice));
+void expect_standing(const DrawOptions& options) {
+  if (options.moving) {
+    throw text::InputError("--moving: an .svg may move; an .html page does, an .dxf never");
+  }
 }
 
-std::string dxf(const Scene& scene, const DrawingChoice& choice) {
-  return drawing_dxf(drawing_of(scene, choice));
+std::string svg(const Scene& scene, const DrawOptions& options) {
+  return drawing_svg(options.moving
+                         ? moving_drawing_of(scene.mechanism, scene.request, options.configuration)
+                         : standing(scene, options));
 }
 
-std::string page(const Scene& scene, const DrawingChoice& choice) {
-  if (choice.configuration > 0 || choice.nearest) {
+std::string dxf(const Scene& scene, const DrawOptions& options) {
+  expect_standing(options);
+  return drawing_dxf(standing(scene, options));
+}
+
+std::string page(const Scene& scene, const DrawOptions& options) {
+  expect_standing(options);
+  if (options.configuration > 0 || options.nearest) {
     throw text::InputError("--configuration, --nearest: a page has all branches; leave this out");
   }
   return drawing_page(scene.mechanism, scene.request);
@@ -39,7 +48,7 @@ std::string page(const Scene& scene, const DrawingChoice& choice) {
 /// A form of drawings, by the extension of its files.
 struct Form {
   const char* extension;
-  std::string (*text)(const Scene&, const DrawingChoice&);
+  std::string (*text)(const Scene&, const DrawOptions&);
 };
 
 constexpr std::array forms = {Form{".svg", svg}, Form{".html", page}, Form{".dxf", dxf}};
@@ -69,7 +78,7 @@ void draw_scene(const DrawOptions& options) {
   const Form& form = form_of(file);
   const Scene scene = mechanism::read_scene(options.scene, options.settings);
   try {
-    const std::string text = form.text(scene, {options.configuration, options.nearest});
+    const std::string text = form.text(scene, options);
     emission::cpp::write_files({{file.filename(), text}},
                                file.has_parent_path() ? file.parent_path() : ".");
   } catch (const mechanism::MechanismError& error) {

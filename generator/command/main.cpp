@@ -202,6 +202,8 @@ int run(int argc, char** argv) {
       ->add_flag("--nearest", draw.nearest,
                  "draw the configuration nearest to the scene's reference alone")
       ->excludes("--configuration");
+  command->add_flag("--moving", draw.moving,
+                    ".svg: one branch of the sweep in motion, that which --configuration numbers");
   command->callback([&] {
     chosen = [&] {
       draw_scene(draw);

@@ -63,6 +63,9 @@ struct Drawing {
   std::size_t left_out = 0;    ///< configurations that are not drawn
   std::vector<Trace> traces;
   std::vector<Mark> marks;
+  /// The emphasised stance from moment to moment, round and round; empty where it stands still.
+  std::vector<Stance> motion;
+  double seconds = 0;  ///< for one round
 };
 
 /// Which configurations are drawn.
@@ -80,6 +83,13 @@ inline constexpr std::size_t most_drawn = 24;
 /// configuration, or none of that number, and as `Plan` and `sweep` do.
 [[nodiscard]] Drawing drawing_of(const Mechanism& mechanism, const Request& request,
                                  const DrawingChoice& choice = {});
+
+/// One branch of the request's sweep in motion, by its number in the sweep, or for 0 the one
+/// nearest to the reference, or else the first. It goes round where it ends as it begins, and
+/// otherwise to and fro. Throws MechanismError as `drawing_of` does, and where the request has no
+/// sweep.
+[[nodiscard]] Drawing moving_drawing_of(const Mechanism& mechanism, const Request& request,
+                                        int branch = 0);
 
 /// A picture 80 mm wide, in one file that needs no other. It shows itself light or dark as the
 /// reader prefers. The root's `data-x`, `data-y` and `data-scale` say how its coordinates (u, v)
