@@ -218,7 +218,8 @@ std::string drawing_svg(const Drawing& drawing) {
       exact(picture.scale) + "\">\n<title>" + escaped(drawing.title) + "</title>\n<style>\n" +
       style + colours_of_style(&Colour::light) + "@media (prefers-color-scheme:dark){\n" +
       colours_of_style(&Colour::dark) +
-      "}\n</style>\n<rect class=\"paper\" width=\"320\" height=\"" + height + "\"/>\n";
+      ".light{opacity:.65}\n}\n</style>\n<rect class=\"paper\" width=\"320\" height=\"" + height +
+      "\"/>\n";
   text +=
       traces(drawing, picture, 0).empty() ? "" : group_of(0, " light", traces(drawing, picture, 0));
   const Stance& emphasised = drawing.stances[drawing.emphasised];

@@ -39,8 +39,8 @@ class FilmMaker {
     const Values values = plan_.values();
     film_.from = values.value_of(request_.sweep->from);
     film_.to = values.value_of(request_.sweep->to);
-    const int own = std::max(request_.sweep->count - 1, 1);
-    const int fine = own < fewest_steps ? own * ((fewest_steps - 1) / own + 1) : own;
+    const int own = request_.sweep->count - 1;
+    const int fine = own == 0 || own >= fewest_steps ? own : own * ((fewest_steps - 1) / own + 1);
     film_.count = std::min(fine, most_steps) + 1;
     while (true) {
       record_sweep();
