@@ -14,16 +14,44 @@ namespace assur::generator::command {
 
 namespace {
 
-using mechanism::Drawing;
+using mechanism::Scene;
+
+mechanism::Drawing standing(const Scene& scene, const DrawOptions& options) {
+  return drawing_of(scene.mechanism, scene.request, {options.configuration, options.nearest});
+}
+
+void expect_standing(const DrawOptions& options) {
+  if (options.moving) {
+    throw text::InputError("--moving: an .svg may move; an .html page does, an .dxf never");
+  }
+}
+
+std::string svg(const Scene& scene, const DrawOptions& options) {
+  return drawing_svg(options.moving
+                         ? moving_drawing_of(scene.mechanism, scene.request, options.configuration)
+                         : standing(scene, options));
+}
+
+std::string dxf(const Scene& scene, const DrawOptions& options) {
+  expect_standing(options);
+  return drawing_dxf(standing(scene, options));
+}
+
+std::string page(const Scene& scene, const DrawOptions& options) {
+  expect_standing(options);
+  if (options.configuration > 0 || options.nearest) {
+    throw text::InputError("--configuration, --nearest: a page has all branches; leave this out");
+  }
+  return drawing_page(scene.mechanism, scene.request);
+}
 
 /// A form of drawings, by the extension of its files.
 struct Form {
   const char* extension;
-  std::string (*text)(const Drawing&);
+  std::string (*text)(const Scene&, const DrawOptions&);
 };
 
-constexpr std::array forms = {Form{".svg", mechanism::drawing_svg},
-                              Form{".dxf", mechanism::drawing_dxf}};
+constexpr std::array forms = {Form{".svg", svg}, Form{".html", page}, Form{".dxf", dxf}};
 
 const Form& form_of(const std::filesystem::path& file) {
   const std::string extension = file.extension().string();
@@ -48,11 +76,10 @@ const Form& form_of(const std::filesystem::path& file) {
 void draw_scene(const DrawOptions& options) {
   const std::filesystem::path file = options.output;
   const Form& form = form_of(file);
-  const mechanism::Scene scene = mechanism::read_scene(options.scene, options.settings);
+  const Scene scene = mechanism::read_scene(options.scene, options.settings);
   try {
-    const Drawing drawing = mechanism::drawing_of(scene.mechanism, scene.request,
-                                                  {options.configuration, options.nearest});
-    emission::cpp::write_files({{file.filename(), form.text(drawing)}},
+    const std::string text = form.text(scene, options);
+    emission::cpp::write_files({{file.filename(), text}},
                                file.has_parent_path() ? file.parent_path() : ".");
   } catch (const mechanism::MechanismError& error) {
     throw text::InputError(scene.file + ": " + error.what());

@@ -12,6 +12,7 @@ struct DrawOptions {
   std::string output;     ///< the file; its extension says which form it has
   int configuration = 0;  ///< 0 for all
   bool nearest = false;   ///< the configuration nearest to the scene's reference
+  bool moving = false;    ///< a branch of the sweep in motion
 };
 
 /// Draws the scene and writes the file. Throws InputError for what cannot be used or drawn, for an

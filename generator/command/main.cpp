@@ -194,7 +194,7 @@ int run(int argc, char** argv) {
   DrawOptions draw;
   command = app.add_subcommand("draw", "a picture of a scene, by the extension of its file");
   command->add_option("scene", draw.scene, "scene file (JSON)")->required()->check(not_empty);
-  command->add_option("--output", draw.output, "file to write: .svg or .dxf")
+  command->add_option("--output", draw.output, "file to write: .svg, .html or .dxf")
       ->required()
       ->check(not_empty);
   command->add_option("--set", draw.settings, "NAME=EXPR, replaces a parameter's value")
@@ -207,6 +207,8 @@ int run(int argc, char** argv) {
       ->add_flag("--nearest", draw.nearest,
                  "draw the configuration nearest to the scene's reference alone")
       ->excludes("--configuration");
+  command->add_flag("--moving", draw.moving,
+                    ".svg: one branch of the sweep in motion, that which --configuration numbers");
   command->callback([&] {
     chosen = [&] {
       draw_scene(draw);

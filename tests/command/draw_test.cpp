@@ -60,6 +60,13 @@ TEST(Draw, RefusesWhatHasNoConfiguration) {
   expect_refusal("none.json", "picture.svg", "none.json");
 }
 
+TEST(Draw, RefusesOptionsOfOtherForms) {
+  expect_refusal(four_bar + " --moving", "picture.dxf", "--moving: an .svg may move");
+  expect_refusal(four_bar + " --moving", "picture.html", "--moving: an .svg may move");
+  expect_refusal(four_bar + " --configuration 1", "picture.html", "a page has all branches");
+  expect_refusal(four_bar + " --moving --configuration 5", "picture.svg", "no branch 5");
+}
+
 TEST(Draw, RefusesWhatMovesFreely) {
   const TemporaryDirectory directory;
   const std::string scene = directory.write("scene.json", parallelogram).string();

@@ -68,7 +68,8 @@ House house() {
               part("follow", {"description", "models", "plan", "values", "solve"}),
               part("report", {"description", "models", "plan", "values", "solve"},
                    {"Eigen", "nlohmann"}),
-              part("draw", {"description", "models", "plan", "values", "solve", "follow"}),
+              part("draw", {"description", "models", "plan", "values", "solve", "follow"},
+                   {"Eigen", "nlohmann"}),
 
               {"generator", "assur::generator", {}, {}},
               stage("structure", {}, {}),
@@ -132,6 +133,7 @@ Files files_of_the_project() {
   // They are written while the project is built.
   files["generator/emission/cpp/templates.hpp"] = "";
   files["generator/audit/running/templates.hpp"] = "";
+  files["mechanism/src/draw/templates.hpp"] = "";
   return files;
 }
 

@@ -82,4 +82,18 @@ Eigen::Vector2d position(const Anchor& anchor, const Mechanism& mechanism,
   return carried(*poses[mechanism.features()[anchor.feature].link], local);
 }
 
+double size_of(const Mechanism& mechanism, const FeatureFrames& frames, const LinkPoses& poses) {
+  Eigen::Vector2d lowest = Eigen::Vector2d::Constant(INFINITY);
+  Eigen::Vector2d highest = -lowest;
+  for (const FeatureIndex feature : mechanism.features().keys()) {
+    if (poses[mechanism.features()[feature].link] && !mechanism.features()[feature].is_line) {
+      const Eigen::Vector2d at = position(Anchor{feature}, mechanism, frames, poses, {}, 0);
+      lowest = lowest.cwiseMin(at);
+      highest = highest.cwiseMax(at);
+    }
+  }
+  const double size = (highest - lowest).norm();
+  return size > 0 && std::isfinite(size) ? size : 1;
+}
+
 }  // namespace assur::mechanism::draw

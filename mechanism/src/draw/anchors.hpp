@@ -54,4 +54,9 @@ void include_displacements(const Mechanism& mechanism, const Mechanism& planned,
                                        const FeatureFrames& frames, const LinkPoses& poses,
                                        const Reaches& reaches, double size);
 
+/// The diagonal of the box about the points of a configuration's links; one where they are in one
+/// place.
+[[nodiscard]] double size_of(const Mechanism& mechanism, const FeatureFrames& frames,
+                             const LinkPoses& poses);
+
 }  // namespace assur::mechanism::draw

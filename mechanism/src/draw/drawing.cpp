@@ -78,20 +78,6 @@ Chosen chosen_of(const Plan& plan, const Values& values, const DrawingChoice& ch
   return chosen;
 }
 
-/// The diagonal of the box about the points of a configuration's links.
-double size_of(const Mechanism& mechanism, const FeatureFrames& frames, const LinkPoses& poses) {
-  Eigen::Vector2d lowest = Eigen::Vector2d::Constant(INFINITY);
-  Eigen::Vector2d highest = -lowest;
-  for (const FeatureIndex feature : mechanism.features().keys()) {
-    if (poses[mechanism.features()[feature].link] && !mechanism.features()[feature].is_line) {
-      const Eigen::Vector2d at = position(Anchor{feature}, mechanism, frames, poses, {}, 0);
-      lowest = lowest.cwiseMin(at);
-      highest = highest.cwiseMax(at);
-    }
-  }
-  return (highest - lowest).norm();
-}
-
 }  // namespace
 
 }  // namespace assur::mechanism::draw
@@ -129,8 +115,7 @@ Drawing drawing_of(const Mechanism& mechanism, const Request& request,
     poses.push_back(draw::link_poses(mechanism, plan.mechanism(), configuration));
     draw::include_displacements(mechanism, plan.mechanism(), configuration, ways.reaches[place]);
   }
-  const double extent = draw::size_of(mechanism, frames, poses[chosen.emphasised]);
-  const double size = extent > 0 ? extent : 1;  // all points may be one
+  const double size = draw::size_of(mechanism, frames, poses[chosen.emphasised]);
   draw::Symbols symbols = draw::symbols_of(
       {mechanism, frames, poses[chosen.emphasised], ways.reaches[chosen.emphasised], size});
   if (symbols.shapes.empty()) {

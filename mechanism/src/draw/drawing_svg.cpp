@@ -22,9 +22,9 @@ path{fill:none;stroke-linecap:round;stroke-linejoin:round;stroke-width:1}
 .bar{stroke-width:2.6}
 .rod{stroke-width:2.2}
 .tube,.block{stroke-width:1.3}
+.ground{stroke-width:1.3}
 .slot{stroke-width:8.6}
 .gap{stroke-width:6.4}
-.ground{stroke-width:1.3}
 .hatch{stroke-width:.7}
 .support,.pin,.scale path{stroke-width:1.1}
 .trace{stroke-width:1}
@@ -104,6 +104,20 @@ void add_lines(const std::vector<Vector2d>& corners, bool closed, double weight,
   }
 }
 
+/// How far the edges of a shape, and the hatching of the ground, are from its line.
+std::vector<double> half_widths(const Shape& shape) {
+  switch (shape.symbol) {
+    case Symbol::tube:
+      return {4};
+    case Symbol::slot:
+      return shape.fixed ? std::vector<double>{4, 8} : std::vector<double>{4};
+    case Symbol::guide:
+      return shape.fixed ? std::vector<double>{3} : std::vector<double>{};
+    default:
+      return {};
+  }
+}
+
 Obstacles obstacles_of(const Drawing& drawing, const Picture& picture) {
   Obstacles obstacles;
   obstacles.inside = {Vector2d(1, 1),
@@ -122,12 +136,11 @@ Obstacles obstacles_of(const Drawing& drawing, const Picture& picture) {
       for (const std::size_t point : shape.points) {
         at.push_back(picture.at(stance.points[point]));
       }
-      const bool is_wide = shape.symbol == Symbol::tube || shape.symbol == Symbol::slot;
       const double weight = &stance == &emphasised ? 4 : 0.4;
       add_lines(at, shape.symbol == Symbol::plate, weight, obstacles);
-      if (is_wide) {
+      for (const double half : half_widths(shape)) {
         const Vector2d along = (at[1] - at[0]).normalized();
-        const Vector2d aside = 4 * Vector2d(-along.y(), along.x());
+        const Vector2d aside = half * Vector2d(-along.y(), along.x());
         add_lines({at[0] + aside, at[1] + aside}, false, weight, obstacles);
         add_lines({at[0] - aside, at[1] - aside}, false, weight, obstacles);
       }
@@ -156,13 +169,26 @@ Obstacles obstacles_of(const Drawing& drawing, const Picture& picture) {
   return obstacles;
 }
 
-/// Pins and outputs by their names, each name at a place once.
+/// The emphasised stance, or all moments of its motion.
+std::string links(const Drawing& drawing, const Picture& picture) {
+  if (drawing.motion.empty()) {
+    return written(stance_elements(drawing, drawing.stances[drawing.emphasised], picture));
+  }
+  std::vector<SvgElements> moments;
+  for (const Stance& stance : drawing.motion) {
+    moments.push_back(stance_elements(drawing, stance, picture));
+  }
+  return written_moving(moments, drawing.seconds);
+}
+
+/// Pins and outputs by their names, each name at a place once; of what moves, those that stand.
 std::string labels(const Drawing& drawing, const Picture& picture) {
   LabelPlacer placer(obstacles_of(drawing, picture));
   const Stance& stance = drawing.stances[drawing.emphasised];
   std::set<std::pair<std::size_t, std::string>> told;
   for (const Shape& shape : drawing.shapes) {
     if ((shape.symbol == Symbol::pin || shape.symbol == Symbol::tracer) &&
+        (drawing.motion.empty() || shape.fixed) &&
         told.emplace(shape.points[0], shape.name).second) {
       placer.place(shape.name, picture.at(stance.points[shape.points[0]]));
     }
@@ -192,7 +218,8 @@ std::string drawing_svg(const Drawing& drawing) {
       exact(picture.scale) + "\">\n<title>" + escaped(drawing.title) + "</title>\n<style>\n" +
       style + colours_of_style(&Colour::light) + "@media (prefers-color-scheme:dark){\n" +
       colours_of_style(&Colour::dark) +
-      "}\n</style>\n<rect class=\"paper\" width=\"320\" height=\"" + height + "\"/>\n";
+      ".light{opacity:.65}\n}\n</style>\n<rect class=\"paper\" width=\"320\" height=\"" + height +
+      "\"/>\n";
   text +=
       traces(drawing, picture, 0).empty() ? "" : group_of(0, " light", traces(drawing, picture, 0));
   const Stance& emphasised = drawing.stances[drawing.emphasised];
@@ -202,13 +229,12 @@ std::string drawing_svg(const Drawing& drawing) {
       text += group_of(stance.configuration,
                        " light" + (dash.empty() ? "" : "\" stroke-dasharray=\"" + dash),
                        traces(drawing, picture, stance.configuration) +
-                           outline_elements(drawing, stance, picture));
+                           written(outline_elements(drawing, stance, picture)));
     }
   }
-  text += ground_elements(drawing, picture);
+  text += written(ground_elements(drawing, picture));
   text += group_of(emphasised.configuration, "",
-                   traces(drawing, picture, emphasised.configuration) +
-                       stance_elements(drawing, emphasised, picture));
+                   traces(drawing, picture, emphasised.configuration) + links(drawing, picture));
   text += marks(drawing, picture);
   text += labels(drawing, picture);
   text += legend_elements(drawing, picture);

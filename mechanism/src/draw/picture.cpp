@@ -24,6 +24,9 @@ Picture picture_of(const Drawing& drawing, double legend) {
   for (const Stance& stance : drawing.stances) {
     include(stance.points);
   }
+  for (const Stance& stance : drawing.motion) {
+    include(stance.points);
+  }
   for (const Trace& trace : drawing.traces) {
     include(trace.points);
   }

@@ -14,18 +14,13 @@ using Eigen::Vector2d;
 
 // In units of the picture, a quarter of a millimetre.
 constexpr double pin_radius = 3;
+constexpr double tracer_radius = 1.6;
 constexpr double slot_width = 8.6;
 constexpr double tube_width = 8;
 constexpr double hatch_step = 5;
 constexpr double hatch_length = 4.5;
 const Vector2d block_half(7.5, 4.8);
 const Vector2d support_half(6, 9);
-
-std::string titled(const std::string& element, const std::string& attributes,
-                   const std::string& title) {
-  return "<" + element + attributes +
-         (title.empty() ? "/>" : "><title>" + escaped(title) + "</title></" + element + ">") + "\n";
-}
 
 std::string path(std::initializer_list<Vector2d> points) {
   std::string text = "M";
@@ -35,10 +30,9 @@ std::string path(std::initializer_list<Vector2d> points) {
   return text;
 }
 
-std::string line(const char* kind, const Vector2d& from, const Vector2d& to,
-                 const std::string& title = "") {
-  return titled("path", " class=\"" + std::string(kind) + "\" d=\"" + path({from, to}) + "\"",
-                title);
+SvgElement line(const char* kind, const Vector2d& from, const Vector2d& to,
+                const std::string& title = "") {
+  return {kind, {{"d", path({from, to})}}, "", title};
 }
 
 Vector2d direction(const Vector2d& from, const Vector2d& to) {
@@ -49,7 +43,7 @@ Vector2d direction(const Vector2d& from, const Vector2d& to) {
 Vector2d across(const Vector2d& along) { return {-along.y(), along.x()}; }
 
 /// Short strokes on one side of a line, that which is farther down.
-std::string hatching(const Vector2d& from, const Vector2d& to, double aside) {
+SvgElement hatching(const Vector2d& from, const Vector2d& to, double aside) {
   const Vector2d along = direction(from, to);
   Vector2d side = across(along);
   side *= side.y() < 0 || (side.y() == 0 && side.x() > 0) ? -1 : 1;
@@ -61,25 +55,31 @@ std::string hatching(const Vector2d& from, const Vector2d& to, double aside) {
     const Vector2d foot = from + (first + hatch_step * stroke) * along + aside * side;
     strokes += path({foot, foot + hatch_length * (0.8 * side - 0.6 * along)});
   }
-  return "<path class=\"hatch\" d=\"" + strokes + "\"/>\n";
+  return {"hatch", {{"d", strokes}}};
 }
 
 /// A rectangle about a line.
-std::string rectangle(const char* kind, const Vector2d& from, const Vector2d& to, double half,
-                      const std::string& title) {
+SvgElement rectangle(const char* kind, const Vector2d& from, const Vector2d& to, double half,
+                     const std::string& title) {
   const Vector2d side = half * across(direction(from, to));
-  return titled("path",
-                " class=\"" + std::string(kind) + "\" d=\"" +
-                    path({from + side, to + side, to - side, from - side}) + "Z\"",
-                title);
+  return {kind, {{"d", path({from + side, to + side, to - side, from - side}) + "Z"}}, "", title};
 }
 
-std::string support(const Vector2d& pin) {
+SvgElement circle(const char* kind, const Vector2d& centre, double radius,
+                  const std::string& title) {
+  return {kind,
+          {{"cx", coordinate(centre.x())}, {"cy", coordinate(centre.y())}},
+          attribute("r", radius),
+          title};
+}
+
+SvgElements support(const Vector2d& pin) {
   const Vector2d left = pin + Vector2d(-support_half.x(), support_half.y());
   const Vector2d right = pin + support_half;
   const Vector2d more(2, 0);
-  return "<path class=\"support\" d=\"" + path({pin, left, right}) + "Z\"/>\n" +
-         line("ground", left - more, right + more) + hatching(left - more, right + more, 0);
+  return {{"support", {{"d", path({pin, left, right}) + "Z"}}},
+          line("ground", left - more, right + more),
+          hatching(left - more, right + more, 0)};
 }
 
 /// The points of a shape in the picture.
@@ -99,72 +99,50 @@ std::string outline(const std::vector<Vector2d>& corners) {
   return text + (corners.size() > 2 ? "Z" : "");
 }
 
-std::string slot(const std::vector<Vector2d>& at, bool fixed, const std::string& title) {
-  const std::string d = " d=\"" + path({at[0], at[1]}) + "\"";
-  return titled("path", std::string(" class=\"") + (fixed ? "ground " : "") + "slot\"" + d, title) +
-         "<path class=\"gap\"" + d + "/>\n";
-}
-
-std::string element(const Shape& shape, const std::vector<Vector2d>& at) {
+SvgElements elements_of(const Shape& shape, const std::vector<Vector2d>& at) {
   const std::string title =
       shape.link + (shape.link.empty() || shape.name.empty() ? "" : ": ") + shape.name;
   switch (shape.symbol) {
     case Symbol::bar:
-      return line("bar", at[0], at[1], title);
+      return {line("bar", at[0], at[1], title)};
     case Symbol::plate:
-      return titled("path", " class=\"plate\" d=\"" + outline(at) + "\"", title);
+      return {{"plate", {{"d", outline(at)}}, "", title}};
     case Symbol::slot:
-      return slot(at, shape.fixed, title);
+      return {line(shape.fixed ? "ground slot" : "slot", at[0], at[1], title),
+              line("gap", at[0], at[1])};
     case Symbol::guide:
-      return line(shape.fixed ? "ground" : "guide", at[0], at[1], title);
+      return {line(shape.fixed ? "ground" : "guide", at[0], at[1], title)};
     case Symbol::block: {
       const Vector2d half = block_half.x() * direction(at[0], at[1]);
-      return rectangle("block", at[0] - half, at[0] + half, block_half.y(), title);
+      return {rectangle("block", at[0] - half, at[0] + half, block_half.y(), title)};
     }
     case Symbol::tube: {
       const Vector2d begin = at[0] + 5 * direction(at[0], at[1]);
-      return line("bar", at[0], begin) + rectangle("tube", begin, at[1], tube_width / 2, title);
+      return {line("bar", at[0], begin), rectangle("tube", begin, at[1], tube_width / 2, title)};
     }
     case Symbol::rod:
-      return line("rod", at[0], at[1], title);
+      return {line("rod", at[0], at[1], title)};
     case Symbol::pin:
-      return titled("circle",
-                    " class=\"pin\"" + attribute("cx", at[0].x()) + attribute("cy", at[0].y()) +
-                        attribute("r", pin_radius),
-                    title);
+      return {circle("pin", at[0], pin_radius, title)};
     case Symbol::tracer:
-      return titled("circle",
-                    " class=\"tracer\"" + attribute("cx", at[0].x()) + attribute("cy", at[0].y()) +
-                        attribute("r", 1.6),
-                    title);
+      return {circle("tracer", at[0], tracer_radius, title)};
   }
-  return "";
+  return {};
 }
 
-/// Symbols from back to front.
-constexpr std::array layers = {Symbol::plate, Symbol::bar,  Symbol::rod,  Symbol::tube,
-                               Symbol::guide, Symbol::slot, Symbol::block};
-constexpr std::array points = {Symbol::pin, Symbol::tracer};
-
-template <typename Layers>
-std::string in_layers(const Layers& symbols, const Drawing& drawing, const Stance& stance,
-                      const Picture& picture) {
-  std::string text;
-  for (const Symbol symbol : symbols) {
-    for (const Shape& shape : drawing.shapes) {
-      const bool of_ground = shape.fixed && (symbol == Symbol::slot || symbol == Symbol::guide);
-      if (shape.symbol == symbol && !of_ground) {
-        text += element(shape, places(shape, stance, picture));
-      }
-    }
-  }
-  return text;
+void append(const SvgElements& more, SvgElements& elements) {
+  elements.insert(elements.end(), more.begin(), more.end());
 }
+
+/// From back to front.
+constexpr std::array layers = {Symbol::plate, Symbol::bar,   Symbol::rod,
+                               Symbol::tube,  Symbol::guide, Symbol::slot,
+                               Symbol::block, Symbol::pin,   Symbol::tracer};
 
 }  // namespace
 
-std::string ground_elements(const Drawing& drawing, const Picture& picture) {
-  std::string text;
+SvgElements ground_elements(const Drawing& drawing, const Picture& picture) {
+  SvgElements elements;
   const Stance& stance = drawing.stances[drawing.emphasised];
   for (const Shape& shape : drawing.shapes) {
     if (!shape.fixed || shape.symbol == Symbol::tracer) {
@@ -172,20 +150,30 @@ std::string ground_elements(const Drawing& drawing, const Picture& picture) {
     }
     const std::vector<Vector2d> at = places(shape, stance, picture);
     if (shape.symbol == Symbol::pin) {
-      text += support(at[0]);
+      append(support(at[0]), elements);
     } else {
       const bool is_slot = shape.symbol == Symbol::slot;
-      text += hatching(at[0], at[1], is_slot ? slot_width / 2 : 0) + element(shape, at);
+      elements.push_back(hatching(at[0], at[1], is_slot ? slot_width / 2 : 0));
+      append(elements_of(shape, at), elements);
     }
   }
-  return text;
+  return elements;
 }
 
-std::string stance_elements(const Drawing& drawing, const Stance& stance, const Picture& picture) {
-  return in_layers(layers, drawing, stance, picture) + in_layers(points, drawing, stance, picture);
+SvgElements stance_elements(const Drawing& drawing, const Stance& stance, const Picture& picture) {
+  SvgElements elements;
+  for (const Symbol symbol : layers) {
+    for (const Shape& shape : drawing.shapes) {
+      const bool of_ground = shape.fixed && (symbol == Symbol::slot || symbol == Symbol::guide);
+      if (shape.symbol == symbol && !of_ground) {
+        append(elements_of(shape, places(shape, stance, picture)), elements);
+      }
+    }
+  }
+  return elements;
 }
 
-std::string outline_elements(const Drawing& drawing, const Stance& stance, const Picture& picture) {
+SvgElements outline_elements(const Drawing& drawing, const Stance& stance, const Picture& picture) {
   std::string lines;
   for (const Shape& shape : drawing.shapes) {
     const bool is_link = shape.symbol == Symbol::bar || shape.symbol == Symbol::plate ||
@@ -194,7 +182,7 @@ std::string outline_elements(const Drawing& drawing, const Stance& stance, const
       lines += outline(places(shape, stance, picture));
     }
   }
-  return "<path class=\"outline\" d=\"" + lines + "\"/>\n";
+  return {{"outline", {{"d", lines}}}};
 }
 
 }  // namespace assur::mechanism::draw

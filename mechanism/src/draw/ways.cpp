@@ -12,21 +12,7 @@ namespace assur::mechanism::draw {
 namespace {
 
 /// A curve of so many pieces looks smooth, whatever the steps of the scene's own table.
-constexpr int pieces = 360;
-
-/// `fold 1 2 on 3`: the word, and the numbers of branches.
-std::pair<std::string, std::vector<int>> parts_of(const std::string& event) {
-  std::istringstream words(event);
-  std::string kind;
-  words >> kind;
-  std::vector<int> branches;
-  for (std::string word; words >> word;) {
-    if (std::isdigit(static_cast<unsigned char>(word[0])) != 0) {
-      branches.push_back(std::stoi(word));
-    }
-  }
-  return {kind, branches};
-}
+constexpr int pieces = 240;
 
 class WayFollower {
  public:
@@ -129,7 +115,7 @@ class WayFollower {
   }
 
   void add_event(const Plan& plan, const SweepRecord& row) {
-    const auto [kind, branches] = parts_of(row.event);
+    const auto [kind, branches] = parts_of_event(row.event);
     Mark mark{kind, row.parameter, {}, {}};
     for (const int branch : branches) {
       if (!starts_here_ || place_of(branch) < configurations_.size()) {
@@ -173,6 +159,19 @@ class WayFollower {
 };
 
 }  // namespace
+
+std::pair<std::string, std::vector<int>> parts_of_event(const std::string& event) {
+  std::istringstream words(event);
+  std::string kind;
+  words >> kind;
+  std::vector<int> branches;
+  for (std::string word; words >> word;) {
+    if (std::isdigit(static_cast<unsigned char>(word[0])) != 0) {
+      branches.push_back(std::stoi(word));
+    }
+  }
+  return {kind, branches};
+}
 
 Ways ways_of(const Mechanism& mechanism, const Request& request,
              const std::vector<int>& configurations) {

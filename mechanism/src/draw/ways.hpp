@@ -23,4 +23,7 @@ struct Ways {
 [[nodiscard]] Ways ways_of(const Mechanism& mechanism, const Request& request,
                            const std::vector<int>& configurations);
 
+/// What an event of a sweep is, and the numbers of its branches: `fold 1 2 on 3`.
+[[nodiscard]] std::pair<std::string, std::vector<int>> parts_of_event(const std::string& event);
+
 }  // namespace assur::mechanism::draw

@@ -11,6 +11,7 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "largest.hpp"
 #include "mechanism/drawn_scene.hpp"
@@ -311,6 +312,68 @@ TEST(DrawingBesideItsSweep, HasWaysWithoutConfigurations) {
     EXPECT_EQ(trace.configuration, 0);
   }
   EXPECT_NO_THROW(Picture{drawing});
+}
+
+std::vector<double> values_of(const XmlElement& pin, const std::string& attribute) {
+  std::vector<double> values;
+  for (const XmlElement& child : pin.children) {
+    if (child.name == "animate" && child.attribute("attributeName") == attribute) {
+      std::istringstream in(child.attribute("values"));
+      for (std::string value; std::getline(in, value, ';');) {
+        values.push_back(std::stod(value));
+      }
+    }
+  }
+  return values;
+}
+
+/// A full turn goes round; every moment is a solved position.
+TEST(MovingDrawing, HasPinsWhereTheyAreSolved) {
+  const Made made = slider_crank(1);
+  const Picture picture(moving_drawing_of(made.mechanism, made.request, 1));
+  const Plan plan(made.mechanism, made.request);
+  std::set<std::string> moving;
+  double worst = 0;
+  for (const XmlElement* element : picture.elements) {
+    if (element->attribute("class") != "pin" || element->children.size() < 2) {
+      continue;
+    }
+    const std::vector<double> u = values_of(*element, "cx");
+    const std::vector<double> v = values_of(*element, "cy");
+    ASSERT_EQ(u.size(), v.size());
+    ASSERT_EQ(60 % (u.size() - 1), 0U);
+    EXPECT_EQ(u.front(), u.back());
+    for (std::size_t moment = 0; moment < u.size(); ++moment) {
+      const double part = static_cast<double>(moment) / static_cast<double>(u.size() - 1);
+      const mechanism::Values values = plan.values({{"phi", 2 * std::acos(-1) * part}});
+      const auto pins = pins_of(plan, values, plan.solve(values).configurations[0]);
+      const Eigen::Vector2d at = picture.in_scene(u[moment], v[moment]);
+      worst = largest(
+          worst, (at - pins.at(element->children[0].text)).norm() * picture.number("data-scale"));
+    }
+    moving.insert(element->children[0].text);
+  }
+  EXPECT_EQ(moving, (std::set<std::string>{"B", "C"}));
+  EXPECT_LT(worst, 0.0072);
+}
+
+/// A sweep of half a turn ends elsewhere than it begins.
+TEST(MovingDrawing, GoesToAndFroWhereItIsNotClosed) {
+  Made made = slider_crank(1);
+  made.request.sweep->to = made.mechanism.add_number("pi", "sweep.to");
+  const Drawing drawing = moving_drawing_of(made.mechanism, made.request);
+  const std::size_t count = drawing.motion.size();
+  ASSERT_GT(count, 20U);
+  for (std::size_t moment = 0; moment < count; ++moment) {
+    EXPECT_EQ(drawing.motion[moment].points, drawing.motion[count - 1 - moment].points);
+  }
+}
+
+TEST(MovingDrawing, NeedsASweepAndItsBranch) {
+  Made made = slider_crank(1);
+  EXPECT_THROW((void)moving_drawing_of(made.mechanism, made.request, 3), mechanism::MechanismError);
+  made.request.sweep.reset();
+  EXPECT_THROW((void)moving_drawing_of(made.mechanism, made.request), mechanism::MechanismError);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Turns a mechanism and its configurations into a drawing, and a drawing into SVG or DXF.
+// Turns a mechanism and its configurations into a drawing, in SVG, DXF or an animated page.
 #pragma once
 
 #include <Eigen/Core>
@@ -63,6 +63,9 @@ struct Drawing {
   std::size_t left_out = 0;    ///< configurations that are not drawn
   std::vector<Trace> traces;
   std::vector<Mark> marks;
+  /// The emphasised stance from moment to moment, round and round; empty where it stands still.
+  std::vector<Stance> motion;
+  double seconds = 0;  ///< for one round
 };
 
 /// Which configurations are drawn.
@@ -81,6 +84,13 @@ inline constexpr std::size_t most_drawn = 24;
 [[nodiscard]] Drawing drawing_of(const Mechanism& mechanism, const Request& request,
                                  const DrawingChoice& choice = {});
 
+/// One branch of the request's sweep in motion, by its number in the sweep, or for 0 the one
+/// nearest to the reference, or else the first. It goes round where it ends as it begins, and
+/// otherwise to and fro. Throws MechanismError as `drawing_of` does, and where the request has no
+/// sweep.
+[[nodiscard]] Drawing moving_drawing_of(const Mechanism& mechanism, const Request& request,
+                                        int branch = 0);
+
 /// A picture 80 mm wide, in one file that needs no other. It shows itself light or dark as the
 /// reader prefers. The root's `data-x`, `data-y` and `data-scale` say how its coordinates (u, v)
 /// come from the scene's: u = data-scale (x - data-x), v = data-scale (data-y - y).
@@ -89,5 +99,10 @@ inline constexpr std::size_t most_drawn = 24;
 /// A drawing for CAD in the ASCII form of DXF R12, in the scene's unit: a layer for each link of
 /// each configuration, for its pins, for each output's way, and for dead centres.
 [[nodiscard]] std::string drawing_dxf(const Drawing& drawing);
+
+/// One HTML page below a megabyte that needs no other file and no network: it animates all branches
+/// of the request's sweep, or shows all configurations where it has none. Throws MechanismError as
+/// `drawing_of` does, and where no step of the sweep has a configuration.
+[[nodiscard]] std::string drawing_page(const Mechanism& mechanism, const Request& request);
 
 }  // namespace assur::mechanism

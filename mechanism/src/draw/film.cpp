@@ -1,0 +1,206 @@
+#include "draw/film.hpp"
+
+#include <algorithm>
+#include <assur/mechanism/plan.hpp>
+#include <assur/mechanism/sweep.hpp>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "draw/symbols.hpp"
+#include "draw/ways.hpp"
+
+namespace assur::mechanism::draw {
+
+namespace {
+
+/// An animation of fewer steps is not smooth, one of more has none that can be seen.
+constexpr int fewest_steps = 180;
+constexpr int most_steps = 720;
+constexpr int output_numbers = 6;
+
+/// A configuration at a step.
+struct Row {
+  int step;
+  LinkPoses poses;
+  std::vector<double> outputs;
+};
+
+class FilmMaker {
+ public:
+  FilmMaker(const Mechanism& mechanism, const Request& request)
+      : mechanism_(mechanism), request_(request), plan_(mechanism, request) {}
+
+  Film made(std::size_t most_bytes) {
+    if (!request_.sweep) {
+      record_configurations();
+      return finished();
+    }
+    const Values values = plan_.values();
+    film_.from = values.value_of(request_.sweep->from);
+    film_.to = values.value_of(request_.sweep->to);
+    const int own = request_.sweep->count - 1;
+    const int fine = own == 0 || own >= fewest_steps ? own : own * ((fewest_steps - 1) / own + 1);
+    film_.count = std::min(fine, most_steps) + 1;
+    while (true) {
+      record_sweep();
+      Film film = finished();
+      const std::size_t bytes = bytes_of(film);
+      if (bytes <= most_bytes || film_.count <= 2) {
+        return film;
+      }
+      const double part = static_cast<double>(most_bytes) / static_cast<double>(bytes);
+      film_.count = std::max(static_cast<int>(part * (film_.count - 1)), 1) + 1;
+    }
+  }
+
+ private:
+  static std::size_t bytes_of(const Film& film) {
+    std::size_t numbers = 0;
+    for (const FilmedBranch& branch : film.branches) {
+      numbers += branch.points.size() + branch.outputs.size();
+    }
+    return numbers * sizeof(float) * 4 / 3;  // in base 64
+  }
+
+  void record_configurations() {
+    const Solution solution = plan_.solve(plan_.values());
+    int number = 0;
+    for (const Configuration& configuration : solution.configurations) {
+      record(++number, 0, configuration);
+    }
+    if (!request_.reference.empty() && number > 0) {
+      film_.chosen = static_cast<int>(plan_.nearest(plan_.values(), solution)->configuration) + 1;
+    }
+  }
+
+  void record_sweep() {
+    rows_.clear();
+    reaches_.clear();
+    film_.events.clear();
+    Request request = request_;
+    request.sweep->count = film_.count;
+    const Plan plan(mechanism_, request);
+    choose(plan);
+    (void)sweep(plan, {[&](const SweepRecord& row) {
+                         if (row.event.empty()) {
+                           record(row.branch, row.step, *row.state);
+                         } else {
+                           const auto [kind, branches] = parts_of_event(row.event);
+                           film_.events.push_back({kind, branches, row.parameter});
+                         }
+                       },
+                       nullptr, nullptr});
+  }
+
+  /// At the first step branches have the numbers of the configurations.
+  void choose(const Plan& plan) {
+    if (request_.reference.empty()) {
+      return;
+    }
+    Values values = plan.values();
+    values.set(request_.sweep->parameter, film_.from);
+    const std::optional<Nearest> nearest = plan.nearest(values, plan.solve(values));
+    film_.chosen = nearest ? static_cast<int>(nearest->configuration) + 1 : 1;
+  }
+
+  void record(int branch, int step, const Configuration& configuration) {
+    Row row{step, link_poses(mechanism_, plan_.mechanism(), configuration), {}};
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    const double rates = configuration.rates_known ? 1 : unknown;
+    for (const Point& point : configuration.outputs) {
+      const Eigen::Vector2d velocity = request_.want.velocity
+                                           ? Eigen::Vector2d(rates * point.velocity)
+                                           : Eigen::Vector2d::Constant(unknown);
+      const Eigen::Vector2d acceleration = request_.want.acceleration
+                                               ? Eigen::Vector2d(rates * point.acceleration)
+                                               : Eigen::Vector2d::Constant(unknown);
+      for (const Eigen::Vector2d& part : {point.position, velocity, acceleration}) {
+        row.outputs.insert(row.outputs.end(), {part.x(), part.y()});
+      }
+    }
+    auto [reaches, is_new] = reaches_.try_emplace(branch, mechanism_.joints().size());
+    include_displacements(mechanism_, plan_.mechanism(), configuration, reaches->second);
+    rows_[branch].push_back(std::move(row));
+  }
+
+  /// What was recorded as points; the features of each step are evaluated once.
+  Film finished() {
+    if (rows_.empty()) {
+      const Values values = plan_.values();
+      throw MechanismError("", "there is nothing to draw: no-assembly" +
+                                   std::string(request_.sweep ? " at any step of the sweep" : "") +
+                                   ": " + plan_.obstacle(values));
+    }
+    Film film = film_;
+    Values values = plan_.values();
+    std::vector<FeatureFrames> frames;
+    for (int step = 0; step < film.count; ++step) {
+      if (request_.sweep) {
+        const double part = film.count == 1 ? 0 : static_cast<double>(step) / (film.count - 1);
+        values.set(request_.sweep->parameter, film.from + (film.to - film.from) * part);
+      }
+      frames.push_back(feature_frames(mechanism_, values));
+    }
+    if (!rows_.contains(film.chosen)) {
+      film.chosen = rows_.begin()->first;
+    }
+    const Row& first = rows_[film.chosen].front();
+    const FeatureFrames& first_frames = frames[static_cast<std::size_t>(first.step)];
+    const double size = size_of(mechanism_, first_frames, first.poses);
+    Symbols symbols =
+        symbols_of({mechanism_, first_frames, first.poses, reaches_.at(film.chosen), size});
+    film.shapes = std::move(symbols.shapes);
+    film.points = symbols.points.size();
+    for (const auto& [number, rows] : rows_) {
+      if (film.branches.size() == most_drawn) {
+        film.left_out = rows_.size() - most_drawn;
+        break;
+      }
+      film.branches.push_back(branch_of(number, rows, symbols.points, frames, size));
+    }
+    return film;
+  }
+
+  [[nodiscard]] FilmedBranch branch_of(int number, const std::vector<Row>& rows,
+                                       const std::vector<Anchor>& points,
+                                       const std::vector<FeatureFrames>& frames,
+                                       double size) const {
+    const auto steps = static_cast<std::size_t>(film_.count);
+    const std::size_t outputs = output_numbers * plan_.mechanism().outputs().size();
+    const float absent = std::numeric_limits<float>::quiet_NaN();
+    FilmedBranch branch{number, std::vector<float>(2 * steps * points.size(), absent),
+                        std::vector<float>(steps * outputs, absent)};
+    for (const Row& row : rows) {
+      const auto step = static_cast<std::size_t>(row.step);
+      for (std::size_t point = 0; point < points.size(); ++point) {
+        const Eigen::Vector2d at =
+            position(points[point], mechanism_, frames[step], row.poses, reaches_.at(number), size);
+        branch.points[2 * (step * points.size() + point)] = static_cast<float>(at.x());
+        branch.points[2 * (step * points.size() + point) + 1] = static_cast<float>(at.y());
+      }
+      for (std::size_t place = 0; place < outputs; ++place) {
+        branch.outputs[step * outputs + place] = static_cast<float>(row.outputs[place]);
+      }
+    }
+    return branch;
+  }
+
+  const Mechanism& mechanism_;
+  const Request& request_;
+  Plan plan_;
+  Film film_;
+  std::map<int, std::vector<Row>> rows_;
+  std::map<int, Reaches> reaches_;
+};
+
+}  // namespace
+
+Film film_of(const Mechanism& mechanism, const Request& request, std::size_t most_bytes) {
+  Request rates = request;
+  rates.want.sensitivity = false;
+  rates.covariance.reset();
+  return FilmMaker(mechanism, rates).made(most_bytes);
+}
+
+}  // namespace assur::mechanism::draw

@@ -1,0 +1,39 @@
+// Turns the sweep of a request into the frames of an animation.
+#pragma once
+
+#include <assur/mechanism/drawing.hpp>
+
+namespace assur::mechanism::draw {
+
+/// A branch of the sweep, step by step. Steps at which it is not, and rates that are not known, are
+/// NaN.
+struct FilmedBranch {
+  int number;                  ///< as in `assur solve --format csv`
+  std::vector<float> points;   ///< for each step x and y of each point of the shapes
+  std::vector<float> outputs;  ///< for each step x, y, vx, vy, ax, ay of each output
+};
+
+struct FilmedEvent {
+  std::string event;
+  std::vector<int> branches;
+  double parameter;
+};
+
+struct Film {
+  double from = 0, to = 0;  ///< of the swept parameter
+  int count = 1;            ///< of steps, both ends among them
+  std::vector<Shape> shapes;
+  std::size_t points = 0;  ///< in each step
+  std::vector<FilmedBranch> branches;
+  std::vector<FilmedEvent> events;
+  int chosen = 1;            ///< the branch that is looked at first
+  std::size_t left_out = 0;  ///< branches that are not in the film
+};
+
+/// The branches of the sweep, at steps that hold those of the scene, unless that takes more than
+/// `most_bytes`; without a sweep, the configurations. Throws MechanismError as `sweep` does, and
+/// where there is no configuration at any step.
+[[nodiscard]] Film film_of(const Mechanism& mechanism, const Request& request,
+                           std::size_t most_bytes);
+
+}  // namespace assur::mechanism::draw

@@ -1,0 +1,141 @@
+// Turns the data of the page into branches that can be asked where they are at any place of the sweep.
+"use strict";
+
+/** What the page shows at some values of the mechanism's parameters: the data of `film.hpp`. Here it
+ * is what the page was made with, whatever the values; a solver that solves anew stands in its place. */
+async function frames(values) {
+  return JSON.parse(document.getElementById("film").textContent);
+}
+
+/** Numbers of 32 bits out of base 64. */
+function numbersOf(text) {
+  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  return new Float32Array(bytes.buffer);
+}
+
+/** Rows of numbers, one for each step. */
+class Rows {
+  constructor(text, count) {
+    this.numbers = numbersOf(text);
+    this.width = this.numbers.length / count;
+    this.count = count;
+  }
+
+  /** The row at a place between two steps, linear between them; null where the branch is not. */
+  at(place) {
+    const step = Math.min(Math.floor(place), this.count - 1);
+    const part = place - step;
+    const next = Math.min(step + 1, this.count - 1);
+    const row = new Float64Array(this.width);
+    for (let column = 0; column < this.width; ++column) {
+      const here = this.numbers[step * this.width + column];
+      const there = this.numbers[next * this.width + column];
+      row[column] = part === 0 ? here : here + part * (there - here);
+    }
+    return this.width > 0 && Number.isNaN(row[0]) ? null : row;
+  }
+
+  value(step, column) {
+    return this.numbers[step * this.width + column];
+  }
+}
+
+/** A branch: where its points are, and its outputs as x, y, vx, vy, ax, ay each. */
+class Branch {
+  constructor(data, film) {
+    this.number = data.number;
+    this.points = new Rows(data.points, film.count);
+    this.outputs = new Rows(data.outputs, film.count);
+    this.colour = (data.number - 1) % 6;
+    this.dash = [[], [8, 5], [2, 4], [10, 4, 2, 4]][Math.floor((data.number - 1) / 6) % 4];
+    this.box = this.extent();
+    this.way = this.wayOfOutputs();
+    this.longest = { velocity: this.longestOf(2), acceleration: this.longestOf(4) };
+  }
+
+  /** The curves of all outputs, in the scene's coordinates. */
+  wayOfOutputs() {
+    const way = new Path2D();
+    for (let column = 0; column < this.outputs.width; column += 6) {
+      let goesOn = false;
+      for (let step = 0; step < this.outputs.count; ++step) {
+        const x = this.outputs.value(step, column);
+        const isThere = !Number.isNaN(x);
+        if (isThere) {
+          const y = this.outputs.value(step, column + 1);
+          goesOn ? way.lineTo(x, y) : way.moveTo(x, y);
+        }
+        goesOn = isThere;
+      }
+    }
+    return way;
+  }
+
+  /** The largest length of a vector of the outputs. Beside dead centres they have no bound, so that
+   * a tenth of all is left out. */
+  longestOf(offset) {
+    const lengths = [];
+    const { numbers } = this.outputs;
+    for (let place = offset; place < numbers.length; place += 6) {
+      const length = Math.hypot(numbers[place], numbers[place + 1]);
+      if (Number.isFinite(length)) {
+        lengths.push(length);
+      }
+    }
+    lengths.sort((one, other) => one - other);
+    return lengths.length === 0 ? 0 : lengths[Math.floor(0.9 * (lengths.length - 1))];
+  }
+
+  /** The ends of all that is seen of it: [least x, least y, greatest x, greatest y]. */
+  extent() {
+    const box = [Infinity, Infinity, -Infinity, -Infinity];
+    const include = (rows, width) => {
+      for (let place = 0; place < rows.numbers.length; place += width) {
+        const x = rows.numbers[place];
+        const y = rows.numbers[place + 1];
+        if (Number.isFinite(x) && Number.isFinite(y)) {
+          box[0] = Math.min(box[0], x);
+          box[1] = Math.min(box[1], y);
+          box[2] = Math.max(box[2], x);
+          box[3] = Math.max(box[3], y);
+        }
+      }
+    };
+    include(this.points, 2);
+    include(this.outputs, 6);
+    return box;
+  }
+
+  /** Whether its last step is where its first one is, so that it can go on from there. */
+  isClosed(size) {
+    const first = this.points.at(0);
+    const last = this.points.at(this.points.count - 1);
+    return first !== null && last !== null &&
+      first.every((number, place) => Math.abs(number - last[place]) < 1e-4 * size);
+  }
+}
+
+class Film {
+  constructor(data) {
+    Object.assign(this, data);
+    this.branches = data.branches.map((branch) => new Branch(branch, data));
+    const boxes = this.branches.map((branch) => branch.box);
+    this.box = [0, 1, 2, 3].map((side) =>
+      (side < 2 ? Math.min : Math.max)(...boxes.map((box) => box[side])));
+    this.size = Math.hypot(this.box[2] - this.box[0], this.box[3] - this.box[1]) || 1;
+    this.hasRates = this.branches.some((branch) => branch.longest.velocity > 0);
+  }
+
+  branch(number) {
+    return this.branches.find((branch) => branch.number === number);
+  }
+
+  /** The swept parameter at a place. */
+  parameterAt(place) {
+    return this.count === 1 ? this.from : this.from + (this.to - this.from) * place / (this.count - 1);
+  }
+
+  placeOf(parameter) {
+    return this.from === this.to ? 0 : (parameter - this.from) / (this.to - this.from) * (this.count - 1);
+  }
+}

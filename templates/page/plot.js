@@ -1,0 +1,119 @@
+// Turns a quantity of an output into its curve along the sweep.
+
+/** What can be plotted, of a row x, y, vx, vy, ax, ay. */
+const quantities = [
+  ["x", (row) => row[0]],
+  ["y", (row) => row[1]],
+  ["speed", (row) => Math.hypot(row[2], row[3])],
+  ["v x", (row) => row[2]],
+  ["v y", (row) => row[3]],
+  ["acceleration", (row) => Math.hypot(row[4], row[5])],
+  ["a x", (row) => row[4]],
+  ["a y", (row) => row[5]],
+];
+
+function shortNumber(value) {
+  return String(Number(value.toPrecision(4)));
+}
+
+class Plot {
+  constructor(canvas, film) {
+    this.canvas = canvas;
+    this.film = film;
+    this.known = new Map();
+  }
+
+  /** The values of a quantity at all steps, by the numbers of the branches. */
+  curves(output, quantity) {
+    const key = `${output} ${quantity}`;
+    if (!this.known.has(key)) {
+      const value = quantities.find(([name]) => name === quantity)[1];
+      this.known.set(key, new Map(this.film.branches.map((branch) => [
+        branch.number,
+        Array.from({ length: this.film.count }, (_, step) => value(Array.from({ length: 6 },
+          (_, column) => branch.outputs.value(step, 6 * output + column)))),
+      ])));
+    }
+    return this.known.get(key);
+  }
+
+  /** The place of the film under a place of the canvas. */
+  placeAt(x) {
+    const part = (x - this.left) / (this.right - this.left);
+    return Math.min(1, Math.max(0, part)) * (this.film.count - 1);
+  }
+
+  draw(place, options, output, quantity) {
+    const context = cleared(this.canvas);
+    const width = this.canvas.clientWidth;
+    const height = this.canvas.clientHeight;
+    const known = this.curves(output, quantity);
+    const shown = this.film.branches.filter((one) => options.all || one.number === options.chosen);
+    const curves = shown.map((branch) => [branch, known.get(branch.number)]);
+    const own = curves.find(([branch]) => branch.number === options.chosen)[1].filter(Number.isFinite);
+    const all = curves.flatMap(([, values]) => values).filter(Number.isFinite);
+    // Beside dead centres rates have no bound: the scale is that of the branch that is looked at.
+    const bounded = quantity === "x" || quantity === "y" || own.length === 0 ? all : own;
+    let low = Math.min(...bounded);
+    let high = Math.max(...bounded);
+    [low, high] = low < high ? [low, high] : [low - 1, high + 1];
+    context.font = "12px system-ui, sans-serif";
+    const texts = [shortNumber(high), shortNumber(low)];
+    [this.left, this.right] = [8 + Math.max(...texts.map((text) => context.measureText(text).width)), width - 6];
+    const [top, bottom] = [8, height - 20];
+    const x = (step) => this.left + (this.right - this.left) * step / (this.film.count - 1);
+    const y = (number) => bottom - (bottom - top) * (number - low) / (high - low);
+
+    context.strokeStyle = colour("muted");
+    context.fillStyle = colour("muted");
+    context.lineWidth = 1;
+    context.strokeRect(this.left, top, this.right - this.left, bottom - top);
+    context.textAlign = "right";
+    context.fillText(texts[0], this.left - 4, top + 9);
+    context.fillText(texts[1], this.left - 4, bottom);
+    context.fillText(shortNumber(this.film.to), this.right, height - 5);
+    context.textAlign = "left";
+    context.fillText(shortNumber(this.film.from), this.left, height - 5);
+    context.textAlign = "center";
+    context.fillText(this.film.parameter, (this.left + this.right) / 2, height - 5);
+
+    context.save();
+    context.beginPath();
+    context.rect(this.left, top, this.right - this.left, bottom - top);
+    context.clip();
+    const line = (from, to) => {
+      context.beginPath();
+      context.moveTo(...from);
+      context.lineTo(...to);
+      context.stroke();
+    };
+    if (low < 0 && high > 0) {
+      line([this.left, y(0)], [this.right, y(0)]);
+    }
+    context.setLineDash([3, 3]);
+    for (const event of this.film.events) {
+      const at = x(this.film.placeOf(event.parameter));
+      line([at, top], [at, bottom]);
+    }
+    context.setLineDash([]);
+    for (const [branch, values] of curves) {
+      const strong = branch.number === options.chosen;
+      context.globalAlpha = strong ? 1 : 0.45;
+      context.lineWidth = strong ? 2 : 1;
+      context.strokeStyle = colour(`c${branch.colour}`);
+      context.beginPath();
+      values.forEach((number, step) => {
+        const goesOn = step > 0 && Number.isFinite(values[step - 1]);
+        if (Number.isFinite(number)) {
+          goesOn ? context.lineTo(x(step), y(number)) : context.moveTo(x(step), y(number));
+        }
+      });
+      context.stroke();
+    }
+    context.globalAlpha = 1;
+    context.restore();
+    context.strokeStyle = colour("ink");
+    context.lineWidth = 1;
+    line([x(place), top], [x(place), bottom]);
+  }
+}

@@ -1,0 +1,325 @@
+// Turns a place of the film into a picture of the mechanism on a canvas.
+
+/** The colours of the page's style that were asked for: to ask takes long. */
+const knownColours = new Map();
+
+/** A colour of the page's style. */
+function colour(name) {
+  if (!knownColours.has(name)) {
+    const style = getComputedStyle(document.documentElement);
+    knownColours.set(name, style.getPropertyValue(`--${name}`).trim());
+  }
+  return knownColours.get(name);
+}
+
+/** A canvas as large as it is seen, in pixels of the screen; returns its context in pixels of CSS. */
+function cleared(canvas) {
+  const ratio = window.devicePixelRatio || 1;
+  const width = Math.round(canvas.clientWidth * ratio);
+  const height = Math.round(canvas.clientHeight * ratio);
+  if (canvas.width !== width || canvas.height !== height) {
+    canvas.width = width;
+    canvas.height = height;
+  }
+  const context = canvas.getContext("2d");
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  context.clearRect(0, 0, canvas.clientWidth, canvas.clientHeight);
+  context.lineCap = "round";
+  context.lineJoin = "round";
+  return context;
+}
+
+class Stage {
+  constructor(canvas, film) {
+    this.canvas = canvas;
+    this.film = film;
+  }
+
+  /** `options`: chosen (a branch's number), all, ways, names, velocity, acceleration. */
+  draw(place, options) {
+    const context = cleared(this.canvas);
+    this.context = context;
+    this.unit = Math.min(1.6, Math.max(1.05, this.canvas.clientWidth / 400));
+    const chosen = this.film.branch(options.chosen);
+    this.fit(options.all ? this.film.box : chosen.box);
+    if (options.all) {
+      for (const branch of this.film.branches.filter((one) => one !== chosen)) {
+        context.globalAlpha = 0.45;
+        this.begin(branch, 1.1);
+        context.setLineDash(branch.dash);
+        this.outline(branch.points.at(place));
+        context.setLineDash([]);
+        this.ways(branch, options);
+      }
+      context.globalAlpha = 1;
+    }
+    const points = chosen.points.at(place) || chosen.points.at(this.nearest(chosen, place));
+    const isThere = chosen.points.at(place) !== null;
+    this.ground(points);
+    this.begin(chosen, 1.2);
+    this.ways(chosen, options);
+    if (isThere) {
+      this.links(points, chosen);
+      this.vectors(chosen, chosen.outputs.at(place), options);
+      if (options.names) {
+        this.names(points);
+      }
+    }
+    this.scale();
+  }
+
+  /** The step of a branch that is nearest to a place where it is not. */
+  nearest(branch, place) {
+    let best = 0;
+    let least = Infinity;
+    for (let step = 0; step < this.film.count; ++step) {
+      const distance = Math.abs(step - place);
+      if (distance < least && !Number.isNaN(branch.points.value(step, 0))) {
+        least = distance;
+        best = step;
+      }
+    }
+    return best;
+  }
+
+  fit(box) {
+    const margin = 30 * this.unit;
+    const width = this.canvas.clientWidth;
+    const height = this.canvas.clientHeight;
+    const sizes = [box[2] - box[0], box[3] - box[1]];
+    const zoom = Math.min((width - 2 * margin) / sizes[0], (height - 2 * margin) / sizes[1]);
+    this.zoom = Number.isFinite(zoom) ? zoom : 1;
+    this.left = width / 2 - this.zoom * (box[0] + box[2]) / 2;
+    this.top = height / 2 + this.zoom * (box[1] + box[3]) / 2;
+  }
+
+  at(x, y) {
+    return [this.left + this.zoom * x, this.top - this.zoom * y];
+  }
+
+  point(points, place) {
+    return this.at(points[2 * place], points[2 * place + 1]);
+  }
+
+  begin(branch, width) {
+    this.context.strokeStyle = colour(`c${branch.colour}`);
+    this.context.fillStyle = this.context.strokeStyle;
+    this.context.lineWidth = width * this.unit;
+  }
+
+  path(corners, closed = false) {
+    this.context.beginPath();
+    corners.forEach((corner, place) =>
+      place === 0 ? this.context.moveTo(...corner) : this.context.lineTo(...corner));
+    if (closed) {
+      this.context.closePath();
+    }
+  }
+
+  line(corners, width, closed = false) {
+    this.context.lineWidth = width * this.unit;
+    this.path(corners, closed);
+    this.context.stroke();
+  }
+
+  corners(shape, points) {
+    return shape.points.map((place) => this.point(points, place));
+  }
+
+  outline(points) {
+    if (points === null) {
+      return;
+    }
+    for (const shape of this.film.shapes) {
+      if (["bar", "plate", "rod", "tube"].includes(shape.symbol)) {
+        this.path(this.corners(shape, points), shape.symbol === "plate");
+        this.context.stroke();
+      }
+    }
+  }
+
+  ways(branch, options) {
+    if (!options.ways) {
+      return;
+    }
+    const { context, zoom } = this;
+    context.save();
+    context.transform(zoom, 0, 0, -zoom, this.left, this.top);
+    context.lineWidth /= zoom;
+    context.stroke(branch.way);
+    context.restore();
+  }
+
+  /** What stands still: supports, guides and slots of the ground. */
+  ground(points) {
+    this.context.strokeStyle = colour("muted");
+    for (const shape of this.film.shapes.filter((one) => one.fixed && one.symbol !== "tracer")) {
+      const at = this.corners(shape, points);
+      if (shape.symbol === "pin") {
+        this.support(at[0]);
+      } else {
+        const isSlot = shape.symbol === "slot";
+        this.hatching(at[0], at[1], isSlot ? 4.3 * this.unit : 0);
+        isSlot ? this.slot(at, colour("muted")) : this.line(at, 1.4);
+      }
+    }
+  }
+
+  support([x, y]) {
+    const [wide, high] = [7 * this.unit, 10 * this.unit];
+    this.line([[x, y], [x - wide, y + high], [x + wide, y + high]], 1.1, true);
+    this.hatching([x - 1.3 * wide, y + high], [x + 1.3 * wide, y + high], 0);
+    this.line([[x - 1.3 * wide, y + high], [x + 1.3 * wide, y + high]], 1.3);
+  }
+
+  /** Short strokes on the lower side of a line. */
+  hatching(from, to, aside) {
+    const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
+    const along = length > 0 ? [(to[0] - from[0]) / length, (to[1] - from[1]) / length] : [1, 0];
+    const turn = along[0] < 0 || (along[0] === 0 && along[1] > 0) ? -1 : 1;
+    const side = [-turn * along[1], turn * along[0]];
+    const step = 5.5 * this.unit;
+    const stroke = 4.8 * this.unit;
+    for (let far = (length % step) / 2; far <= length; far += step) {
+      const foot = [0, 1].map((axis) => from[axis] + far * along[axis] + aside * side[axis]);
+      const end = [0, 1].map((axis) => foot[axis] + stroke * (0.8 * side[axis] - 0.6 * along[axis]));
+      this.line([foot, end], 0.7);
+    }
+  }
+
+  slot(at, edge) {
+    this.context.strokeStyle = edge;
+    this.line(at, 8.6);
+    this.context.strokeStyle = colour("paper");
+    this.line(at, 6.2);
+    this.context.strokeStyle = edge;
+  }
+
+  /** A rectangle about a line, on the page's ground. */
+  rectangle(from, to, half) {
+    const length = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1;
+    const aside = [-half * (to[1] - from[1]) / length, half * (to[0] - from[0]) / length];
+    const corner = (end, sign) => [end[0] + sign * aside[0], end[1] + sign * aside[1]];
+    this.path([corner(from, 1), corner(to, 1), corner(to, -1), corner(from, -1)], true);
+    this.context.fillStyle = colour("paper");
+    this.context.fill();
+    this.context.lineWidth = 1.3 * this.unit;
+    this.context.stroke();
+  }
+
+  /** From back to front. */
+  links(points, branch) {
+    const order = ["plate", "bar", "rod", "tube", "guide", "slot", "block", "pin", "tracer"];
+    const own = colour(`c${branch.colour}`);
+    for (const symbol of order) {
+      for (const shape of this.film.shapes.filter((one) => one.symbol === symbol)) {
+        const isOfGround = shape.fixed && (symbol === "slot" || symbol === "guide");
+        if (!isOfGround) {
+          this.context.strokeStyle = own;
+          this.context.fillStyle = own;
+          this.symbol(symbol, this.corners(shape, points), own);
+        }
+      }
+    }
+  }
+
+  symbol(symbol, at, own) {
+    const towards = (from, to, far) => {
+      const length = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1;
+      return [from[0] + far * (to[0] - from[0]) / length, from[1] + far * (to[1] - from[1]) / length];
+    };
+    if (symbol === "plate") {
+      this.path(at, true);
+      this.context.globalAlpha = 0.16;
+      this.context.fill();
+      this.context.globalAlpha = 1;
+      this.line(at, 1.5, true);
+    } else if (symbol === "bar") {
+      this.line(at, 2.8);
+    } else if (symbol === "rod") {
+      this.line(at, 2.2);
+    } else if (symbol === "tube") {
+      const begin = towards(at[0], at[1], 5 * this.unit);
+      this.line([at[0], begin], 2.8);
+      this.rectangle(begin, at[1], 4 * this.unit);
+    } else if (symbol === "guide") {
+      this.line(at, 1);
+    } else if (symbol === "slot") {
+      this.slot(at, own);
+    } else if (symbol === "block") {
+      const half = 7.5 * this.unit;
+      this.rectangle(towards(at[0], at[1], -half), towards(at[0], at[1], half), 4.8 * this.unit);
+    } else {
+      const isPin = symbol === "pin";
+      this.context.beginPath();
+      this.context.arc(...at[0], (isPin ? 3.2 : 1.8) * this.unit, 0, 2 * Math.PI);
+      this.context.fillStyle = isPin ? colour("paper") : own;
+      this.context.fill();
+      if (isPin) {
+        this.context.strokeStyle = colour("ink");
+        this.context.lineWidth = 1.1 * this.unit;
+        this.context.stroke();
+      }
+    }
+  }
+
+  vectors(branch, outputs, options) {
+    const kinds = [["velocity", 2, "c1"], ["acceleration", 4, "c2"]];
+    for (const [kind, offset, name] of kinds.filter(([kind]) => options[kind])) {
+      const scale = 0.2 * this.film.size / (branch.longest[kind] || 1);
+      for (let column = 0; outputs !== null && column < outputs.length; column += 6) {
+        const vector = [scale * outputs[column + offset], scale * outputs[column + offset + 1]];
+        if (vector.every(Number.isFinite)) {
+          const foot = [outputs[column], outputs[column + 1]];
+          this.arrow(this.at(...foot), this.at(foot[0] + vector[0], foot[1] + vector[1]), colour(name));
+        }
+      }
+    }
+  }
+
+  arrow(from, to, own) {
+    const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
+    if (length < 2) {
+      return;
+    }
+    const head = Math.min(8 * this.unit, 0.6 * length);
+    const [x, y] = [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
+    this.context.strokeStyle = own;
+    this.context.fillStyle = own;
+    this.line([from, [to[0] - 0.8 * head * x, to[1] - 0.8 * head * y]], 1.8);
+    this.path([to, [to[0] - head * (x - 0.4 * y), to[1] - head * (y + 0.4 * x)],
+      [to[0] - head * (x + 0.4 * y), to[1] - head * (y - 0.4 * x)]], true);
+    this.context.fill();
+  }
+
+  /** Each name at a place once, to the upper right; the second one there to the lower right. */
+  names(points) {
+    this.context.fillStyle = colour("ink");
+    this.context.font = `italic ${11 * Math.min(this.unit, 1.4)}px system-ui, sans-serif`;
+    const told = new Map();
+    for (const shape of this.film.shapes.filter((one) => ["pin", "tracer"].includes(one.symbol))) {
+      const names = told.get(shape.points[0]) || [];
+      if (!names.includes(shape.name)) {
+        const [x, y] = this.point(points, shape.points[0]);
+        const down = names.length === 0 ? -5 : 4 + 11 * names.length;
+        this.context.fillText(shape.name, x + 5 * this.unit, y + down * this.unit);
+        told.set(shape.points[0], names.concat(shape.name));
+      }
+    }
+  }
+
+  scale() {
+    const longest = 90 * this.unit / this.zoom;
+    const power = 10 ** Math.floor(Math.log10(longest));
+    const length = [5, 2, 1].map((factor) => factor * power).find((one) => one <= longest);
+    const [x, y] = [12, this.canvas.clientHeight - 14];
+    const end = x + length * this.zoom;
+    this.context.strokeStyle = colour("ink");
+    this.context.fillStyle = colour("ink");
+    this.line([[x, y], [end, y]], 1.1);
+    this.line([[x, y - 4], [x, y + 4]], 1.1);
+    this.line([[end, y - 4], [end, y + 4]], 1.1);
+    this.context.font = "13px system-ui, sans-serif";
+    this.context.fillText(`${Number(length.toPrecision(6))} ${this.film.unit}`.trim(), end + 6, y + 4);
+  }
+}

@@ -1,0 +1,162 @@
+// Law: the frames of a page are what is solved at the values of the sweep, and no name of a scene
+// ends the data that it stands in.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <assur/mechanism/drawing.hpp>
+#include <assur/mechanism/plan.hpp>
+#include <assur/mechanism/scene_file.hpp>
+#include <bit>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "largest.hpp"
+
+namespace assur::test::page_test {
+namespace {
+
+using mechanism::JointType;
+using mechanism::Mechanism;
+using mechanism::Plan;
+using mechanism::Scene;
+using Json = nlohmann::ordered_json;
+
+Json data_of(const std::string& page) {
+  const std::string begin = R"(<script type="application/json" id="film">)";
+  const std::size_t at = page.find(begin) + begin.size();
+  return Json::parse(page.substr(at, page.find("</script>", at) - at));
+}
+
+std::vector<float> numbers_of(const std::string& text) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::vector<std::uint8_t> bytes;
+  std::uint32_t held = 0;
+  unsigned bits = 0;
+  for (const char letter : text) {
+    if (letter != '=') {
+      held = held << 6U | static_cast<std::uint32_t>(digits.find(letter));
+      bits += 6;
+      if (bits >= 8) {
+        bits -= 8;
+        bytes.push_back(static_cast<std::uint8_t>(held >> bits & 0xFFU));
+      }
+    }
+  }
+  std::vector<float> numbers;
+  for (std::size_t at = 0; at + 3 < bytes.size(); at += 4) {
+    numbers.push_back(std::bit_cast<float>(static_cast<std::uint32_t>(bytes[at]) |
+                                           static_cast<std::uint32_t>(bytes[at + 1]) << 8U |
+                                           static_cast<std::uint32_t>(bytes[at + 2]) << 16U |
+                                           static_cast<std::uint32_t>(bytes[at + 3]) << 24U));
+  }
+  return numbers;
+}
+
+/// The platform is swept along a length, so that its links change their shapes from step to step.
+TEST(PageOfASweptLength, HasOutputsAndPinsWhereTheyAreSolved) {
+  const Scene scene = mechanism::read_scene(ASSUR_EXAMPLES "/platform_3rpr.json");
+  const std::string page = drawing_page(scene.mechanism, scene.request);
+  EXPECT_LT(page.size(), 1'000'000U);
+  const Json data = data_of(page);
+  const auto count = data["count"].get<std::size_t>();
+  ASSERT_EQ((count - 1) % 120, 0U);
+  const auto pin = std::find_if(data["shapes"].begin(), data["shapes"].end(), [](const Json& one) {
+    return one["symbol"] == "pin" && one["name"] == "B1";
+  });
+  ASSERT_NE(pin, data["shapes"].end());
+  const auto point = (*pin)["points"][0].get<std::size_t>();
+  const Plan plan(scene);
+  double worst = 0;
+  int compared = 0;
+  for (const std::size_t step : {std::size_t{0}, count / 3, count - 1}) {
+    const double leg = 12 + 6 * static_cast<double>(step) / static_cast<double>(count - 1);
+    const mechanism::Solution solution = plan.solve(plan.values({{"leg1", leg}}));
+    std::vector<bool> found(solution.configurations.size(), false);
+    for (const Json& branch : data["branches"]) {
+      const std::vector<float> points = numbers_of(branch["points"]);
+      const std::vector<float> outputs = numbers_of(branch["outputs"]);
+      ASSERT_EQ(points.size(), 2 * count * data["points"].get<std::size_t>());
+      ASSERT_EQ(outputs.size(), 12 * count);
+      const std::size_t at = 2 * (step * data["points"].get<std::size_t>() + point);
+      if (std::isnan(points[at])) {
+        continue;
+      }
+      double nearest = INFINITY;
+      for (std::size_t place = 0; place < found.size(); ++place) {
+        const Eigen::Vector2d solved = solution.configurations[place].output("B1").position;
+        const double distance =
+            std::max({std::abs(points[at] - solved.x()), std::abs(points[at + 1] - solved.y()),
+                      std::abs(outputs[12 * step] - solved.x()),
+                      std::abs(outputs[12 * step + 1] - solved.y())});
+        found[place] = found[place] || distance < 1e-5;
+        nearest = std::min(nearest, distance);
+      }
+      worst = largest(worst, nearest);
+      ++compared;
+    }
+    EXPECT_TRUE(std::all_of(found.begin(), found.end(), [](bool one) { return one; }));
+  }
+  EXPECT_GT(compared, 9);
+  EXPECT_LT(worst, 2e-6);
+}
+
+/// A crank alone, with names that end scripts and templates.
+struct Odd {
+  Mechanism mechanism{"</script><script>alert(1)</script>{{film}}{{style}}"};
+  mechanism::Request request;
+};
+Odd odd_names() {
+  Odd odd;
+  Mechanism& m = odd.mechanism;
+  m.set_unit("</script>");
+  m.add_parameter("phi", 1);
+  m.add_link("ground");
+  m.add_point("ground.A", 0, 0);
+  m.add_link("<!--<script>");
+  m.add_point("<!--<script>.A", 0, 0);
+  m.add_point("<!--<script>.B", 2, 0);
+  m.add_joint("A", JointType::revolute, {"ground.A", "<!--<script>.A"});
+  m.add_driver("A", "phi", 1);
+  m.add_output("{{title}}", "<!--<script>.B");
+  return odd;
+}
+
+TEST(PageOfOddNames, IsOnePage) {
+  const Odd odd = odd_names();
+  const std::string page = drawing_page(odd.mechanism, odd.request);
+  const auto count = [&](const std::string& text) {
+    int found = 0;
+    for (std::size_t at = page.find(text); at != std::string::npos; at = page.find(text, at + 1)) {
+      ++found;
+    }
+    return found;
+  };
+  EXPECT_EQ(count("<script"), 2);
+  EXPECT_EQ(count("</script>"), 2);
+  EXPECT_EQ(count("<!--"), 0);
+  const Json data = data_of(page);
+  EXPECT_EQ(data["title"], odd.mechanism.name());
+  EXPECT_EQ(data["outputs"][0], "{{title}}");
+}
+
+TEST(PageWithoutASweep, HasTheConfigurationsAtOneStep) {
+  const Odd odd = odd_names();
+  const Json data = data_of(drawing_page(odd.mechanism, odd.request));
+  EXPECT_EQ(data["count"], 1);
+  ASSERT_EQ(data["branches"].size(), 1U);
+  const std::vector<float> output = numbers_of(data["branches"][0]["outputs"]);
+  ASSERT_EQ(output.size(), 6U);
+  EXPECT_NEAR(output[0], 2 * std::cos(1), 1e-6);
+  EXPECT_NEAR(output[3], 2 * std::cos(1), 1e-6);  // the speed of a unit turn upwards
+}
+
+TEST(PageOfNothing, IsRefused) {
+  Scene scene = mechanism::read_scene(ASSUR_EXAMPLES "/four_bar_coupler_curve.json",
+                                      {"coupler=1", "rocker=1"});
+  EXPECT_THROW((void)drawing_page(scene.mechanism, scene.request), mechanism::MechanismError);
+  scene.request.sweep.reset();
+  EXPECT_THROW((void)drawing_page(scene.mechanism, scene.request), mechanism::MechanismError);
+}
+
+}  // namespace
+}  // namespace assur::test::page_test
