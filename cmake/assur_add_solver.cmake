@@ -1,23 +1,34 @@
 # Turns a scene file into a library target that holds the scene's solver, generated at build time.
 #
-#   assur_add_solver(<target> SCENE <file.json> [VARIABLE <parameter>...] [WANT <result>...])
+#   assur_add_solver(<target> SCENE <file.json> [VARIABLE <parameter>...] [WANT <result>...]
+#                    [INTERFACE c])
 #
 # makes <target>, to link and then include <assur/scenes/NAME.hpp>; NAME is the scene's file name
 # without extension, with `_` for all but letters and digits. The parameters after VARIABLE stay
 # arguments of the solver, beside those that the scene makes so; `all` stands for all. The results
 # after WANT (position, velocity, acceleration, sensitivity) are given instead of those that the
-# scene wants. The header is written anew when the scene or the generator changes. The generator is
-# the target assur::assur or, where that runs on another machine than the one that builds, the
-# program ASSUR_GENERATOR_EXECUTABLE. For a machine without an operating system Eigen's checks at run
-# time are left out (EIGEN_NO_DEBUG), for they link what ends a program.
+# scene wants. With INTERFACE c <target> is a static library, to link from C too and then include
+# <assur/scenes/NAME.h>; the project needs the language CXX for it. The files are written anew when
+# the scene or the generator changes. The generator is the target assur::assur or, where that runs on
+# another machine than the one that builds, the program ASSUR_GENERATOR_EXECUTABLE. For a machine
+# without an operating system Eigen's checks at run time are left out (EIGEN_NO_DEBUG), for they link
+# what ends a program.
 set(ASSUR_GENERATOR_EXECUTABLE "" CACHE FILEPATH
   "The command assur for the machine that builds; empty: the target assur::assur")
 
 function(assur_add_solver target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SCENE" "VARIABLE;WANT")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SCENE;INTERFACE" "VARIABLE;WANT")
   if(NOT arg_SCENE OR arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "assur_add_solver: expected assur_add_solver(<target> SCENE <file.json> "
-      "[VARIABLE <parameter>...] [WANT <result>...])")
+      "[VARIABLE <parameter>...] [WANT <result>...] [INTERFACE c])")
+  endif()
+  if(arg_INTERFACE AND NOT arg_INTERFACE MATCHES "^(c|cpp)$")
+    message(FATAL_ERROR "assur_add_solver: ${target}: no interface '${arg_INTERFACE}'; they are c "
+      "and cpp")
+  endif()
+  if(arg_INTERFACE STREQUAL "c" AND NOT CMAKE_CXX_COMPILER_LOADED)
+    message(FATAL_ERROR "assur_add_solver: ${target}: behind the interface stands C++; add CXX to "
+      "the languages of project()")
   endif()
   get_filename_component(scene ${arg_SCENE} ABSOLUTE)
   get_source_file_property(is_generated ${scene} GENERATED)
@@ -54,17 +65,28 @@ function(assur_add_solver target)
     list(APPEND options --want ${names})
   endif()
   set(directory ${CMAKE_CURRENT_BINARY_DIR}/${target}_solver)
-  set(header ${directory}/assur/scenes/${name}.hpp)
-  add_custom_command(OUTPUT ${header}
+  set(stem_of_files ${directory}/assur/scenes/${name})
+  set(files ${stem_of_files}.hpp)
+  if(arg_INTERFACE STREQUAL "c")
+    list(APPEND options --interface c)
+    list(APPEND files ${stem_of_files}.h ${stem_of_files}.cpp)
+  endif()
+  add_custom_command(OUTPUT ${files}
     COMMAND ${generator} emit --scene ${scene} --output ${directory} ${options}
     DEPENDS ${scene} ${generator_dependency} VERBATIM
     COMMENT "Generating the solver of ${stem}")
-  add_custom_target(${target}_header DEPENDS ${header})
-  add_library(${target} INTERFACE)
+  add_custom_target(${target}_header DEPENDS ${files})
+  if(arg_INTERFACE STREQUAL "c")
+    add_library(${target} STATIC ${stem_of_files}.cpp)
+    set(reach PUBLIC)
+  else()
+    add_library(${target} INTERFACE)
+    set(reach INTERFACE)
+  endif()
   add_dependencies(${target} ${target}_header)
-  target_include_directories(${target} INTERFACE ${directory})
-  target_link_libraries(${target} INTERFACE assur::runtime)
+  target_include_directories(${target} ${reach} ${directory})
+  target_link_libraries(${target} ${reach} assur::runtime)
   if(CMAKE_SYSTEM_NAME STREQUAL "Generic")
-    target_compile_definitions(${target} INTERFACE EIGEN_NO_DEBUG)
+    target_compile_definitions(${target} ${reach} EIGEN_NO_DEBUG)
   endif()
 endfunction()

@@ -59,17 +59,19 @@ assur::mechanism::Want wanted(const std::vector<std::string>& words) {
   return want;
 }
 
-EmittedFile emitted_scene(const std::string& file, const std::vector<std::string>& variables,
-                          const std::vector<std::string>& wants) {
+std::vector<EmittedFile> emitted_scene(const EmitOptions& options) {
+  using emission::scene::Interface;
+  const std::string& file = options.scene;
   assur::mechanism::Scene scene = assur::mechanism::read_scene(file);
-  std::string options;
-  if (!wants.empty()) {
-    scene.request.want = wanted(wants);
-    options = " --want " + text::joined(wants, ",");
+  std::string want_option;
+  if (!options.wants.empty()) {
+    scene.request.want = wanted(options.wants);
+    want_option = " --want " + text::joined(options.wants, ",");
   }
   try {
-    add_variables(variables, scene);
-    EmittedFile emitted = emission::scene::emit_scene(scene, options);
+    add_variables(options.variables, scene);
+    std::vector<EmittedFile> emitted = emission::scene::emit_scene(
+        scene, want_option, options.interface == "c" ? Interface::c : Interface::cpp);
     for (const std::string& warning : emission::scene::scene_warnings(scene)) {
       std::cerr << "warning: " << file << ": " << warning << '\n';
     }
@@ -88,11 +90,14 @@ bool run_emit(const EmitOptions& options) {
   if (!options.wants.empty() && options.scene.empty()) {
     throw InputError("--want: results are a scene's; give it with --scene");
   }
+  if (options.interface != "cpp" && options.scene.empty()) {
+    throw InputError("--interface: solvers of scenes have one; give it with --scene");
+  }
   std::vector<EmittedFile> files;
   if (options.all) {
     files = emission::model::emit_all();
   } else if (!options.scene.empty()) {
-    files.push_back(emitted_scene(options.scene, options.variables, options.wants));
+    files = emitted_scene(options);
   } else if (!options.closures.empty()) {
     files.push_back(
         emission::closures::emit_closures(closures::read_typed_closures(options.closures)));

@@ -155,6 +155,11 @@ int run(int argc, char** argv) {
                    "with --scene: of position, velocity, acceleration, sensitivity those that the "
                    "solver gives, instead of the scene's")
       ->delimiter(',');
+  command
+      ->add_option("--interface", emit.interface,
+                   "with --scene: c writes a C header and its implementation beside the C++ header")
+      ->check(one_of({"cpp", "c"}))
+      ->capture_default_str();
   command->add_option("--group", emit.group, "the group that --model means")
       ->check(one_of(group_names()))
       ->capture_default_str();

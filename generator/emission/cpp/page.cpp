@@ -67,6 +67,10 @@ std::string comment_text(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
   std::replace(text.begin(), text.end(), '\\', '/');
+  // Before C++17 and in C99 these three are a backslash, which would continue the comment.
+  for (std::size_t at = text.find("?\?/"); at != std::string::npos; at = text.find("?\?/", at)) {
+    text.erase(at, 1);
+  }
   return text;
 }
 

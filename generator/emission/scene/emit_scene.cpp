@@ -5,11 +5,11 @@
 #include <assur/directions.hpp>
 #include <assur/text/identifiers.hpp>
 #include <assur/text/names.hpp>
-#include <cstdio>
 #include <iterator>
 
 #include "emission/cpp/cpp_text.hpp"
 #include "emission/model/model_view.hpp"
+#include "emission/scene/c_interface.hpp"
 #include "emission/scene/limit_statements.hpp"
 #include "emission/scene/scene_statements.hpp"
 #include "emission/scene/specialised_numbers.hpp"
@@ -17,30 +17,6 @@
 namespace assur::generator::emission::scene {
 
 namespace {
-
-/// What a solver lists is an array of so many states at most, on the stack of who calls it.
-constexpr double most_listed = 4096;
-/// Which groups hold which others is a number of so many bits.
-constexpr std::size_t most_groups = 64;
-
-/// Throws MechanismError for a mechanism whose configurations cannot be listed by an emitted
-/// solver.
-void expect_listable(const mechanism::Plan& plan) {
-  const double most = plan.most_configurations();
-  if (most > most_listed) {
-    std::array<char, 32> number{};
-    (void)std::snprintf(number.data(), number.size(), most < 1e15 ? "%.0f" : "%.3g", most);
-    throw mechanism::MechanismError(
-        "", std::string("there may be ") + number.data() +
-                " configurations, and an emitted solver lists 4096 at most; 'report' less of the "
-                "mechanism, or emit parts of it");
-  }
-  if (plan.structure().groups.size() > most_groups) {
-    throw mechanism::MechanismError("", "there are " +
-                                            std::to_string(plan.structure().groups.size()) +
-                                            " groups, and an emitted solver has 64 at most");
-  }
-}
 
 cpp::View::List member_list(const std::vector<std::string>& members) {
   cpp::View::List list;
@@ -61,7 +37,7 @@ class SceneEmitter {
  public:
   explicit SceneEmitter(const mechanism::Scene& scene) : solver_(scene) {}
 
-  cpp::EmittedFile run(const std::string& options) {
+  std::vector<cpp::EmittedFile> run(const std::string& options, Interface interface) {
     view_.set("options", options);
     expect_listable(solver_.plan);
     show_drivers();
@@ -76,8 +52,14 @@ class SceneEmitter {
     show_parameters();
     show_aliases();
     const std::string stem = std::filesystem::path(solver_.file).stem().string();
-    return {std::filesystem::path("assur") / "scenes" / (text::c_identifier(stem) + ".hpp"),
-            cpp::page("scene.hpp", view_)};
+    const std::filesystem::path header =
+        std::filesystem::path("assur") / "scenes" / (text::c_identifier(stem) + ".hpp");
+    std::vector<cpp::EmittedFile> files = {{header, cpp::page("scene.hpp", view_)}};
+    if (interface == Interface::c) {
+      const auto of_c = c_interface(header, view_, solver_.parameters.names(), branch_numbers_);
+      files.insert(files.end(), of_c.begin(), of_c.end());
+    }
+    return files;
   }
 
  private:
@@ -121,6 +103,7 @@ class SceneEmitter {
     view_.set("driving", shown(driving.lines));
     view_.set("drivers", drivers);
     view_.set("driver_count", std::to_string(names.size()));
+    branch_numbers_ += names.size();
     view_.set("turning_drivers", std::to_string(turning.size()));
     turning.insert(turning.end(), sliding.begin(), sliding.end());
     view_.set("driver_positions", text::joined(turning, ", ", [](const std::string& name) {
@@ -149,6 +132,7 @@ class SceneEmitter {
     }
     view_.set("variables", variables);
     view_.set("variable_count", std::to_string(variables.size()));
+    branch_numbers_ += variables.size();
     view_.set("variable_list",
               text::joined(solver_.variable, ", ",
                            [](const VariableParameter& one) { return "&" + one.member; }));
@@ -182,6 +166,7 @@ class SceneEmitter {
     groups_.push_back(special.view);
     structs_.push_back(solver_.group_struct(group));
     max_configurations_ *= special.max_configurations;
+    branch_numbers_ += special.branch_numbers;
     steps_.push_back(text::listed(solver_.plan.structure().names_of(solver_.group(group).links)) +
                      relative_to(group) + ": " + model.group->name() + " " +
                      solver_.group(group).kind + ", at most " +
@@ -383,6 +368,7 @@ class SceneEmitter {
   std::vector<std::string> structs_;     ///< of the groups
   std::vector<std::string> steps_;
   std::size_t max_configurations_ = 1;
+  std::size_t branch_numbers_ = 0;
   std::size_t first_key_ = 0;
   cpp::View view_;
   cpp::View::List groups_;
@@ -390,8 +376,9 @@ class SceneEmitter {
 
 }  // namespace
 
-cpp::EmittedFile emit_scene(const mechanism::Scene& scene, const std::string& options) {
-  return SceneEmitter(scene).run(options);
+std::vector<cpp::EmittedFile> emit_scene(const mechanism::Scene& scene, const std::string& options,
+                                         Interface interface) {
+  return SceneEmitter(scene).run(options, interface);
 }
 
 }  // namespace assur::generator::emission::scene

@@ -1,19 +1,25 @@
-// Turns a scene into the header of a solver for that scene alone.
+// Turns a scene into the files of a solver for that scene alone.
 #pragma once
 
 #include <assur/mechanism/scene_file.hpp>
 #include <string>
+#include <vector>
 
 #include "emission/cpp/files.hpp"
 
 namespace assur::generator::emission::scene {
+
+/// The languages from which a solver can be called, beside C++.
+enum class Interface : unsigned char { cpp, c };
 
 /// The header `assur/scenes/<file>.hpp` of a scene: its groups with all dimensions as numbers, and
 /// only the derivatives, points and parameters that the scene wants. Derivatives are to the
 /// parameters that have a tolerance, to all if none has. Throws MechanismError for a scene that has
 /// no solver: it is over- or under-constrained, or a group is degenerate or not known. `options`:
 /// of the command, beside those for variable parameters, for the line that tells how to reproduce.
-[[nodiscard]] cpp::EmittedFile emit_scene(const mechanism::Scene& scene,
-                                          const std::string& options = "");
+/// The files behind the header are those of the interface.
+[[nodiscard]] std::vector<cpp::EmittedFile> emit_scene(const mechanism::Scene& scene,
+                                                       const std::string& options = "",
+                                                       Interface interface = Interface::cpp);
 
 }  // namespace assur::generator::emission::scene

@@ -1,7 +1,9 @@
 #include "emission/scene/solver_scene.hpp"
 
 #include <algorithm>
+#include <array>
 #include <assur/text/identifiers.hpp>
+#include <cstdio>
 #include <filesystem>
 
 #include "emission/scene/variable_parameters.hpp"
@@ -9,6 +11,11 @@
 namespace assur::generator::emission::scene {
 
 namespace {
+
+/// What a solver lists is an array of so many states at most, on the stack of who calls it.
+constexpr double most_listed = 4096;
+/// Which groups hold which others is a number of so many bits.
+constexpr std::size_t most_groups = 64;
 
 std::vector<VariableParameter> variable_parameters(const mechanism::Plan& plan) {
   std::vector<mechanism::ParameterIndex> indices = plan.request().variable;
@@ -219,6 +226,23 @@ const structure::Model& derived_model(const mechanism::FoundGroup& group) {
   return *std::find_if(models.begin(), models.end(), [&](const structure::Model& model) {
     return model.number == group.model->number;
   });
+}
+
+void expect_listable(const mechanism::Plan& plan) {
+  const double most = plan.most_configurations();
+  if (most > most_listed) {
+    std::array<char, 32> number{};
+    (void)std::snprintf(number.data(), number.size(), most < 1e15 ? "%.0f" : "%.3g", most);
+    throw mechanism::MechanismError(
+        "", std::string("there may be ") + number.data() +
+                " configurations, and an emitted solver lists 4096 at most; 'report' less of the "
+                "mechanism, or emit parts of it");
+  }
+  if (plan.structure().groups.size() > most_groups) {
+    throw mechanism::MechanismError("", "there are " +
+                                            std::to_string(plan.structure().groups.size()) +
+                                            " groups, and an emitted solver has 64 at most");
+  }
 }
 
 }  // namespace assur::generator::emission::scene

@@ -106,6 +106,10 @@ struct SolverScene {
   }
 };
 
+/// Throws MechanismError for a mechanism whose configurations cannot be listed by an emitted
+/// solver.
+void expect_listable(const mechanism::Plan& plan);
+
 /// The model of a group as the generator derives it.
 [[nodiscard]] const structure::Model& derived_model(const mechanism::FoundGroup& group);
 

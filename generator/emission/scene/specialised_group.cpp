@@ -92,6 +92,8 @@ class GroupSpecialiser {
     result.view.set("operations", text::joined(operations, "; "));
     result.view.set("constants", constant_list(named));
     result.max_configurations = elimination_.max_configurations;
+    result.branch_numbers = number_count(inputs_) + number_count(equations_.unknowns) +
+                            2 * equations_.loops.size() * equations_.unknowns.size() + 1;
     return result;
   }
 
@@ -311,6 +313,13 @@ class GroupSpecialiser {
       }
     }
     return results;
+  }
+
+  /// A length is one number, an angle its cosine and sine.
+  [[nodiscard]] static std::size_t number_count(const std::deque<equations::Variable>& variables) {
+    const auto angles = std::count_if(variables.begin(), variables.end(),
+                                      [](const auto& one) { return one.is_angle(); });
+    return variables.size() + static_cast<std::size_t>(angles);
   }
 
   static std::string entry(const std::string& matrix, std::size_t row, std::size_t column) {

@@ -44,6 +44,8 @@ struct SpecialisedNumbers {
 struct SpecialisedGroup {
   cpp::View view;
   std::size_t max_configurations;
+  /// Of a place on a branch: inputs, unknowns, J^-1 and the sign of det J.
+  std::size_t branch_numbers;
   int first_key;  ///< of those that put a group's configurations in order, the first that may
                   ///< differ
 };

@@ -8,44 +8,45 @@ namespace assur::text {
 
 namespace {
 
-constexpr std::array<std::string_view, 92> keywords = {
-    "alignas",       "alignof",     "and",
-    "and_eq",        "asm",         "auto",
-    "bitand",        "bitor",       "bool",
-    "break",         "case",        "catch",
-    "char",          "char8_t",     "char16_t",
-    "char32_t",      "class",       "compl",
-    "concept",       "const",       "const_cast",
-    "consteval",     "constexpr",   "constinit",
-    "continue",      "co_await",    "co_return",
-    "co_yield",      "decltype",    "default",
-    "delete",        "do",          "double",
-    "dynamic_cast",  "else",        "enum",
-    "explicit",      "export",      "extern",
-    "false",         "float",       "for",
-    "friend",        "goto",        "if",
-    "inline",        "int",         "long",
-    "mutable",       "namespace",   "new",
-    "noexcept",      "not",         "not_eq",
-    "nullptr",       "operator",    "or",
-    "or_eq",         "private",     "protected",
-    "public",        "register",    "reinterpret_cast",
-    "requires",      "return",      "short",
-    "signed",        "sizeof",      "static",
-    "static_assert", "static_cast", "struct",
-    "switch",        "template",    "this",
-    "thread_local",  "throw",       "true",
-    "try",           "typedef",     "typeid",
-    "typename",      "union",       "unsigned",
-    "using",         "virtual",     "void",
-    "volatile",      "wchar_t",     "while",
-    "xor",           "xor_eq"};
+constexpr std::array<std::string_view, 94> keywords = {
+    "alignas",      "alignof",   "and",
+    "and_eq",       "asm",       "auto",
+    "bitand",       "bitor",     "bool",
+    "break",        "case",      "catch",
+    "char",         "char8_t",   "char16_t",
+    "char32_t",     "class",     "compl",
+    "concept",      "const",     "const_cast",
+    "consteval",    "constexpr", "constinit",
+    "continue",     "co_await",  "co_return",
+    "co_yield",     "decltype",  "default",
+    "delete",       "do",        "double",
+    "dynamic_cast", "else",      "enum",
+    "explicit",     "export",    "extern",
+    "false",        "float",     "for",
+    "friend",       "goto",      "if",
+    "inline",       "int",       "long",
+    "mutable",      "namespace", "new",
+    "noexcept",     "not",       "not_eq",
+    "nullptr",      "operator",  "or",
+    "or_eq",        "private",   "protected",
+    "public",       "register",  "reinterpret_cast",
+    "requires",     "restrict",  "return",
+    "short",        "typeof",    "signed",
+    "sizeof",       "static",    "static_assert",
+    "static_cast",  "struct",    "switch",
+    "template",     "this",      "thread_local",
+    "throw",        "true",      "try",
+    "typedef",      "typeid",    "typename",
+    "union",        "unsigned",  "using",
+    "virtual",      "void",      "volatile",
+    "wchar_t",      "while",     "xor",
+    "xor_eq"};
 
 /// What the headers that a solver includes, others in front of them, or compilers, may define.
-constexpr std::array<std::string_view, 21> macros = {
-    "BUFSIZ", "EOF",  "HUGE_VAL", "I",       "INFINITY", "M_E",    "M_PI",
-    "NAN",    "NULL", "RAND_MAX", "complex", "errno",    "far",    "linux",
-    "max",    "min",  "near",     "stderr",  "stdin",    "stdout", "unix"};
+constexpr std::array<std::string_view, 23> macros = {
+    "BUFSIZ", "EOF",      "HUGE_VAL", "I",      "INFINITY", "M_E",    "M_PI",      "NAN",
+    "NULL",   "RAND_MAX", "complex",  "errno",  "far",      "linux",  "imaginary", "max",
+    "min",    "near",     "noreturn", "stderr", "stdin",    "stdout", "unix"};
 
 /// Types that the templates name: a member or a scene of that name would hide them.
 constexpr std::array<std::string_view, 39> template_words = {"Assemblies",

@@ -87,6 +87,7 @@ std::vector<Emitted> emitted_solvers(bool all_of_them) {
         one.name = "Solver" + std::to_string(all.size());
         one.text = generator::emission::scene::emit_scene(
                        mechanism::parse_scene(scene.dump(), one.name + ".json"))
+                       .front()
                        .text;
         one.code = code_of(one.text);
         const std::vector<EmittedStruct> structs = structs_of(one.code);

@@ -1,0 +1,81 @@
+#include "emission/scene/c_interface.hpp"
+
+#include <assur/text/identifiers.hpp>
+#include <assur/text/names.hpp>
+
+namespace assur::generator::emission::scene {
+
+namespace {
+
+/// With which all names begin. A keyword is none once something follows, so `class` stays.
+std::string prefix_of(const std::string& stem) {
+  std::string prefix = text::member_names({stem + "_"}, {}).front();
+  if (prefix.back() == '_') {
+    prefix.pop_back();
+  }
+  return prefix;
+}
+
+cpp::View::List columns_of(const std::vector<std::string>& parameters) {
+  cpp::View::List columns;
+  for (const std::string& member : text::member_names(parameters, {})) {
+    cpp::View column("member", member);
+    column.set("column", std::to_string(columns.size()));
+    columns.push_back(column);
+  }
+  return columns;
+}
+
+bool stands(const cpp::View& view, const std::string& section) {
+  return std::get<bool>(view.values().at(section));
+}
+
+/// What a solver is given, as the C functions take it and hand it on.
+void show_given(const std::string& prefix, cpp::View& view) {
+  std::string given;
+  std::vector<std::string> defaults;
+  std::vector<std::string> handed;
+  for (const auto& [section, word] :
+       {std::pair("has_drivers", "drivers"), std::pair("has_variables", "parameters")}) {
+    if (stands(view, section)) {
+      given += "const " + prefix + "_" + word + "* " + word + ",\n    ";
+      defaults.push_back(prefix + "_" + word + "* " + word);
+      handed.push_back(std::string("cpp_of(*") + word + ")");
+    } else if (std::string(word) == "drivers") {
+      handed.emplace_back("{}");
+    }
+  }
+  const auto joined = [](const std::vector<std::string>& texts, const std::string& between) {
+    return text::joined(texts, between, [](const std::string& one) { return one; });
+  };
+  view.set("c_given", given);
+  view.set("cpp_given", joined(handed, ", "));
+  view.set("defaults", joined(defaults, ",\n    "));
+  view.set("has_given", !defaults.empty());
+}
+
+}  // namespace
+
+std::vector<cpp::EmittedFile> c_interface(const std::filesystem::path& header, cpp::View solver,
+                                          const std::vector<std::string>& parameters,
+                                          std::size_t branch_numbers) {
+  const std::string stem = header.stem().string();
+  const std::string prefix = prefix_of(stem);
+  solver.set("header", stem);
+  solver.set("prefix", prefix);
+  solver.set("columns", columns_of(parameters));
+  solver.set("branch_numbers", std::to_string(branch_numbers));
+  show_given(prefix, solver);
+  // C has no empty structures: points of which nothing is wanted are left out.
+  const bool moves = stands(solver, "velocity") || stands(solver, "acceleration");
+  const bool has_vectors = stands(solver, "position") || moves || stands(solver, "tolerances");
+  const bool has_outputs = stands(solver, "has_outputs");
+  solver.set("shows_outputs", has_outputs && (has_vectors || stands(solver, "sensitivity")));
+  solver.set("copies_vectors",
+             (has_outputs && has_vectors) || (stands(solver, "has_links") && moves));
+  return {
+      {std::filesystem::path(header).replace_extension(".h"), cpp::page("c_header.h", solver)},
+      {std::filesystem::path(header).replace_extension(".cpp"), cpp::page("c_source.cpp", solver)}};
+}
+
+}  // namespace assur::generator::emission::scene

@@ -1,0 +1,21 @@
+// Turns the view of a solver into a C header, and the C++ that implements it by the C++ header.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "emission/cpp/files.hpp"
+#include "emission/cpp/page.hpp"
+
+namespace assur::generator::emission::scene {
+
+/// `header`.h in C99 and `header`.cpp, beside the C++ header `header`.hpp. `solver`: the view that
+/// templates/scene.hpp.mustache shows; `parameters`: the names of those to which derivatives are
+/// modelled; `branch_numbers`: how many numbers the solver's branch is, beside its status. Every
+/// name of the header begins with the scene's, so that several may be included and linked.
+[[nodiscard]] std::vector<cpp::EmittedFile> c_interface(const std::filesystem::path& header,
+                                                        cpp::View solver,
+                                                        const std::vector<std::string>& parameters,
+                                                        std::size_t branch_numbers);
+
+}  // namespace assur::generator::emission::scene

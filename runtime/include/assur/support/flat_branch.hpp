@@ -1,0 +1,77 @@
+// Turns a branch of an emitted solver into numbers one after the other, and back, for languages
+// that have no templates.
+#pragma once
+
+#include <assur/support/flat_variables.hpp>
+#include <assur/support/scene_track.hpp>
+#include <cstddef>
+#include <cstring>
+#include <tuple>
+
+namespace assur::support {
+
+/// Copies between a branch and numbers, always in the same order: where drivers and parameters
+/// stand, then of each group u, q, J^-1 and the sign of det J.
+template <typename Solver>
+class FlatBranch {
+  using Branch = support::Branch<Solver>;
+
+  template <typename Group>
+  static constexpr std::size_t inverse_size =
+      static_cast<std::size_t>(Group::unknown_count* Group::equation_count);
+  template <typename Variables>
+  static constexpr std::size_t count_of = number_count<Variables, double>;
+
+  template <typename Points>
+  struct NumbersOf;
+  template <typename... Group>
+  struct NumbersOf<std::tuple<GroupPoint<Group>...>> {
+    static constexpr std::size_t value =
+        (std::size_t{0} + ... +
+         (count_of<typename Group::template Inputs<double>> +
+          count_of<typename Group::template Configuration<double>> + inverse_size<Group> + 1));
+  };
+
+ public:
+  /// How many numbers a branch is, beside its status.
+  static constexpr std::size_t size =
+      std::tuple_size_v<decltype(std::declval<typename Access<Solver>::Given>().positions())> +
+      NumbersOf<decltype(Branch::groups)>::value;
+
+  /// `numbers` has `size` places.
+  static void flatten(Branch branch, double* numbers) {
+    visit(branch, [&numbers](void* part, std::size_t count) {
+      std::memcpy(numbers, part, count * sizeof(double));
+      numbers += count;
+    });
+  }
+  [[nodiscard]] static Branch unflattened(const double* numbers, Status status) {
+    Branch branch;
+    visit(branch, [&numbers](void* part, std::size_t count) {
+      std::memcpy(part, numbers, count * sizeof(double));
+      numbers += count;
+    });
+    branch.status = status;
+    return branch;
+  }
+
+ private:
+  template <typename Visitor>
+  static void visit(Branch& branch, const Visitor& visitor) {
+    for (double* position : branch.given.positions()) {
+      visitor(position, std::size_t{1});
+    }
+    std::apply([&visitor](auto&... point) { (visit_point(point, visitor), ...); }, branch.groups);
+  }
+  template <typename Group, typename Visitor>
+  static void visit_point(GroupPoint<Group>& point, const Visitor& visitor) {
+    visitor(static_cast<void*>(&point.u), count_of<decltype(point.u)>);
+    visitor(static_cast<void*>(&point.q), count_of<decltype(point.q)>);
+    visitor(point.inverse.data(), inverse_size<Group>);
+    double sign = point.orientation;
+    visitor(&sign, std::size_t{1});
+    point.orientation = static_cast<int>(sign);
+  }
+};
+
+}  // namespace assur::support

@@ -1,0 +1,84 @@
+// Law: the C header of a solver is C99 and C++ whatever the scene's parts and file are called,
+// beside another one; it has what the scene wants, and the C++ header does not depend on it.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "command/command.hpp"
+
+namespace assur::test::c_header_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A four-bar whose parts are called like words of C and macros, with trigraphs; `wanted` results.
+std::string awkward_four_bar(const std::string& wanted) {
+  return R"({"name": "odd ??/ \\",
+  "parameters": {"restrict": 2, "solve": 5, "I": {"value": 1, "tolerance": 0.1}},
+  "links": {
+    "ground": {"A": [0, 0], "D": ["solve", 0]}, "restrict": {"A": [0, 0], "B": ["restrict", 0]},
+    "typeof??/": {"B": [0, 0], "C": ["5*I", 0], "P": [1, 1]}, "class": {"D": [0, 0], "C": [2, 0]}},
+  "joints": {
+    "near": {"type": "revolute", "between": ["ground.A", "restrict.A"]},
+    "B": {"type": "revolute", "between": ["restrict.B", "typeof??/.B"]},
+    "C": {"type": "revolute", "between": ["typeof??/.C", "class.C"]},
+    "D": {"type": "revolute", "between": ["ground.D", "class.D"]}},
+  "drivers": {"near": {"position": 0.7}},
+  "outputs": {"inline": "typeof??/.P", "double": "typeof??/.C"}, "want": [)" +
+         wanted + "]}";
+}
+
+CommandResult emit(const fs::path& scene, const TemporaryDirectory& directory,
+                   const std::string& options) {
+  return run_assur("emit --scene '" + scene.string() + "' --output " + directory.path().string() +
+                   " " + options);
+}
+
+void check_syntax(const std::string& language, const std::string& text,
+                  const TemporaryDirectory& directory) {
+  const std::string errors = (directory.path() / "errors").string();
+  const std::string line = ASSUR_COMPILER " " + language +
+                           " -Wall -Wextra -Wconversion -Werror -pedantic -fsyntax-only -I" +
+                           directory.path().string() + " " +
+                           directory.write("reads.txt", text).string() + " 2> " + errors;
+  EXPECT_EQ(std::system(line.c_str()), 0) << language << "\n" << read_file(errors);
+}
+
+TEST(CHeader, IsC99AndCppWithAnyNames) {
+  const TemporaryDirectory directory;
+  const fs::path all = directory.write(
+      "2-I.json", awkward_four_bar(R"("position", "velocity", "acceleration", "sensitivity")"));
+  const fs::path one = directory.write("class.json", awkward_four_bar(R"("position")"));
+  ASSERT_EQ(emit(one, directory, "").status, 0);
+  const std::string without = read_file(directory.path() / "assur/scenes/class.hpp");
+  EXPECT_FALSE(fs::exists(directory.path() / "assur/scenes/class.h"));
+  const std::string in_c = "--interface c";
+  EXPECT_EQ(emit(one, directory, in_c + " --check").status, 1);
+  ASSERT_EQ(emit(one, directory, in_c).status, 0);
+  EXPECT_EQ(emit(one, directory, in_c + " --check").status, 0);
+  ASSERT_EQ(emit(all, directory, in_c + " --variable all").status, 0);
+  EXPECT_EQ(read_file(directory.path() / "assur/scenes/class.hpp"), without);
+  const std::string includes =
+      "#define min(a, b) ((a) < (b) ? (a) : (b))\n#define near\n#define far\n"
+      "#include <assur/scenes/_2_I.h>\n#include <assur/scenes/class.h>\n"
+      "#include <assur/scenes/_2_I.h>\n"
+      "class_status call(class_solution* found, class_drivers* drivers) {\n"
+      "  class_defaults(drivers);\n  return class_solve(drivers, found);\n}\n"
+      "int column(void) { return n2_I_column_I_2 + n2_I_parameter_count; }\n";
+  check_syntax("-x c -std=c99", "#include <complex.h>\n" + includes, directory);
+  check_syntax("-x c++ -std=c++17", includes, directory);
+  const std::string header = read_file(directory.path() / "assur/scenes/class.h");
+  EXPECT_EQ(header.find("velocity"), std::string::npos);
+  EXPECT_EQ(header.find("sensitivity"), std::string::npos);
+}
+
+TEST(CHeader, IsAskedForOfScenesAlone) {
+  const TemporaryDirectory directory;
+  const std::string output = " --output " + directory.path().string();
+  EXPECT_EQ(run_assur("emit --model 1 --interface c" + output).status, 2);
+  EXPECT_EQ(run_assur("emit --scene x.json --interface fortran" + output).status, 2);
+  EXPECT_TRUE(fs::is_empty(directory.path()));
+}
+
+}  // namespace
+}  // namespace assur::test::c_header_test
