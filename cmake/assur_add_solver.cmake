@@ -9,10 +9,10 @@
 # after WANT (position, velocity, acceleration, sensitivity) are given instead of those that the
 # scene wants. With INTERFACE c <target> is a static library, to link from C too and then include
 # <assur/scenes/NAME.h>; the project needs the language CXX for it. The files are written anew when
-# the scene or the generator changes. The generator is the target assur::assur or, where that runs on
-# another machine than the one that builds, the program ASSUR_GENERATOR_EXECUTABLE. For a machine
-# without an operating system Eigen's checks at run time are left out (EIGEN_NO_DEBUG), for they link
-# what ends a program.
+# the scene or the generator changes. The generator is the target assur::assur or, where that runs
+# on another machine than the one that builds, the program ASSUR_GENERATOR_EXECUTABLE. For a machine
+# without an operating system Eigen's checks at run time are left out (EIGEN_NO_DEBUG), for they
+# link what ends a program.
 set(ASSUR_GENERATOR_EXECUTABLE "" CACHE FILEPATH
   "The command assur for the machine that builds; empty: the target assur::assur")
 

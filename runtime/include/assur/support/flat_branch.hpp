@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstring>
 #include <tuple>
+#include <utility>
 
 namespace assur::support {
 

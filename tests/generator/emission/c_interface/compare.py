@@ -111,8 +111,8 @@ for number, (scene, options, settings) in enumerate(tasks):
     header = c_header.read_header(implementation.with_suffix(".h"))
     warnings = ["-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror"]
     # One object for all languages: it holds the solver, and names of C.
-    languages.run([compiler, "-std=c++17", "-O1", "-fPIC", "-fno-exceptions", *warnings, *flags, "-c",
-                   implementation, "-o", here / "solver.o"])
+    languages.run([compiler, "-std=c++17", "-O1", "-fPIC", "-fno-exceptions", *warnings, *flags,
+                   "-c", implementation, "-o", here / "solver.o"])
     languages.run(["gcc", "-shared", here / "solver.o", "-lm", "-o", here / "solver.so"])
     same_branch = pathlib.Path(__file__).with_name("same_branch.cpp")
     struct = "".join(word.capitalize() for word in scene.split("_"))
@@ -136,5 +136,5 @@ for number, (scene, options, settings) in enumerate(tasks):
         largest, count = compare(header, scene, settings, printed)
         if [float(one) for one in printed] != [float(one) for one in in_c]:
             raise SystemExit(f"{scene}: C and {language} differ")
-        print(f"{' '.join([scene, *options])}, {language}: largest relative difference {largest:.1e} "
-              f"over {count} numbers")
+        print(f"{' '.join([scene, *options])}, {language}: largest relative difference "
+              f"{largest:.1e} over {count} numbers")

@@ -41,14 +41,15 @@ def by_c(header, implementation, steps, settings, work):
     source = work / "by_c.c"
     source.write_text("\n".join(lines + ["  return 0;", "}", ""]))
     program = work / "by_c"
-    run(["gcc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", f"-I{implementation.parent}",
-         source, work / "solver.o", "-lm", "-o", program])
+    run(["gcc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic",
+         f"-I{implementation.parent}", source, work / "solver.o", "-lm", "-o", program])
     return run([program]).split()
 
 
 def ctypes_of(header):
     """The header's structures, by their names."""
-    types = {"double": ctypes.c_double, "int": ctypes.c_int, f"{header.prefix}_status": ctypes.c_int}
+    types = {"double": ctypes.c_double, "int": ctypes.c_int,
+             f"{header.prefix}_status": ctypes.c_int}
     for name, members in header.structures.items():
         fields = []
         for member in members:

@@ -1,0 +1,40 @@
+// Turns a Cortex-M with a floating-point unit that has just been reset into one that runs main.
+#include <cstdint>
+
+#include "semihosting.hpp"
+
+extern "C" {
+extern std::uint32_t stack_top, data_in_flash, data_begin, data_end, bss_begin, bss_end;
+int main();
+
+[[noreturn]] void reset() {
+  // Full access to the floating-point unit.
+  *reinterpret_cast<volatile std::uint32_t*>(0xE000ED88) |= 0xFU << 20U;
+  asm volatile("dsb\nisb");
+  const std::uint32_t* from = &data_in_flash;
+  for (std::uint32_t* to = &data_begin; to < &data_end; ++to) {
+    *to = *from++;
+  }
+  for (std::uint32_t* to = &bss_begin; to < &bss_end; ++to) {
+    *to = 0;
+  }
+  semihosting::exit(main());
+}
+
+[[noreturn]] void fault() { semihosting::exit(1); }
+}
+
+namespace {
+
+/// Where the stack begins, and what runs at a reset and at each exception.
+struct Vectors {
+  std::uint32_t* stack;
+  void (*handlers[15])();
+};
+
+[[gnu::section(".vectors"), gnu::used]] const Vectors vectors = {
+    &stack_top,
+    {reset, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault,
+     fault, fault}};
+
+}  // namespace

@@ -1,0 +1,46 @@
+"""Turns groups into answers of a board under QEMU, and compares them with those of the host:
+nothing may be lost or invented, no verdict may differ, and every number is the same bit for bit. Both
+compute cosines, arcs and powers by plain_mathematics.cpp.
+
+campaign.py GROUPS_PROGRAM COMPILER WORK COUNT FLAGS BOARD"""
+
+import json
+import pathlib
+import shlex
+import subprocess
+import sys
+
+import boards
+from answers import compared
+
+# Those of which the table of exact answers tells: 9 kinds of 174 seeds (campaign_groups.cpp).
+special = 9 * 174
+plain = ["acos", "atan", "atan2", "cos", "hypot", "pow", "sin", "sincos"]
+
+groups_program, compiler, work, count, flags, name = sys.argv[1:7]
+work, count = pathlib.Path(work), int(count)
+flags = [*shlex.split(flags), "-DASSUR_SCALAR=double", *(f"-fno-builtin-{one}" for one in plain)]
+board = boards.boards[name]
+if board.missing():
+    print(f"{board.name}: left out, for {' and '.join(board.missing())} are not installed")
+    sys.exit(0)
+work.mkdir(parents=True, exist_ok=True)
+sources = [boards.here / "campaign.cpp", boards.here / "plain_mathematics.cpp"]
+groups, elf = work / "groups.bin", work / "board.elf"
+with open(groups, "wb") as out:
+    subprocess.run([groups_program, str(count)], stdout=out, check=True)
+boards.run([compiler, *boards.common, *flags, *sources, "-o", work / "host"])
+with open(groups, "rb") as given, open(work / "host.bin", "wb") as out:
+    subprocess.run([work / "host"], stdin=given, stdout=out, check=True)
+board.build(sources, elf, flags)
+with open(groups, "rb") as given:
+    board.run(elf, work / "board.bin", given)
+found = compared(work / "host.bin", work / "board.bin", count, special)
+(work / "figures.json").write_text(json.dumps(found, indent=1) + "\n")
+print(json.dumps(found["models"], indent=1))
+print(f"{board.name}: {found['groups']} groups, {found['configurations']} configurations: "
+      f"{found['lost']} lost, {found['invented']} invented, {found['other_verdicts']} other "
+      f"verdicts; {found['groups'] - found['unlike'] - found['other_verdicts']} groups bit for bit, "
+      f"{found['unlike']} to {found['largest']:.1e}")
+same = found["lost"] + found["invented"] + found["other_verdicts"] + found["unlike"] == 0
+sys.exit(0 if same else 1)

@@ -1,0 +1,25 @@
+// Turns a RISC-V of 32 bits that has just been reset into one that runs main.
+#include <cstdint>
+
+#include "semihosting.hpp"
+
+extern "C" {
+extern std::uint32_t bss_begin, bss_end;
+int main();
+
+[[noreturn, gnu::used]] void prepared() {
+  for (std::uint32_t* to = &bss_begin; to < &bss_end; ++to) {
+    *to = 0;
+  }
+  semihosting::exit(main());
+}
+
+[[gnu::aligned(4), noreturn, gnu::used]] void fault() { semihosting::exit(1); }
+
+/// The C library keeps errno where the thread's pointer says.
+[[gnu::naked, gnu::section(".vectors"), gnu::used]] void reset() {
+  asm volatile(
+      ".option push\n.option arch, +zicsr\nla sp, stack_top\nla tp, thread_begin\nla t0, fault\n"
+      "csrw mtvec, t0\nj prepared\n.option pop");
+}
+}
