@@ -108,11 +108,11 @@ class Map {
     };
     for (std::uint64_t column = 0; column < columns_; ++column) {
       for (std::uint64_t row = 0; row < rows_; ++row) {
-        const std::uint16_t here = cell(column, row).configurations;
-        if (column + 1 < columns_ && cell(column + 1, row).configurations != here) {
+        const Cell& here = cell(column, row);
+        if (column + 1 < columns_ && is_change(here, cell(column + 1, row))) {
           add(x_of(column + 1), y_of(row), x_of(column + 1), y_of(row + 1));
         }
-        if (row + 1 < rows_ && cell(column, row + 1).configurations != here) {
+        if (row + 1 < rows_ && is_change(here, cell(column, row + 1))) {
           add(x_of(column), y_of(row + 1), x_of(column + 1), y_of(row + 1));
         }
       }

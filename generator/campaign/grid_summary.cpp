@@ -89,9 +89,15 @@ void GridSummary::add(const std::vector<double>& rows) {
 std::map<std::uint16_t, std::uint64_t> GridSummary::counts() const {
   std::map<std::uint16_t, std::uint64_t> counts;
   for (const Cell& cell : cells_) {
-    ++counts[cell.configurations];
+    if (!cell.refused) {
+      ++counts[cell.configurations];
+    }
   }
   return counts;
+}
+
+bool is_change(const Cell& one, const Cell& other) {
+  return !one.refused && !other.refused && one.configurations != other.configurations;
 }
 
 std::uint64_t GridSummary::changes() const {

@@ -25,6 +25,9 @@ struct Cell {
   bool refused = false;
 };
 
+/// Whether two cells are known to have different numbers of configurations.
+[[nodiscard]] bool is_change(const Cell& one, const Cell& other);
+
 /// Where the least and the greatest of an output's coordinate are.
 struct CoordinateRange {
   std::string name;
@@ -42,7 +45,7 @@ class GridSummary {
   /// Of this shard; the last axis runs fastest.
   [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
   [[nodiscard]] const std::vector<CoordinateRange>& ranges() const { return ranges_; }
-  /// How many cells have so many configurations.
+  /// How many cells have so many configurations; refused ones are none of them.
   [[nodiscard]] std::map<std::uint16_t, std::uint64_t> counts() const;
   /// How many pairs of cells that are neighbours along an axis have different numbers of
   /// configurations: between them a configuration is singular, or leaves the limits of joints.

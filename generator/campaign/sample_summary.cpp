@@ -45,8 +45,9 @@ struct Row {
   std::function<double(const SampledOutput&, Eigen::Index)> number;
 };
 
-double known(const SampledOutput& output, double number) {
-  return output.statistics.count() > 0 ? number : std::numeric_limits<double>::quiet_NaN();
+/// A number of at least so many samples.
+double known(const SampledOutput& output, double number, std::uint64_t least = 1) {
+  return output.statistics.count() >= least ? number : std::numeric_limits<double>::quiet_NaN();
 }
 
 const FirstOrder& predicted(const SampledOutput& output, Eigen::Index axis) {
@@ -65,7 +66,7 @@ const std::vector<Row>& rows() {
        [](const SampledOutput& one, Eigen::Index axis) { return predicted(one, axis).mean_shift; }},
       {"deviation", "deviation",
        [](const SampledOutput& one, Eigen::Index axis) {
-         return known(one, std::sqrt(one.statistics.covariance()(axis, axis)));
+         return known(one, std::sqrt(one.statistics.covariance()(axis, axis)), 2);
        }},
       {"  rss / sqrt(3)", "deviation_first_order",
        [](const SampledOutput& one, Eigen::Index axis) {
@@ -117,7 +118,7 @@ std::string output_text(const SampledOutput& output) {
             padded(short_number(row.number(output, 1)), width) + "\n";
   }
   text += "  covariance of x and y   " +
-          padded(short_number(known(output, output.statistics.covariance()(0, 1))), width) +
+          padded(short_number(known(output, output.statistics.covariance()(0, 1), 2)), width) +
           padded(short_number(output.covariance), width) + "  (by first derivatives)\n";
   for (const std::size_t axis : {0U, 1U}) {
     if (output.statistics.count() > 0) {

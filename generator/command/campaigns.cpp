@@ -1,10 +1,13 @@
 #include "command/campaigns.hpp"
 
+#include <algorithm>
 #include <assur/text/error.hpp>
 #include <assur/text/input_file.hpp>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <iostream>
+#include <optional>
 #include <thread>
 
 #include "campaign/execution.hpp"
@@ -114,11 +117,18 @@ bool compute(const CampaignOptions& options, const CampaignFiles& files,
              const Use& use) {
   const Ranks ranks;
   const std::uint64_t items =
-      mechanism::part_of(description.items, ranks.number() + 1, ranks.count()).last;
-  ProgressBar bar(std::max<std::uint64_t>(1, items), !options.quiet && ranks.is_first());
+      description.items / description.shard.count / ranks.count();  // about: for the bar alone
+  std::optional<ProgressBar> bar;
+  if (!options.quiet && ranks.is_first()) {
+    bar.emplace(std::max<std::uint64_t>(1, items), std::chrono::seconds(1));
+  }
   campaign::Execution execution{
       campaign, description, files.table, options.force, threads_of(options, ranks), nullptr};
-  execution.progress = [&bar](std::uint64_t done) { bar.show(done); };
+  execution.progress = [&bar](std::uint64_t done) {
+    if (bar) {
+      bar->show(done);
+    }
+  };
   if (ranks.count() == 1) {
     if (campaign::is_computed(execution) && !options.quiet) {
       std::cerr << files.table.string() << ": it is whole, and is not computed again\n";

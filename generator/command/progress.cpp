@@ -8,11 +8,13 @@
 
 namespace assur::generator::command {
 
-ProgressBar::ProgressBar(std::uint64_t count, bool is_wanted)
-    : count_(count), is_shown_(is_wanted && isatty(STDERR_FILENO) != 0) {}
+ProgressBar::ProgressBar(std::uint64_t count, std::chrono::seconds silence)
+    : count_(count),
+      terminal_(isatty(STDERR_FILENO) != 0),
+      begin_(std::chrono::steady_clock::now() + silence) {}
 
 ProgressBar::~ProgressBar() {
-  if (is_shown_ && percent_ >= 0) {
+  if (terminal_ && percent_ >= 0) {
     std::cerr << "\r\x1b[K" << std::flush;
   }
 }
@@ -20,8 +22,7 @@ ProgressBar::~ProgressBar() {
 void ProgressBar::show(std::uint64_t done) {
   const int percent =
       static_cast<int>(100 * static_cast<double>(done) / static_cast<double>(count_));
-  if (!is_shown_ || percent == percent_ ||
-      std::chrono::steady_clock::now() - begin_ < std::chrono::seconds(1)) {
+  if (!terminal_ || percent == percent_ || std::chrono::steady_clock::now() < begin_) {
     return;
   }
   percent_ = percent;

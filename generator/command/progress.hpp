@@ -6,11 +6,11 @@
 
 namespace assur::generator::command {
 
-/// One line that is drawn anew, and erased at the end; nothing in the first second. Where standard
-/// error is not a terminal, or nobody wants it, nothing is written.
+/// One line that is drawn anew, and erased at the end; nothing before a time of silence is over.
+/// Where standard error is not a terminal, nothing is written.
 class ProgressBar {
  public:
-  explicit ProgressBar(std::uint64_t count, bool is_wanted = true);
+  explicit ProgressBar(std::uint64_t count, std::chrono::seconds silence = {});
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
   ~ProgressBar();
@@ -20,8 +20,8 @@ class ProgressBar {
  private:
   std::uint64_t count_;
   int percent_ = -1;
-  bool is_shown_;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  bool terminal_;
+  std::chrono::steady_clock::time_point begin_;
 };
 
 }  // namespace assur::generator::command
