@@ -29,3 +29,11 @@ function(assur_generator_folder)
     target_precompile_headers(${library} REUSE_FROM assur_generator_equations)
   endif()
 endfunction()
+
+# assur_module(TARGET): a part of the command that it loads when it is needed.
+function(assur_module module)
+  target_compile_features(${module} PRIVATE cxx_std_20)
+  target_include_directories(${module} PRIVATE ${PROJECT_SOURCE_DIR}/generator)
+  set_target_properties(${module} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+  install(TARGETS ${module} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/assur)
+endfunction()

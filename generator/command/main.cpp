@@ -13,11 +13,13 @@
 
 #include "command/arguments.hpp"
 #include "command/audit.hpp"
+#include "command/campaigns.hpp"
 #include "command/catalogue.hpp"
 #include "command/derive.hpp"
 #include "command/draw.hpp"
 #include "command/emit.hpp"
 #include "command/output.hpp"
+#include "command/ranks.hpp"
 #include "command/solve.hpp"
 #include "document/render.hpp"
 
@@ -103,8 +105,36 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error, int arg
          " (see assur --help)";
 }
 
+/// The options that commands of many solutions share.
+void add_campaign_options(CLI::App& command, CampaignOptions& options,
+                          const CLI::Validator& not_empty) {
+  command
+      .add_option("--output", options.output, "the table to write: .csv or .h5; or .svg, a picture")
+      ->required()
+      ->check(not_empty);
+  command.add_option("--plot", options.plot, "a picture beside the table: .svg")->check(not_empty);
+  command.add_option("--format", options.format, "of the summary")
+      ->check(one_of({"text", "json"}))
+      ->capture_default_str();
+  command.add_flag("--force", options.force, "replace files that exist");
+}
+
+/// And those that compute them.
+void add_computing_options(CLI::App& command, CampaignOptions& options,
+                           const CLI::Validator& not_empty) {
+  command.add_option("scene", options.scene, "scene file (JSON)")->required()->check(not_empty);
+  add_campaign_options(command, options, not_empty);
+  command.add_option("--set", options.settings, "NAME=EXPR, replaces a parameter's value")
+      ->expected(1)
+      ->take_all();
+  command.add_option("--shard", options.shard, "I/N: part I of N alone, for assur merge");
+  command.add_option("--threads", options.threads, "threads (default: one for each core)")
+      ->check(CLI::Range(1, 1024));
+  command.add_flag("--quiet", options.quiet, "no bar and no remarks on standard error");
+}
+
 int run(int argc, char** argv) {
-  const CLI::Validator whole_number(complaint_of_number, "");
+  const CLI::Validator whole_number_text(complaint_of_number, "");
   const CLI::Validator not_empty(
       [](const std::string& name) { return name.empty() ? std::string("the name is empty") : ""; },
       "");
@@ -183,7 +213,7 @@ int run(int argc, char** argv) {
       ->add_option("--branch", solve.branch,
                    "report configuration N alone; of a sweep, the rows of branch N")
       ->type_name("N")
-      ->check(whole_number);
+      ->check(whole_number_text);
   command
       ->add_flag("--nearest", solve.nearest,
                  "report the configuration nearest to the scene's reference alone; of a sweep, "
@@ -202,7 +232,7 @@ int run(int argc, char** argv) {
       ->take_all();
   command->add_option("--configuration", draw.configuration, "draw configuration N alone")
       ->type_name("N")
-      ->check(whole_number);
+      ->check(whole_number_text);
   command
       ->add_flag("--nearest", draw.nearest,
                  "draw the configuration nearest to the scene's reference alone")
@@ -212,6 +242,47 @@ int run(int argc, char** argv) {
   command->callback([&] {
     chosen = [&] {
       draw_scene(draw);
+      return exit_ok;
+    };
+  });
+
+  SampleOptions sample;
+  command =
+      app.add_subcommand("sample", "a scene's outputs under random deviations within tolerances");
+  add_computing_options(*command, sample, not_empty);
+  command->add_option("--count", sample.count, "how many samples")->required();
+  command->add_option("--seed", sample.seed, "of the random numbers")->required();
+  command
+      ->add_option(
+          "--branch", sample.branch,
+          "follow configuration N; default: the one nearest to the scene's reference, or 1")
+      ->type_name("N")
+      ->check(whole_number_text);
+  command->callback([&] {
+    chosen = [&] {
+      run_sample(sample);
+      return exit_ok;
+    };
+  });
+
+  MapOptions map;
+  command = app.add_subcommand("map", "a scene's configurations over a grid of parameters");
+  add_computing_options(*command, map, not_empty);
+  command->add_option("--over", map.over, "the grid: X=from:to:count,Y=...")->required();
+  command->callback([&] {
+    chosen = [&] {
+      run_map(map);
+      return exit_ok;
+    };
+  });
+
+  MergeOptions merge;
+  command = app.add_subcommand("merge", "the shards of a sample or a map into one table");
+  command->add_option("files", merge.files, "all shards, in any order")->required();
+  add_campaign_options(*command, merge, not_empty);
+  command->callback([&] {
+    chosen = [&] {
+      run_merge(merge);
       return exit_ok;
     };
   });
@@ -266,6 +337,7 @@ int main(int argc, char** argv) {
     return status;
   } catch (const InputError& error) {
     std::cerr << "error: " << error.what() << '\n';
+  } catch (const OtherRankFailed&) {  // that one tells why
   } catch (const std::exception& error) {
     std::cerr << "error: internal: " << error.what() << '\n';
   }

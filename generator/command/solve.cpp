@@ -203,7 +203,7 @@ void expect_no_setting_of(const mechanism::Plan& plan, const SolveOptions& optio
 bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
   const mechanism::Sweep& range = *plan.request().sweep;
   expect_no_setting_of(plan, options);
-  ProgressBar bar(range.count);
+  ProgressBar bar(static_cast<std::uint64_t>(range.count));
   bool degenerate = false;
   int last_branch = 0;
   bool has_row = false;
@@ -230,7 +230,7 @@ bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
     stretches.step(parameter, solution);
   };
   const auto step_done = [&](int done) {
-    bar.show(done);
+    bar.show(static_cast<std::uint64_t>(done));
     if (done > 1 && options.branch <= last_branch) {
       print(text);
       text.clear();
@@ -253,7 +253,7 @@ bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
 bool print_branch(const SolveOptions& options, const mechanism::Plan& plan) {
   const mechanism::Sweep& range = *plan.request().sweep;
   expect_no_setting_of(plan, options);
-  ProgressBar bar(range.count);
+  ProgressBar bar(static_cast<std::uint64_t>(range.count));
   bool degenerate = false;
   std::string text = csv_header(plan);
   StretchTeller stretches(plan);
@@ -263,7 +263,7 @@ bool print_branch(const SolveOptions& options, const mechanism::Plan& plan) {
     stretches.step(parameter, solution);
   };
   const auto step_done = [&](int done) {
-    bar.show(done);
+    bar.show(static_cast<std::uint64_t>(done));
     if (done > 1) {
       print(text);
       text.clear();

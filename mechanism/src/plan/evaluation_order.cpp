@@ -224,29 +224,33 @@ std::vector<GroupIndex> groups_carried_by(GroupIndex group, const PlanData& plan
                            [group](const DrivenLink& link) { return link.group == group; });
 }
 
-Dependents dependents_of(ParameterIndex changed, const PlanData& plan) {
+Dependents dependents_of(const std::vector<ParameterIndex>& changed, const PlanData& plan) {
   const Mechanism& mechanism = plan.mechanism;
   Dependents result;
   Table<ParameterIndex, bool> moves(mechanism.parameters().size(), false);
-  moves[changed] = true;
+  for (const ParameterIndex parameter : changed) {
+    moves[parameter] = true;
+  }
   const auto depends = [&](NumberIndex index) {
     const std::vector<ParameterIndex> used = mechanism.numbers()[index].formula.parameters();
     return std::any_of(used.begin(), used.end(),
                        [&](ParameterIndex parameter) { return moves[parameter]; });
   };
   for (const ParameterIndex parameter : plan.evaluation.parameters) {
-    if (parameter != changed && depends(mechanism.parameters()[parameter].value)) {
+    if (moves[parameter] || depends(mechanism.parameters()[parameter].value)) {
       moves[parameter] = true;
       result.parameters.push_back(parameter);
     }
   }
   // A parameter that moves may change what others' rates are: then all that moves is computed
   // again.
-  const bool rates_change = plan.evaluation.moves[changed] ||
-                            std::ranges::any_of(mechanism.parameters(), [&](const Parameter& one) {
-                              return (one.velocity.exists() && depends(one.velocity)) ||
-                                     (one.acceleration.exists() && depends(one.acceleration));
-                            });
+  const bool rates_change =
+      std::ranges::any_of(
+          changed, [&](ParameterIndex parameter) { return plan.evaluation.moves[parameter]; }) ||
+      std::ranges::any_of(mechanism.parameters(), [&](const Parameter& one) {
+        return (one.velocity.exists() && depends(one.velocity)) ||
+               (one.acceleration.exists() && depends(one.acceleration));
+      });
   Table<NumberIndex, bool> changes(mechanism.numbers().size(), false);
   for (const NumberIndex index : plan.evaluation.numbers) {
     if (depends(index)) {

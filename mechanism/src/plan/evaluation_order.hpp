@@ -10,9 +10,9 @@ namespace assur::mechanism {
 
 struct PlanData;
 
-/// What has to be evaluated again when one parameter changes, each list in an order that works.
+/// What has to be evaluated again when some parameters change, each list in an order that works.
 struct Dependents {
-  std::vector<ParameterIndex> parameters;  ///< others, through their formulas
+  std::vector<ParameterIndex> parameters;  ///< these, and others through their formulas
   std::vector<NumberIndex> numbers;        ///< that are no parameter's value and no driver's law
   std::vector<DriverIndex> drivers;
   std::vector<FeatureIndex> features;
@@ -37,9 +37,10 @@ struct EvaluationOrder {
   bool second_order = false;
 };
 
-/// What depends on one parameter; found when it is first asked for, because in a long chain of
+/// What depends on some parameters; found when it is first asked for, because in a long chain of
 /// parameters the lists of all of them together are as long as the chain's square.
-[[nodiscard]] Dependents dependents_of(ParameterIndex changed, const PlanData& plan);
+[[nodiscard]] Dependents dependents_of(const std::vector<ParameterIndex>& changed,
+                                       const PlanData& plan);
 
 /// The groups with links that a driver, or a group before them, moves against one another.
 [[nodiscard]] std::vector<GroupIndex> groups_carried_by(DriverIndex driver, const PlanData& plan);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <assur/mechanism/values.hpp>
 #include <assur/support/displaced_frame.hpp>
 #include <cmath>
@@ -101,38 +102,59 @@ void Values::expect_finite(ParameterIndex parameter, double value) const {
   }
 }
 
+void Values::replace(ParameterIndex parameter, double value) {
+  expect_finite(parameter, value);
+  const auto found =
+      std::ranges::find(replaced_, parameter, &std::pair<ParameterIndex, double>::first);
+  if (found != replaced_.end()) {
+    found->second = value;
+  } else {
+    replaced_.emplace_back(parameter, value);
+  }
+}
+
 void Values::set(ParameterIndex parameter, double value) {
   const bool were_usable = usable_;
   usable_ = false;
-  expect_finite(parameter, value);
-  bool found = false;
-  for (auto& [index, replacement] : replaced_) {
-    if (index == parameter) {
-      replacement = value;
-      found = true;
-    }
-  }
-  if (!found) {
-    replaced_.emplace_back(parameter, value);
-  }
+  replace(parameter, value);
   if (!were_usable) {  // what the failed evaluation has left is not known
     evaluate();
-    usable_ = true;
-    return;
+  } else {
+    std::shared_ptr<const Dependents>& dependents = dependents_[parameter];
+    if (!dependents) {
+      dependents = std::make_shared<const Dependents>(plan::dependents_of({parameter}, *plan_));
+    }
+    evaluate_again(*dependents);
   }
-  evaluate_dependents(parameter);
   usable_ = true;
 }
 
-void Values::evaluate_dependents(ParameterIndex parameter) {
-  std::shared_ptr<const Dependents>& found_before = dependents_[parameter];
-  if (!found_before) {
-    found_before = std::make_shared<const Dependents>(plan::dependents_of(parameter, *plan_));
+void Values::set(const std::vector<std::pair<ParameterIndex, double>>& changed) {
+  const bool were_usable = usable_;
+  usable_ = false;
+  for (const auto& [parameter, value] : changed) {
+    replace(parameter, value);
   }
-  const Dependents& dependents = *found_before;
-  evaluate_parameter(parameter);
-  for (const ParameterIndex other : dependents.parameters) {
-    evaluate_parameter(other);
+  if (!were_usable) {
+    evaluate();
+  } else {
+    if (!dependents_together_ || !std::ranges::equal(changed, set_together_, {},
+                                                     &std::pair<ParameterIndex, double>::first)) {
+      set_together_.clear();
+      for (const auto& [parameter, value] : changed) {
+        set_together_.push_back(parameter);
+      }
+      dependents_together_ =
+          std::make_shared<const Dependents>(plan::dependents_of(set_together_, *plan_));
+    }
+    evaluate_again(*dependents_together_);
+  }
+  usable_ = true;
+}
+
+void Values::evaluate_again(const Dependents& dependents) {
+  for (const ParameterIndex parameter : dependents.parameters) {
+    evaluate_parameter(parameter);
   }
   for (const NumberIndex number : dependents.numbers) {
     evaluate_number(number);

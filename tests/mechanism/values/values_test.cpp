@@ -40,6 +40,32 @@ void check_settings(const Plan& plan) {
   }
 }
 
+/// Neighbouring pairs of parameters moved together, then all of them, then none.
+void check_settings_together(const Plan& plan) {
+  const Values original = plan.values();
+  Values values = plan.values();
+  std::vector<std::pair<ParameterIndex, double>> all;
+  std::vector<std::pair<std::string, double>> replaced;
+  for (const ParameterIndex parameter : plan.mechanism().parameters().keys()) {
+    const double value = original.parameter(parameter);
+    all.emplace_back(parameter, value + 1e-3 * (value == 0 ? 1 : std::abs(value)));
+    replaced.emplace_back(plan.mechanism().parameters()[parameter].name, all.back().second);
+    if (all.size() > 1) {
+      values.set({all[all.size() - 2], all.back()});
+      expect_same(plan, values, plan.values(replaced));
+    }
+  }
+  Values at_once = plan.values();
+  at_once.set(all);
+  expect_same(plan, at_once, plan.values(replaced));
+  at_once.set(std::vector<std::pair<ParameterIndex, double>>());
+  expect_same(plan, at_once, plan.values(replaced));
+  EXPECT_THROW(at_once.set({all.front(), {ParameterIndex(), 1.0}}), mechanism::MechanismError);
+  EXPECT_FALSE(at_once.usable());
+  at_once.set(all);
+  expect_same(plan, at_once, plan.values(replaced));
+}
+
 class ExampleValues : public testing::TestWithParam<std::string> {};
 
 TEST_P(ExampleValues, SetAreThoseEvaluatedAfresh) {
@@ -74,6 +100,12 @@ const char* const tied = R"({
 
 TEST(Values, SetAreThoseEvaluatedAfreshThroughFormulas) {
   check_settings(Plan(mechanism::parse_scene(tied, "tied")));
+}
+
+TEST(Values, SetTogetherAreThoseEvaluatedAfresh) {
+  check_settings_together(Plan(mechanism::parse_scene(tied, "tied")));
+  check_settings_together(
+      Plan(mechanism::read_scene(fs::path(ASSUR_EXAMPLES) / "excavator_arm.json")));
 }
 
 /// A value that stands in for a formula does not follow what the formula names.

@@ -52,6 +52,9 @@ class Values {
   /// Another value of one parameter. Throws as the constructor does; until a value is set that can
   /// be used, these values then refuse to be solved.
   void set(ParameterIndex parameter, double value);
+  /// Other values of some parameters: what depends on any of them is evaluated once. What that is
+  /// is known from the call before, where it was of the same parameters.
+  void set(const std::vector<std::pair<ParameterIndex, double>>& changed);
   /// Whether the last `set` went through.
   [[nodiscard]] bool usable() const { return usable_; }
 
@@ -115,7 +118,8 @@ class Values {
   /// Throws MechanismError where all coordinates are too small to be divided by.
   void expect_unit() const;
   void evaluate();
-  void evaluate_dependents(ParameterIndex parameter);
+  void replace(ParameterIndex parameter, double value);
+  void evaluate_again(const Dependents& dependents);
   void evaluate_parameter(ParameterIndex parameter);
   void evaluate_number(NumberIndex number);
   void evaluate_feature(FeatureIndex feature);
@@ -149,6 +153,9 @@ class Values {
   std::vector<std::pair<ParameterIndex, double>> replaced_;
   /// Of each parameter that was set; null for the others.
   Table<ParameterIndex, std::shared_ptr<const Dependents>> dependents_;
+  /// Of the parameters that were last set together.
+  std::vector<ParameterIndex> set_together_;
+  std::shared_ptr<const Dependents> dependents_together_;
   Table<ParameterIndex, Dual> parameters_;
   Table<ParameterIndex, double> parameter_roundings_;
   Table<NumberIndex, Dual> numbers_;

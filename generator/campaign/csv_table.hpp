@@ -1,0 +1,25 @@
+// Turns rows of numbers into lines of CSV below comments that describe them, and back.
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "campaign/table_file.hpp"
+
+namespace assur::generator::campaign {
+
+/// The names of the columns as a line without its end, and from it.
+[[nodiscard]] std::string csv_head(const std::vector<mechanism::Column>& columns);
+[[nodiscard]] std::vector<std::string> names_in_csv_head(const std::string& line);
+
+/// Lines of rows. Numbers have the fewest digits that tell them from all others; what there is none
+/// of is an empty cell.
+[[nodiscard]] std::string csv_lines(const std::vector<mechanism::Column>& columns,
+                                    const std::vector<double>& rows);
+
+[[nodiscard]] std::unique_ptr<TableWriter> csv_writer(PartialFile& file,
+                                                      const Description& description);
+[[nodiscard]] std::unique_ptr<TableReader> csv_reader(const std::filesystem::path& file);
+
+}  // namespace assur::generator::campaign

@@ -1,0 +1,59 @@
+// Turns what a file of rows is part of into named texts that can be compared, and back.
+#pragma once
+
+#include <assur/mechanism/campaign_columns.hpp>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace assur::generator::campaign {
+
+/// One part of a campaign's items, from 1.
+struct Shard {
+  std::uint64_t number = 1, count = 1;
+
+  [[nodiscard]] bool is_whole() const { return count == 1; }
+  /// `3/8`.
+  [[nodiscard]] std::string text() const;
+};
+
+/// Of `i/n`, with 1 <= i <= n <= 1e6; throws InputError with the option's name.
+[[nodiscard]] Shard shard_of(const std::string& text, const std::string& option);
+
+/// What a campaign's table is of: the scene, by a hash of its text, the options that its rows
+/// depend on, and what a summary needs beside the rows. Files are parts of one table if all of it
+/// is equal but the shard.
+struct Description {
+  std::vector<std::pair<std::string, std::string>> entries;  ///< no text holds an end of line
+  std::vector<mechanism::Column> columns;
+  std::uint64_t items = 0;
+  Shard shard;
+
+  void add(const std::string& name, const std::string& text);
+  void add(const std::string& name, const std::vector<double>& numbers);
+  /// The text of a name; empty where there is none.
+  [[nodiscard]] std::string text_of(const std::string& name) const;
+  /// The numbers of a name; NaN for `-`.
+  [[nodiscard]] std::vector<double> numbers_of(const std::string& name) const;
+  /// The texts of a name that stands several times.
+  [[nodiscard]] std::vector<std::string> texts_of(const std::string& name) const;
+
+  /// All of it as named texts, and from these. `where` is the file, for messages; throws
+  /// InputError.
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> written() const;
+  [[nodiscard]] static Description read(
+      const std::vector<std::pair<std::string, std::string>>& written, const std::string& where);
+};
+
+/// What differs first between two descriptions, but for their shards: `seed: 2, and not 1`; nothing
+/// if they are of one table.
+[[nodiscard]] std::string difference(const Description& one, const Description& other);
+
+/// A number with the fewest digits that tell it from all others; `-` for none.
+[[nodiscard]] std::string number_text(double number);
+
+/// FNV-1a with 64 bits, in hexadecimal digits.
+[[nodiscard]] std::string hash_of(const std::string& text);
+
+}  // namespace assur::generator::campaign

@@ -1,0 +1,75 @@
+// Turns the rows of a grid into how many configurations its cells have, and where that changes.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "campaign/description.hpp"
+
+namespace assur::generator::campaign {
+
+/// An axis of the grid, for people.
+struct NamedAxis {
+  std::string name;
+  double from, to;
+  std::uint64_t count;
+};
+
+/// What is told of one cell.
+struct Cell {
+  std::uint16_t configurations = 0;
+  bool near_singular = false;  ///< a configuration is
+  bool families = false;       ///< a group moves freely, or is inconsistent
+  bool refused = false;
+};
+
+/// Whether two cells are known to have different numbers of configurations.
+[[nodiscard]] bool is_change(const Cell& one, const Cell& other);
+
+/// Where the least and the greatest of an output's coordinate are.
+struct CoordinateRange {
+  std::string name;
+  double least, greatest;
+};
+
+class GridSummary {
+ public:
+  /// Throws InputError, `where` before it, where the description is not of a grid.
+  GridSummary(Description description, const std::string& where);
+  void add(const std::vector<double>& rows);
+
+  [[nodiscard]] const Description& description() const { return description_; }
+  [[nodiscard]] const std::vector<NamedAxis>& axes() const { return axes_; }
+  /// Of this shard; the last axis runs fastest.
+  [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
+  [[nodiscard]] const std::vector<CoordinateRange>& ranges() const { return ranges_; }
+  /// How many cells have so many configurations; refused ones are none of them.
+  [[nodiscard]] std::map<std::uint16_t, std::uint64_t> counts() const;
+  /// How many pairs of cells that are neighbours along an axis have different numbers of
+  /// configurations: between them a configuration is singular, or leaves the limits of joints.
+  [[nodiscard]] std::uint64_t changes() const;
+  /// The first cell that is refused, or all of them.
+  [[nodiscard]] std::uint64_t first_refused() const;
+
+ private:
+  Description description_;
+  std::vector<NamedAxis> axes_;
+  std::uint64_t first_cell_;
+  std::vector<Cell> cells_;
+  std::vector<CoordinateRange> ranges_;
+};
+
+/// The entry of an axis in a description.
+[[nodiscard]] std::string axis_text(const NamedAxis& axis);
+
+[[nodiscard]] std::string grid_text(const GridSummary& summary);
+[[nodiscard]] std::string grid_json(const GridSummary& summary);
+/// Throws InputError for a grid that has not one or two axes, or too many cells to be drawn.
+void expect_drawable(const Description& description, const std::string& where);
+/// The cells, coloured by how many configurations they have, as SVG. Lines stand where the number
+/// changes, marks where a configuration is nearly singular or moves freely.
+[[nodiscard]] std::string grid_picture(const GridSummary& summary);
+
+}  // namespace assur::generator::campaign

@@ -1,0 +1,26 @@
+// Turns rows of numbers into columns of an HDF5 file, and back.
+#pragma once
+
+#include <string>
+
+#include "campaign/table_file.hpp"
+
+namespace assur::generator::campaign {
+
+/// Throws InputError, `where` before it, if this program was built without HDF5. So do the others.
+void expect_hdf5(const std::string& where);
+
+/// A data set for each column, as long as there are rows: 64-bit whole numbers, outcomes as an
+/// enumeration, doubles with NaN for what there is none of. The attribute `description` holds the
+/// lines that a file of CSV has as comments, with the line of names behind them.
+[[nodiscard]] std::unique_ptr<TableWriter> hdf5_writer(PartialFile& file,
+                                                       const Description& description);
+[[nodiscard]] std::unique_ptr<TableReader> hdf5_reader(const std::filesystem::path& file);
+
+/// What the module makes, for the caller to delete.
+extern "C" {
+[[nodiscard]] TableWriter* assur_hdf5_writer(PartialFile* file, const Description* description);
+[[nodiscard]] TableReader* assur_hdf5_reader(const char* file);
+}
+
+}  // namespace assur::generator::campaign

@@ -1,0 +1,133 @@
+// Turns what a sample says of its outputs into histograms, as SVG.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "campaign/sample_summary.hpp"
+#include "campaign/svg_text.hpp"
+
+namespace assur::generator::campaign {
+
+namespace {
+
+constexpr double panel_width = 420;
+constexpr double panel_height = 230;
+constexpr double margin = 40;
+constexpr double head = 50;
+constexpr std::size_t most_bars = 64;
+
+/// One coordinate: the bars, the worst case and the deviation that first derivatives tell, and the
+/// density of the normal law of the sample's mean and deviation.
+class Panel {
+ public:
+  Panel(const SampledOutput& output, std::size_t axis, double left, double top)
+      : predicted_(output.predicted[axis]),
+        statistics_(output.statistics),
+        axis_(static_cast<Eigen::Index>(axis)),
+        bars_(statistics_.histogram(axis).bars(most_bars)),
+        left_(left + margin),
+        top_(top + margin / 2),
+        width_(panel_width - 2 * margin),
+        height_(panel_height - 2 * margin) {
+    const double worst = std::isfinite(predicted_.worst_case) ? predicted_.worst_case : 0;
+    from_ = std::min(bars_.front().from - predicted_.nominal, -worst);
+    to_ = std::max(bars_.back().to - predicted_.nominal, worst);
+    for (const auto& bar : bars_) {
+      highest_ = std::max(highest_, density(bar));
+    }
+    deviation_ = std::sqrt(statistics_.covariance()(axis_, axis_));
+    has_curve_ = deviation_ > (to_ - from_) * 1e-3;
+    highest_ = std::max(highest_, has_curve_ ? normal_density(0) : 0);
+  }
+
+  [[nodiscard]] std::string svg(const std::string& name) const {
+    std::string body;
+    for (const auto& bar : bars_) {
+      const double x = x_of(bar.from - predicted_.nominal);
+      const double y = y_of(density(bar));
+      body += rectangle(x, y, std::max(0.5, x_of(bar.to - predicted_.nominal) - x),
+                        top_ + height_ - y, "#9ecae1");
+    }
+    body += normal_curve();
+    body += line(left_, top_ + height_, left_ + width_, top_ + height_, "stroke=\"black\"");
+    body += mark(0, "stroke=\"black\"");
+    for (const double sign : {-1.0, 1.0}) {
+      body += mark(sign * predicted_.worst_case, "stroke=\"#d62728\" stroke-width=\"1.5\"");
+      body += mark(sign * predicted_.rss / std::numbers::sqrt3,
+                   "stroke=\"#2ca02c\" stroke-dasharray=\"5 3\"");
+    }
+    const double below = top_ + height_ + 15;
+    body += words(left_, below, "middle", label(from_));
+    body += words(left_ + width_, below, "middle", label(to_));
+    return body + words(left_ + width_ / 2, below + 3, "middle",
+                        name + " from " + label(predicted_.nominal));
+  }
+
+ private:
+  [[nodiscard]] double x_of(double away) const {
+    return left_ + width_ * (away - from_) / (to_ - from_);
+  }
+  [[nodiscard]] double y_of(double density) const {
+    return top_ + height_ * (1 - density / (1.1 * highest_));
+  }
+  [[nodiscard]] double density(const mechanism::Histogram::Bar& bar) const {
+    return static_cast<double>(bar.count) / static_cast<double>(statistics_.count()) /
+           (bar.to - bar.from);
+  }
+
+  /// At so many deviations from the mean.
+  [[nodiscard]] double normal_density(double deviations) const {
+    return std::exp(-deviations * deviations / 2) / (deviation_ * std::sqrt(2 * std::numbers::pi));
+  }
+
+  [[nodiscard]] std::string mark(double away, const std::string& style) const {
+    return std::isfinite(away) ? line(x_of(away), top_, x_of(away), top_ + height_, style) : "";
+  }
+
+  [[nodiscard]] std::string normal_curve() const {
+    if (!has_curve_) {
+      return "";
+    }
+    const double mean = statistics_.mean_shift()(axis_);
+    std::string points;
+    constexpr int steps = 120;
+    for (int step = 0; step <= steps; ++step) {
+      const double away = from_ + (to_ - from_) * step / steps;
+      const double height = normal_density((away - mean) / deviation_);
+      points += at(x_of(away)) + "," + at(y_of(height)) + " ";
+    }
+    return "<polyline fill=\"none\" stroke=\"#08519c\" points=\"" + points + "\"/>\n";
+  }
+
+  const FirstOrder& predicted_;
+  const mechanism::PointStatistics& statistics_;
+  Eigen::Index axis_;
+  std::vector<mechanism::Histogram::Bar> bars_;
+  double left_, top_, width_, height_;
+  double from_ = 0, to_ = 0, highest_ = 0, deviation_ = 0;
+  bool has_curve_ = false;
+};
+
+}  // namespace
+
+std::string histogram_picture(const SampleSummary& summary) {
+  std::string body = words(
+      margin, 20, "start",
+      summary.description().text_of("name") + ": " + std::to_string(summary.count()) + " samples");
+  body += words(margin, 38, "start",
+                "red: worst case; green: rss / sqrt(3); blue: normal law of the sample's mean and "
+                "deviation");
+  double top = head;
+  for (const SampledOutput& output : summary.outputs()) {
+    for (const std::size_t axis : {0U, 1U}) {
+      if (output.statistics.count() > 0) {
+        body += Panel(output, axis, static_cast<double>(axis) * panel_width, top)
+                    .svg(output.name + (axis == 0 ? ".x" : ".y"));
+      }
+    }
+    top += panel_height;
+  }
+  return document(2 * panel_width, top, body);
+}
+
+}  // namespace assur::generator::campaign

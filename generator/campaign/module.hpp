@@ -1,0 +1,12 @@
+// Turns the name of a function in a part of this program that is loaded when it is needed into it.
+#pragma once
+
+#include <string>
+
+namespace assur::generator::campaign {
+
+/// The libraries for HDF5 and MPI take longer to load than most commands run: what needs them
+/// stands in a module, in the folder of the program or in `../lib/assur`. Null where there is none.
+[[nodiscard]] void* function_of_module(const std::string& module, const char* function);
+
+}  // namespace assur::generator::campaign

@@ -1,0 +1,96 @@
+#include "campaign/partial_file.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <assur/text/error.hpp>
+#include <cerrno>
+#include <cstring>
+
+namespace assur::generator::campaign {
+
+namespace {
+
+/// Whether a name still is that of an open file: the process that held the lock before may have
+/// given the file its own name, or removed it.
+bool is_named(int descriptor, const std::filesystem::path& path) {
+  struct stat opened {};
+  struct stat named {};
+  return fstat(descriptor, &opened) == 0 && stat(path.c_str(), &named) == 0 &&
+         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+}
+
+}  // namespace
+
+PartialFile::PartialFile(std::filesystem::path target) : target_(std::move(target)) {
+  partial_ = target_;
+  partial_ += ".partial";
+  while (true) {
+    descriptor_ = open(partial_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) {
+      fail(errno);
+    }
+    if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      (void)close(descriptor_);
+      descriptor_ = -1;
+      throw text::InputError(target_.string() + ": another process is writing it");
+    }
+    if (is_named(descriptor_, partial_)) {
+      break;
+    }
+    (void)close(descriptor_);
+  }
+  if (ftruncate(descriptor_, 0) != 0) {
+    fail(errno);
+  }
+}
+
+PartialFile::~PartialFile() {
+  if (descriptor_ >= 0) {
+    (void)unlink(partial_.c_str());
+    (void)close(descriptor_);
+  }
+}
+
+void PartialFile::fail(int reason) const {
+  throw text::InputError(target_.string() + ": cannot be written: " + std::strerror(reason));
+}
+
+void PartialFile::write(const std::string& text) {
+  for (std::size_t written = 0; written < text.size();) {
+    const ssize_t count = ::write(descriptor_, text.data() + written, text.size() - written);
+    if (count < 0 && errno != EINTR) {
+      fail(errno);
+    }
+    written += count > 0 ? static_cast<std::size_t>(count) : 0;
+  }
+}
+
+void PartialFile::finish() {
+  if (fsync(descriptor_) != 0 && errno != EINVAL) {  // not every file can be synchronised
+    fail(errno);
+  }
+  if (rename(partial_.c_str(), target_.c_str()) != 0) {
+    fail(errno);
+  }
+  (void)close(descriptor_);
+  descriptor_ = -1;
+}
+
+void write_whole(const std::filesystem::path& file, const std::string& text) {
+  PartialFile partial(file);
+  partial.write(text);
+  partial.finish();
+}
+
+void expect_new(const std::filesystem::path& file, bool may_replace) {
+  std::error_code error;
+  if (!may_replace && std::filesystem::exists(std::filesystem::symlink_status(file, error))) {
+    throw text::InputError(file.string() +
+                           ": it exists; give another name, or --force to replace it");
+  }
+}
+
+}  // namespace assur::generator::campaign

@@ -1,0 +1,41 @@
+// Turns what is written bit by bit into a file that is there as a whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace assur::generator::campaign {
+
+/// A file under a temporary name, `NAME.partial`, that takes its own name when it is whole. It is
+/// locked: of two processes that write the same file one is refused. What a killed process has left
+/// is written anew by the next.
+class PartialFile {
+ public:
+  /// Throws InputError where the file cannot be made, or another process is writing it.
+  explicit PartialFile(std::filesystem::path target);
+  PartialFile(const PartialFile&) = delete;
+  PartialFile& operator=(const PartialFile&) = delete;
+  /// Removes what has not been finished.
+  ~PartialFile();
+
+  [[nodiscard]] const std::filesystem::path& target() const { return target_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return partial_; }
+  /// Throws InputError where there is no room.
+  void write(const std::string& text);
+  /// Brings all to the disk and gives the file its name.
+  void finish();
+  /// Throws an InputError that names the file and says why, by the system's number of the error.
+  [[noreturn]] void fail(int reason) const;
+
+ private:
+  std::filesystem::path target_, partial_;
+  int descriptor_ = -1;
+};
+
+/// Writes a whole text so.
+void write_whole(const std::filesystem::path& file, const std::string& text);
+
+/// Throws InputError where something has that name, unless it may be replaced.
+void expect_new(const std::filesystem::path& file, bool may_replace);
+
+}  // namespace assur::generator::campaign

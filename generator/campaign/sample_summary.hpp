@@ -1,0 +1,60 @@
+// Turns the rows of a sample into what it says of each output, beside what derivatives say.
+#pragma once
+
+#include <array>
+#include <assur/mechanism/campaign.hpp>
+#include <assur/mechanism/sample_statistics.hpp>
+#include <string>
+#include <vector>
+
+#include "campaign/description.hpp"
+
+namespace assur::generator::campaign {
+
+/// What derivatives at the nominal values say of one coordinate; NaN where they are not known.
+struct FirstOrder {
+  double nominal, worst_case, rss;
+  double variance, mean_shift;  ///< of first and of second order
+};
+
+struct SampledOutput {
+  std::string name;
+  std::array<FirstOrder, 2> predicted;
+  double covariance;  ///< of the two coordinates, of first order
+  mechanism::PointStatistics statistics;
+};
+
+class SampleSummary {
+ public:
+  /// Throws InputError, `where` before it, where the description is not of a sample.
+  SampleSummary(Description description, const std::string& where);
+  void add(const std::vector<double>& rows);
+
+  [[nodiscard]] const Description& description() const { return description_; }
+  [[nodiscard]] const std::vector<SampledOutput>& outputs() const { return outputs_; }
+  /// How many samples had an outcome.
+  [[nodiscard]] std::uint64_t count_of(mechanism::Outcome outcome) const {
+    return counts_[static_cast<std::size_t>(outcome)];
+  }
+  [[nodiscard]] std::uint64_t count() const;
+  /// The first sample of an outcome, of which there is one.
+  [[nodiscard]] std::uint64_t first_of(mechanism::Outcome outcome) const {
+    return first_[static_cast<std::size_t>(outcome)];
+  }
+
+ private:
+  Description description_;
+  std::vector<SampledOutput> outputs_;
+  std::array<std::uint64_t, mechanism::outcome_words.size()> counts_{}, first_{};
+};
+
+/// What a sample's description has beside the columns; see docs/campaigns.md.
+void describe_nominal(const std::vector<mechanism::NominalPoint>& points, Description& description);
+
+/// For people, and as JSON.
+[[nodiscard]] std::string sample_text(const SampleSummary& summary);
+[[nodiscard]] std::string sample_json(const SampleSummary& summary);
+/// A histogram of each coordinate as SVG, with what derivatives say of it.
+[[nodiscard]] std::string histogram_picture(const SampleSummary& summary);
+
+}  // namespace assur::generator::campaign

@@ -1,0 +1,73 @@
+// Turns the options that `assur sample`, `assur map` and `assur merge` share into files.
+#pragma once
+
+#include <assur/mechanism/campaign.hpp>
+#include <assur/mechanism/scene_file.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "campaign/description.hpp"
+
+namespace assur::generator::command {
+
+struct CampaignOptions {
+  std::string scene;
+  std::vector<std::string> settings;
+  std::string output, plot;
+  std::string shard = "1/1";
+  std::string format = "text";
+  int threads = 0;  ///< zero for as many as there are cores
+  bool force = false;
+  bool quiet = false;
+};
+
+struct SampleOptions : CampaignOptions {
+  std::string count, seed;
+  int branch = 0;
+};
+
+struct MapOptions : CampaignOptions {
+  std::string over;
+};
+
+struct MergeOptions : CampaignOptions {
+  std::vector<std::string> files;
+};
+
+/// Each computes what is not there yet, writes it, and prints a summary. Throws InputError for what
+/// cannot be used or written.
+void run_sample(const SampleOptions& options);
+void run_map(const MapOptions& options);
+void run_merge(const MergeOptions& options);
+
+/// Where the rows go, if they are kept, and where the picture goes, if there is one.
+struct CampaignFiles {
+  std::filesystem::path table, picture;
+};
+/// `--output` by its ending, and `--plot`. Throws InputError for other endings, for a picture of a
+/// shard, and where a picture has a name that is taken.
+[[nodiscard]] CampaignFiles files_of(const CampaignOptions& options);
+
+/// The scene, its text's hash and the settings.
+struct CampaignScene {
+  mechanism::Scene scene;
+  campaign::Description description;
+};
+[[nodiscard]] CampaignScene campaign_scene(const std::string& campaign,
+                                           const CampaignOptions& options);
+
+/// Computes and writes the rows, on this rank or on all of them together, and hands over those of
+/// the shard that the options name. Returns false on a rank that is not the first: it has none.
+[[nodiscard]] bool compute(const CampaignOptions& options, const CampaignFiles& files,
+                           const mechanism::Campaign& campaign,
+                           const campaign::Description& description,
+                           const std::function<void(const std::vector<double>&)>& use);
+
+/// A whole number up to a limit, in digits or as 1e6; throws InputError with the option's name.
+[[nodiscard]] std::uint64_t whole_number(const std::string& text, std::uint64_t least,
+                                         std::uint64_t most, const std::string& option);
+
+}  // namespace assur::generator::command

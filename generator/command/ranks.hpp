@@ -1,0 +1,37 @@
+// Turns the processes that `mpirun` has started into ranks that wait for one another.
+#pragma once
+
+#include <cstdint>
+#include <exception>
+#include <functional>
+
+namespace assur::generator::command {
+
+/// Another process that was started together with this one has failed, and has said why.
+class OtherRankFailed : public std::exception {};
+
+/// This process among those that were started together; one alone without MPI, and where a program
+/// was not started by it.
+class Ranks {
+ public:
+  Ranks();
+  Ranks(const Ranks&) = delete;
+  Ranks& operator=(const Ranks&) = delete;
+  ~Ranks();
+
+  [[nodiscard]] std::uint64_t number() const { return number_; }  ///< from 0
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+  [[nodiscard]] bool is_first() const { return number_ == 0; }
+
+  /// Does a part of the work, and waits until all have done theirs. The first of those that fail
+  /// throws what its part threw, all others OtherRankFailed.
+  void together(const std::function<void()>& part) const;
+
+ private:
+  /// The least number of any rank.
+  [[nodiscard]] std::uint64_t least_of(std::uint64_t own) const;
+
+  std::uint64_t number_ = 0, count_ = 1;
+};
+
+}  // namespace assur::generator::command

@@ -1,0 +1,19 @@
+// Turns what this program needs of MPI into functions of a module.
+#pragma once
+
+#include <cstdint>
+
+namespace assur::generator::command {
+
+extern "C" {
+struct AssurMpiRank {
+  std::uint64_t number, count;
+};
+/// Begins MPI.
+[[nodiscard]] AssurMpiRank assur_mpi_begin();
+/// The least of the numbers that all ranks give.
+[[nodiscard]] std::uint64_t assur_mpi_least(std::uint64_t own);
+void assur_mpi_end();
+}
+
+}  // namespace assur::generator::command

@@ -1,0 +1,98 @@
+// Turns the options of `assur sample` into rows, a summary and a picture of random deviations.
+#include <array>
+#include <assur/mechanism/error.hpp>
+#include <assur/text/error.hpp>
+#include <assur/text/names.hpp>
+#include <iostream>
+#include <limits>
+
+#include "campaign/partial_file.hpp"
+#include "campaign/sample_summary.hpp"
+#include "command/campaigns.hpp"
+#include "command/output.hpp"
+
+namespace assur::generator::command {
+
+namespace {
+
+using mechanism::Outcome;
+
+constexpr std::uint64_t most_samples = 10'000'000'000;
+
+std::string tolerances_of(const mechanism::Mechanism& mechanism,
+                          const std::vector<mechanism::Deviation>& deviations) {
+  return text::joined(deviations, ", ", [&](const mechanism::Deviation& deviation) {
+    return mechanism.parameters()[deviation.parameter].name + " +- " +
+           campaign::number_text(deviation.half_width);
+  });
+}
+
+/// Tells of each outcome without a configuration the first sample, and why.
+void tell_lost_samples(const mechanism::Mechanism& mechanism, const mechanism::Sampling& sampling,
+                       const campaign::SampleSummary& summary) {
+  constexpr std::array<Outcome, 4> lost = {Outcome::beyond_limits, Outcome::no_assembly,
+                                           Outcome::degenerate, Outcome::refused};
+  for (const Outcome outcome : lost) {
+    if (summary.count_of(outcome) == 0) {
+      continue;
+    }
+    const std::uint64_t sample = summary.first_of(outcome);
+    const std::vector<double> numbers = sampling.parameters_of(sample);
+    std::string settings;
+    for (std::size_t place = 0; place < numbers.size(); ++place) {
+      settings += " --set " + mechanism.parameters()[sampling.deviations()[place].parameter].name +
+                  "=" + campaign::number_text(numbers[place]);
+    }
+    std::cerr << summary.count_of(outcome) << " samples are "
+              << mechanism::outcome_words[static_cast<std::size_t>(outcome)] << "; sample "
+              << sample << ": " << sampling.reason_of(sample) << " (" << settings.substr(1)
+              << ")\n";
+  }
+}
+
+void sample(const SampleOptions& options, CampaignScene& scene) {
+  const std::uint64_t count = whole_number(options.count, 1, most_samples, "--count");
+  const std::uint64_t seed =
+      whole_number(options.seed, 0, std::numeric_limits<std::uint64_t>::max(), "--seed");
+  const CampaignFiles files = files_of(options);
+  const mechanism::Mechanism& mechanism = scene.scene.mechanism;
+  const mechanism::Request& request = scene.scene.request;
+  const mechanism::Sampling sampling(mechanism, request, static_cast<std::size_t>(options.branch),
+                                     seed, count);
+  const mechanism::Campaign campaign = sampling.campaign();
+  campaign::Description& description = scene.description;
+  description.columns = campaign.columns;
+  description.items = campaign.items;
+  description.add("seed", std::to_string(seed));
+  description.add("configuration",
+                  options.branch > 0          ? "configuration " + std::to_string(options.branch)
+                  : request.reference.empty() ? "configuration 1"
+                                              : "the configuration of the reference");
+  description.add("tolerances", tolerances_of(mechanism, sampling.deviations()));
+  campaign::describe_nominal(sampling.nominal(), description);
+  campaign::SampleSummary summary(description, options.scene);
+  if (!compute(options, files, campaign, description,
+               [&summary](const std::vector<double>& rows) { summary.add(rows); })) {
+    return;
+  }
+  if (!files.picture.empty()) {
+    campaign::write_whole(files.picture, campaign::histogram_picture(summary));
+  }
+  if (!options.quiet) {
+    tell_lost_samples(mechanism, sampling, summary);
+  }
+  print(options.format == "json" ? campaign::sample_json(summary) : campaign::sample_text(summary));
+}
+
+}  // namespace
+
+void run_sample(const SampleOptions& options) {
+  CampaignScene scene = campaign_scene("sample", options);
+  try {
+    sample(options, scene);
+  } catch (const mechanism::MechanismError& error) {
+    throw text::InputError(options.scene + ": " + error.what());
+  }
+}
+
+}  // namespace assur::generator::command

@@ -1,0 +1,121 @@
+// Turns very many values of a mechanism's parameters into rows of a table, the same in any parts.
+#pragma once
+
+#include <assur/mechanism/campaign_columns.hpp>
+#include <assur/mechanism/plan.hpp>
+#include <assur/mechanism/point_values.hpp>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace assur::mechanism {
+
+/// Items that are numbered from 0, each with rows that depend on its number alone.
+struct Campaign {
+  /// Adds the rows of an item to others, row by row: whole numbers and outcomes as they are, what
+  /// there is none of as NaN. The first number of a row is the item's.
+  using Worker = std::function<void(std::uint64_t, std::vector<double>&)>;
+
+  std::vector<Column> columns;
+  std::uint64_t items;
+  std::function<Worker()> worker;  ///< makes one, with memory of its own, for one thread
+};
+
+/// Items from the first up to the last, which is not among them.
+struct ItemRange {
+  std::uint64_t first, last;
+};
+/// Part `number`, from 1, of so many: all parts together are all items, and none is twice.
+[[nodiscard]] ItemRange part_of(std::uint64_t items, std::uint64_t number, std::uint64_t parts);
+
+/// The rows of some items that follow one another.
+struct RowBlock {
+  ItemRange items;
+  std::vector<double> rows;
+  std::string text;  ///< what `encode` made of the rows
+};
+
+/// Computes items on some threads and hands over their rows, block by block in the order of the
+/// items, on the thread of the caller. `encode`, where it is given, turns rows into text beside the
+/// computing. What a worker, `encode` or `use` throws ends the run and is thrown here.
+void run_campaign(const Campaign& campaign, ItemRange items, int threads,
+                  const std::function<std::string(const std::vector<double>&)>& encode,
+                  const std::function<void(const RowBlock&)>& use);
+
+/// A parameter that deviates, and by how much at most.
+struct Deviation {
+  ParameterIndex parameter;
+  double half_width;
+};
+
+/// An output at the nominal values, and what derivatives there say of its deviations. Parameters
+/// are independent and uniform within their half-widths t, with variances t^2/3.
+struct NominalPoint {
+  std::string name;
+  Eigen::Vector2d position;
+  /// Absent where the derivatives are not known there.
+  std::optional<Eigen::Vector2d> worst_case, rss;
+  /// Absent there too, and where a mechanism has too many parameters for second derivatives.
+  std::optional<PointSpread> spread;
+};
+
+/// Outputs under random deviations within the tolerances. Sample k takes its deviations from a
+/// generator that is a function of the seed, k and the parameter's place: each parameter is its
+/// formula's value, with the other parameters as they deviate, and a deviation of its own, uniform
+/// in (-t, t). Of its configurations the one is taken that stands nearest to the nominal one, by
+/// the angles of the links that no driver places.
+class Sampling {
+ public:
+  /// `branch`: the number of the nominal configuration, from 1 as `Plan::solve` counts; zero for
+  /// the one nearest to the request's reference, or where there is none the first. Throws
+  /// MechanismError where nothing deviates, nothing is an output, or there is no such
+  /// configuration.
+  Sampling(const Mechanism& mechanism, const Request& request, std::size_t branch,
+           std::uint64_t seed, std::uint64_t count);
+
+  /// The columns `sample`, `outcome` and the coordinates of the outputs, `P.x`.
+  [[nodiscard]] Campaign campaign() const;
+  [[nodiscard]] const std::vector<NominalPoint>& nominal() const { return nominal_; }
+  [[nodiscard]] const std::vector<Deviation>& deviations() const { return deviations_; }
+  /// The values of the deviating parameters in a sample, in the order of `deviations()`.
+  [[nodiscard]] std::vector<double> parameters_of(std::uint64_t sample) const;
+  /// What the solver says of a sample that has no configuration.
+  [[nodiscard]] std::string reason_of(std::uint64_t sample) const;
+
+ private:
+  class Worker;
+
+  std::vector<Deviation> deviations_;
+  /// Those, and with the half-width zero what depends on them: each behind those in its formula.
+  std::vector<Deviation> changing_;
+  std::vector<NominalPoint> nominal_;
+  std::optional<Plan> plan_;  ///< of positions alone, with the nominal configuration as reference
+  std::uint64_t seed_, count_;
+};
+
+/// Equally spaced values of one parameter, both ends among them.
+struct GridAxis {
+  ParameterIndex parameter;
+  double from, to;
+  std::uint64_t count;
+};
+
+/// So many cells a grid has at most.
+inline constexpr std::uint64_t most_cells = 100'000'000;
+
+/// All configurations over a grid of parameters, whose values take the place of their formulas. The
+/// last axis runs fastest. A row for each configuration, with columns `cell`, the parameters,
+/// `configurations` and `families` (how many there are in the cell), `configuration` (its number,
+/// or zero in the one row of a cell that has none), `outcome`, and the coordinates of the outputs.
+/// Throws MechanismError for a grid of too many cells, for a parameter on two axes, and for what
+/// `Plan` refuses.
+[[nodiscard]] Campaign grid_campaign(const Mechanism& mechanism, const Request& request,
+                                     const std::vector<GridAxis>& axes);
+
+/// The value at a place of an axis.
+[[nodiscard]] double value_at(const GridAxis& axis, std::uint64_t place);
+
+}  // namespace assur::mechanism

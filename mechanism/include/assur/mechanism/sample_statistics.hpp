@@ -1,0 +1,65 @@
+// Turns the positions of a point in many samples into means, deviations, extremes and histograms.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace assur::mechanism {
+
+/// How often a coordinate lies where, in the memory of a fixed number of bins. They are as wide as
+/// a power of two, which doubles while a number lies outside: what is counted in the end depends on
+/// which numbers there are, and not on their order.
+class Histogram {
+ public:
+  /// Bins on either side of the middle.
+  static constexpr std::int64_t half = 2048;
+
+  /// About which middle; `scale` is a width that is certainly not wider than the numbers lie.
+  Histogram(double middle, double scale);
+  void add(double number);
+
+  struct Bar {
+    double from, to;
+    std::uint64_t count;
+  };
+  /// From the least number to the greatest, in so many bars at most.
+  [[nodiscard]] std::vector<Bar> bars(std::size_t most) const;
+
+ private:
+  void widen();
+
+  double middle_, width_;
+  std::vector<std::uint64_t> counts_;
+};
+
+/// Mean, deviation and extremes of a point's coordinates about a nominal position, in one pass.
+class PointStatistics {
+ public:
+  explicit PointStatistics(const Eigen::Vector2d& nominal);
+  void add(const Eigen::Vector2d& position);
+
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+  /// Of the deviations from the nominal position.
+  [[nodiscard]] const Eigen::Vector2d& mean_shift() const { return mean_; }
+  /// Of the sample, divided by count - 1; zero for fewer than two.
+  [[nodiscard]] Eigen::Matrix2d covariance() const;
+  /// Of the positions.
+  [[nodiscard]] const Eigen::Vector2d& least() const { return least_; }
+  [[nodiscard]] const Eigen::Vector2d& greatest() const { return greatest_; }
+  [[nodiscard]] const Histogram& histogram(std::size_t coordinate) const {
+    return histograms_[coordinate];
+  }
+
+ private:
+  Eigen::Vector2d nominal_;
+  std::uint64_t count_ = 0;
+  Eigen::Vector2d mean_ = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d moments_ = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d least_, greatest_;
+  std::array<Histogram, 2> histograms_;
+};
+
+}  // namespace assur::mechanism

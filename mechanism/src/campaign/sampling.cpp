@@ -1,0 +1,263 @@
+// Turns tolerances into random values of the parameters, and these into where outputs are.
+#include <algorithm>
+#include <assur/directions.hpp>
+#include <iterator>
+#include <memory>
+
+#include "counter_random.hpp"
+#include "outcome.hpp"
+#include "plan/plan_data.hpp"
+
+namespace assur::mechanism::campaign {
+
+namespace {
+
+/// The parameters that deviate and those that depend on them, each behind those in its formula.
+std::vector<Deviation> changing_parameters(const Values& values) {
+  const Mechanism& mechanism = values.plan().mechanism;
+  const Eigen::VectorXd& half_widths = values.spread().tolerances;
+  Table<ParameterIndex, bool> changes(mechanism.parameters().size(), false);
+  std::vector<Deviation> changing;
+  for (const ParameterIndex parameter : values.plan().evaluation.parameters) {
+    const std::vector<ParameterIndex> used =
+        mechanism.numbers()[mechanism.parameters()[parameter].value].formula.parameters();
+    const double half_width = half_widths(parameter.row());
+    changes[parameter] = half_width > 0 || std::ranges::any_of(used, [&](ParameterIndex one) {
+                           return changes[one];
+                         });
+    if (changes[parameter]) {
+      changing.push_back({parameter, half_width});
+    }
+  }
+  return changing;
+}
+
+/// Second derivatives are refused with more parameters.
+constexpr std::size_t most_with_spread = 200;
+
+/// The request of the nominal solution: sensitivities, and the variances of what is sampled.
+Request nominal_request(const Request& request, const std::vector<Deviation>& deviations,
+                        Mechanism& mechanism) {
+  Request result = positions_alone(request);
+  result.want.sensitivity = true;
+  if (mechanism.parameters().size() > most_with_spread) {
+    return result;
+  }
+  result.covariance.emplace();
+  const std::size_t count = deviations.size();
+  for (std::size_t row = 0; row < count; ++row) {
+    result.covariance->parameters.push_back(deviations[row].parameter);
+    std::vector<NumberIndex>& numbers = result.covariance->matrix.emplace_back();
+    for (std::size_t column = 0; column < count; ++column) {
+      const double half_width = deviations[row].half_width;
+      numbers.push_back(mechanism.add_number(row == column ? half_width * half_width / 3 : 0.0,
+                                             "the variances of tolerances"));
+    }
+  }
+  return result;
+}
+
+/// The nominal configuration, alone in a solution.
+Solution nominal_solution(const Plan& plan, std::size_t branch) {
+  const Values values = plan.values();
+  Solution solution;
+  if (branch == 0 && !plan.request().reference.empty()) {
+    if (const auto nearest = plan.solve_nearest(values, solution)) {
+      std::swap(solution.configurations.front(), solution.configurations[nearest->configuration]);
+    }
+  } else {
+    const std::size_t passed = plan.solve_one(values, std::max<std::size_t>(branch, 1), solution);
+    if (solution.configurations.empty() && passed > 0) {
+      throw MechanismError("--branch", "no configuration " + std::to_string(branch) +
+                                           "; there are " + std::to_string(passed));
+    }
+  }
+  if (solution.configurations.empty()) {
+    const std::string reason =
+        solution.status == SolutionStatus::degenerate ? solution.reason : plan.obstacle(values);
+    throw MechanismError("",
+                         "at its nominal values there is no configuration to follow: " + reason);
+  }
+  return solution;
+}
+
+std::vector<NominalPoint> nominal_points(const Plan& plan, const Configuration& configuration) {
+  const Values values = plan.values();
+  std::vector<NominalPoint> points;
+  for (const OutputIndex output : plan.mechanism().outputs().keys()) {
+    const Point& point = configuration.outputs[output];
+    NominalPoint nominal{plan.mechanism().outputs()[output].name, point.position, {}, {}, {}};
+    if (configuration.derivatives_known) {
+      nominal.worst_case = worst_case(point, values.spread());
+      nominal.rss = root_sum_square(point, values.spread());
+      if (plan.request().covariance) {
+        nominal.spread = spread_of(point, values.spread());
+      }
+    }
+    points.push_back(std::move(nominal));
+  }
+  return points;
+}
+
+/// The request of the samples: positions, near to a configuration. Links that drivers place stand
+/// alike in all configurations of a sample, and tell nothing; where there are no others, they are
+/// named because a reference must name some.
+Request sample_request(const Request& request, const Plan& plan, const Configuration& nominal,
+                       Mechanism& mechanism) {
+  Request result = positions_alone(request);
+  result.reference.clear();
+  const Table<LinkIndex, bool> by_drivers = plan.structure().placed_by_drivers();
+  for (const bool wants_driven : {false, true}) {
+    for (const LinkIndex link : plan.mechanism().links().keys()) {
+      if (by_drivers[link] == wants_driven && link != plan.mechanism().ground()) {
+        const std::string& name = plan.mechanism().links()[link].name;
+        result.reference.push_back(
+            {index_of(mechanism.links(), name),
+             mechanism.add_number(angle_of(nominal.links[link].pose.direction),
+                                  "the nominal angle of " + name)});
+      }
+    }
+    if (!result.reference.empty()) {
+      break;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+}  // namespace assur::mechanism::campaign
+
+namespace assur::mechanism {
+
+/// Solves one sample after the other in the same memory.
+class Sampling::Worker {
+ public:
+  explicit Worker(const Sampling& sampling)
+      : sampling_(&sampling),
+        values_(sampling.plan_->values()),
+        numbers_(sampling.plan_->mechanism().parameters().size()) {
+    for (const ParameterIndex parameter : numbers_.keys()) {
+      numbers_[parameter] = values_.parameter(parameter);
+    }
+    for (const Deviation& deviation : sampling.deviations_) {
+      changed_.emplace_back(deviation.parameter, 0);
+    }
+  }
+
+  void set(std::uint64_t sample) {
+    const Mechanism& mechanism = sampling_->plan_->mechanism();
+    std::size_t place = 0;
+    for (const auto& [parameter, half_width] : sampling_->changing_) {
+      const Formula& formula = mechanism.numbers()[mechanism.parameters()[parameter].value].formula;
+      numbers_[parameter] =
+          formula.evaluate<double>([this](ParameterIndex used) { return numbers_[used]; });
+      if (half_width > 0) {
+        numbers_[parameter] +=
+            half_width * campaign::uniform(sampling_->seed_, sample,
+                                           static_cast<std::uint32_t>(parameter.place()));
+        changed_[place++].second = numbers_[parameter];
+      }
+    }
+  }
+
+  [[nodiscard]] const std::vector<std::pair<ParameterIndex, double>>& parameters() const {
+    return changed_;
+  }
+
+  std::optional<Nearest> solve() {
+    values_.set(changed_);
+    return sampling_->plan_->solve_nearest(values_, solution_);
+  }
+
+  [[nodiscard]] const Solution& solution() const { return solution_; }
+
+  /// The reason is measured anew, with the numbers that have been set.
+  [[nodiscard]] std::string obstacle() const { return sampling_->plan_->obstacle(values_); }
+
+  void add_row(std::uint64_t sample, std::vector<double>& rows) {
+    set(sample);
+    Outcome outcome = Outcome::refused;
+    const Configuration* found = nullptr;
+    try {
+      const std::optional<Nearest> nearest = solve();
+      found = nearest ? &solution_.configurations[nearest->configuration] : nullptr;
+      outcome = found == nullptr ? campaign::outcome_without_configurations(solution_)
+                                 : campaign::outcome_of(*found);
+      if (outcome == Outcome::regular && nearest->runner_up &&
+          *nearest->runner_up < 3 * nearest->distance) {
+        outcome = Outcome::ambiguous;
+      }
+    } catch (const MechanismError&) {  // is an outcome, whose reason is told by `reason_of`
+    }
+    rows.insert(rows.end(), {static_cast<double>(sample), static_cast<double>(outcome)});
+    campaign::add_outputs(sampling_->plan_->mechanism(), found, rows);
+  }
+
+ private:
+  const Sampling* sampling_;
+  Values values_;
+  Solution solution_;
+  Table<ParameterIndex, double> numbers_;  ///< of the sample, where they change; else nominal
+  std::vector<std::pair<ParameterIndex, double>> changed_;
+};
+
+Sampling::Sampling(const Mechanism& mechanism, const Request& request, std::size_t branch,
+                   std::uint64_t seed, std::uint64_t count)
+    : seed_(seed), count_(count) {
+  if (mechanism.outputs().size() == 0) {
+    throw MechanismError("outputs", "there is no point to sample; name some");
+  }
+  const Plan positions(mechanism, campaign::positions_alone(request));
+  changing_ = campaign::changing_parameters(positions.values());
+  std::ranges::copy_if(changing_, std::back_inserter(deviations_),
+                       [](const Deviation& one) { return one.half_width > 0; });
+  if (deviations_.empty()) {
+    throw MechanismError("parameters",
+                         "none has a tolerance, so that there is nothing to sample; give some: "
+                         "\"AB\": {\"value\": 100, \"tolerance\": 0.05}");
+  }
+  Mechanism extended = mechanism;
+  const Request at_nominal = campaign::nominal_request(request, deviations_, extended);
+  const Plan nominal_plan(extended, at_nominal);
+  const Solution nominal = campaign::nominal_solution(nominal_plan, branch);
+  nominal_ = campaign::nominal_points(nominal_plan, nominal.configurations.front());
+  extended = mechanism;
+  const Request near_nominal =
+      campaign::sample_request(request, nominal_plan, nominal.configurations.front(), extended);
+  plan_.emplace(extended, near_nominal);
+}
+
+Campaign Sampling::campaign() const {
+  Campaign campaign{
+      {{"sample", Column::Kind::whole}, {"outcome", Column::Kind::outcome}}, count_, [this] {
+        return
+            [worker = std::make_shared<Worker>(*this)](
+                std::uint64_t sample, std::vector<double>& rows) { worker->add_row(sample, rows); };
+      }};
+  campaign::add_output_columns(plan_->mechanism(), campaign.columns);
+  return campaign;
+}
+
+std::vector<double> Sampling::parameters_of(std::uint64_t sample) const {
+  Worker worker(*this);
+  worker.set(sample);
+  std::vector<double> numbers;
+  for (const auto& [parameter, number] : worker.parameters()) {
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+std::string Sampling::reason_of(std::uint64_t sample) const {
+  Worker worker(*this);
+  worker.set(sample);
+  try {
+    (void)worker.solve();
+    return worker.obstacle();
+  } catch (const MechanismError& error) {
+    return error.what();
+  }
+}
+
+}  // namespace assur::mechanism
