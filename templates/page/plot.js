@@ -56,7 +56,9 @@ class Plot {
     const bounded = quantity === "x" || quantity === "y" || own.length === 0 ? all : own;
     let low = Math.min(...bounded);
     let high = Math.max(...bounded);
-    [low, high] = low < high ? [low, high] : [low - 1, high + 1];
+    // What differs by rounding alone is constant.
+    const isConstant = !(high - low > 1e-6 * Math.max(Math.abs(low), Math.abs(high)));
+    [low, high] = isConstant ? [low - 1, high + 1] : [low, high];
     context.font = "12px system-ui, sans-serif";
     const texts = [shortNumber(high), shortNumber(low)];
     [this.left, this.right] = [8 + Math.max(...texts.map((text) => context.measureText(text).width)), width - 6];

@@ -33,6 +33,7 @@ class Stage {
   constructor(canvas, film) {
     this.canvas = canvas;
     this.film = film;
+    this.cornersOfNames = new Map();
   }
 
   /** `options`: chosen (a branch's number), all, ways, names, velocity, acceleration. */
@@ -292,18 +293,37 @@ class Stage {
     this.context.fill();
   }
 
-  /** Each name at a place once, to the upper right; the second one there to the lower right. */
+  /** Each name at a place once, in a corner of its point where no other name is: in that of the
+   * picture before, if it is free, so that names do not jump. */
   names(points) {
+    const height = 11 * Math.min(this.unit, 1.4);
     this.context.fillStyle = colour("ink");
-    this.context.font = `italic ${11 * Math.min(this.unit, 1.4)}px system-ui, sans-serif`;
-    const told = new Map();
+    this.context.font = `italic ${height}px system-ui, sans-serif`;
+    const told = new Set();
+    const taken = [];
     for (const shape of this.film.shapes.filter((one) => ["pin", "tracer"].includes(one.symbol))) {
-      const names = told.get(shape.points[0]) || [];
-      if (!names.includes(shape.name)) {
-        const [x, y] = this.point(points, shape.points[0]);
-        const down = names.length === 0 ? -5 : 4 + 11 * names.length;
-        this.context.fillText(shape.name, x + 5 * this.unit, y + down * this.unit);
-        told.set(shape.points[0], names.concat(shape.name));
+      const key = `${shape.points[0]} ${shape.name}`;
+      if (told.has(key)) {
+        continue;
+      }
+      told.add(key);
+      const [x, y] = this.point(points, shape.points[0]);
+      const width = this.context.measureText(shape.name).width;
+      const far = 5 * this.unit;
+      const corners = [[far, -far], [far, far + 0.7 * height], [-far - width, -far],
+        [-far - width, far + 0.7 * height]];
+      const box = ([right, down]) => [x + right, y + down - height, x + right + width, y + down + 2];
+      const isFree = (corner) => taken.every((other) => {
+        const own = box(corner);
+        return own[0] > other[2] || other[0] > own[2] || own[1] > other[3] || other[1] > own[3];
+      });
+      const before = this.cornersOfNames.get(key) || 0;
+      const order = [before, ...[0, 1, 2, 3].filter((one) => one !== before)];
+      const corner = order.find((one) => isFree(corners[one]));
+      if (corner !== undefined) {
+        this.cornersOfNames.set(key, corner);
+        taken.push(box(corners[corner]));
+        this.context.fillText(shape.name, x + corners[corner][0], y + corners[corner][1]);
       }
     }
   }

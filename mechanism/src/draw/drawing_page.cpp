@@ -3,6 +3,7 @@
 #include <assur/mechanism/drawing.hpp>
 #include <bit>
 #include <cstdint>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "draw/drawing_text.hpp"
@@ -112,13 +113,16 @@ std::string colours_of_page(const char* Colour::*shade) {
   return text + "}";
 }
 
-/// Puts a text wherever the page has its name between braces.
-void put(const std::string& name, const std::string& text, std::string& page) {
-  const std::string place = "{{" + name + "}}";
-  for (std::size_t at = page.find(place); at != std::string::npos;
-       at = page.find(place, at + text.size())) {
-    page.replace(at, place.size(), text);
+/// The page with texts where it has their names between braces; what these texts hold is not read.
+std::string filled(const std::string& page, const std::map<std::string, std::string>& texts) {
+  std::string result;
+  std::size_t done = 0;
+  for (std::size_t at = page.find("{{"); at != std::string::npos; at = page.find("{{", done)) {
+    const std::size_t end = page.find("}}", at);
+    result += page.substr(done, at - done) + texts.at(page.substr(at + 2, end - at - 2));
+    done = end + 2;
   }
+  return result + page.substr(done);
 }
 
 }  // namespace
@@ -130,19 +134,14 @@ namespace assur::mechanism {
 std::string drawing_page(const Mechanism& mechanism, const Request& request) {
   using namespace draw;
   const Film film = film_of(mechanism, request, most_film_bytes);
-  std::string page = file_of_page("page.html");
-  put("title", escaped(mechanism.name().empty() ? "A mechanism" : mechanism.name()), page);
-  put("style",
-      colours_of_page(&Colour::light) + "\n@media (prefers-color-scheme:dark){" +
-          colours_of_page(&Colour::dark) + "}\n" + file_of_page("page.css"),
-      page);
-  put("script",
-      file_of_page("film.js") + file_of_page("stage.js") + file_of_page("plot.js") +
-          file_of_page("page.js"),
-      page);
-  // Comes last, for names may hold braces.
-  put("film", inside_html(json_of(mechanism, request, film)), page);
-  return page;
+  return filled(
+      file_of_page("page.html"),
+      {{"title", escaped(mechanism.name().empty() ? "A mechanism" : mechanism.name())},
+       {"style", colours_of_page(&Colour::light) + "\n@media (prefers-color-scheme:dark){" +
+                     colours_of_page(&Colour::dark) + "}\n" + file_of_page("page.css")},
+       {"script", file_of_page("film.js") + file_of_page("stage.js") + file_of_page("plot.js") +
+                      file_of_page("page.js")},
+       {"film", inside_html(json_of(mechanism, request, film))}});
 }
 
 }  // namespace assur::mechanism

@@ -28,8 +28,10 @@ struct Row {
 
 class FilmMaker {
  public:
-  FilmMaker(const Mechanism& mechanism, const Request& request)
-      : mechanism_(mechanism), request_(request), plan_(mechanism, request) {}
+  FilmMaker(const Mechanism& mechanism, const Request& request, int chosen)
+      : mechanism_(mechanism), request_(request), plan_(mechanism, request), asked_for_(chosen) {
+    film_.chosen = std::max(chosen, 1);
+  }
 
   Film made(std::size_t most_bytes) {
     if (!request_.sweep) {
@@ -69,7 +71,7 @@ class FilmMaker {
     for (const Configuration& configuration : solution.configurations) {
       record(++number, 0, configuration);
     }
-    if (!request_.reference.empty() && number > 0) {
+    if (asked_for_ == 0 && !request_.reference.empty() && number > 0) {
       film_.chosen = static_cast<int>(plan_.nearest(plan_.values(), solution)->configuration) + 1;
     }
   }
@@ -95,7 +97,7 @@ class FilmMaker {
 
   /// At the first step branches have the numbers of the configurations.
   void choose(const Plan& plan) {
-    if (request_.reference.empty()) {
+    if (asked_for_ > 0 || request_.reference.empty()) {
       return;
     }
     Values values = plan.values();
@@ -153,12 +155,12 @@ class FilmMaker {
     film.shapes = std::move(symbols.shapes);
     film.points = symbols.points.size();
     for (const auto& [number, rows] : rows_) {
-      if (film.branches.size() == most_drawn) {
-        film.left_out = rows_.size() - most_drawn;
-        break;
+      const std::size_t kept_free = number < film.chosen ? 1 : 0;
+      if (number == film.chosen || film.branches.size() + kept_free < most_drawn) {
+        film.branches.push_back(branch_of(number, rows, symbols.points, frames, size));
       }
-      film.branches.push_back(branch_of(number, rows, symbols.points, frames, size));
     }
+    film.left_out = rows_.size() - film.branches.size();
     return film;
   }
 
@@ -189,6 +191,7 @@ class FilmMaker {
   const Mechanism& mechanism_;
   const Request& request_;
   Plan plan_;
+  int asked_for_;  ///< the branch that is to be looked at; 0 where none is named
   Film film_;
   std::map<int, std::vector<Row>> rows_;
   std::map<int, Reaches> reaches_;
@@ -196,11 +199,12 @@ class FilmMaker {
 
 }  // namespace
 
-Film film_of(const Mechanism& mechanism, const Request& request, std::size_t most_bytes) {
+Film film_of(const Mechanism& mechanism, const Request& request, std::size_t most_bytes,
+             int chosen) {
   Request rates = request;
   rates.want.sensitivity = false;
   rates.covariance.reset();
-  return FilmMaker(mechanism, rates).made(most_bytes);
+  return FilmMaker(mechanism, rates, chosen).made(most_bytes);
 }
 
 }  // namespace assur::mechanism::draw

@@ -31,9 +31,11 @@ struct Film {
 };
 
 /// The branches of the sweep, at steps that hold those of the scene, unless that takes more than
-/// `most_bytes`; without a sweep, the configurations. Throws MechanismError as `sweep` does, and
+/// `most_bytes`; without a sweep, the configurations. There are `most_drawn` of them at most, and
+/// always the chosen one: by its number, or for 0 the one nearest to the reference, or else the
+/// first. Throws MechanismError as `sweep` does, and
 /// where there is no configuration at any step.
 [[nodiscard]] Film film_of(const Mechanism& mechanism, const Request& request,
-                           std::size_t most_bytes);
+                           std::size_t most_bytes, int chosen = 0);
 
 }  // namespace assur::mechanism::draw

@@ -12,7 +12,7 @@ namespace assur::mechanism::draw {
 namespace {
 
 /// A curve of so many pieces looks smooth, whatever the steps of the scene's own table.
-constexpr int pieces = 240;
+constexpr int pieces = 180;
 
 class WayFollower {
  public:

@@ -11,11 +11,11 @@
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 
 #include "largest.hpp"
 #include "mechanism/drawn_scene.hpp"
-#include "mechanism/xml.hpp"
+#include "mechanism/picture.hpp"
+#include "mechanism/swept_slider_crank.hpp"
 #include "scenes_of.hpp"
 
 namespace assur::test::drawing_test {
@@ -27,53 +27,6 @@ using mechanism::Mechanism;
 using mechanism::Plan;
 using mechanism::Shape;
 using mechanism::Symbol;
-
-/// Where a feature is in a configuration, from the poses of `solve` and the scene's own numbers.
-Eigen::Vector2d place_of(const mechanism::Values& values,
-                         const mechanism::Configuration& configuration, const std::string& link,
-                         const mechanism::Feature& feature) {
-  const assur::Pose<double>& pose = configuration.link(link).pose;
-  const double x = values.value_of(feature.x);
-  const double y = values.value_of(feature.y);
-  return {pose.x + pose.direction.cos * x - pose.direction.sin * y,
-          pose.y + pose.direction.sin * x + pose.direction.cos * y};
-}
-
-/// The places of all revolute joints and of all pins in slots, by their names.
-std::map<std::string, Eigen::Vector2d> pins_of(const Plan& plan, const mechanism::Values& values,
-                                               const mechanism::Configuration& configuration) {
-  std::map<std::string, Eigen::Vector2d> pins;
-  for (const mechanism::Joint& joint : plan.mechanism().joints()) {
-    for (const mechanism::FeatureIndex at : joint.between) {
-      const mechanism::Feature& feature = plan.mechanism().features()[at];
-      if (!feature.is_line) {
-        pins[joint.name] =
-            place_of(values, configuration, plan.mechanism().links()[feature.link].name, feature);
-      }
-    }
-  }
-  return pins;
-}
-
-/// A picture and its elements.
-struct Picture {
-  explicit Picture(const Drawing& drawing)
-      : text(drawing_svg(drawing)), root(XmlReader(text).document()) {
-    root.collect(elements);
-  }
-  [[nodiscard]] double number(const std::string& name) const {
-    return std::stod(root.attribute(name));
-  }
-  /// A place of the picture in the scene.
-  [[nodiscard]] Eigen::Vector2d in_scene(double u, double v) const {
-    return {number("data-x") + u / number("data-scale"),
-            number("data-y") - v / number("data-scale")};
-  }
-
-  std::string text;
-  XmlElement root;
-  std::vector<const XmlElement*> elements;
-};
 
 class ExampleDrawing : public testing::TestWithParam<std::string> {
  protected:
@@ -185,39 +138,6 @@ TEST(DrawingOfTheWorkedMechanism, HasTheDeadCentresOfItsSweep) {
   EXPECT_GT(count, 0);
 }
 
-/// A slider-crank with a swept crank and odd names, its lengths in any unit.
-struct Made {
-  Mechanism mechanism;
-  mechanism::Request request;
-};
-Made slider_crank(double unit, const std::string& mark = "") {
-  Made made{Mechanism("one & <two> \"three\" \x01" + mark), {}};
-  Mechanism& m = made.mechanism;
-  m.set_unit(mark);
-  m.add_parameter("phi", "40*deg");
-  m.add_link("ground");
-  m.add_point("ground.A", 3 * unit, -2 * unit);
-  m.add_line("ground.bore", 0, 12 * unit, 1, 0.125);
-  m.add_link("crank" + mark);
-  m.add_point("crank" + mark + ".A", 0, 0);
-  m.add_point("crank" + mark + ".B", 50 * unit, 0);
-  m.add_link("rod");
-  m.add_point("rod.B", 0, 0);
-  m.add_point("rod.C", 160 * unit, 0);
-  m.add_link("piston");
-  m.add_point("piston.C", 0, 0);
-  m.add_line("piston.axis", 0, 0, 1, 0);
-  m.add_joint("A", JointType::revolute, {"ground.A", "crank" + mark + ".A"});
-  m.add_joint("B" + mark, JointType::revolute, {"crank" + mark + ".B", "rod.B"});
-  m.add_joint("C", JointType::revolute, {"rod.C", "piston.C"});
-  m.add_joint("S", JointType::prismatic, {"ground.bore", "piston.axis"});
-  m.add_driver("A", "phi");
-  m.add_output("P" + mark, "rod.C");
-  made.request.sweep = mechanism::Sweep{m.parameter_named("phi"), m.add_number(0, "sweep.from"),
-                                        m.add_number("2*pi", "sweep.to"), 61};
-  return made;
-}
-
 /// What a picture shows of the mechanism, without its scale.
 std::string shown(const Made& made) {
   const std::string text = drawing_svg(drawing_of(made.mechanism, made.request));
@@ -312,68 +232,6 @@ TEST(DrawingBesideItsSweep, HasWaysWithoutConfigurations) {
     EXPECT_EQ(trace.configuration, 0);
   }
   EXPECT_NO_THROW(Picture{drawing});
-}
-
-std::vector<double> values_of(const XmlElement& pin, const std::string& attribute) {
-  std::vector<double> values;
-  for (const XmlElement& child : pin.children) {
-    if (child.name == "animate" && child.attribute("attributeName") == attribute) {
-      std::istringstream in(child.attribute("values"));
-      for (std::string value; std::getline(in, value, ';');) {
-        values.push_back(std::stod(value));
-      }
-    }
-  }
-  return values;
-}
-
-/// A full turn goes round; every moment is a solved position.
-TEST(MovingDrawing, HasPinsWhereTheyAreSolved) {
-  const Made made = slider_crank(1);
-  const Picture picture(moving_drawing_of(made.mechanism, made.request, 1));
-  const Plan plan(made.mechanism, made.request);
-  std::set<std::string> moving;
-  double worst = 0;
-  for (const XmlElement* element : picture.elements) {
-    if (element->attribute("class") != "pin" || element->children.size() < 2) {
-      continue;
-    }
-    const std::vector<double> u = values_of(*element, "cx");
-    const std::vector<double> v = values_of(*element, "cy");
-    ASSERT_EQ(u.size(), v.size());
-    ASSERT_EQ(60 % (u.size() - 1), 0U);
-    EXPECT_EQ(u.front(), u.back());
-    for (std::size_t moment = 0; moment < u.size(); ++moment) {
-      const double part = static_cast<double>(moment) / static_cast<double>(u.size() - 1);
-      const mechanism::Values values = plan.values({{"phi", 2 * std::acos(-1) * part}});
-      const auto pins = pins_of(plan, values, plan.solve(values).configurations[0]);
-      const Eigen::Vector2d at = picture.in_scene(u[moment], v[moment]);
-      worst = largest(
-          worst, (at - pins.at(element->children[0].text)).norm() * picture.number("data-scale"));
-    }
-    moving.insert(element->children[0].text);
-  }
-  EXPECT_EQ(moving, (std::set<std::string>{"B", "C"}));
-  EXPECT_LT(worst, 0.0072);
-}
-
-/// A sweep of half a turn ends elsewhere than it begins.
-TEST(MovingDrawing, GoesToAndFroWhereItIsNotClosed) {
-  Made made = slider_crank(1);
-  made.request.sweep->to = made.mechanism.add_number("pi", "sweep.to");
-  const Drawing drawing = moving_drawing_of(made.mechanism, made.request);
-  const std::size_t count = drawing.motion.size();
-  ASSERT_GT(count, 20U);
-  for (std::size_t moment = 0; moment < count; ++moment) {
-    EXPECT_EQ(drawing.motion[moment].points, drawing.motion[count - 1 - moment].points);
-  }
-}
-
-TEST(MovingDrawing, NeedsASweepAndItsBranch) {
-  Made made = slider_crank(1);
-  EXPECT_THROW((void)moving_drawing_of(made.mechanism, made.request, 3), mechanism::MechanismError);
-  made.request.sweep.reset();
-  EXPECT_THROW((void)moving_drawing_of(made.mechanism, made.request), mechanism::MechanismError);
 }
 
 }  // namespace

@@ -134,6 +134,9 @@ TEST(PageOfOddNames, IsOnePage) {
   EXPECT_EQ(count("<script"), 2);
   EXPECT_EQ(count("</script>"), 2);
   EXPECT_EQ(count("<!--"), 0);
+  EXPECT_EQ(
+      count("<title>&lt;/script&gt;&lt;script&gt;alert(1)&lt;/script&gt;{{film}}{{style}}</title>"),
+      1);
   const Json data = data_of(page);
   EXPECT_EQ(data["title"], odd.mechanism.name());
   EXPECT_EQ(data["outputs"][0], "{{title}}");
