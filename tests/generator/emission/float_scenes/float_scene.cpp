@@ -33,7 +33,10 @@ struct Given {
   Solver::Drivers<double> wide;
 
   explicit Given(double by) {
-    *narrow.positions()[0] += static_cast<float>(by);
+    const auto positions = narrow.positions();
+    if (!positions.empty()) {
+      *positions.front() += static_cast<float>(by);
+    }
     const auto copy = [](const auto& from, const auto& to) {
       for (std::size_t index = 0; index < from.size(); ++index) {
         *to[index] = *from[index];
@@ -156,7 +159,10 @@ void follow(double step, Seen& seen) {
 
 int main() {
   std::vector<double> places;
-  const double turn = ASSUR_TURNS ? 6.283185307179586 : 0.2 * *Given(0).wide.positions()[0];
+  Given given(0);
+  const auto positions = given.wide.positions();
+  const double turn =
+      ASSUR_TURNS || positions.empty() ? 6.283185307179586 : 0.2 * *positions.front();
   for (int step = 0; step < 72; ++step) {
     places.push_back(step * turn / 72);
   }
